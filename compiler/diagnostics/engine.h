@@ -1,0 +1,64 @@
+// Diagnostics: collected here, rendered elsewhere (render.h). Wording rules: lower case, no full
+// stop, back-ticks around source text; the message says what is, the help says what would work.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/support/source.h"
+
+namespace rtac::diag {
+
+// One enumerator per line of the .def tables; the value is the public number (E1001 -> 1001).
+enum class Code : int {
+#define RTAC_DIAGNOSTIC(number, name, severity, title) name = number,
+#include "compiler/diagnostics/codes.def"
+#undef RTAC_DIAGNOSTIC
+};
+
+enum class Severity { error, warning };
+
+struct CodeInfo {
+  Code code;
+  const char* name;   // "unknown_unit"
+  Severity severity;  // default severity
+  const char* title;  // one line for listings
+};
+const std::vector<CodeInfo>& all_codes();
+const CodeInfo& info(Code code);
+
+struct Note {
+  std::optional<SourceRange> range;
+  std::string text;
+};
+
+struct FixIt {
+  SourceRange range;  // empty range = insertion
+  std::string replacement;
+};
+
+struct Diagnostic {
+  Code code;
+  std::optional<SourceRange> range;  // none: about the command line or the environment
+  std::string message;
+  std::string label;  // shown behind the caret
+  std::vector<Note> notes;
+  std::string help;
+  std::vector<FixIt> fixits;
+};
+
+class Engine {
+ public:
+  // Reports are kept in order; the same code at the same range is kept once.
+  void report(Diagnostic diagnostic);
+  [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+  [[nodiscard]] int error_count() const { return errors_; }
+  [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
+
+ private:
+  std::vector<Diagnostic> all_;
+  int errors_ = 0;
+};
+
+}  // namespace rtac::diag

@@ -1,0 +1,69 @@
+// From an exact region to the integer tables that a kernel checks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "compiler/geometry/region.h"
+
+namespace rtac::geometry {
+
+struct GridPoint {
+  std::int32_t x_mm = 0, y_mm = 0;
+  friend bool operator==(const GridPoint&, const GridPoint&) = default;
+};
+
+// A region whose vertices lie on the 1 mm grid. All rings in one list: outer rings
+// counter-clockwise, holes clockwise, so that the region is on the left of every edge.
+struct SnappedZone {
+  std::vector<std::vector<GridPoint>> rings;
+};
+
+// The largest snapped region found that is a subset of `region` (keep-in, the safe side),
+// re-verified exactly; a region already on the grid comes back unchanged. nullopt: nothing is left
+// or a coordinate exceeds +-2^29 mm.
+std::optional<SnappedZone> snap_inside(const Region& region);
+Region to_region(const SnappedZone& zone);
+
+// One directed edge; the region is on its left.
+struct EdgeRow {
+  GridPoint a, b;
+  // Unit direction of the edge and inward unit normal in Q30, rounded to nearest.
+  std::int32_t ux_q30 = 0, uy_q30 = 0, nx_q30 = 0, ny_q30 = 0;
+  std::int32_t length_mm_up = 0;  // ceiling
+};
+
+// Square cells over the bounding box, row by row from the south-west. Values are one-sided over
+// the whole closed cell.
+struct CellGrid {
+  GridPoint origin;         // south-west corner
+  std::int32_t cell_mm = 100;
+  std::int32_t columns = 0, rows = 0;
+  // Lower bound of the distance to the boundary for every point of the cell; 0 for a cell that
+  // meets the boundary, negative (-1) for one that lies outside.
+  std::vector<std::int32_t> clearance_mm_lo;
+  // Upper bound, for deciding that no body can be there; -1 outside.
+  std::vector<std::int32_t> clearance_mm_hi;
+};
+
+struct BakedZone {
+  std::vector<EdgeRow> edges;
+  CellGrid cells;
+  // Place of largest clearance (pole of inaccessibility, within 1 mm) and that clearance, rounded
+  // down: what `the return set is empty` reports.
+  GridPoint widest_at;
+  std::int32_t widest_mm = 0;
+};
+BakedZone bake(const SnappedZone& zone, std::int32_t cell_mm);
+
+// Length of a path along cell centres, 8-connected (a diagonal step needs both its orthogonal
+// neighbours), through cells with clearance_mm_lo >= clearance_mm, from anywhere in the cell to
+// `site` (half a cell diagonal added at either end, rounded up). Cells below that clearance whose
+// clearance_mm_hi >= body_mm get a connector: the straight way to the nearest admissible cell
+// centre within `connector_mm`, plus that cell's value. -1: no way.
+std::vector<std::int32_t> distances_to(const CellGrid& cells, GridPoint site,
+                                       std::int32_t clearance_mm, std::int32_t body_mm,
+                                       std::int32_t connector_mm);
+
+}  // namespace rtac::geometry

@@ -1,0 +1,78 @@
+// Exact planar regions. The only place, with its siblings in this folder, that knows CGAL; what
+// leaves it is plain data. All coordinates are exact rationals in metres, map frame.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "compiler/support/rational.h"
+
+namespace rtac::geometry {
+
+struct Point {
+  Rational x, y;
+};
+using Ring = std::vector<Point>;
+
+struct PolygonWithHoles {
+  Ring outer;  // counter-clockwise
+  std::vector<Ring> holes;  // clockwise
+};
+
+// Why a polygon as written is not one. `ring` 0 is the outer ring, 1.. the holes in order;
+// `vertex` is the index in that ring as written.
+struct Problem {
+  enum class Kind {
+    too_short,          // fewer than three different vertices
+    repeats_vertex,     // `vertex` equals vertex `other`
+    self_intersects,    // edge from `vertex` meets the edge from `other` at `where`
+    no_area,
+    hole_outside_ring,
+    holes_overlap,      // ring `ring` and ring `other`
+  };
+  Kind kind;
+  std::size_t ring = 0, vertex = 0, other = 0;
+  Point where;
+};
+
+class Region {
+ public:
+  Region();  // empty
+  ~Region();
+  Region(const Region&);
+  Region(Region&&) noexcept;
+  Region& operator=(Region);
+
+  // Any orientation, closed implicitly. Collinear vertices are merged silently.
+  static std::variant<Region, Problem> polygon(const Ring& outer, const std::vector<Ring>& holes);
+  // A regular 32-gon inscribed in the circle (inner) or circumscribed about it (!inner), with
+  // rational vertices that lie exactly inside / outside.
+  static Region circle(const Point& centre, const Rational& radius, bool inner);
+
+  [[nodiscard]] Region unite(const Region& other) const;
+  [[nodiscard]] Region intersect(const Region& other) const;
+  [[nodiscard]] Region subtract(const Region& other) const;
+  // One-sided: every point of the result has a distance of at least `distance` to the complement.
+  // The result may be smaller than the true erosion, by less than 1 mm where the boundary is
+  // convex or straight; round reflex corners are polygonised from the inside within 2 mm.
+  [[nodiscard]] Region shrink(const Rational& distance) const;
+  // One-sided: contains every point within `distance` of the region; at most 2 mm larger.
+  [[nodiscard]] Region grow(const Rational& distance) const;
+
+  [[nodiscard]] bool empty() const;
+  [[nodiscard]] bool contains(const Point& p) const;  // closed
+  [[nodiscard]] bool contains(const Region& other) const;  // other is a subset of this, exactly
+  [[nodiscard]] Rational area() const;
+  // Connected components in a canonical order (lexicographic by lowest-left vertex), each ring
+  // starting at its lowest-left vertex: the same region always gives the same list.
+  [[nodiscard]] std::vector<PolygonWithHoles> polygons() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rtac::geometry

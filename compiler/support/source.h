@@ -1,0 +1,54 @@
+// Source texts and positions in them. Every later phase refers to text only by SourceRange.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rtac {
+
+enum class FileId : std::uint32_t {};
+
+// Half-open range of bytes [begin, end) of one file.
+struct SourceRange {
+  FileId file{};
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  friend bool operator==(const SourceRange&, const SourceRange&) = default;
+};
+
+// 1-based; the column counts bytes.
+struct LineColumn {
+  std::uint32_t line = 1;
+  std::uint32_t column = 1;
+};
+
+class SourceManager {
+ public:
+  // `path` is kept as it is shown to the user (as given on the command line or resolved by an
+  // import relative to its importer).
+  FileId add(std::string path, std::string text);
+  // nullopt: the file cannot be opened or read; `why` receives the system's reason.
+  std::optional<FileId> load(const std::string& path, std::string& why);
+
+  [[nodiscard]] const std::string& path(FileId file) const;
+  [[nodiscard]] std::string_view text(FileId file) const;
+  [[nodiscard]] std::string_view text(const SourceRange& range) const;
+  [[nodiscard]] LineColumn position(FileId file, std::uint32_t offset) const;
+  // The line without its line break; `line` is 1-based.
+  [[nodiscard]] std::string_view line_text(FileId file, std::uint32_t line) const;
+  [[nodiscard]] std::size_t file_count() const { return files_.size(); }
+
+ private:
+  struct File {
+    std::string path;
+    std::string text;
+    std::vector<std::uint32_t> line_starts;
+  };
+  [[nodiscard]] const File& get(FileId file) const;
+  std::vector<File> files_;
+};
+
+}  // namespace rtac

@@ -1,0 +1,76 @@
+// What an application plugs in, and what the templates implement.
+#pragma once
+
+#include "rtac/decision.h"
+#include "rtac/types.h"
+
+namespace rtac {
+
+// An advanced controller: nobody has verified it, so it may do anything but block.
+template <class Output>
+class Controller {
+ public:
+  virtual ~Controller() = default;
+  virtual Output command(const Observation& observation) = 0;
+};
+
+// A safe controller: never blocks, is asked every tick while it drives.
+template <class Output>
+class SafeController {
+ public:
+  virtual ~SafeController() = default;
+  // Called on the tick of the hand-over, before the first command.
+  virtual void engage(const Observation& observation) = 0;
+  // `gate` is binding: `hold` means brake and hold, `away_only` allows motion only along which no
+  // distance to a HELD robot shrinks.
+  virtual Output command(const Observation& observation, Gate gate) = 0;
+  // Latched in its position hold: at rest, and it will stay there until told otherwise.
+  [[nodiscard]] virtual bool holding() const = 0;
+};
+
+struct Disc {
+  Vec2 centre;
+  double radius_m = 0;
+};
+struct PlanRequest {
+  int robot = 0;
+  Vec2 start, goal;
+  FixedList<Disc, max_robots> obstacles;  // robots that stand
+};
+class Planner {
+ public:
+  virtual ~Planner() = default;
+  // false: no plan found within the planner's bounded effort; `plan` is then unspecified.
+  virtual bool plan(const PlanRequest& request, Path& plan) = 0;
+};
+
+// The application layer: which place a robot visits next.
+class TaskSource {
+ public:
+  virtual ~TaskSource() = default;
+  virtual bool next(int robot, Vec2& destination) = 0;       // false: no more tasks
+  virtual void completed(int robot, Vec2 destination, TimeUs now_us) = 0;
+  virtual void skipped(int robot, Vec2 destination, TimeUs now_us) = 0;
+};
+
+// What the runtime needs of one robot's SDK. The simulator is one; a ROS node is another.
+template <class Output>
+class RobotSdk {
+ public:
+  virtual ~RobotSdk() = default;
+  // Newest samples and announcements received until now. Leaves plan, self, robots alone.
+  virtual void sense(Observation& observation) = 0;
+  virtual void actuate(const Output& output) = 0;
+  virtual void announce(const Announcement& announcement) = 0;
+};
+template <class Output>
+class FleetSdk {
+ public:
+  virtual ~FleetSdk() = default;
+  virtual RobotSdk<Output>& robot(int index) = 0;
+  [[nodiscard]] virtual TimeUs now_us() const = 0;
+  // Returns when the clock reads at least `time_us` (a simulator advances it), false to stop.
+  virtual bool wait_until(TimeUs time_us) = 0;
+};
+
+}  // namespace rtac

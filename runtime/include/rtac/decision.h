@@ -1,0 +1,106 @@
+// The decision record: one per tick, plain data. Strings are static tables of the generated
+// module, reached through `info`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "rtac/types.h"
+
+namespace rtac {
+
+enum class Verdict : std::int8_t { is_false = 0, is_unknown = 1, is_true = 2 };
+
+enum class Reason : std::int8_t {
+  none,          // the advanced controller drives and every check passed
+  margin,        // the duration check of the look-ahead failed
+  waypoint,      // way-point `reason_index` of the plan failed
+  leg,           // leg `reason_index` of the plan failed (0: from here to the next way-point)
+  violated,      // the property is false now
+  within_error,  // the verdict is undecided within the declared errors
+  input,         // a needed input is missing, stale, not finite or out of range
+  returning,     // the recovery goes on until its return condition holds
+  starting,      // no return condition was established yet since the start
+  over_capacity  // a plan is longer than the declared capacity
+};
+
+// Which input failed, for Reason::input.
+enum class InputField : std::int8_t { none, position, velocity, heading, battery, plan, other_robot, clock };
+
+// What the separation test allows a moving safe controller to do.
+enum class Gate : std::int8_t {
+  free,       // the test holds for the active controller's own motion
+  away_only,  // it fails only against robots that are HELD: move if no distance to them shrinks
+  hold        // brake and hold
+};
+
+struct MonitorInfo {
+  const char* name;
+  const char* requirement_id;
+  const char* requirement_text;
+  const char* source_file;
+  int source_line;
+  const char* recovery;         // name of the safe controller
+  const char* return_condition; // as written, or "" when only the derived one applies
+  const char* unit;             // of the margin: "m", "%"
+  double unit_scale;            // grid units per unit
+};
+struct DecisionInfo {
+  const char* decision;
+  const char* kind;
+  const char* advanced;
+  const char* safe;  // of a decision on a plan, else ""
+  const MonitorInfo* monitors;
+  int monitor_count;
+  TimeUs period_us;  // 0: on plan
+};
+
+struct MonitorRecord {
+  Verdict now = Verdict::is_unknown;    // the property
+  Verdict ahead = Verdict::is_unknown;  // the look-ahead under the active controller's motion
+  Verdict safer = Verdict::is_unknown;  // the derived return condition
+  bool engaged = false;
+  double margin = 0;  // lower end of the look-ahead margin, in `unit`; -inf when unknown
+};
+
+struct DecisionRecord {
+  const DecisionInfo* info = nullptr;
+  std::uint64_t tick = 0;
+  TimeUs time_us = 0;
+  int robot = 0;
+  // 0: advanced controller; k > 0: the recovery of monitor k - 1 (on a plan: 1 = `safe`).
+  int mode = 0, previous_mode = 0;
+  int deciding_monitor = -1;  // index, -1 when the advanced controller drives undisputed
+  Reason reason = Reason::none;
+  int reason_index = 0;
+  InputField reason_input = InputField::none;
+  int reason_other = -1;  // robot that the reason is about, -1: none
+  Gate gate = Gate::free;
+  TimeUs lease_end_us = never_us;     // HELD lease to announce
+  TimeUs time_to_violation_us = -1;   // -1: unknown
+  TimeUs position_age_us = -1, velocity_age_us = -1, battery_age_us = -1;
+  std::int64_t decision_ns = 0;       // filled by the caller that measures
+  std::array<MonitorRecord, max_monitors> monitors{};
+  [[nodiscard]] bool advanced() const { return mode == 0; }
+};
+
+// One generated decision for one robot, as the runtime sees it.
+class DecisionModule {
+ public:
+  virtual ~DecisionModule() = default;
+  [[nodiscard]] virtual const DecisionInfo& info() const = 0;
+  // `holding`: the active safe controller has latched its position hold. Bounded time, no
+  // allocation, any input; the record stays valid until the next step.
+  virtual const DecisionRecord& step(const Observation& observation, bool holding) = 0;
+  virtual void reset() = 0;
+};
+
+// A decision that runs when a plan is proposed (`on plan`).
+class PlanDecision {
+ public:
+  virtual ~PlanDecision() = default;
+  [[nodiscard]] virtual const DecisionInfo& info() const = 0;
+  virtual const DecisionRecord& judge(const Path& plan, TimeUs now_us) = 0;
+};
+
+}  // namespace rtac

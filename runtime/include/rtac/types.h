@@ -1,0 +1,115 @@
+// Values that cross the interfaces of the runtime. SI units, map frame, angles in radians.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace rtac {
+
+using TimeUs = std::int64_t;                      // microseconds of the robot's clock
+inline constexpr TimeUs never_us = INT64_MIN;     // stamp of something that was never received
+
+struct Vec2 {
+  double x = 0, y = 0;
+};
+inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+inline Vec2 operator*(double k, Vec2 a) { return {k * a.x, k * a.y}; }
+inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+inline double norm(Vec2 a) { return std::hypot(a.x, a.y); }
+
+// Outputs of a controller.
+struct Twist {  // body frame
+  double speed_mps = 0;
+  double turn_radps = 0;
+};
+struct Acceleration {  // map frame, m/s^2
+  Vec2 value_mps2;
+};
+
+// A value with the time it was true at. `stamp_us == never_us`: none yet.
+template <class T>
+struct Sample {
+  T value{};
+  TimeUs stamp_us = never_us;
+};
+
+// A list with a fixed capacity: the runtime allocates nothing after start.
+template <class T, std::size_t Capacity>
+class FixedList {
+ public:
+  static constexpr std::size_t capacity = Capacity;
+  [[nodiscard]] bool push(const T& value) {  // false: full, nothing stored
+    if (size_ == Capacity) return false;
+    items_[size_++] = value;
+    return true;
+  }
+  void clear() { size_ = 0; }
+  void resize_down(std::size_t size) { size_ = size < size_ ? size : size_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  T& operator[](std::size_t i) { return items_[i]; }
+  const T& operator[](std::size_t i) const { return items_[i]; }
+  T* begin() { return items_.data(); }
+  T* end() { return items_.data() + size_; }
+  const T* begin() const { return items_.data(); }
+  const T* end() const { return items_.data() + size_; }
+  const T& back() const { return items_[size_ - 1]; }
+
+ private:
+  std::array<T, Capacity> items_{};
+  std::size_t size_ = 0;
+};
+
+inline constexpr std::size_t max_waypoints = 64;
+inline constexpr std::size_t max_robots = 16;
+inline constexpr std::size_t max_monitors = 16;
+
+// Way-points and the next one to reach. Swapped whole, never edited in place by its reader.
+struct Path {
+  FixedList<Vec2, max_waypoints> points;
+  std::size_t index = 0;  // next target; == size: nothing left
+  TimeUs stamp_us = never_us;
+  [[nodiscard]] bool finished() const { return index >= points.size(); }
+};
+
+// What a robot tells the others (`hears other robots`).
+struct Announcement {
+  Sample<Vec2> position, velocity;  // its own measurements, with its own stamps
+  TimeUs lease_end_us = never_us;   // HELD: promises not to leave its hold before this time
+  bool claims = false;              // it waits to go on (a parked robot does not)
+  bool blocked = false;             // it found no way around the others and asks for passage
+  Path plan;                        // what it follows, or would follow if the way were free
+};
+
+// What a controller and a decision module see of one robot: measurements, never the true state.
+struct Observation {
+  TimeUs now_us = 0;
+  int self = 0;  // index in its fleet
+  Sample<Vec2> position, velocity;
+  Sample<double> heading;  // rad, counter-clockwise from +x
+  Sample<double> battery;  // 1 = full
+  Path plan;
+  // By fleet index; the own entry stays empty. A robot never heard of has stamp never_us.
+  std::array<Announcement, max_robots> others{};
+  int robots = 1;
+};
+
+// Limits of a kind of robot, as declared in its specification. Generated modules export them; the
+// simulator and the safe controllers take them from there, so that nobody states them twice.
+struct RobotLimits {
+  double radius_m = 0;
+  bool unicycle = false;
+  double speed_mps = 0, accel_mps2 = 0, brake_mps2 = 0;
+  double turn_radps = 0, turn_accel_radps2 = 0;  // 0: not a unicycle / unbounded
+  double position_error_m = 0, velocity_error_mps = 0, heading_error_rad = 0, battery_error = 0;
+  TimeUs position_age_us = 0, velocity_age_us = 0, heading_age_us = 0, battery_age_us = 0;
+  TimeUs hears_age_us = 0;
+  TimeUs latency_us = 0;
+  double tracking_m = 0;
+  double drive_per_m = 0, idle_per_s = 0, drain_per_s = 0, charge_per_s = 0;  // of a full battery
+};
+
+}  // namespace rtac
