@@ -24,8 +24,15 @@ class SafeController {
   // `gate` is binding: `hold` means brake and hold, `away_only` allows motion only along which no
   // distance to a HELD robot shrinks.
   virtual Output command(const Observation& observation, Gate gate) = 0;
-  // Latched in its position hold: at rest, and it will stay there until told otherwise.
+  // Latched in its position hold: at rest, and meaning to stay. False as soon as it wants to move,
+  // so that the decision module stops renewing the HELD lease.
   [[nodiscard]] virtual bool holding() const = 0;
+  // It found no way because of robots that stand, and asks them for passage.
+  [[nodiscard]] virtual bool blocked() const { return false; }
+  // It has reached what it wanted and makes no claim on the way (charging at the dock).
+  [[nodiscard]] virtual bool parked() const { return false; }
+  // The way it follows or would follow; empty when it has none. For announcements.
+  [[nodiscard]] virtual const Path* path() const { return nullptr; }
 };
 
 struct Disc {

@@ -21,7 +21,8 @@ enum class Reason : std::int8_t {
   input,         // a needed input is missing, stale, not finite or out of range
   returning,     // the recovery goes on until its return condition holds
   starting,      // no return condition was established yet since the start
-  over_capacity  // a plan is longer than the declared capacity
+  over_capacity, // a plan is longer than the declared capacity
+  surrendered    // the advanced side gave control up by itself (it waits, or it is parked)
 };
 
 // Which input failed, for Reason::input.
@@ -89,9 +90,11 @@ class DecisionModule {
  public:
   virtual ~DecisionModule() = default;
   [[nodiscard]] virtual const DecisionInfo& info() const = 0;
-  // `holding`: the active safe controller has latched its position hold. Bounded time, no
-  // allocation, any input; the record stays valid until the next step.
-  virtual const DecisionRecord& step(const Observation& observation, bool holding) = 0;
+  // `holding`: the active safe controller has latched its position hold and means to stay there.
+  // `surrender`: the advanced side gives control up; the first monitor's recovery holds the robot.
+  // Bounded time, no allocation, any input; the record stays valid until the next step.
+  virtual const DecisionRecord& step(const Observation& observation, bool holding,
+                                     bool surrender) = 0;
   virtual void reset() = 0;
 };
 
