@@ -25,7 +25,8 @@ struct ZoneView {
 // Signed distance (m) from `p` to the boundary: positive inside, negative outside. Exact up to
 // double rounding: for controllers and for judging the true state, not for decisions.
 double signed_clearance(const ZoneView& zone, Vec2 p);
-// The same for the segment a-b: the smallest signed clearance on it (negative when it crosses).
+// The same for the segment a-b: the smallest signed clearance on it. Exact for a segment inside the
+// zone; at most 0, and within 1 mm of the true minimum, for one that meets or crosses the boundary.
 double signed_clearance(const ZoneView& zone, Vec2 a, Vec2 b);
 // Closest point of the boundary.
 Vec2 nearest_boundary(const ZoneView& zone, Vec2 p);
