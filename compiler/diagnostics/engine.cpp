@@ -1,0 +1,43 @@
+#include "compiler/diagnostics/engine.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtac::diag {
+namespace {
+
+// Without a range two reports are the same only when they say the same: two missing files are two
+// mistakes.
+bool is_same(const Diagnostic& a, const Diagnostic& b) {
+  if (a.code != b.code || a.range != b.range) return false;
+  return a.range.has_value() || a.message == b.message;
+}
+
+}  // namespace
+
+const std::vector<CodeInfo>& all_codes() {
+  static const std::vector<CodeInfo> codes{
+#define RTAC_DIAGNOSTIC(number, name, severity, title) \
+  {Code::name, #name, Severity::severity, title},
+#include "compiler/diagnostics/codes.def"
+#undef RTAC_DIAGNOSTIC
+  };
+  return codes;
+}
+
+const CodeInfo& info(Code code) {
+  const auto& codes = all_codes();
+  return *std::find_if(codes.begin(), codes.end(),
+                       [code](const CodeInfo& entry) { return entry.code == code; });
+}
+
+void Engine::report(Diagnostic diagnostic) {
+  const auto known = std::find_if(all_.begin(), all_.end(), [&](const Diagnostic& earlier) {
+    return is_same(earlier, diagnostic);
+  });
+  if (known != all_.end()) return;
+  if (info(diagnostic.code).severity == Severity::error) ++errors_;
+  all_.push_back(std::move(diagnostic));
+}
+
+}  // namespace rtac::diag
