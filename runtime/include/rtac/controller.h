@@ -31,6 +31,8 @@ class SafeController {
   [[nodiscard]] virtual bool blocked() const { return false; }
   // It has reached what it wanted and makes no claim on the way (charging at the dock).
   [[nodiscard]] virtual bool parked() const { return false; }
+  // It goes to a place of its own (a dock): the pending destination waits without being stalled.
+  [[nodiscard]] virtual bool errand() const { return false; }
   // The way it follows or would follow; empty when it has none. For announcements.
   [[nodiscard]] virtual const Path* path() const { return nullptr; }
 };

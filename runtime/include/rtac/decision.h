@@ -54,6 +54,7 @@ struct DecisionInfo {
   const MonitorInfo* monitors;
   int monitor_count;
   TimeUs period_us;  // 0: on plan
+  const RobotLimits* limits = nullptr;  // age limits for the text of a reason; may be null
 };
 
 struct MonitorRecord {

@@ -95,6 +95,9 @@ struct Observation {
   // By fleet index; the own entry stays empty. A robot never heard of has stamp never_us.
   std::array<Announcement, max_robots> others{};
   int robots = 1;
+  // This robot waits to go on or has something to do; a parked one does not. With the fleet index
+  // it makes the order of the way (Announcement::claims is the same of another robot).
+  bool claims = true;
 };
 
 // Limits of a kind of robot, as declared in its specification. Generated modules export them; the
