@@ -1,0 +1,65 @@
+# An outside user's day: install into an empty prefix, copy an example to another place, build it
+# against the installed package with find_package(rtac), run it.
+#
+#   cmake -DBUILD=... -DSOURCE=... -DWORK=... -DEXAMPLE=... -DGENERATOR=... -DCC=... -DCXX=...
+#     -DFLAGS=... -DIMPORTED=... -P package_test.cmake
+#
+# The tools and flags are those of this build: a sanitized library needs a sanitized user.
+set(prefix "${WORK}/a prefix")
+set(copy "${WORK}/copy")
+set(example_build "${WORK}/build")
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}")
+
+function(run what)
+  execute_process(COMMAND ${ARGN}
+    RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${what} failed (${status}):\n${text}")
+  endif()
+  set(output "${text}" PARENT_SCOPE)
+endfunction()
+
+run("installing" ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}")
+
+# What was installed must not look back into the tree that it came from.
+file(GLOB_RECURSE installed
+  "${prefix}/*.cmake" "${prefix}/*.h" "${prefix}/*.pc" "${prefix}/*.rta")
+foreach(file ${installed})
+  file(READ "${file}" text)
+  foreach(place "${SOURCE}" "${BUILD}")
+    string(FIND "${text}" "${place}/" position)
+    if(NOT position EQUAL -1)
+      message(FATAL_ERROR "${file} names ${place}")
+    endif()
+  endforeach()
+endforeach()
+
+# Examples find the library of specifications beside them, as in the repository.
+file(COPY "${SOURCE}/examples/${EXAMPLE}" DESTINATION "${copy}/examples")
+file(COPY "${SOURCE}/specs" DESTINATION "${copy}")
+run("configuring" ${CMAKE_COMMAND} -S "${copy}/examples/${EXAMPLE}" -B "${example_build}"
+  -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${prefix}" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF
+  -DCMAKE_BUILD_TYPE=Release "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER=${CXX}"
+  "-DCMAKE_C_FLAGS_RELEASE=${FLAGS}" "-DCMAKE_CXX_FLAGS_RELEASE=${FLAGS}")
+run("building" ${CMAKE_COMMAND} --build "${example_build}" --parallel 2)
+
+run("building again" ${CMAKE_COMMAND} --build "${example_build}")
+if(output MATCHES "Compiling specification")
+  message(FATAL_ERROR "a second build compiles the specifications again:\n${output}")
+endif()
+
+# A touched import must reach the generated files: that is what the dependency file is for.
+run("waiting for the clock of the file system" ${CMAKE_COMMAND} -E sleep 1)
+file(TOUCH_NOCREATE "${copy}/specs/${IMPORTED}")
+run("building after an edit" ${CMAKE_COMMAND} --build "${example_build}" --parallel 2)
+if(NOT output MATCHES "Compiling specification")
+  message(FATAL_ERROR "what imports an edited file is not compiled again:\n${output}")
+endif()
+
+run("running" "${example_build}/${EXAMPLE}" --seeds 1 --out "${WORK}/out")
+file(GLOB results "${WORK}/out/*")
+if(NOT results)
+  message(FATAL_ERROR "the example wrote nothing to ${WORK}/out:\n${output}")
+endif()
+message(STATUS "ok")
