@@ -39,6 +39,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/package/rtac-config-version.cmake
   ${CMAKE_CURRENT_LIST_DIR}/RtacAddModule.cmake
   ${PROJECT_SOURCE_DIR}/runtime/adapters/planning/ompl_target.cmake
+  ${PROJECT_SOURCE_DIR}/runtime/adapters/optimize/ipopt_target.cmake
   DESTINATION ${rtac_package_dir})
 
 # For builds without CMake: the two libraries that every generated module links.
