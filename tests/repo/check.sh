@@ -73,7 +73,7 @@ text_matches() { # PATTERN; prints matches in all text files
 }
 
 check_paths() {
-  if text_matches '(^|[^[:alnum:]_./-])/(work|home|root|farm)(/|$|[^[:alnum:]_-])'; then
+  if text_matches '(^|[^[:alnum:]_./}-])/(work|home|root|farm)(/|$|[^[:alnum:]_-])'; then
     breach 'absolute paths of one machine; paths relative to the repository work everywhere'
   fi
 }
