@@ -1,0 +1,286 @@
+#include "rtac/safe/grid_route.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rtac::safe {
+namespace {
+
+constexpr double m_per_mm = 1e-3;
+// Clearance that a connector may seem to lose: the resolution of signed_clearance on a segment.
+constexpr double connector_loss_m = 2e-3;
+constexpr float unreached = std::numeric_limits<float>::infinity();
+
+}  // namespace
+
+struct GridRoute::Goal {
+  const PlaceTest* test = nullptr;  // null: the cell `cell`
+  int cell = -1;
+  Vec2 point;
+};
+
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
+  const double length2 = dot(d, d);
+  const double t = length2 > 0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
+  return norm(p - (a + t * d));
+}
+
+GridRoute::GridRoute(const ZoneView& zone) : zone_(zone) {
+  const auto cells = static_cast<std::size_t>(std::max(0, zone.columns)) *
+                     static_cast<std::size_t>(std::max(0, zone.rows));
+  if (cells > max_cells || zone.clearance_mm_lo == nullptr || zone.cell_mm <= 0) return;
+  cost_.resize(cells);
+  rank_.resize(cells);
+  parent_.resize(cells);
+  heap_.resize(cells);
+  place_in_heap_.resize(cells);
+}
+
+int GridRoute::cell_of(Vec2 p) const {
+  if (cost_.empty() || !std::isfinite(p.x) || !std::isfinite(p.y)) return -1;
+  const double size = zone_.cell_mm * m_per_mm;
+  const double column = std::floor((p.x - zone_.origin_x_mm * m_per_mm) / size);
+  const double row = std::floor((p.y - zone_.origin_y_mm * m_per_mm) / size);
+  if (column < 0 || row < 0 || column >= zone_.columns || row >= zone_.rows) return -1;
+  return static_cast<int>(row) * zone_.columns + static_cast<int>(column);
+}
+
+Vec2 GridRoute::centre(int cell) const {
+  const int column = cell % zone_.columns, row = cell / zone_.columns;
+  return {(zone_.origin_x_mm + (column + 0.5) * zone_.cell_mm) * m_per_mm,
+          (zone_.origin_y_mm + (row + 0.5) * zone_.cell_mm) * m_per_mm};
+}
+
+bool GridRoute::admissible(int cell, double clearance_m) const {
+  const std::int32_t clearance_mm = zone_.clearance_mm_lo[cell];
+  return clearance_mm >= 0 && clearance_mm * m_per_mm >= clearance_m;
+}
+
+bool GridRoute::leg_allowed(const RouteQuery& query, Vec2 a, Vec2 b) const {
+  for (const Circle& circle : query.avoid) {
+    if (distance_to_segment(circle.centre, a, b) >= circle.radius_m) continue;
+    const bool leaving = norm(query.start - circle.centre) < circle.radius_m &&
+                         norm(a - circle.centre) < circle.radius_m && recedes(a, b, circle.centre);
+    if (!leaving) return false;
+  }
+  for (const Vec2 from : query.recede_from) {
+    if (!recedes(a, b, from)) return false;
+  }
+  return true;
+}
+
+// Every cell that the segment touches is admissible: the rows are taken per column, a hair wider
+// than exact arithmetic would, so that rounding never skips a cell.
+bool GridRoute::straight(const RouteQuery& query, Vec2 a, Vec2 b) const {
+  constexpr double hair = 1e-9;
+  const double size = zone_.cell_mm * m_per_mm;
+  const auto in_cells = [&](Vec2 p) {
+    return Vec2{(p.x - zone_.origin_x_mm * m_per_mm) / size,
+                (p.y - zone_.origin_y_mm * m_per_mm) / size};
+  };
+  Vec2 p = in_cells(a), q = in_cells(b);
+  if (p.x > q.x) std::swap(p, q);
+  const auto first = static_cast<int>(std::floor(p.x - hair));
+  const auto last = static_cast<int>(std::floor(q.x + hair));
+  for (int column = first; column <= last; ++column) {
+    double y0 = p.y, y1 = q.y;
+    if (q.x - p.x > hair) {
+      const double slope = (q.y - p.y) / (q.x - p.x);
+      y0 = p.y + slope * (std::clamp<double>(column, p.x, q.x) - p.x);
+      y1 = p.y + slope * (std::clamp<double>(column + 1, p.x, q.x) - p.x);
+    }
+    const auto low = static_cast<int>(std::floor(std::min(y0, y1) - hair));
+    const auto high = static_cast<int>(std::floor(std::max(y0, y1) + hair));
+    for (int row = low; row <= high; ++row) {
+      if (column < 0 || row < 0 || column >= zone_.columns || row >= zone_.rows) return false;
+      if (!admissible(row * zone_.columns + column, query.clearance_m)) return false;
+    }
+  }
+  return leg_allowed(query, a, b);
+}
+
+// The cell at which a point joins the grid: its own, or the nearest admissible one that can be
+// reached straight without coming closer to the boundary than the point already is.
+int GridRoute::connect(const RouteQuery& query, Vec2 p, bool leaving) const {
+  const auto allowed = [&](Vec2 c) {
+    return leaving ? leg_allowed(query, p, c) : leg_allowed(query, c, p);
+  };
+  const int own = cell_of(p);
+  if (own >= 0 && admissible(own, query.clearance_m) && allowed(centre(own))) return own;
+  const double floor_m = std::min(signed_clearance(zone_, p), query.clearance_m);
+  double best_m = std::numeric_limits<double>::infinity();
+  int best = -1;
+  for (int cell = 0; cell < zone_.columns * zone_.rows; ++cell) {
+    if (!admissible(cell, query.clearance_m)) continue;
+    const Vec2 c = centre(cell);
+    const double distance_m = norm(c - p);
+    if (distance_m >= best_m || !allowed(c)) continue;
+    if (signed_clearance(zone_, p, c) < floor_m - connector_loss_m) continue;
+    best_m = distance_m;
+    best = cell;
+  }
+  return best;
+}
+
+void GridRoute::sift_up(int at) {
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  const int cell = heap_[index(at)];
+  while (at > 0) {
+    const int up = (at - 1) / 2, other = heap_[index(up)];
+    if (rank_[index(other)] <= rank_[index(cell)]) break;
+    heap_[index(at)] = other;
+    place_in_heap_[index(other)] = at;
+    at = up;
+  }
+  heap_[index(at)] = cell;
+  place_in_heap_[index(cell)] = at;
+}
+
+void GridRoute::sift_down(int at) {
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  const int cell = heap_[index(at)];
+  for (int down = 2 * at + 1; down < heap_size_; down = 2 * at + 1) {
+    const auto rank_at = [&](int i) { return rank_[index(heap_[index(i)])]; };
+    if (down + 1 < heap_size_ && rank_at(down + 1) < rank_at(down)) ++down;
+    if (rank_[index(cell)] <= rank_at(down)) break;
+    heap_[index(at)] = heap_[index(down)];
+    place_in_heap_[index(heap_[index(at)])] = at;
+    at = down;
+  }
+  heap_[index(at)] = cell;
+  place_in_heap_[index(cell)] = at;
+}
+
+int GridRoute::pop() {
+  const int top = heap_[0];
+  --heap_size_;
+  if (heap_size_ > 0) {
+    heap_[0] = heap_[static_cast<std::size_t>(heap_size_)];
+    sift_down(0);
+  }
+  return top;
+}
+
+void GridRoute::relax(const RouteQuery& query, const Goal& goal, int from) {
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  const int column = from % zone_.columns, row = from / zone_.columns;
+  const Vec2 a = centre(from);
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int x = column + dx, y = row + dy;
+      if ((dx == 0 && dy == 0) || x < 0 || y < 0 || x >= zone_.columns || y >= zone_.rows) continue;
+      const int to = y * zone_.columns + x;
+      if (!admissible(to, query.clearance_m)) continue;
+      // A diagonal step touches both neighbours at their common corner.
+      if (dx != 0 && dy != 0 &&
+          (!admissible(row * zone_.columns + x, query.clearance_m) ||
+           !admissible(y * zone_.columns + column, query.clearance_m))) {
+        continue;
+      }
+      const Vec2 b = centre(to);
+      const auto cost = cost_[index(from)] + static_cast<float>(norm(b - a));
+      if (cost >= cost_[index(to)] || !leg_allowed(query, a, b)) continue;
+      cost_[index(to)] = cost;
+      parent_[index(to)] = from;
+      // Straight distance never overestimates, so the first arrival at the goal is shortest.
+      const double estimate_m = goal.test == nullptr ? norm(goal.point - b) : 0.0;
+      rank_[index(to)] = cost + static_cast<float>(estimate_m);
+      if (place_in_heap_[index(to)] < 0 || place_in_heap_[index(to)] >= heap_size_ ||
+          heap_[index(place_in_heap_[index(to)])] != to) {
+        heap_[index(heap_size_)] = to;
+        place_in_heap_[index(to)] = heap_size_++;
+      }
+      sift_up(place_in_heap_[index(to)]);
+    }
+  }
+}
+
+bool GridRoute::search(const RouteQuery& query, const Goal& goal, int first, int& last) {
+  std::fill(cost_.begin(), cost_.end(), unreached);
+  std::fill(place_in_heap_.begin(), place_in_heap_.end(), -1);
+  const auto start = static_cast<std::size_t>(first);
+  cost_[start] = 0;
+  rank_[start] = 0;
+  parent_[start] = -1;
+  heap_[0] = first;
+  place_in_heap_[start] = 0;
+  heap_size_ = 1;
+  // Rounding of the costs may re-open a cell; the bound keeps the effort fixed all the same.
+  std::size_t visits_left = 4 * cost_.size();
+  while (heap_size_ > 0 && visits_left-- > 0) {
+    const int cell = pop();
+    const double clearance_m = zone_.clearance_mm_lo[cell] * m_per_mm;
+    const bool found =
+        goal.test == nullptr ? cell == goal.cell : goal.test->accepts(centre(cell), clearance_m);
+    if (found) {
+      last = cell;
+      return true;
+    }
+    relax(query, goal, cell);
+  }
+  return false;
+}
+
+// Straightens the chain of cells: from each kept point on to the last cell in plain sight.
+bool GridRoute::trace(const RouteQuery& query, int first, int last, const Vec2* end, Path& way) {
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  int count = 0;
+  for (int cell = last; cell >= 0; cell = parent_[index(cell)]) heap_[index(count++)] = cell;
+  std::reverse(heap_.begin(), heap_.begin() + count);
+  way.points.clear();
+  way.index = 0;
+  length_m_ = cost_[index(last)] + norm(centre(first) - query.start);
+  if (end != nullptr) length_m_ += norm(*end - centre(last));
+  const int total = count + (end != nullptr ? 1 : 0);
+  const auto point = [&](int i) { return i < count ? centre(heap_[index(i)]) : *end; };
+  Vec2 anchor = query.start;
+  for (int i = 0; i < total;) {
+    while (i + 1 < total && straight(query, anchor, point(i + 1))) ++i;
+    anchor = point(i);
+    if (!way.points.push(anchor)) return false;
+    ++i;
+  }
+  return true;
+}
+
+bool GridRoute::to_point(const RouteQuery& query, Vec2 goal, Path& way) {
+  if (cost_.empty()) return false;
+  const int first = connect(query, query.start, true);
+  const int aim = connect(query, goal, false);
+  int last = -1;
+  if (first < 0 || aim < 0 || !search(query, {nullptr, aim, centre(aim)}, first, last))
+    return false;
+  return trace(query, first, last, &goal, way);
+}
+
+bool GridRoute::to_place(const RouteQuery& query, const PlaceTest& test, Path& way) {
+  if (cost_.empty()) return false;
+  const int first = connect(query, query.start, true);
+  int last = -1;
+  if (first < 0 || !search(query, {&test, -1, {}}, first, last)) return false;
+  return trace(query, first, last, nullptr, way);
+}
+
+bool GridRoute::straight_to_place(const RouteQuery& query, const PlaceTest& test, double floor_m,
+                                  Path& way) const {
+  if (cost_.empty()) return false;
+  double best_m = std::numeric_limits<double>::infinity();
+  Vec2 best;
+  for (int cell = 0; cell < zone_.columns * zone_.rows; ++cell) {
+    const std::int32_t clearance_mm = zone_.clearance_mm_lo[cell];
+    const Vec2 c = centre(cell);
+    const double distance_m = norm(c - query.start);
+    if (clearance_mm < 0 || distance_m >= best_m) continue;
+    if (!test.accepts(c, clearance_mm * m_per_mm) || !leg_allowed(query, query.start, c)) continue;
+    if (signed_clearance(zone_, query.start, c) < floor_m) continue;
+    best_m = distance_m;
+    best = c;
+  }
+  way.points.clear();
+  way.index = 0;
+  return std::isfinite(best_m) && way.points.push(best);
+}
+
+}  // namespace rtac::safe

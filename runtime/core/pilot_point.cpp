@@ -1,0 +1,113 @@
+// Point mass: accelerations in the map frame.
+#include <algorithm>
+#include <cmath>
+
+#include "angles.h"
+#include "rtac/safe/grid_route.h"
+#include "rtac/safe/pilot.h"
+
+namespace rtac::safe {
+namespace {
+
+constexpr double s_per_us = 1e-6;
+constexpr double reach_m_min = 0.02;
+// The velocity set-point is approached with this time constant at least; twice the delay keeps the
+// loop well damped when the delay is longer.
+constexpr double velocity_time_s = 0.3;
+constexpr double lateral_gain_per_s = 1.0;
+
+}  // namespace
+
+Pilot<Acceleration>::Pilot(const Setting& setting)
+    : limits_(setting.limits), period_us_(setting.period_us), speed_mps_(setting.speed_mps) {
+  reaction_s_ = static_cast<double>(period_us_ + limits_.latency_us) * s_per_us;
+  // theory: sampled brake, eta = eps_v + b (h + l).
+  rest_mps_ = limits_.velocity_error_mps + limits_.brake_mps2 * reaction_s_;
+  // Critically damped; a quarter of a radian per delay leaves a phase margin above 60 degrees.
+  const double age_s = static_cast<double>(limits_.position_age_us) * s_per_us;
+  omega_radps_ = std::min(2.0, 0.25 / std::max(reaction_s_ + age_s, 0.01));
+}
+
+void Pilot<Acceleration>::engage(const Observation& observation) {
+  latched_ = driving_ = false;
+  if (can_steer(observation)) return;
+  // Nothing seen yet in this engagement: an older velocity must not steer the blind brake.
+  if (observation.velocity.stamp_us == never_us || !detail::finite(observation.velocity.value)) {
+    last_velocity_ = {};
+    last_seen_us_ = never_us;
+  } else {
+    last_velocity_ = observation.velocity.value;
+    last_seen_us_ = observation.velocity.stamp_us;
+  }
+}
+
+bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
+  const TimeUs now_us = observation.now_us;
+  return usable(observation.position, now_us, limits_.position_age_us, period_us_) &&
+         usable(observation.velocity, now_us, limits_.velocity_age_us, period_us_) &&
+         detail::finite(observation.position.value) && detail::finite(observation.velocity.value);
+}
+
+Acceleration Pilot<Acceleration>::limited(Vec2 a, double limit_mps2) const {
+  const double size = norm(a);
+  return {size > limit_mps2 ? (limit_mps2 / size) * a : a};
+}
+
+// Brakes along the last known direction for as long as that speed takes to vanish.
+Acceleration Pilot<Acceleration>::brake_blind(const Observation& observation) {
+  driving_ = false;
+  const bool was_latched = latched_;
+  latched_ = false;
+  const double speed = norm(last_velocity_);
+  if (was_latched || last_seen_us_ == never_us || speed <= limits_.velocity_error_mps) {
+    last_velocity_ = {};  // at rest when last seen: any push would only start a motion
+    return {};
+  }
+  const double blind_s = static_cast<double>(observation.now_us - last_seen_us_) * s_per_us;
+  if (speed - limits_.brake_mps2 * blind_s <= 0) return {};
+  return {(-limits_.brake_mps2 / speed) * last_velocity_};
+}
+
+Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
+  driving_ = false;
+  const Vec2 v = observation.velocity.value, p = observation.position.value;
+  last_velocity_ = v;
+  last_seen_us_ = observation.velocity.stamp_us;
+  const double speed = norm(v), b = limits_.brake_mps2;
+  if (!latched_ && speed <= rest_mps_) {
+    latched_ = true;
+    // Where the remaining speed comes to rest, so that the hold begins without a step back.
+    hold_at_ = p + (reaction_s_ / 2) * v;
+  }
+  if (!latched_) return {(-b / std::max(speed, b * reaction_s_)) * v};
+  const Vec2 spring = (omega_radps_ * omega_radps_) * (hold_at_ - p);
+  const Vec2 damper = (-2 * omega_radps_) * v;
+  return limited(spring + damper, b);
+}
+
+Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& way) {
+  const Vec2 v = observation.velocity.value, p = observation.position.value;
+  if (!driving_) tracker_.begin(p);
+  if (!tracker_.advance(way, p, std::max(reach_m_min, limits_.position_error_m))) {
+    return halt(observation);
+  }
+  driving_ = true;
+  latched_ = false;
+  last_velocity_ = v;
+  last_seen_us_ = observation.velocity.stamp_us;
+  const LegTracker::Leg leg = tracker_.leg(way, p);
+  const double limit = limits_.accel_mps2 > 0 ? std::min(limits_.accel_mps2, limits_.brake_mps2)
+                                              : limits_.brake_mps2;
+  const double speed = approach_speed(leg, speed_mps_, limit, reaction_s_);
+  const Vec2 left{-leg.direction.y, leg.direction.x};
+  Vec2 wanted = speed * leg.direction + (-lateral_gain_per_s * leg.lateral_m) * left;
+  if (const double size = norm(wanted); size > speed_mps_) wanted = (speed_mps_ / size) * wanted;
+  const double time_s = std::max(velocity_time_s, 2 * reaction_s_);
+  return limited((1 / time_s) * (wanted - v), limit);
+}
+
+bool Pilot<Acceleration>::recedes(const Observation& observation, Vec2 target, Vec2 from) const {
+  return safe::recedes(observation.position.value, target, from);
+}
+
+}  // namespace rtac::safe

@@ -1,0 +1,99 @@
+// Unicycle: speed and turn rate in the body frame.
+#include <algorithm>
+#include <cmath>
+
+#include "angles.h"
+#include "rtac/safe/grid_route.h"
+#include "rtac/safe/pilot.h"
+
+namespace rtac::safe {
+namespace {
+
+constexpr double s_per_us = 1e-6;
+constexpr double reach_m_min = 0.02;
+// At rest: measured speed within its error and this, for as many samples in a row.
+constexpr double rest_mps = 0.01;
+constexpr int rest_samples = 3;
+// Turning in place begins and ends at these heading errors.
+constexpr double turn_begin_rad = 0.35, turn_end_rad = 0.1;
+constexpr double turn_gain_per_s = 1.5, turn_radps_max = 1.5;
+// The steering aims at a point of the leg's line this far ahead: a small offset gives a small
+// angle.
+constexpr double aim_ahead_m = 0.2;
+// Sideways part of a motion that the pursuit of a receding leg may have for a moment.
+constexpr double sideways_rad = 0.1;
+
+}  // namespace
+
+Pilot<Twist>::Pilot(const Setting& setting)
+    : limits_(setting.limits), period_us_(setting.period_us), speed_mps_(setting.speed_mps) {
+  reaction_s_ = static_cast<double>(period_us_ + limits_.latency_us) * s_per_us;
+}
+
+void Pilot<Twist>::engage(const Observation&) {
+  latched_ = driving_ = turning_ = false;
+  still_samples_ = 0;
+}
+
+bool Pilot<Twist>::can_steer(const Observation& observation) const {
+  const TimeUs now_us = observation.now_us;
+  return usable(observation.position, now_us, limits_.position_age_us, period_us_) &&
+         usable(observation.velocity, now_us, limits_.velocity_age_us, period_us_) &&
+         usable(observation.heading, now_us, limits_.heading_age_us, period_us_) &&
+         detail::finite(observation.position.value) && detail::finite(observation.velocity.value) &&
+         detail::finite(observation.heading.value);
+}
+
+// The base brakes by itself: speed and turn 0 at once, never a ramp (theory: unicycle).
+Twist Pilot<Twist>::brake_blind(const Observation&) {
+  latched_ = driving_ = false;
+  still_samples_ = 0;
+  return {};
+}
+
+Twist Pilot<Twist>::halt(const Observation& observation) {
+  driving_ = false;
+  if (latched_) return {};
+  const bool still = norm(observation.velocity.value) <= limits_.velocity_error_mps + rest_mps;
+  still_samples_ = still ? still_samples_ + 1 : 0;
+  latched_ = still_samples_ >= rest_samples;
+  return {};
+}
+
+Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
+  const Vec2 p = observation.position.value;
+  if (!driving_) tracker_.begin(p);
+  if (!tracker_.advance(way, p, std::max(reach_m_min, limits_.position_error_m))) {
+    return halt(observation);
+  }
+  if (!driving_) turning_ = true;
+  driving_ = true;
+  latched_ = false;
+  still_samples_ = 0;
+  const LegTracker::Leg leg = tracker_.leg(way, p);
+  const Vec2 left{-leg.direction.y, leg.direction.x};
+  const Vec2 aim = aim_ahead_m * leg.direction + (-leg.lateral_m) * left;
+  const double error = detail::wrapped(detail::angle(aim) - observation.heading.value);
+  if (std::fabs(error) > turn_begin_rad) turning_ = true;
+  if (std::fabs(error) < turn_end_rad) turning_ = false;
+  const double turn_max =
+      limits_.turn_radps > 0 ? std::min(limits_.turn_radps, turn_radps_max) : turn_radps_max;
+  Twist out;
+  out.turn_radps = std::clamp(turn_gain_per_s * error, -turn_max, turn_max);
+  if (!turning_) {
+    const double brake = limits_.brake_mps2 > 0 ? limits_.brake_mps2 : limits_.accel_mps2;
+    out.speed_mps = approach_speed(leg, speed_mps_, brake, reaction_s_);
+  }
+  return out;
+}
+
+// Turning in place moves nothing, so both the leg and the heading count once it drives.
+bool Pilot<Twist>::recedes(const Observation& observation, Vec2 target, Vec2 from) const {
+  const Vec2 p = observation.position.value;
+  if (!safe::recedes(p, target, from)) return false;
+  if (!driving_ || turning_) return true;
+  const Vec2 forward{std::cos(observation.heading.value), std::sin(observation.heading.value)};
+  return dot(forward, p - from) >= -std::sin(sideways_rad) * norm(p - from);
+}
+
+}  // namespace rtac::safe

@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include "rtac/safe/manoeuvre.h"
+
+namespace rtac::safe {
+namespace {
+
+constexpr TimeUs look_every_us = 1'000'000;
+// Below the resolution of a millimetre grid: the clearance "does not fall" up to this.
+constexpr double loss_m = 2e-3;
+
+class ClearanceAtLeast : public PlaceTest {
+ public:
+  explicit ClearanceAtLeast(double clearance_m) : clearance_m_(clearance_m) {}
+  [[nodiscard]] bool accepts(Vec2, double clearance_m) const override {
+    return clearance_m >= clearance_m_;
+  }
+
+ private:
+  double clearance_m_;
+};
+
+}  // namespace
+
+void RetreatManoeuvre::engage(const Observation&) {
+  stay();
+  next_look_us_ = never_us;
+}
+
+void RetreatManoeuvre::update(const Observation& observation, Gate, bool at_rest) {
+  // On the way nothing is reconsidered; the pilot comes to rest at its end or when the gate closes.
+  if (!at_rest || observation.now_us < next_look_us_) return;
+  next_look_us_ = observation.now_us + look_every_us;
+  look(observation);
+}
+
+void RetreatManoeuvre::look(const Observation& observation) {
+  stay();
+  const Vec2 p = observation.position.value;
+  const double now_m = signed_clearance(*setting_.zone, p);
+  if (now_m >= setting_.return_clearance_m) return;
+  // Position errors at either end: aim deeper, so that the place is good when it is reached.
+  const double slack_m = 2 * setting_.limits.position_error_m;
+  FixedList<double, 4> wanted;
+  (void)wanted.push(setting_.return_clearance_m + slack_m);
+  (void)wanted.push(setting_.return_clearance_m);
+  if (now_m < setting_.limits.radius_m) {  // outside: any place inside is better than here
+    (void)wanted.push(setting_.route_clearance_m);
+    (void)wanted.push(setting_.limits.radius_m + slack_m);
+  }
+  for (const bool around_held : {true, false}) {
+    const RouteQuery from_here = query(observation, around_held);
+    for (const double wanted_m : wanted) {
+      if (wanted_m > now_m && find(from_here, now_m, wanted_m)) return;
+    }
+  }
+  stay();
+}
+
+bool RetreatManoeuvre::find(const RouteQuery& from_here, double now_m, double wanted_m) {
+  if (find_straight(from_here, now_m, wanted_m)) return true;
+  const ClearanceAtLeast test(wanted_m);
+  if (route_.straight_to_place(from_here, test, now_m - loss_m, way_)) return true;
+  if (now_m < setting_.limits.radius_m) return false;  // no detours outside
+  RouteQuery along = from_here;
+  along.clearance_m = std::min(setting_.route_clearance_m, now_m);
+  return route_.to_place(along, test, way_);
+}
+
+// Straight away from the nearest point of the boundary, or straight in through it.
+bool RetreatManoeuvre::find_straight(const RouteQuery& from_here, double now_m, double wanted_m) {
+  const ZoneView& zone = *setting_.zone;
+  const Vec2 p = from_here.start, boundary = nearest_boundary(zone, p);
+  const double distance_m = norm(p - boundary);
+  if (distance_m < 1e-6) return false;  // on it: no direction to tell
+  const Vec2 inward = ((now_m < 0 ? -1.0 : 1.0) / distance_m) * (p - boundary);
+  const Vec2 q = boundary + wanted_m * inward;
+  if (signed_clearance(zone, q) < wanted_m - 1e-6) return false;
+  if (signed_clearance(zone, p, q) < now_m - loss_m) return false;
+  if (!route_.leg_allowed(from_here, p, q)) return false;
+  stay();
+  return way_.points.push(q);
+}
+
+}  // namespace rtac::safe

@@ -1,0 +1,100 @@
+// What a recovery wants to do, apart from how the robot moves: the part of the safe-controller
+// templates that does not depend on the kind of output.
+#pragma once
+
+#include "rtac/decision.h"
+#include "rtac/safe/grid_route.h"
+#include "rtac/safe/setting.h"
+#include "rtac/types.h"
+
+namespace rtac::safe {
+
+// The other robot promised not to leave its hold before now, and says where that is.
+bool is_held(const Announcement& other, TimeUs now_us);
+
+class Manoeuvre {
+ public:
+  explicit Manoeuvre(const Setting& setting) : setting_(setting), route_(*setting.zone) {}
+  virtual ~Manoeuvre() = default;
+
+  virtual void engage(const Observation& observation) = 0;
+  // Every tick on which the robot can be steered. `at_rest`: the pilot has latched its hold.
+  virtual void update(const Observation& observation, Gate gate, bool at_rest) = 0;
+
+  [[nodiscard]] bool wants_motion() const { return !way_.finished(); }
+  Path& way() { return way_; }
+  // The way it follows, or would follow if robots did not stand there.
+  [[nodiscard]] virtual const Path& shown_way() const { return way_; }
+  [[nodiscard]] virtual bool blocked() const { return false; }
+  [[nodiscard]] virtual bool parked() const { return false; }
+  [[nodiscard]] virtual bool errand() const { return false; }
+
+ protected:
+  void stay() {
+    way_.points.clear();
+    way_.index = 0;
+  }
+  // A query from the present position; HELD robots as circles of the pass gap, if wanted.
+  [[nodiscard]] RouteQuery query(const Observation& observation, bool around_held) const;
+
+  Setting setting_;
+  GridRoute route_;
+  Path way_;
+};
+
+class RetreatManoeuvre : public Manoeuvre {
+ public:
+  using Manoeuvre::Manoeuvre;
+  void engage(const Observation& observation) override;
+  void update(const Observation& observation, Gate gate, bool at_rest) override;
+
+ private:
+  void look(const Observation& observation);
+  bool find(const RouteQuery& query, double clearance_now_m, double wanted_m);
+  bool find_straight(const RouteQuery& query, double clearance_now_m, double wanted_m);
+
+  TimeUs next_look_us_ = never_us;
+};
+
+class RouteManoeuvre : public Manoeuvre {
+ public:
+  RouteManoeuvre(const Setting& setting, Vec2 site) : Manoeuvre(setting), site_(site) {}
+  void engage(const Observation& observation) override;
+  void update(const Observation& observation, Gate gate, bool at_rest) override;
+  [[nodiscard]] const Path& shown_way() const override { return blocked_ ? blocked_way_ : way_; }
+  [[nodiscard]] bool blocked() const override { return blocked_; }
+  [[nodiscard]] bool parked() const override { return parked_; }
+  [[nodiscard]] bool errand() const override { return true; }
+
+ private:
+  void look(const Observation& observation);
+
+  Vec2 site_;
+  Path blocked_way_;
+  bool blocked_ = false, parked_ = false;
+  TimeUs next_look_us_ = never_us;
+};
+
+class YieldManoeuvre : public Manoeuvre {
+ public:
+  using Manoeuvre::Manoeuvre;
+  void engage(const Observation& observation) override;
+  void update(const Observation& observation, Gate gate, bool at_rest) override;
+
+ private:
+  // The robot with the strongest claim that asks this one for passage; -1: none.
+  [[nodiscard]] int asking(const Observation& observation) const;
+  // This robot has to make the room: all close robots are HELD, and it outranks them.
+  [[nodiscard]] bool must_back_off(const Observation& observation) const;
+  [[nodiscard]] bool outranks(const Observation& observation, int other) const;
+  void make_passage(const Observation& observation, Gate gate, int asker);
+  void back_off(const Observation& observation);
+  void reconsider(const Observation& observation, Gate gate);
+  void start_waiting(const Observation& observation);
+
+  TimeUs held_since_us_ = never_us;     // at rest without a wish to move
+  TimeUs wanting_since_us_ = never_us;  // at rest, wanting to move
+  TimeUs next_look_us_ = never_us;
+};
+
+}  // namespace rtac::safe

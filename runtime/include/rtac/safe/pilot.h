@@ -1,0 +1,104 @@
+// The motion of a safe controller: brake, hold a position, follow way-points slowly. One class per
+// kind of output, the same interface, so that the manoeuvres are written once.
+#pragma once
+
+#include "rtac/safe/setting.h"
+#include "rtac/types.h"
+
+namespace rtac::safe {
+
+// Keeps track of the leg that is driven and of when its end is reached.
+class LegTracker {
+ public:
+  // The present leg: seen from a measured position.
+  struct Leg {
+    Vec2 direction;          // unit vector
+    double remaining_m = 0;  // to the end of the leg, along it
+    double lateral_m = 0;    // offset from the leg, positive to its left
+    double corner_rad = 0;   // turn at its end; a stop counts as pi
+  };
+
+  void begin(Vec2 at) { from_ = at; }
+  // Moves way.index past the points that `at` has reached or passed. false: nothing is left.
+  bool advance(Path& way, Vec2 at, double reach_m);
+  [[nodiscard]] Leg leg(const Path& way, Vec2 at) const;
+
+ private:
+  Vec2 from_;
+};
+
+// Speed with which a leg may be driven `remaining_m` before its end, so that braking with
+// `brake_mps2` meets the corner; never below a creep that still arrives.
+double approach_speed(const LegTracker::Leg& leg, double speed_mps, double brake_mps2,
+                      double reaction_s);
+
+// A sample that can be acted on: received, not older than declared (at least one period is always
+// granted), not from the future, finite.
+template <class T>
+bool usable(const Sample<T>& sample, TimeUs now_us, TimeUs age_us_max, TimeUs period_us);
+
+template <class Output>
+class Pilot;
+
+template <>
+class Pilot<Acceleration> {
+ public:
+  explicit Pilot(const Setting& setting);
+  void engage(const Observation& observation);
+  // Position and velocity are there; otherwise the only command left is `brake_blind`.
+  [[nodiscard]] bool can_steer(const Observation& observation) const;
+  Acceleration brake_blind(const Observation& observation);
+  // Brakes, then holds the position where it came to rest.
+  Acceleration halt(const Observation& observation);
+  // Follows `way` from way.index on and advances it; halts at its end.
+  Acceleration drive(const Observation& observation, Path& way);
+  [[nodiscard]] bool latched() const { return latched_; }
+  // The motion that `drive` would command leads nowhere nearer to `from`.
+  [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
+
+ private:
+  [[nodiscard]] Acceleration limited(Vec2 a, double limit_mps2) const;
+
+  RobotLimits limits_;
+  TimeUs period_us_;
+  double speed_mps_;
+  double reaction_s_;   // period and latency: until a command acts
+  double rest_mps_;     // measured speed below which the brake gives way to the position hold
+  double omega_radps_;  // natural frequency of the position hold
+  LegTracker tracker_;
+  bool latched_ = false, driving_ = false;
+  Vec2 hold_at_;
+  Vec2 last_velocity_;
+  TimeUs last_seen_us_ = never_us;
+};
+
+template <>
+class Pilot<Twist> {
+ public:
+  explicit Pilot(const Setting& setting);
+  void engage(const Observation& observation);
+  [[nodiscard]] bool can_steer(const Observation& observation) const;
+  Twist brake_blind(const Observation& observation);
+  Twist halt(const Observation& observation);
+  Twist drive(const Observation& observation, Path& way);
+  [[nodiscard]] bool latched() const { return latched_; }
+  [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
+
+ private:
+  RobotLimits limits_;
+  TimeUs period_us_;
+  double speed_mps_;
+  double reaction_s_;
+  LegTracker tracker_;
+  bool latched_ = false, driving_ = false, turning_ = false;
+  int still_samples_ = 0;
+};
+
+template <class T>
+bool usable(const Sample<T>& sample, TimeUs now_us, TimeUs age_us_max, TimeUs period_us) {
+  if (sample.stamp_us == never_us || sample.stamp_us > now_us) return false;
+  const TimeUs limit_us = age_us_max > period_us ? age_us_max : period_us;
+  return now_us - sample.stamp_us <= limit_us;
+}
+
+}  // namespace rtac::safe
