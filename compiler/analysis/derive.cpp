@@ -1,0 +1,341 @@
+#include "compiler/analysis/derive.h"
+
+#include <algorithm>
+
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/reach.h"
+#include "compiler/analysis/well_formed.h"
+#include "compiler/analysis/zones.h"
+
+namespace rtac::analysis {
+namespace {
+
+using diag::Code;
+
+// A recovery hands back after its return condition held for this many ticks (hysteresis).
+constexpr std::int64_t dwell_ticks = 5;
+// How long a HELD robot promises to stay; renewed every tick.
+constexpr std::int64_t lease_us = 1'000'000;
+// A connector leads from a place that a moving recovery avoids back to its cells, in mm.
+constexpr std::int32_t connector_mm = 400;
+
+template <class Visit>
+void visit_expr(const sema::Expr& e, const Visit& visit) {
+  visit(e);
+  const auto go = [&](const sema::ExprPtr& child) { visit_expr(*child, visit); };
+  if (const auto* v = std::get_if<sema::Arithmetic>(&e.node)) {
+    for (const auto& operand : v->operands) go(operand);
+  } else if (const auto* l = std::get_if<sema::Logic>(&e.node)) {
+    for (const auto& operand : l->operands) go(operand);
+  } else if (const auto* c = std::get_if<sema::Compare>(&e.node)) {
+    go(c->left);
+    go(c->right);
+  } else if (const auto* h = std::get_if<sema::HeldFor>(&e.node)) {
+    go(h->operand);
+  } else if (const auto* f = std::get_if<sema::ForOthers>(&e.node)) {
+    go(f->body);
+  }
+}
+
+std::uint32_t index(auto id) {
+  return static_cast<std::uint32_t>(id);
+}
+
+class Deriver {
+ public:
+  Deriver(const sema::Spec& spec, const SourceManager& sources, diag::Engine& diagnostics)
+      : spec_(spec), sources_(sources), diagnostics_(diagnostics) {}
+
+  std::optional<Derived> run() {
+    out_.module.name = spec_.name;
+    zones_ = evaluate_zones(spec_, wanted_zones(), diagnostics_);
+    if (diagnostics_.has_errors()) return std::nullopt;
+    number_zones();
+    number_sites();
+    for (const sema::Decision& decision : spec_.decisions) {
+      out_.module.decisions.push_back(this->decision(decision));
+    }
+    fill_costs();
+    check_well_formed(spec_, out_.module, out_.tables, diagnostics_);
+    if (diagnostics_.has_errors()) return std::nullopt;
+    return std::move(out_);
+  }
+
+ private:
+  std::vector<bool> wanted_zones() const {
+    std::vector<bool> wanted(spec_.zones.size(), false);
+    const auto in = [&](const sema::Expr& e) {
+      if (const auto* c = std::get_if<sema::Clearance>(&e.node)) wanted[index(c->zone)] = true;
+      if (const auto* i = std::get_if<sema::InsideZone>(&e.node)) wanted[index(i->zone)] = true;
+      if (const auto* p = std::get_if<sema::PlanInside>(&e.node)) wanted[index(p->zone)] = true;
+    };
+    for (const sema::Monitor& m : spec_.monitors) {
+      visit_expr(*m.always, in);
+      if (m.return_when) visit_expr(*m.return_when, in);
+    }
+    for (const sema::Controller& c : spec_.controllers) {
+      if (const auto* r = std::get_if<sema::Retreat>(&c.implementation)) {
+        wanted[index(r->zone)] = true;
+      } else if (const auto* t = std::get_if<sema::Route>(&c.implementation)) {
+        wanted[index(t->zone)] = true;
+      } else if (const auto* y = std::get_if<sema::Yield>(&c.implementation)) {
+        wanted[index(y->zone)] = true;
+      }
+    }
+    return wanted;
+  }
+
+  std::string table_name(const sema::Zone& zone) const {
+    if (!zone.name.empty()) return zone.name;
+    const LineColumn at = sources_.position(zone.value->range.file, zone.value->range.begin);
+    return "zone_of_line_" + std::to_string(at.line);
+  }
+
+  void number_zones() {
+    out_.tables.zones.resize(spec_.zones.size());
+    for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
+      if (!zones_[i]) continue;
+      out_.tables.zones[i] = ir::ZoneIndex(out_.module.zones.size());
+      out_.module.zones.push_back(table(table_name(spec_.zones[i]), *zones_[i]));
+    }
+  }
+  static ir::ZoneTable table(std::string name, const EvaluatedZone& zone) {
+    ir::ZoneTable t;
+    t.name = std::move(name);
+    for (const auto& e : zone.baked.edges) {
+      t.edges.push_back({e.a.x_mm, e.a.y_mm, e.b.x_mm, e.b.y_mm, e.ux_q30, e.uy_q30});
+    }
+    std::uint32_t start = 0;
+    for (const auto& ring : zone.snapped.rings) {
+      t.ring_starts.push_back(start);
+      start += static_cast<std::uint32_t>(ring.size());
+    }
+    const auto& cells = zone.baked.cells;
+    t.cells = {cells.origin.x_mm, cells.origin.y_mm, cells.cell_mm,
+               cells.columns,     cells.rows,        cells.clearance_mm_lo};
+    t.widest_mm = zone.baked.widest_mm;
+    t.widest_x_mm = zone.baked.widest_at.x_mm;
+    t.widest_y_mm = zone.baked.widest_at.y_mm;
+    return t;
+  }
+
+  // A site table lives on the zone of the route that leads to it.
+  void number_sites() {
+    out_.tables.sites.assign(spec_.kinds.size(),
+                             std::vector<std::optional<ir::SiteIndex>>(spec_.sites.size()));
+    for (const sema::Controller& c : spec_.controllers) {
+      const auto* route = std::get_if<sema::Route>(&c.implementation);
+      if (!route) continue;
+      auto& slot = out_.tables.sites[index(c.kind)][index(route->site)];
+      if (slot) continue;
+      slot = ir::SiteIndex(out_.module.sites.size());
+      out_.module.sites.push_back(site(c.kind, route->site, out_.tables.zone(route->zone)));
+    }
+  }
+  ir::SiteTable site(sema::KindId kind, sema::SiteId id, ir::ZoneIndex zone) const {
+    ir::SiteTable t;
+    t.name = spec_[id].name;
+    t.zone = zone;
+    for (std::uint32_t r = 0; r < spec_.robots.size(); ++r) {
+      if (spec_.robots[r].kind != kind) continue;
+      for (const auto& place : spec_[id].places) {
+        if (place.robot && *place.robot != sema::RobotId(r)) continue;
+        t.places.push_back({spec_.robots[r].name,
+                            static_cast<std::int32_t>(floor_to_int(place.position.x * 1000)),
+                            static_cast<std::int32_t>(floor_to_int(place.position.y * 1000)),
+                            {}});
+        break;
+      }
+    }
+    return t;
+  }
+
+  ir::Decision decision(const sema::Decision& from) {
+    const sema::RobotKind& kind = spec_[from.kind];
+    ir::Decision d;
+    d.name = from.name;
+    d.kind = kind.name;
+    d.advanced = spec_[from.advanced].name;
+    if (from.safe) d.safe = spec_[*from.safe].name;
+    d.on_plan = from.on_plan;
+    d.period_us = from.period ? ceil_to_int(from.period->value * 1'000'000) : 0;
+    d.return_extra_us = d.period_us;
+    d.dwell_ticks = from.on_plan ? 0 : dwell_ticks;
+    d.lease_us = lease_us;
+    d.robots = fleet_size(from.kind);
+    d.plan_capacity = kind.plan ? kind.plan->capacity : 0;
+    d.body = body_of(kind, d.period_us);
+    if (kind.energy) {
+      const auto& e = *kind.energy;
+      d.hold_reserve_ppm = ceil_to_int(Rational(
+          (e.idle.value * e.held.value + e.drive.value * e.detour.value) * 1'000'000));
+    }
+    if (!from.on_plan) d.motions.push_back(any_control(kind));
+    for (const sema::MonitorId id : from.priority) {
+      d.monitors.push_back(monitor(spec_[id], d));
+      if (!from.on_plan) d.motions.push_back(motion(spec_[id], kind));
+    }
+    fill_clearances(d);
+    for (const auto& a : from.acknowledgements) {
+      d.acknowledgements.push_back({spec_[a.recovery].name, spec_[a.monitor].name, a.reason});
+    }
+    return d;
+  }
+  std::uint32_t fleet_size(sema::KindId kind) const {
+    return static_cast<std::uint32_t>(
+        std::count_if(spec_.robots.begin(), spec_.robots.end(),
+                      [&](const sema::Robot& r) { return r.kind == kind; }));
+  }
+
+  ir::Monitor monitor(const sema::Monitor& from, const ir::Decision& d) {
+    ir::Monitor m;
+    m.name = from.name;
+    m.requirement_id = from.requirement_id;
+    m.requirement_text = from.requirement_text;
+    const std::string& path = sources_.path(from.name_range.file);
+    m.file = path.substr(path.find_last_of('/') + 1);
+    m.line = sources_.position(from.name_range.file, from.name_range.begin).line;
+    if (from.return_when) m.return_text = std::string(sources_.text(from.return_when->range));
+    m.source = from.always_range;
+    m.lookahead_source = from.ahead.range;
+    m.lookahead.duration = !from.ahead.waypoints_only && !d.on_plan;
+    // theory, horizon: templates are computed every tick and issued in the failing one (k = 1);
+    // an external recovery is asynchronous (k = 2)
+    const std::int64_t k = from.recover && is_template(*from.recover) ? 1 : 2;
+    m.lookahead.duration_us = from.ahead.duration
+                                  ? ceil_to_int(from.ahead.duration->value * 1'000'000)
+                                  : k * d.period_us;
+    if (m.lookahead.duration && m.lookahead.duration_us < k * d.period_us &&
+        !from.ahead.duration_unsound) {
+      const std::string least = to_decimal(Rational(k * d.period_us, 1000)) + " ms";
+      diagnostics_.report({Code::lookahead_too_short, from.ahead.range,
+                           "`ahead` is shorter than the " + std::to_string(k) +
+                               " period(s) of " + to_decimal(Rational(d.period_us, 1000)) +
+                               " ms after which the recovery acts",
+                           "", {}, "`" + least + "` works, or `unsound \"why\"`", {}});
+    }
+    m.lookahead.waypoints = from.ahead.waypoints;
+    m.lookahead.points_only = from.ahead.points_only;
+    if (from.recover) m.recovery = recovery(spec_[*from.recover], from.kind);
+    return m;
+  }
+  bool is_template(sema::ControllerId id) const {
+    return !std::holds_alternative<sema::ExternController>(spec_[id].implementation);
+  }
+  ir::Recovery recovery(const sema::Controller& from, sema::KindId kind) const {
+    ir::Recovery r;
+    r.name = from.name;
+    const auto speed = [](const sema::Quantity& q) { return ceil_to_int(q.value * 1000); };
+    if (const auto* retreat = std::get_if<sema::Retreat>(&from.implementation)) {
+      r.kind = ir::RecoveryKind::retreat;
+      r.zone = out_.tables.zone(retreat->zone);
+      r.speed_mmps = speed(retreat->speed);
+    } else if (const auto* route = std::get_if<sema::Route>(&from.implementation)) {
+      r.kind = ir::RecoveryKind::route;
+      r.zone = out_.tables.zone(route->zone);
+      r.site = out_.tables.site(kind, route->site);
+      r.speed_mmps = speed(route->speed);
+    } else if (const auto* yield = std::get_if<sema::Yield>(&from.implementation)) {
+      r.kind = ir::RecoveryKind::yield;
+      r.zone = out_.tables.zone(yield->zone);
+      r.speed_mmps = speed(yield->speed);
+    }
+    return r;
+  }
+  ir::Motion motion(const sema::Monitor& from, const sema::RobotKind& kind) const {
+    const sema::Controller& c = spec_[*from.recover];
+    Rational speed = kind.motion.speed.value;
+    if (const auto* r = std::get_if<sema::Retreat>(&c.implementation)) speed = r->speed.value;
+    if (const auto* t = std::get_if<sema::Route>(&c.implementation)) speed = t->speed.value;
+    if (const auto* y = std::get_if<sema::Yield>(&c.implementation)) speed = y->speed.value;
+    return recovery_motion(kind, c.name, speed);
+  }
+
+  // Every recovery heads for places where every monitor of the decision can hand back.
+  void fill_clearances(ir::Decision& d) const {
+    if (d.on_plan) return;
+    std::int64_t lookahead_us = 0;
+    for (const ir::Monitor& m : d.monitors) {
+      lookahead_us = std::max(lookahead_us, m.lookahead.duration_us);
+    }
+    for (std::size_t k = 0; k < d.monitors.size(); ++k) {
+      ir::Recovery& r = d.monitors[k].recovery;
+      r.return_clearance_mm = return_clearance_mm(d, lookahead_us) + fence_standoff_mm(d);
+      r.route_clearance_mm = cruise_clearance_mm(d, d.motions[k + 1], lookahead_us) +
+                             fence_standoff_mm(d);
+      r.pass_gap_mm = pass_gap_mm(d, lookahead_us, separation_mm(d));
+    }
+  }
+  // Largest constant that a clearance or a distance of a property is compared with.
+  std::int64_t largest_constant(const ir::Decision& d, bool distance) const {
+    std::int64_t most = 0;
+    for (const ir::Monitor& m : d.monitors) {
+      for (const sema::Monitor& from : spec_.monitors) {
+        if (from.name != m.name) continue;
+        visit_expr(*from.always, [&](const sema::Expr& e) {
+          const auto* compare = std::get_if<sema::Compare>(&e.node);
+          if (!compare) return;
+          const auto* constant = std::get_if<sema::Constant>(&compare->right->node);
+          const bool asked = distance
+                                 ? std::holds_alternative<sema::Distance>(compare->left->node)
+                                 : std::holds_alternative<sema::Clearance>(compare->left->node);
+          if (constant && asked) most = std::max(most, ceil_to_int(constant->value * 1000));
+        });
+      }
+    }
+    return most;
+  }
+  std::int64_t fence_standoff_mm(const ir::Decision& d) const { return largest_constant(d, false); }
+  std::int64_t separation_mm(const ir::Decision& d) const { return largest_constant(d, true); }
+
+  // Ways to sites are priced for the recovery that drives them.
+  void fill_costs() {
+    for (std::size_t i = 0; i < spec_.decisions.size(); ++i) {
+      const sema::RobotKind& kind = spec_[spec_.decisions[i].kind];
+      const ir::Decision& d = out_.module.decisions[i];
+      for (std::size_t k = 0; k < d.monitors.size() && kind.energy; ++k) {
+        const ir::Recovery& r = d.monitors[k].recovery;
+        if (r.kind == ir::RecoveryKind::route) {
+          price(out_.module.sites[index(r.site)], r, d.body, kind);
+        }
+      }
+    }
+  }
+  void price(ir::SiteTable& site, const ir::Recovery& route, const ir::Body& body,
+             const sema::RobotKind& kind) {
+    const auto zone = std::find_if(
+        out_.tables.zones.begin(), out_.tables.zones.end(),
+        [&](const std::optional<ir::ZoneIndex>& z) { return z && *z == site.zone; });
+    const auto& baked = zones_[std::size_t(zone - out_.tables.zones.begin())]->baked;
+    for (ir::SiteTable::Place& place : site.places) {
+      const auto distances = geometry::distances_to(
+          baked.cells, {place.x_mm, place.y_mm},
+          static_cast<std::int32_t>(route.route_clearance_mm),
+          static_cast<std::int32_t>(body.radius_mm), connector_mm);
+      place.cost_ppm.resize(distances.size());
+      for (std::size_t c = 0; c < distances.size(); ++c) {
+        place.cost_ppm[c] =
+            baked.cells.clearance_mm_hi[c] < body.radius_mm ? ir::no_body
+            : distances[c] < 0
+                ? ir::no_way
+                : static_cast<std::int32_t>(travel_cost_ppm(
+                      kind, Rational(route.speed_mmps, 1000), baked.cells.cell_mm, distances[c]));
+      }
+    }
+  }
+
+  const sema::Spec& spec_;
+  const SourceManager& sources_;
+  diag::Engine& diagnostics_;
+  std::vector<std::optional<EvaluatedZone>> zones_;
+  Derived out_;
+};
+
+}  // namespace
+
+std::optional<Derived> derive(const sema::Spec& spec, const SourceManager& sources,
+                              diag::Engine& diagnostics) {
+  return Deriver(spec, sources, diagnostics).run();
+}
+
+}  // namespace rtac::analysis

@@ -1,0 +1,33 @@
+// From the checked specification to the tables and numbers of the decision IR: zones, ways to
+// sites, limits, horizons, clearances; and the checks that these numbers work out.
+#pragma once
+
+#include <optional>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/ir/module.h"
+#include "compiler/ir/table_map.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+struct Derived {
+  ir::Module module;  // decisions without blocks: ir/builder.h adds them
+  ir::TableMap tables;
+};
+
+// nullopt when an error was reported.
+std::optional<Derived> derive(const sema::Spec& spec, const SourceManager& sources,
+                              diag::Engine& diagnostics);
+
+// What `rtac check` tells about one monitor, in mm and us.
+struct MonitorSummary {
+  std::string monitor;
+  std::int64_t lookahead_us = 0, horizon_us = 0;  // D, and D + sample age + latency
+  std::int64_t stopping_mm = 0;                   // from full speed, horizon included
+  std::int64_t return_clearance_mm = 0;
+  std::int64_t lookahead_max_us = 0;  // longest D with a place to return to, 0: not a fence
+};
+std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision);
+
+}  // namespace rtac::analysis

@@ -1,0 +1,136 @@
+#include "compiler/analysis/limits.h"
+
+#include <algorithm>
+
+#include "compiler/analysis/reach.h"
+
+namespace rtac::analysis {
+namespace {
+
+// Lateral deviation of a moving recovery from its path, in mm: the tests of the pilots hold it.
+constexpr std::int64_t tracking_of_recovery_mm = 50;
+// A hold keeps within twice the position error and this, in mm (latched position, see the pilots).
+constexpr std::int64_t hold_slack_mm = 10;
+// Turning while a recovery drives, as time per radian at a quarter of the declared turn rate.
+constexpr int turn_share = 4;
+
+std::int64_t up(const Rational& si, int per_unit) {
+  return ceil_to_int(Rational(si * per_unit));
+}
+std::int64_t down(const Rational& si, int per_unit) {
+  return floor_to_int(Rational(si * per_unit));
+}
+std::int64_t micros(const Rational& seconds) {
+  return up(seconds, 1'000'000);
+}
+// Ceiling of the square root of a non-negative integer.
+std::int64_t root_up(std::int64_t value) {
+  mpz_class root = sqrt(mpz_class(static_cast<long>(value)));
+  while (root * root < static_cast<long>(value)) ++root;
+  return root.get_si();
+}
+std::int64_t div_up(std::int64_t a, std::int64_t b) {
+  return (a + b - 1) / b;
+}
+
+// Acceleration of the reference point when the speed is at most `speed`: driving and turning.
+std::int64_t planar_accel(const sema::RobotKind& kind, std::int64_t speed_mmps) {
+  const std::int64_t accel = up(kind.motion.accel.value, 1000);
+  if (!kind.motion.turn) return accel;
+  const std::int64_t lateral = div_up(speed_mmps * up(kind.motion.turn->value, 1000), 1000);
+  return root_up(accel * accel + lateral * lateral);
+}
+
+}  // namespace
+
+ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us) {
+  ir::Body b;
+  b.radius_mm = up(kind.radius.value, 1000);
+  b.position_error_mm = kind.position ? up(kind.position->error.value, 1000) : 0;
+  b.velocity_error_mmps = kind.velocity ? up(kind.velocity->error.value, 1000) : 0;
+  b.accel_mmps2 = planar_accel(kind, up(kind.motion.speed.value, 1000));
+  b.brake_mmps2 = down(kind.motion.brake.value, 1000);
+  b.latency_us = micros(kind.latency.value);
+  if (kind.position) b.position_age_us = micros(kind.position->max_age.value);
+  if (kind.velocity) b.velocity_age_us = micros(kind.velocity->max_age.value);
+  if (kind.hears_max_age) b.hears_age_us = micros(kind.hears_max_age->value);
+  if (kind.plan) b.tracking_mm = up(kind.plan->tracking.value, 1000);
+  if (kind.battery) {
+    b.battery_error_ppm = up(kind.battery->error.value, 1'000'000);
+    b.battery_age_us = micros(kind.battery->max_age.value);
+  }
+  if (kind.energy) {
+    b.drain_ppm_per_s = up(kind.energy->drain.value, 1'000'000);
+  }
+  if (kind.motion.model == sema::MotionModel::unicycle) {
+    // theory, unicycle: the base obeys speed 0 and turn 0 at once, limited by its own brake; while
+    // the turn rate runs down, the path bends away from the straight stop.
+    const Rational lag = kind.motion.turn_accel
+                             ? Rational(kind.motion.turn->value * kind.motion.turn->value /
+                                        kind.motion.turn_accel->value)
+                             : Rational(0);
+    b.brake_lag_permille = std::min<std::int64_t>(2000, up(lag, 1000));
+    b.hold_mm = hold_slack_mm;
+  } else {
+    // theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h
+    const std::int64_t delay_us = period_us + b.latency_us;
+    const std::int64_t eta = b.velocity_error_mmps + div_up(b.brake_mmps2 * delay_us, 1'000'000);
+    b.brake_lag_ms = div_up(1000 * eta, b.brake_mmps2);
+    b.hold_mm = div_up(eta * eta, b.brake_mmps2) + 2 * b.position_error_mm + hold_slack_mm;
+  }
+  return b;
+}
+
+ir::Motion any_control(const sema::RobotKind& kind) {
+  const std::int64_t speed = up(kind.motion.speed.value, 1000);
+  return {"any", speed, planar_accel(kind, speed), false};
+}
+
+ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
+                           const Rational& speed) {
+  // while it brakes, the recovery may still turn at the speed that it found
+  return {name, up(speed, 1000), planar_accel(kind, up(kind.motion.speed.value, 1000)), true};
+}
+
+std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us) {
+  const std::int64_t t_us =
+      horizon_us_max(decision.body, lookahead_us) + decision.return_extra_us;
+  return disc_mm(decision.body, decision.motions[0], decision.body.velocity_error_mmps, t_us) +
+         decision.body.position_error_mm;
+}
+
+std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
+                                 std::int64_t lookahead_us) {
+  const std::int64_t t_us = horizon_us_max(decision.body, lookahead_us);
+  return disc_mm(decision.body, motion, motion.speed_mmps + decision.body.velocity_error_mmps,
+                 t_us) +
+         decision.body.position_error_mm + (motion.recovery ? tracking_of_recovery_mm : 0);
+}
+
+std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
+                         std::int64_t standoff_mm) {
+  const ir::Body& b = decision.body;
+  const std::int64_t t_us =
+      horizon_us_max(b, lookahead_us) + decision.return_extra_us;
+  const std::int64_t mover =
+      disc_mm(b, decision.motions[0], decision.motions[0].speed_mmps, t_us) + b.position_error_mm;
+  const std::int64_t held = 2 * b.position_error_mm + 2 + b.hold_mm + b.radius_mm;
+  const std::int64_t legs = 2 * b.radius_mm + 4 * b.position_error_mm + b.tracking_mm + b.hold_mm;
+  return std::max(mover + held, legs) + standoff_mm + tracking_of_recovery_mm;
+}
+
+std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
+                             std::int32_t cell_mm, std::int64_t distance_mm) {
+  const sema::Energy& energy = *kind.energy;
+  const Rational metres(distance_mm, 1000);
+  // a path along cells turns by at most an eighth of a circle per cell, and half a circle at start
+  const Rational eighths = Rational(distance_mm, cell_mm) + 4;
+  const Rational quarter_turn_rate =
+      kind.motion.turn ? Rational(kind.motion.turn->value / turn_share) : Rational(1'000);
+  const Rational turning = eighths * Rational(7854, 10000) / quarter_turn_rate;
+  const Rational seconds =
+      metres / speed + turning + 2 * kind.motion.speed.value / kind.motion.brake.value;
+  return up(Rational(energy.drive.value * metres + energy.idle.value * seconds), 1'000'000);
+}
+
+}  // namespace rtac::analysis

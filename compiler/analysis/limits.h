@@ -1,0 +1,31 @@
+// From declared limits (exact, SI) to the integers of a kernel, rounded to the safe side, and from
+// there to the clearances that recoveries and planners need.
+#pragma once
+
+#include "compiler/ir/module.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+// `period_us`: of the decision; it is the sampling period of the brake.
+ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us);
+ir::Motion any_control(const sema::RobotKind& kind);
+// Limits while the named recovery drives at most at `speed`.
+ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
+                           const Rational& speed);
+
+// Measured clearance of the centre that lets every fence of the decision hand control back to a
+// robot at rest, in spite of noise (theory: rho_ret + r_eff, plus one more position error because
+// the recovery steers by measurements).
+std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us);
+// Clearance of the centre at which `motion` never fails the disc test, whatever the speed.
+std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
+                                 std::int64_t lookahead_us);
+// Distance of centres at which a robot at full speed passes one that is HELD, standoff included.
+std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
+                         std::int64_t standoff_mm);
+// Charge that a way of `distance_mm` along the cells takes at the recovery's speed, in ppm.
+std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
+                             std::int32_t cell_mm, std::int64_t distance_mm);
+
+}  // namespace rtac::analysis

@@ -1,0 +1,189 @@
+#include "compiler/analysis/well_formed.h"
+
+#include <algorithm>
+#include <set>
+
+#include "compiler/analysis/derive.h"
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/reach.h"
+
+namespace rtac::analysis {
+namespace {
+
+using diag::Code;
+
+std::string metres(std::int64_t mm) {
+  return to_decimal(Rational(mm, 1000)) + " m";
+}
+std::string place(std::int64_t x_mm, std::int64_t y_mm) {
+  return "(" + metres(x_mm) + ", " + metres(y_mm) + ")";
+}
+std::string millis(std::int64_t us) {
+  return to_decimal(Rational(us, 1000)) + " ms";
+}
+
+// Value of the cell that holds (x, y); nullopt beyond the table.
+std::optional<std::size_t> cell_at(const ir::Cells& cells, std::int64_t x_mm, std::int64_t y_mm) {
+  const std::int64_t cx = (x_mm - cells.origin_x_mm) / cells.cell_mm;
+  const std::int64_t cy = (y_mm - cells.origin_y_mm) / cells.cell_mm;
+  if (x_mm < cells.origin_x_mm || y_mm < cells.origin_y_mm || cx >= cells.columns ||
+      cy >= cells.rows) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(cy * cells.columns + cx);
+}
+
+class WellFormed {
+ public:
+  WellFormed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
+             diag::Engine& diagnostics)
+      : spec_(spec), module_(module), tables_(tables), diagnostics_(diagnostics) {}
+
+  void run() {
+    for (std::size_t i = 0; i < module_.decisions.size(); ++i) {
+      const ir::Decision& decision = module_.decisions[i];
+      if (decision.on_plan) continue;
+      for (const ir::Monitor& monitor : decision.monitors) {
+        return_set(decision, monitor);
+        site(spec_.decisions[i].kind, decision, monitor);
+      }
+    }
+  }
+
+ private:
+  void return_set(const ir::Decision& decision, const ir::Monitor& monitor) {
+    if (!monitor.lookahead.duration || monitor.recovery.kind != ir::RecoveryKind::retreat) return;
+    const ir::ZoneTable& zone = module_[monitor.recovery.zone];
+    const std::int64_t need = monitor.recovery.return_clearance_mm;
+    if (zone.widest_mm >= need) return;
+    const std::int64_t standoff =
+        need - return_clearance_mm(decision, monitor.lookahead.duration_us);
+    const std::int64_t best = lookahead_max_us(decision, zone.widest_mm, standoff);
+    diag::Diagnostic d{};
+    d.code = Code::return_set_empty;
+    d.range = monitor.lookahead_source;
+    d.message = "monitor `" + monitor.name + "` can never hand control back";
+    d.label = "the return set is empty: it needs a clearance of " + metres(need);
+    d.notes.push_back({std::nullopt, "the widest place of `" + zone.name + "` has a clearance of " +
+                                         metres(zone.widest_mm) + ", at " +
+                                         place(zone.widest_x_mm, zone.widest_y_mm)});
+    d.help = best >= decision.period_us
+                 ? "`ahead` of at most " + millis(best) + " works"
+                 : "no look-ahead works here: widen the zone by " +
+                       metres(2 * (need - zone.widest_mm)) + ", or lower `speed` or `accel`";
+    diagnostics_.report(std::move(d));
+  }
+
+  void site(sema::KindId kind, const ir::Decision& decision, const ir::Monitor& monitor) {
+    if (monitor.recovery.kind != ir::RecoveryKind::route) return;
+    const ir::SiteTable& site = module_[monitor.recovery.site];
+    const ir::ZoneTable& zone = module_[site.zone];
+    for (std::size_t p = 0; p < site.places.size(); ++p) {
+      const ir::SiteTable::Place& place = site.places[p];
+      const SourceRange range = source_of(kind, monitor.recovery.site, p);
+      const auto cell = cell_at(zone.cells, place.x_mm, place.y_mm);
+      const std::int32_t clearance = cell ? zone.cells.clearance_mm_lo[*cell] : -1;
+      const std::string what = "`" + site.name + "(" + place.robot + ")`";
+      const std::int64_t route = monitor.recovery.route_clearance_mm;
+      const std::int64_t give_back = monitor.recovery.return_clearance_mm;
+      if (clearance < 0) {
+        report(Code::site_outside_zone, range, what + " lies outside `" + zone.name + "`",
+               "move it to a place with a clearance of " + metres(std::max(route, give_back)));
+      } else if (clearance < route) {
+        report(Code::site_unreachable, range,
+               what + " has a clearance of about " + metres(clearance) + ", `" +
+                   monitor.recovery.name + "` keeps " + metres(route),
+               "move it further from the boundary of `" + zone.name + "`");
+      } else if (clearance < give_back) {
+        report(Code::site_not_returnable, range,
+               "control cannot be handed back at " + what + ": its clearance is about " +
+                   metres(clearance) + ", " + metres(give_back) + " is needed",
+               "move it further from the boundary of `" + zone.name + "`");
+      } else if (!place.cost_ppm.empty()) {
+        affordable(decision, monitor, place, range, what);
+      }
+    }
+  }
+
+  // A full battery must bring the robot home from the farthest connected place.
+  void affordable(const ir::Decision& decision, const ir::Monitor& monitor,
+                  const ir::SiteTable::Place& place, const SourceRange& range,
+                  const std::string& what) {
+    std::int64_t most = 0;
+    for (const std::int32_t cost : place.cost_ppm) {
+      if (cost != ir::no_way) most = std::max<std::int64_t>(most, cost);
+    }
+    const std::int64_t full = 1'000'000 - decision.body.battery_error_ppm;
+    if (most + decision.hold_reserve_ppm < full) return;
+    report(Code::site_unreachable, range,
+           "the way to " + what + " takes up to " +
+               to_decimal(Rational(most + decision.hold_reserve_ppm, 10'000)) +
+               " % of a full battery, `held` and `detour` included",
+           "a faster `" + monitor.recovery.name + "`, a lower `drive`, or a nearer site");
+  }
+
+  void report(Code code, const SourceRange& range, std::string message, std::string help) {
+    diagnostics_.report({code, range, std::move(message), "", {}, std::move(help), {}});
+  }
+
+  SourceRange source_of(sema::KindId kind, ir::SiteIndex index, std::size_t place) const {
+    const auto& of_kind = tables_.sites[static_cast<std::uint32_t>(kind)];
+    for (std::size_t s = 0; s < of_kind.size(); ++s) {
+      if (of_kind[s] != index) continue;
+      const auto& places = spec_.sites[s].places;
+      const std::string& robot = module_[index].places[place].robot;
+      for (const auto& p : places) {
+        if (!p.robot || spec_[*p.robot].name == robot) return p.range;
+      }
+    }
+    return {};
+  }
+
+  const sema::Spec& spec_;
+  const ir::Module& module_;
+  const ir::TableMap& tables_;
+  diag::Engine& diagnostics_;
+};
+
+}  // namespace
+
+void check_well_formed(const sema::Spec& spec, const ir::Module& module,
+                       const ir::TableMap& tables, diag::Engine& diagnostics) {
+  WellFormed(spec, module, tables, diagnostics).run();
+}
+
+std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,
+                              std::int64_t standoff_mm) {
+  std::int64_t low = 0, high = 60'000'000;  // no robot looks further ahead than a minute
+  if (return_clearance_mm(decision, 0) + standoff_mm > widest_mm) return 0;
+  while (high - low > 1000) {
+    const std::int64_t middle = (low + high) / 2;
+    (return_clearance_mm(decision, middle) + standoff_mm <= widest_mm ? low : high) = middle;
+  }
+  return low / 1000 * 1000;
+}
+
+std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision) {
+  std::vector<MonitorSummary> all;
+  for (const ir::Monitor& m : decision.monitors) {
+    MonitorSummary s;
+    s.monitor = m.name;
+    if (m.lookahead.duration && !decision.on_plan) {
+      s.lookahead_us = m.lookahead.duration_us;
+      s.horizon_us = horizon_us_max(decision.body, s.lookahead_us);
+      s.stopping_mm = disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps,
+                              s.horizon_us);
+      s.return_clearance_mm = m.recovery.return_clearance_mm;
+      if (m.recovery.kind == ir::RecoveryKind::retreat) {
+        const std::int64_t standoff =
+            s.return_clearance_mm - return_clearance_mm(decision, s.lookahead_us);
+        s.lookahead_max_us =
+            lookahead_max_us(decision, module[m.recovery.zone].widest_mm, standoff);
+      }
+    }
+    all.push_back(std::move(s));
+  }
+  return all;
+}
+
+}  // namespace rtac::analysis

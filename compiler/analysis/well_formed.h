@@ -1,0 +1,20 @@
+// Checks that the derived numbers work out, and computes what would work when they do not.
+#pragma once
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/ir/module.h"
+#include "compiler/ir/table_map.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+// Every fence leaves a place where control can be given back; every site lies in its zone, can be
+// reached along the cells of its route, and is a place where control can be given back.
+void check_well_formed(const sema::Spec& spec, const ir::Module& module,
+                       const ir::TableMap& tables, diag::Engine& diagnostics);
+
+// Longest look-ahead (us, whole ms) whose return clearance fits into `widest_mm`; 0: none.
+std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,
+                              std::int64_t standoff_mm);
+
+}  // namespace rtac::analysis

@@ -1,0 +1,197 @@
+#include "compiler/analysis/zones.h"
+
+#include <string>
+
+namespace rtac::analysis {
+namespace {
+
+using diag::Code;
+using sema::ZoneId;
+
+constexpr std::int32_t cell_mm = 100;          // route and energy tables
+constexpr std::size_t edges_max = 256;         // a kernel without an index checks every edge
+
+std::string metres(const Rational& value) {
+  return to_decimal(value) + " m";
+}
+std::string place(const geometry::Point& p) {
+  return "(" + metres(p.x) + ", " + metres(p.y) + ")";
+}
+
+class Evaluator {
+ public:
+  Evaluator(const sema::Spec& spec, diag::Engine& diagnostics)
+      : spec_(spec), diagnostics_(diagnostics), regions_(spec.zones.size()),
+        visited_(spec.zones.size(), false) {}
+
+  // nullopt: faulty, and reported where the fault is.
+  std::optional<geometry::Region> zone(ZoneId id) {
+    const auto i = static_cast<std::uint32_t>(id);
+    if (!visited_[i]) {
+      visited_[i] = true;
+      regions_[i] = expr(*spec_[id].value);
+      if (regions_[i] && regions_[i]->empty()) {
+        report_empty(spec_[id]);
+        regions_[i].reset();
+      }
+    }
+    return regions_[i];
+  }
+
+ private:
+  using Result = std::optional<geometry::Region>;
+
+  Result expr(const sema::ZoneExpr& e) {
+    return std::visit([&](const auto& node) { return eval(node, e.range); }, e.node);
+  }
+  Result eval(const sema::ZoneRef& ref, const SourceRange&) { return zone(ref.zone); }
+  Result eval(const sema::ZoneCircle& circle, const SourceRange&) {
+    return geometry::Region::circle({circle.centre.x, circle.centre.y}, circle.radius, true);
+  }
+  Result eval(const sema::ZoneBinary& node, const SourceRange&) {
+    const Result left = expr(*node.left);
+    const Result right = expr(*node.right);
+    if (!left || !right) return std::nullopt;
+    switch (node.op) {
+      case sema::ZoneOp::unite: return left->unite(*right);
+      case sema::ZoneOp::intersect: return left->intersect(*right);
+      case sema::ZoneOp::subtract: return left->subtract(*right);
+    }
+    return std::nullopt;
+  }
+  Result eval(const sema::ZoneOffset& node, const SourceRange&) {
+    const Result operand = expr(*node.operand);
+    if (!operand) return std::nullopt;
+    return sgn(node.distance) < 0 ? operand->shrink(Rational(-node.distance))
+                                  : operand->grow(node.distance);
+  }
+  Result eval(const sema::ZonePolygon& polygon, const SourceRange& range) {
+    const auto ring = [](const sema::ZonePolygon::Ring& from) {
+      geometry::Ring to;
+      for (const sema::Point& p : from.points) to.push_back({p.x, p.y});
+      return to;
+    };
+    std::vector<geometry::Ring> holes;
+    for (const auto& hole : polygon.holes) holes.push_back(ring(hole));
+    auto result = geometry::Region::polygon(ring(polygon.outer), holes);
+    if (const auto* problem = std::get_if<geometry::Problem>(&result)) {
+      report(*problem, polygon, range);
+      return std::nullopt;
+    }
+    return std::get<geometry::Region>(std::move(result));
+  }
+
+  void report(const geometry::Problem& problem, const sema::ZonePolygon& polygon,
+              const SourceRange& range) {
+    const auto& ring = problem.ring == 0 ? polygon.outer : polygon.holes[problem.ring - 1];
+    const auto at = [&](std::size_t i) {
+      return i < ring.point_ranges.size() ? ring.point_ranges[i] : range;
+    };
+    const std::string which =
+        problem.ring == 0 ? "the outer ring" : "hole " + std::to_string(problem.ring);
+    const std::string vertex = "vertex " + std::to_string(problem.vertex + 1);
+    diag::Diagnostic d{};
+    d.range = at(problem.vertex);
+    switch (problem.kind) {
+      case geometry::Problem::Kind::too_short:
+        d.code = Code::ring_too_short;
+        d.range = ring.range;
+        d.message = which + " has fewer than three different vertices";
+        d.help = "a ring needs at least three vertices that do not lie on one line";
+        break;
+      case geometry::Problem::Kind::repeats_vertex:
+        d.code = Code::ring_repeats_vertex;
+        d.message = vertex + " of " + which + " repeats vertex " + std::to_string(problem.other + 1);
+        d.notes.push_back({at(problem.other), "the vertex was here first"});
+        d.help = "remove one of the two; rings are closed by themselves";
+        break;
+      case geometry::Problem::Kind::self_intersects:
+        d.code = Code::ring_self_intersects;
+        d.message = which + " crosses or touches itself at " + place(problem.where);
+        d.label = "the edge that starts at this vertex";
+        d.notes.push_back({at(problem.other), "it meets the edge that starts here"});
+        d.help = "order the vertices along the boundary, or write two polygons joined by `|`";
+        break;
+      case geometry::Problem::Kind::no_area:
+        d.code = Code::ring_has_no_area;
+        d.range = ring.range;
+        d.message = which + " encloses no area";
+        d.help = "move at least one vertex off the line through the others";
+        break;
+      case geometry::Problem::Kind::hole_outside_ring:
+        d.code = Code::hole_outside_ring;
+        d.message = which + " does not lie inside the outer ring, see its " + vertex;
+        d.help = "to cut a notch from the edge, subtract a polygon: `outer - notch`";
+        break;
+      case geometry::Problem::Kind::holes_overlap:
+        d.code = Code::holes_overlap;
+        d.message = which + " and hole " + std::to_string(problem.other) + " overlap or touch";
+        d.help = "write them as one hole, or subtract both: `outer - (a | b)`";
+        break;
+    }
+    diagnostics_.report(std::move(d));
+  }
+
+  void report_empty(const sema::Zone& zone) {
+    diag::Diagnostic d{};
+    d.code = Code::empty_zone;
+    d.range = zone.name.empty() ? zone.value->range : zone.name_range;
+    d.message = zone.name.empty() ? "this zone is empty" : "zone `" + zone.name + "` is empty";
+    if (const auto* offset = std::get_if<sema::ZoneOffset>(&zone.value->node)) {
+      const Result operand = expr(*offset->operand);
+      if (operand) d.help = largest_shrink(*operand);
+    } else {
+      d.help = "check that the operands of its operations overlap";
+    }
+    diagnostics_.report(std::move(d));
+  }
+  static std::string largest_shrink(const geometry::Region& region) {
+    const auto snapped = geometry::snap_inside(region);
+    if (!snapped) return "";
+    const auto baked = geometry::bake(*snapped, cell_mm);
+    return "shrinking by less than " + metres(Rational(baked.widest_mm, 1000)) +
+           " leaves something; the widest place is at (" +
+           metres(Rational(baked.widest_at.x_mm, 1000)) + ", " +
+           metres(Rational(baked.widest_at.y_mm, 1000)) + ")";
+  }
+
+  const sema::Spec& spec_;
+  diag::Engine& diagnostics_;
+  std::vector<Result> regions_;
+  std::vector<bool> visited_;
+};
+
+}  // namespace
+
+std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
+                                                         const std::vector<bool>& wanted,
+                                                         diag::Engine& diagnostics) {
+  Evaluator evaluator(spec, diagnostics);
+  std::vector<std::optional<EvaluatedZone>> result(spec.zones.size());
+  for (std::uint32_t i = 0; i < spec.zones.size(); ++i) {
+    const sema::Zone& zone = spec.zones[i];
+    auto region = evaluator.zone(ZoneId(i));  // unused zones are validated too
+    if (!region || !wanted[i]) continue;
+    const SourceRange range = zone.name.empty() ? zone.value->range : zone.name_range;
+    auto snapped = geometry::snap_inside(*region);
+    if (!snapped) {
+      diagnostics.report({Code::zone_vanishes_on_grid, range,
+                          "nothing of the zone is left on the grid of 1 mm within ±536 km", "", {},
+                          "make the zone wider than 2 mm and keep it near the origin", {}});
+      continue;
+    }
+    EvaluatedZone evaluated{std::move(*region), std::move(*snapped), {}};
+    evaluated.baked = geometry::bake(evaluated.snapped, cell_mm);
+    if (evaluated.baked.edges.size() > edges_max) {
+      diagnostics.report({Code::too_many_edges, range,
+                          "the zone has " + std::to_string(evaluated.baked.edges.size()) +
+                              " edges, a decision checks at most " + std::to_string(edges_max),
+                          "", {}, "simplify the boundary from the safe side", {}});
+      continue;
+    }
+    result[i] = std::move(evaluated);
+  }
+  return result;
+}
+
+}  // namespace rtac::analysis

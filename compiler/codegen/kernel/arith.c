@@ -1,0 +1,48 @@
+/* Integer arithmetic with a stated rounding direction. Demands round up, supplies round down. */
+/*= div_up */
+/* Smallest integer >= a / b, for a >= 0 and b > 0. */
+static int64_t div_up(int64_t a, int64_t b) {
+  return (a + b - 1) / b;
+}
+/*= min_of */
+static int64_t min_of(int64_t a, int64_t b) {
+  return a < b ? a : b;
+}
+/*= max_of */
+static int64_t max_of(int64_t a, int64_t b) {
+  return a > b ? a : b;
+}
+/*= clamp_of : min_of max_of */
+static int64_t clamp_of(int64_t a, int64_t low, int64_t high) {
+  return max_of(low, min_of(a, high));
+}
+/*= magnitude */
+static int64_t magnitude(int64_t a) {
+  return a < 0 ? -a : a;
+}
+/*= root_down */
+/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round. */
+static int64_t root_down(int64_t a) {
+  int64_t rest = a;
+  int64_t root = 0;
+  int64_t bit = INT64_C(1) << 60;
+  int32_t i;
+  for (i = 0; i < 31 && bit > a; ++i) {
+    bit >>= 2;
+  }
+  for (i = 0; i < 31 && bit != 0; ++i) {
+    if (rest >= root + bit) {
+      rest -= root + bit;
+      root = (root >> 1) + bit;
+    } else {
+      root >>= 1;
+    }
+    bit >>= 2;
+  }
+  return root;
+}
+/*= root_up : root_down */
+static int64_t root_up(int64_t a) {
+  const int64_t root = root_down(a);
+  return root * root == a ? root : root + 1;
+}

@@ -1,0 +1,303 @@
+/* The checks of the library: what a property means now, and on everything within reach. */
+/*= clearance_now : zone_type estimate_type body_type motion_type moved_of span_of span_unknown inside_zone boundary_gap_lo */
+/* Signed gap between the body and the boundary, now. `boundary_gap_lo` is within 2 mm. */
+static span clearance_now(const zone *z, const estimate *s, const body *b, const motion *m) {
+  if (s->input != INPUT_NONE) {
+    return span_unknown(s->input);
+  } else {
+    const int64_t gap = boundary_gap_lo(z, s->p);
+    const int64_t error = s->p_error_mm + moved_of(s, m);
+    if (inside_zone(z, s->p)) {
+      return span_of(gap - error - b->radius_mm, gap + 3 + error - b->radius_mm);
+    }
+    return span_of(-gap - 3 - error - b->radius_mm, -gap + error - b->radius_mm);
+  }
+}
+/*= zone_reach : zone_type reach_type margin_of margin_unknown inside_zone boundary_gap_lo segment_boundary_lo max_of */
+/* Every point within reach keeps `least_mm` to the boundary: disc or capsule, either suffices. */
+static margin zone_reach(const zone *z, const reach *r, int64_t least_mm) {
+  int64_t gap, spare;
+  if (r->input != INPUT_NONE) {
+    return margin_unknown(r->input);
+  }
+  gap = boundary_gap_lo(z, r->p);
+  if (!inside_zone(z, r->p)) {
+    spare = -gap - r->disc_mm - least_mm;
+  } else {
+    spare = gap - r->disc_mm - least_mm;
+    if (spare < 0) {
+      spare = max_of(spare, segment_boundary_lo(z, r->p, r->e) - r->capsule_mm - least_mm);
+    }
+  }
+  return margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, REASON_MARGIN);
+}
+/*= plan_fault */
+/* INPUT_NONE when the plan can be judged. */
+static int32_t plan_fault(const KERNEL_plan *plan) {
+  return plan->valid == 0 || plan->count < 0 || plan->count > PLAN_CAPACITY || plan->index < 0 ||
+                 plan->index > plan->count
+             ? INPUT_PLAN
+             : INPUT_NONE;
+}
+/*= plan_unknown : margin_unknown */
+static margin plan_unknown(const KERNEL_plan *plan) {
+  margin m = margin_unknown(INPUT_PLAN);
+  m.reason = plan->count > PLAN_CAPACITY ? REASON_OVER_CAPACITY : REASON_INPUT;
+  return m;
+}
+/*= waypoint_of : vec_of clamp_of */
+static vec waypoint_of(const KERNEL_plan *plan, int32_t i) {
+  return vec_of(clamp_of(plan->x[i], -EXTENT_MM, EXTENT_MM),
+                clamp_of(plan->y[i], -EXTENT_MM, EXTENT_MM));
+}
+/*= leg_margin : margin_of */
+static margin leg_margin(int64_t spare_mm, int32_t reason, int32_t index) {
+  margin m = margin_of(spare_mm * WEIGHT_MM, spare_mm * WEIGHT_MM, reason);
+  m.index = index;
+  return m;
+}
+/*= legs_in_zone : zone_type estimate_type plan_fault plan_unknown waypoint_of leg_margin margin_and margin_true margin_unknown inside_zone segment_boundary_lo */
+/* The leg from here to the next way-point and the next `legs` legs keep `need_mm` + errors. */
+static margin legs_in_zone(const zone *z, const estimate *s, const KERNEL_plan *plan, int32_t legs,
+                           int64_t need_mm) {
+  margin worst = margin_true();
+  vec from = s->p;
+  int32_t k;
+  if (plan_fault(plan) != INPUT_NONE) {
+    return plan_unknown(plan);
+  }
+  if (plan->index >= plan->count) {
+    return worst;
+  }
+  if (s->input != INPUT_NONE) {
+    return margin_unknown(s->input);
+  }
+  for (k = 0; k <= legs && plan->index + k < plan->count; ++k) {
+    const vec to = waypoint_of(plan, plan->index + k);
+    int64_t gap = segment_boundary_lo(z, from, to);
+    if (!inside_zone(z, from) || !inside_zone(z, to)) {
+      gap = -gap;
+    }
+    worst = margin_and(worst, leg_margin(gap - need_mm - s->p_error_mm, REASON_LEG, k));
+    from = to;
+  }
+  return worst;
+}
+/*= points_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin margin_and margin_true inside_zone boundary_gap_lo */
+/* The next `points` way-points as points: blind between them, kept for comparison. */
+static margin points_in_zone(const zone *z, const KERNEL_plan *plan, int32_t points,
+                             int64_t need_mm) {
+  margin worst = margin_true();
+  int32_t k;
+  if (plan_fault(plan) != INPUT_NONE) {
+    return plan_unknown(plan);
+  }
+  for (k = 0; k < points && plan->index + k < plan->count; ++k) {
+    const vec at = waypoint_of(plan, plan->index + k);
+    const int64_t gap = boundary_gap_lo(z, at);
+    worst = margin_and(worst, leg_margin((inside_zone(z, at) ? gap : -gap) - need_mm,
+                                         REASON_WAYPOINT, plan->index + k));
+  }
+  return worst;
+}
+/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin margin_and margin_true inside_zone segment_boundary_lo */
+/* Every way-point and every leg of a proposed plan lies in the zone. */
+static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_mm) {
+  margin worst = margin_true();
+  int32_t k;
+  if (plan_fault(plan) != INPUT_NONE) {
+    return plan_unknown(plan);
+  }
+  for (k = 0; k < plan->count; ++k) {
+    const vec to = waypoint_of(plan, k);
+    const vec from = k > 0 ? waypoint_of(plan, k - 1) : to;
+    int64_t gap = segment_boundary_lo(z, from, to);
+    if (!inside_zone(z, from) || !inside_zone(z, to)) {
+      gap = -gap;
+    }
+    worst = margin_and(worst, leg_margin(gap - need_mm, REASON_LEG, k));
+  }
+  return worst;
+}
+/*= other_type : estimate_type reach_type */
+/* Another robot as it was heard. HELD: it promised not to leave its hold until `held_us`. */
+typedef struct other {
+  estimate s;
+  reach r;      /* under any control */
+  int32_t held; /* its promise outlasts the horizon, and may be used */
+} other;
+/*= distance_now : other_type motion_type moved_of span_of span_unknown minus dot root_down */
+static span distance_now(const estimate *s, const other *o, const body *b, const motion *m,
+                         const motion *any, int32_t index) {
+  span gap;
+  if (s->input != INPUT_NONE) {
+    return span_unknown(s->input);
+  }
+  if (o->s.input != INPUT_NONE) {
+    gap = span_unknown(INPUT_OTHER_ROBOT);
+  } else {
+    const vec d = minus(s->p, o->s.p);
+    const int64_t error = s->p_error_mm + moved_of(s, m) + o->s.p_error_mm +
+                          (o->held != 0 ? b->hold_mm : moved_of(&o->s, any));
+    const int64_t centre = root_down(dot(d, d));
+    gap = span_of(centre - error - 2 * b->radius_mm, centre + 1 + error - 2 * b->radius_mm);
+  }
+  gap.other = index;
+  return gap;
+}
+/*= pair_spare : other_type body_type segment_gap_lo max_of */
+/* Spare gap between everything within reach of two robots; disc or capsule for either. */
+static int64_t pair_spare(const reach *r, const other *o, const body *b) {
+  const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
+  const int64_t axis = o->held != 0 ? still : o->r.disc_mm;
+  int64_t spare = segment_gap_lo(r->p, r->p, o->s.p, o->s.p) - r->disc_mm - axis;
+  spare = max_of(spare, segment_gap_lo(r->p, r->e, o->s.p, o->s.p) - r->capsule_mm - axis);
+  if (o->held == 0) {
+    spare = max_of(spare,
+                   segment_gap_lo(r->p, r->p, o->r.p, o->r.e) - r->disc_mm - o->r.capsule_mm);
+    spare = max_of(spare,
+                   segment_gap_lo(r->p, r->e, o->r.p, o->r.e) - r->capsule_mm - o->r.capsule_mm);
+  }
+  return spare;
+}
+/*= pair_reach : pair_spare margin_of margin_unknown */
+static margin pair_reach(const reach *r, const other *o, const body *b, int64_t least_mm,
+                         int32_t index) {
+  margin m;
+  if (r->input != INPUT_NONE) {
+    return margin_unknown(r->input);
+  }
+  if (o->s.input != INPUT_NONE) {
+    m = margin_unknown(INPUT_OTHER_ROBOT);
+  } else {
+    const int64_t spare = pair_spare(r, o, b) - least_mm;
+    m = margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, REASON_MARGIN);
+  }
+  m.other = index;
+  return m;
+}
+/*= legs_apart : other_type plan_fault plan_unknown waypoint_of leg_margin margin_and margin_true margin_unknown segment_gap_lo point_segment_lo */
+/* The next legs keep away from a robot that is HELD, and from the next legs of a robot that goes
+ * first. `need_mm`: bodies, standoff and the tracking of one robot; the other's comes on top. */
+static margin legs_apart(const estimate *s, const KERNEL_plan *plan, const other *o,
+                         const KERNEL_plan *theirs, int32_t legs, int64_t need_mm, int64_t hold_mm,
+                         int64_t tracking_mm, int32_t goes_first, int32_t index) {
+  margin worst = margin_true();
+  vec from = s->p;
+  int32_t k, j;
+  if (plan_fault(plan) != INPUT_NONE) {
+    return plan_unknown(plan);
+  }
+  if (plan->index >= plan->count || (o->held == 0 && !goes_first)) {
+    return worst;
+  }
+  if (s->input != INPUT_NONE) {
+    return margin_unknown(s->input);
+  }
+  if (o->s.input != INPUT_NONE || (o->held == 0 && plan_fault(theirs) != INPUT_NONE)) {
+    worst = margin_unknown(INPUT_OTHER_ROBOT);
+    worst.other = index;
+    return worst;
+  }
+  for (k = 0; k <= legs && plan->index + k < plan->count; ++k) {
+    const vec to = waypoint_of(plan, plan->index + k);
+    const int64_t errors = s->p_error_mm + o->s.p_error_mm;
+    if (o->held != 0) {
+      const int64_t gap = point_segment_lo(o->s.p, from, to);
+      worst = margin_and(worst, leg_margin(gap - need_mm - errors - hold_mm, REASON_LEG, k));
+    } else {
+      vec start = o->s.p;
+      for (j = 0; j <= legs && theirs->index + j < theirs->count; ++j) {
+        const vec end = waypoint_of(theirs, theirs->index + j);
+        const int64_t gap = segment_gap_lo(from, to, start, end);
+        worst = margin_and(worst, leg_margin(gap - need_mm - errors - tracking_mm, REASON_LEG, k));
+        start = end;
+      }
+    }
+    from = to;
+  }
+  worst.other = index;
+  return worst;
+}
+/*= cells_type */
+/* Per square cell, row by row from the south-west: an upper bound, over the whole cell, of what
+ * the way to the site takes. NO_BODY: no body fits there; NO_WAY: no way from there. */
+typedef struct cells {
+  const int32_t *value;
+  int32_t origin_x, origin_y, cell_mm, columns, rows;
+} cells;
+/*= cell_index : clamp_of */
+static int32_t cell_index(int64_t at, int32_t origin, int32_t cell_mm, int32_t count) {
+  const int64_t offset = at - origin;
+  const int64_t i = offset < 0 ? -1 : offset / cell_mm;
+  return (int32_t)clamp_of(i, -1, count);
+}
+/*= cells_span : cells_type vec_type cell_index min_of max_of span_of */
+/* Smallest and largest value over the cells within `radius_mm` of `p`; beyond the table no way. */
+static span cells_span(const cells *c, vec p, int64_t radius_mm) {
+  const int32_t x0 = cell_index(p.x - radius_mm, c->origin_x, c->cell_mm, c->columns);
+  const int32_t x1 = cell_index(p.x + radius_mm, c->origin_x, c->cell_mm, c->columns);
+  const int32_t y0 = cell_index(p.y - radius_mm, c->origin_y, c->cell_mm, c->rows);
+  const int32_t y1 = cell_index(p.y + radius_mm, c->origin_y, c->cell_mm, c->rows);
+  int64_t lo = SPAN_MAX;
+  int64_t hi = -1;
+  int32_t x, y;
+  for (y = max_of(y0, 0) > 0 ? y0 : 0; y <= y1 && y < c->rows; ++y) {
+    for (x = max_of(x0, 0) > 0 ? x0 : 0; x <= x1 && x < c->columns; ++x) {
+      const int64_t value = c->value[y * c->columns + x];
+      if (value != NO_BODY) {
+        lo = min_of(lo, value);
+        hi = max_of(hi, value);
+      }
+    }
+  }
+  return hi < 0 ? span_of(NO_WAY, NO_WAY) : span_of(lo, hi);
+}
+/*= charge_now : span_of span_unknown div_up */
+/* Charge left now, in ppm: a sample of some age, drained since. The upper end leaves charging out:
+ * it only decides between `violated` and `within error`. */
+static span charge_now(const KERNEL_scalar *battery, int64_t now_us, int64_t max_age_us,
+                       int64_t error_ppm, int64_t drain_ppm_per_s) {
+  const int64_t age_us = now_us - battery->stamp_us;
+  if (battery->valid == 0 || battery->stamp_us > now_us || age_us > max_age_us ||
+      battery->lo > battery->hi || battery->lo < -1000000 || battery->hi > 2000000) {
+    return span_unknown(INPUT_BATTERY);
+  }
+  return span_of(battery->lo - error_ppm - div_up(drain_ppm_per_s * div_up(age_us, 1000), 1000),
+                 battery->hi + error_ppm);
+}
+/*= energy_now : cells_span estimate_type motion_type moved_of span_unknown */
+static span energy_now(const cells *c, const estimate *s, const motion *m) {
+  return s->input != INPUT_NONE ? span_unknown(s->input)
+                                : cells_span(c, s->p, s->p_error_mm + moved_of(s, m));
+}
+/*= energy_reach : cells_span reach_type margin_of margin_unknown div_up span_type */
+/* From everywhere within reach the charge suffices for the way, `reserve_ppm` included. */
+static margin energy_reach(const cells *c, const reach *r, span charge, int64_t reserve_ppm,
+                           int64_t drain_ppm_per_s, int64_t horizon_us) {
+  if (r->input != INPUT_NONE) {
+    return margin_unknown(r->input);
+  }
+  if (charge.input != INPUT_NONE) {
+    return margin_unknown(charge.input);
+  } else {
+    const span way = cells_span(c, r->p, r->centre_mm);
+    const int64_t spare = charge.lo - way.hi - reserve_ppm -
+                          div_up(drain_ppm_per_s * div_up(horizon_us, 1000), 1000);
+    return margin_of(spare * WEIGHT_PPM, spare * WEIGHT_PPM, REASON_MARGIN);
+  }
+}
+/*= held_for : margin_type margin_of */
+/* `operand for n ticks`: a run of ticks on which it was true, the present one included. */
+static margin held_for(margin operand, int32_t *run, int32_t ticks, int32_t new_tick) {
+  if (operand.lo < 0) {
+    *run = 0;
+  } else if (new_tick != 0 && *run <= ticks) {
+    *run += 1;
+  }
+  if (*run > ticks) {
+    return operand;
+  }
+  return margin_of(-1, operand.hi < 0 ? operand.hi : (operand.lo >= 0 ? -1 : operand.hi),
+                   operand.reason);
+}

@@ -1,0 +1,119 @@
+/* Margins: intervals that contain the true margin, with what decided them.
+ * Unit: millionths of the scale of the dimension (1 m, 1 %), so that connectives can compare. */
+/*= margin_type */
+typedef struct margin {
+  int64_t lo, hi;
+  int32_t reason; /* why it is not true, if it is not */
+  int32_t index;  /* way-point or leg */
+  int32_t input;  /* input that failed */
+  int32_t other;  /* robot that it is about, -1: none */
+} margin;
+/*= margin_of : margin_type */
+static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
+  margin m;
+  m.lo = lo;
+  m.hi = hi;
+  m.reason = reason;
+  m.index = 0;
+  m.input = INPUT_NONE;
+  m.other = -1;
+  return m;
+}
+/*= margin_true : margin_of */
+/* Nothing to object. */
+static margin margin_true(void) {
+  return margin_of(MARGIN_MAX, MARGIN_MAX, REASON_NONE);
+}
+/*= margin_unknown : margin_of */
+static margin margin_unknown(int32_t input) {
+  margin m = margin_of(-MARGIN_MAX, MARGIN_MAX, REASON_INPUT);
+  m.input = input;
+  return m;
+}
+/*= margin_and : margin_type min_of */
+/* The smaller lower end decides. */
+static margin margin_and(margin a, margin b) {
+  margin m = b.lo < a.lo ? b : a;
+  m.hi = min_of(a.hi, b.hi);
+  return m;
+}
+/*= margin_or : margin_type max_of */
+static margin margin_or(margin a, margin b) {
+  margin m = b.lo > a.lo ? b : a;
+  m.hi = max_of(a.hi, b.hi);
+  return m;
+}
+/*= margin_not : margin_type */
+static margin margin_not(margin a) {
+  margin m = a;
+  m.lo = -a.hi - 1;
+  m.hi = -a.lo - 1;
+  return m;
+}
+/*= verdict_of : margin_type */
+static int32_t verdict_of(margin m) {
+  if (m.lo >= 0) {
+    return VERDICT_TRUE;
+  }
+  return m.hi < 0 ? VERDICT_FALSE : VERDICT_UNKNOWN;
+}
+/*= reason_of : margin_type */
+/* An undecided margin of good inputs is undecided because of the declared errors. */
+static int32_t reason_of(margin m) {
+  return m.reason == REASON_MARGIN && m.lo < 0 && m.hi >= 0 ? REASON_WITHIN_ERROR : m.reason;
+}
+/*= span_type */
+/* A quantity on its grid, as an interval that contains the true value. `input` names the input
+ * that is missing, INPUT_NONE when all were good. */
+typedef struct span {
+  int64_t lo, hi;
+  int32_t input;
+  int32_t other;
+} span;
+/*= span_of : span_type */
+static span span_of(int64_t lo, int64_t hi) {
+  span s;
+  s.lo = lo;
+  s.hi = hi;
+  s.input = INPUT_NONE;
+  s.other = -1;
+  return s;
+}
+/*= span_unknown : span_of */
+static span span_unknown(int32_t input) {
+  span s = span_of(-SPAN_MAX, SPAN_MAX);
+  s.input = input;
+  return s;
+}
+/*= span_add : span_type */
+static span span_add(span a, span b) {
+  span s = a.input != INPUT_NONE ? a : b;
+  s.lo = a.lo + b.lo;
+  s.hi = a.hi + b.hi;
+  return s;
+}
+/*= span_negate : span_type */
+static span span_negate(span a) {
+  span s = a;
+  s.lo = -a.hi;
+  s.hi = -a.lo;
+  return s;
+}
+/*= margin_at_least : span_type margin_of margin_unknown */
+/* a >= b, or a > b when `strict`; `weight` turns grid units into millionths of the scale. */
+static margin margin_at_least(span a, span b, int64_t weight, int64_t strict) {
+  margin m;
+  if (a.input != INPUT_NONE) {
+    m = margin_unknown(a.input);
+    m.other = a.other;
+    return m;
+  }
+  if (b.input != INPUT_NONE) {
+    m = margin_unknown(b.input);
+    m.other = b.other;
+    return m;
+  }
+  m = margin_of((a.lo - b.hi) * weight - strict, (a.hi - b.lo) * weight - strict, REASON_MARGIN);
+  m.other = a.other >= 0 ? a.other : b.other;
+  return m;
+}

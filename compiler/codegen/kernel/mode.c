@@ -1,0 +1,168 @@
+/* Who drives: engaged sets, priority, preemption, return, separation gate, HELD leases.
+ * Mode 0 is the advanced controller, mode k + 1 the recovery of monitor k; monitor 0 ranks first. */
+/*= check_type : margin_type */
+/* What one monitor found in this tick. */
+typedef struct check {
+  margin now;        /* the property */
+  margin ahead;      /* everything within reach under the motion of whoever drives */
+  margin safer;      /* the same with a longer horizon, under any control */
+  margin gives_back; /* the author's return condition */
+} check;
+/*= in_order */
+/* Stamps must not go backwards. */
+static int32_t in_order(int64_t stamp_us, int64_t *last_us) {
+  const int32_t good = stamp_us >= *last_us;
+  if (good) {
+    *last_us = stamp_us;
+  }
+  return good;
+}
+/*= next_tick */
+/* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. */
+static int64_t next_tick(KERNEL_clock *clock, int64_t now_us, int64_t period_us) {
+  int64_t tick, elapsed;
+  if (clock->started == 0) {
+    clock->started = 1;
+    clock->origin_us = now_us;
+    clock->tick = 0;
+    return 1;
+  }
+  if (now_us < clock->origin_us + clock->tick * period_us) {
+    return -1;
+  }
+  tick = (now_us - clock->origin_us) / period_us;
+  elapsed = tick - clock->tick;
+  clock->tick = tick;
+  return elapsed;
+}
+/*= engage */
+static void engage(KERNEL_monitor *m, int32_t reason, const KERNEL_finding *found) {
+  m->engaged = 1;
+  m->dwell = 0;
+  m->found = *found;
+  m->found.reason = reason;
+}
+/*= finding_of : margin_type reason_of */
+static KERNEL_finding finding_of(margin m) {
+  KERNEL_finding f;
+  f.reason = reason_of(m);
+  f.index = m.index;
+  f.input = m.input;
+  f.other = m.other;
+  return f;
+}
+/*= monitor_step : check_type engage finding_of verdict_of */
+/* Engages when the look-ahead fails or the property is false; disengages when the derived and the
+ * author's return conditions have held for `dwell` ticks. */
+static void monitor_step(KERNEL_monitor *m, const check *c, int32_t first, int32_t new_tick,
+                         int32_t dwell) {
+  const int32_t back = verdict_of(c->safer) == VERDICT_TRUE &&
+                       verdict_of(c->gives_back) == VERDICT_TRUE;
+  const int32_t violated = verdict_of(c->now) == VERDICT_FALSE;
+  const KERNEL_finding ahead = finding_of(c->ahead);
+  const KERNEL_finding safer = finding_of(c->safer);
+  if (first) {
+    m->engaged = 0;
+    if (verdict_of(c->safer) != VERDICT_TRUE) {
+      engage(m, violated ? REASON_VIOLATED
+                         : (safer.reason == REASON_INPUT ? REASON_INPUT : REASON_STARTING),
+             &safer);
+    }
+  } else if (m->engaged == 0) {
+    if (violated || verdict_of(c->ahead) != VERDICT_TRUE) {
+      engage(m, violated ? REASON_VIOLATED : ahead.reason, &ahead);
+    }
+  } else if (violated) {
+    m->dwell = 0;
+    m->found = ahead;
+    m->found.reason = REASON_VIOLATED;
+  } else if (!back) {
+    m->dwell = 0;
+    m->found = safer;
+    m->found.reason = safer.reason == REASON_INPUT ? REASON_INPUT : REASON_RETURNING;
+  } else if (new_tick) {
+    m->dwell += 1;
+    m->found.reason = REASON_RETURNING;
+    if (m->dwell > dwell) {
+      m->engaged = 0;
+      m->found.reason = REASON_NONE;
+    }
+  }
+}
+/*= first_engaged */
+static int32_t first_engaged(const KERNEL_monitor *monitors, int32_t count) {
+  int32_t k;
+  for (k = 0; k < count; ++k) {
+    if (monitors[k].engaged != 0) {
+      return k;
+    }
+  }
+  return -1;
+}
+/*= first_not_safer : check_type verdict_of */
+static int32_t first_not_safer(const check *checks, int32_t count) {
+  int32_t k;
+  for (k = 0; k < count; ++k) {
+    if (verdict_of(checks[k].safer) != VERDICT_TRUE) {
+      return k;
+    }
+  }
+  return -1;
+}
+/*= mode_step : check_type monitor_step first_engaged first_not_safer engage finding_of */
+/* The mode of this tick. `may_leave`: no lease promises that the robot stays. When no monitor is
+ * engaged but one could not yet hand over, that one takes over, so that somebody works on it. */
+static int32_t mode_step(KERNEL_monitor *monitors, const check *checks, int32_t count,
+                         int32_t mode, int32_t first, int32_t new_tick, int32_t dwell,
+                         int32_t surrender, int32_t may_leave) {
+  int32_t k, open;
+  for (k = 0; k < count; ++k) {
+    monitor_step(&monitors[k], &checks[k], first, new_tick, dwell);
+  }
+  k = first_engaged(monitors, count);
+  if (k >= 0) {
+    return k + 1;
+  }
+  if (mode == 0) {
+    return surrender != 0 ? 1 : 0;
+  }
+  open = first_not_safer(checks, count);
+  if (open >= 0) {
+    const KERNEL_finding found = finding_of(checks[open].safer);
+    engage(&monitors[open], REASON_RETURNING, &found);
+    return open + 1;
+  }
+  return surrender != 0 || !may_leave ? mode : 0;
+}
+/*= other_of : other_type body_type motion_type reach_of */
+/* `may_use`: a promise of this robot may be relied upon. */
+static other other_of(const KERNEL_other *in, const estimate *s, const body *b, const motion *any,
+                      int64_t horizon_us, int64_t now_us, int32_t may_use) {
+  other o;
+  o.s = *s;
+  o.held = may_use && in->lease_end_us >= now_us + horizon_us;
+  o.r = reach_of(s, b, any, horizon_us);
+  return o;
+}
+/*= gate_of : other_type pair_spare */
+/* What the separation test allows a moving recovery: it stands still unless the test holds, or
+ * fails only against robots that are HELD (then it may go, away from them). */
+static int32_t gate_of(const reach *r, const other *others, int32_t count, int32_t self,
+                       const body *b, int64_t least_mm) {
+  int32_t gate = GATE_FREE;
+  int32_t j;
+  for (j = 0; j < count; ++j) {
+    if (j != self) {
+      if (r->input != INPUT_NONE || others[j].s.input != INPUT_NONE) {
+        return GATE_HOLD;
+      }
+      if (pair_spare(r, &others[j], b) < least_mm) {
+        if (others[j].held == 0) {
+          return GATE_HOLD;
+        }
+        gate = GATE_AWAY_ONLY;
+      }
+    }
+  }
+  return gate;
+}

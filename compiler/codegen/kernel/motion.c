@@ -1,0 +1,150 @@
+/* Where a robot can be. Lengths in mm, speeds in mm/s, times in us or ms as named.
+ * Source: the look-ahead bounds "capsule" and "disc" of the theory of this project. */
+/*= vec_type */
+typedef struct vec {
+  int64_t x, y;
+} vec;
+/*= vec_of : vec_type */
+static vec vec_of(int64_t x, int64_t y) {
+  vec v;
+  v.x = x;
+  v.y = y;
+  return v;
+}
+/*= minus : vec_of */
+static vec minus(vec a, vec b) {
+  return vec_of(a.x - b.x, a.y - b.y);
+}
+/*= dot : vec_type */
+static int64_t dot(vec a, vec b) {
+  return a.x * b.x + a.y * b.y;
+}
+/*= cross : vec_type */
+static int64_t cross(vec a, vec b) {
+  return a.x * b.y - a.y * b.x;
+}
+/*= body_type */
+/* What is declared of a kind of robot, rounded to the safe side. */
+typedef struct body {
+  int64_t radius_mm;
+  int64_t position_error_mm, velocity_error_mmps;
+  int64_t accel_mmps2;  /* of any control, turning included */
+  int64_t brake_mmps2;
+  int64_t brake_lag_ms;        /* sampled brake: (velocity error + b (h + l)) / b */
+  int64_t brake_lag_permille;  /* share of the stopping distance that a turn still bends away */
+  int64_t hold_mm;             /* stays within this of its hold */
+  int64_t position_age_us, velocity_age_us;
+} body;
+/*= motion_type */
+/* Limits of whoever drives: any control, or one recovery. */
+typedef struct motion {
+  int64_t speed_mmps, accel_mmps2;
+  int32_t recovery; /* a recovery starts at the speed it finds */
+} motion;
+/*= estimate_type : vec_type */
+typedef struct estimate {
+  int32_t input; /* input that is missing; INPUT_NONE: usable */
+  vec p, v;
+  int64_t p_error_mm, v_error_mmps;
+  int64_t speed_mmps; /* of the measured velocity, rounded up */
+  int64_t age_us;     /* of the position */
+} estimate;
+/*= usable */
+/* Present, finite, neither from the future nor too old. */
+static int32_t usable(const KERNEL_point *s, int64_t now_us, int64_t max_age_us) {
+  return s->valid != 0 && s->stamp_us <= now_us && now_us - s->stamp_us <= max_age_us &&
+         s->x_lo <= s->x_hi && s->y_lo <= s->y_hi;
+}
+/*= estimate_of : estimate_type body_type usable vec_of dot root_up div_up magnitude clamp_of */
+/* Velocity and position of unequal stamps: the velocity may have changed in between. */
+static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *velocity,
+                            int64_t now_us, const body *b) {
+  estimate s;
+  s.input = INPUT_NONE;
+  if (!usable(velocity, now_us, b->velocity_age_us)) {
+    s.input = INPUT_VELOCITY;
+  }
+  if (!usable(position, now_us, b->position_age_us)) {
+    s.input = INPUT_POSITION;
+  }
+  s.p = vec_of(0, 0);
+  s.v = vec_of(0, 0);
+  s.p_error_mm = 0;
+  s.v_error_mmps = 0;
+  s.speed_mmps = 0;
+  s.age_us = 0;
+  if (s.input == INPUT_NONE) {
+    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+    s.p = vec_of(clamp_of(position->x_lo, -EXTENT_MM, EXTENT_MM),
+                 clamp_of(position->y_lo, -EXTENT_MM, EXTENT_MM));
+    s.v = vec_of(velocity->x_lo, velocity->y_lo);
+    if (magnitude(s.v.x) > SPEED_MAX_MMPS || magnitude(s.v.y) > SPEED_MAX_MMPS) {
+      s.input = INPUT_VELOCITY; /* outside its range: unknown */
+      s.v = vec_of(0, 0);
+    }
+    s.p_error_mm = b->position_error_mm + (position->x_hi - position->x_lo) +
+                   (position->y_hi - position->y_lo);
+    s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
+                     (velocity->y_hi - velocity->y_lo) +
+                     div_up(b->accel_mmps2 * apart_ms, 1000);
+    s.speed_mmps = root_up(dot(s.v, s.v));
+    s.age_us = now_us - position->stamp_us;
+  }
+  return s;
+}
+/*= reach_type : vec_type */
+/* Everything that the robot can touch until its recovery has stopped it: within `capsule_mm` of
+ * the segment p-e, and within `disc_mm` of p. The body is included. */
+typedef struct reach {
+  int32_t input;
+  vec p, e;
+  int64_t capsule_mm, disc_mm;
+  int64_t centre_mm; /* the disc without the body */
+  int64_t time_ms;   /* horizon, from the stamp on */
+} reach;
+/*= travel_of : motion_type div_up */
+/* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
+static int64_t travel_of(int64_t s0, int64_t t_ms, int64_t cap, const motion *m) {
+  if (s0 + div_up(m->accel_mmps2 * t_ms, 1000) <= cap) {
+    return div_up(s0 * t_ms, 1000) + div_up(m->accel_mmps2 * t_ms * t_ms, 2000000);
+  }
+  return div_up(cap * t_ms, 1000) - (cap - s0) * (cap - s0) / (2 * m->accel_mmps2);
+}
+/*= speed_cap : motion_type estimate_type max_of */
+static int64_t speed_cap(const estimate *s, const motion *m) {
+  return m->recovery != 0 ? max_of(m->speed_mmps, s->speed_mmps + s->v_error_mmps)
+                          : m->speed_mmps;
+}
+/*= moved_of : estimate_type motion_type speed_cap travel_of div_up min_of */
+/* Longest way since the sample was taken. */
+static int64_t moved_of(const estimate *s, const motion *m) {
+  const int64_t cap = speed_cap(s, m);
+  return travel_of(min_of(cap, s->speed_mmps + s->v_error_mmps), div_up(s->age_us, 1000), cap, m);
+}
+/*= reach_of : reach_type estimate_type body_type motion_type speed_cap travel_of div_up min_of vec_of */
+static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t horizon_us) {
+  reach r;
+  const int64_t t_us = s->age_us + horizon_us;
+  const int64_t t_ms = div_up(t_us, 1000);
+  const int64_t cap = speed_cap(s, m);
+  const int64_t gain = div_up(m->accel_mmps2 * t_ms, 1000);
+  const int64_t drift = s->v_error_mmps + gain;
+  const int64_t s0 = min_of(cap, s->speed_mmps + s->v_error_mmps);
+  const int64_t s1 = min_of(cap, s0 + gain);
+  const int64_t stop = div_up(s1 * s1, 2 * b->brake_mmps2);
+  /* the tube around the ideal stopping path, see the brake of the theory */
+  const int64_t tube = b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
+                       div_up(stop * b->brake_lag_permille, 1000) + b->hold_mm;
+  const int64_t along_us = t_us + div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
+  r.input = s->input;
+  r.p = s->p;
+  r.e = vec_of(s->p.x + s->v.x * along_us / 1000000, s->p.y + s->v.y * along_us / 1000000);
+  /* 2 mm: the division towards zero moves the end point by less than 1 mm per axis */
+  r.capsule_mm = s->p_error_mm + div_up(s->v_error_mmps * t_ms, 1000) +
+                 div_up(m->accel_mmps2 * t_ms * t_ms, 2000000) +
+                 div_up((s->speed_mmps + s1) * drift, 2 * b->brake_mmps2) + 2 + tube;
+  r.centre_mm = s->p_error_mm + travel_of(s0, t_ms, cap, m) + stop + tube - b->radius_mm;
+  r.disc_mm = r.centre_mm + b->radius_mm;
+  r.time_ms = t_ms;
+  return r;
+}

@@ -1,0 +1,239 @@
+#include "compiler/ir/builder.h"
+
+#include <optional>
+
+namespace rtac::ir {
+namespace {
+
+using diag::Code;
+
+constexpr sema::Dimension length{.m = 1};
+constexpr sema::Dimension ratio{.ratio = 1};
+
+class BlockBuilder {
+ public:
+  BlockBuilder(const TableMap& tables, sema::KindId kind, Decision& decision,
+               diag::Engine& diagnostics)
+      : tables_(tables), kind_(kind), decision_(decision), diagnostics_(diagnostics) {}
+
+  Block build(const sema::Expr& e) {
+    Block block;
+    Block* const outer = block_;
+    block_ = &block;
+    block.result = margin(e);
+    block_ = outer;
+    return block;
+  }
+
+ private:
+  ValueId add(Op op, std::optional<Unit> unit, const SourceRange& source) {
+    block_->values.push_back({std::move(op), unit, std::nullopt, source});
+    return ValueId(block_->values.size() - 1);
+  }
+
+  // ---- margins ----
+
+  ValueId margin(const sema::Expr& e) {
+    return std::visit([&](const auto& node) { return margin(node, e); }, e.node);
+  }
+  ValueId margin(const sema::Truth& v, const sema::Expr& e) {
+    return add(Truth{v.value}, std::nullopt, e.range);
+  }
+  ValueId margin(const sema::InsideZone& v, const sema::Expr& e) {
+    // bodies: the centre lies in the zone and keeps the radius, that is clearance >= 0
+    const ValueId clearance = add(Clearance{tables_.zone(v.zone)}, Unit::mm, e.range);
+    const ValueId zero = add(Const{0}, Unit::mm, e.range);
+    return add(AtLeast{clearance, zero, false}, std::nullopt, e.range);
+  }
+  ValueId margin(const sema::PlanInside& v, const sema::Expr& e) {
+    return add(PlanInZone{tables_.zone(v.zone)}, std::nullopt, e.range);
+  }
+  ValueId margin(const sema::Compare& v, const sema::Expr& e) {
+    const bool flipped = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
+    const bool strict = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
+    const ValueId left = quantity(*v.left);
+    const ValueId right = quantity(*v.right);
+    return add(AtLeast{flipped ? right : left, flipped ? left : right, strict}, std::nullopt,
+               e.range);
+  }
+  ValueId margin(const sema::Logic& v, const sema::Expr& e) {
+    const auto negated = [&](ValueId a) { return add(Not{a}, std::nullopt, e.range); };
+    const auto both = [&](ValueId a, ValueId b) { return add(And{a, b}, std::nullopt, e.range); };
+    const auto either = [&](ValueId a, ValueId b) { return add(Or{a, b}, std::nullopt, e.range); };
+    const ValueId a = margin(*v.operands[0]);
+    if (v.op == sema::LogicOp::logical_not) return negated(a);
+    const ValueId b = margin(*v.operands[1]);
+    switch (v.op) {
+      case sema::LogicOp::logical_not: break;
+      case sema::LogicOp::logical_and: return both(a, b);
+      case sema::LogicOp::logical_or: return either(a, b);
+      case sema::LogicOp::implies: return either(negated(a), b);
+      case sema::LogicOp::iff: return both(either(negated(a), b), either(negated(b), a));
+      case sema::LogicOp::logical_xor: return either(both(a, negated(b)), both(b, negated(a)));
+    }
+    return a;
+  }
+  ValueId margin(const sema::HeldFor& v, const sema::Expr& e) {
+    const ValueId operand = margin(*v.operand);
+    const Rational ticks = v.duration.value * 1'000'000 / Rational(decision_.period_us);
+    return add(HeldFor{operand, ceil_to_int(ticks), decision_.held_slots++}, std::nullopt, e.range);
+  }
+  ValueId margin(const sema::ForOthers& v, const sema::Expr& e) {
+    auto body = std::make_unique<Block>(build(*v.body));
+    return add(ForOthers{v.universal, std::move(body)}, std::nullopt, e.range);
+  }
+  template <class Node>
+  ValueId margin(const Node&, const sema::Expr& e) {
+    refuse(e, "this is not a truth value");
+    return add(Truth{false}, std::nullopt, e.range);
+  }
+
+  // ---- quantities ----
+
+  static Unit unit_of(const sema::Expr& e) {
+    return e.dimension == ratio ? Unit::ppm : Unit::mm;
+  }
+  ValueId quantity(const sema::Expr& e) {
+    if (e.dimension != length && e.dimension != ratio) {
+      refuse(e, "the kernel compares lengths and ratios only");
+      return add(Const{0}, Unit::mm, e.range);
+    }
+    if (const auto constant = fold(e)) return this->constant(*constant, e);
+    return std::visit([&](const auto& node) { return quantity(node, e); }, e.node);
+  }
+  ValueId quantity(const sema::SignalRef& v, const sema::Expr& e) {
+    if (v.signal != sema::Signal::battery || v.subject != sema::Subject::self) {
+      refuse(e, "only the robot's own `battery` can be compared directly");
+    }
+    return add(Battery{}, Unit::ppm, e.range);
+  }
+  ValueId quantity(const sema::Clearance& v, const sema::Expr& e) {
+    return add(Clearance{tables_.zone(v.zone)}, Unit::mm, e.range);
+  }
+  ValueId quantity(const sema::Distance&, const sema::Expr& e) {
+    return add(Distance{}, Unit::mm, e.range);
+  }
+  ValueId quantity(const sema::EnergyTo& v, const sema::Expr& e) {
+    const auto& slot = tables_.sites[static_cast<std::uint32_t>(kind_)]
+                                    [static_cast<std::uint32_t>(v.site)];
+    if (!slot) {
+      refuse(e, "no recovery of this kind of robot routes to this site, so its way has no price");
+      return add(Const{0}, Unit::ppm, e.range);
+    }
+    return add(EnergyTo{*slot}, Unit::ppm, e.range);
+  }
+  ValueId quantity(const sema::Arithmetic& v, const sema::Expr& e) {
+    const Unit unit = unit_of(e);
+    switch (v.op) {
+      case sema::ArithmeticOp::add:
+        return sum(quantity(*v.operands[0]), quantity(*v.operands[1]), unit, e);
+      case sema::ArithmeticOp::subtract: {
+        const ValueId left = quantity(*v.operands[0]);
+        const ValueId right = quantity(*v.operands[1]);
+        return sum(left, add(Negate{right}, unit, e.range), unit, e);
+      }
+      case sema::ArithmeticOp::negate:
+        return add(Negate{quantity(*v.operands[0])}, unit, e.range);
+      case sema::ArithmeticOp::multiply: {
+        if (const auto k = fold(*v.operands[0])) return scaled(*v.operands[1], *k, e);
+        if (const auto k = fold(*v.operands[1])) return scaled(*v.operands[0], *k, e);
+        break;
+      }
+      case sema::ArithmeticOp::divide:
+        if (const auto k = fold(*v.operands[1]); k && sgn(*k) != 0) {
+          return scaled(*v.operands[0], Rational(1 / *k), e);
+        }
+        break;
+    }
+    refuse(e, "products and quotients of signals are outside the integer kernel");
+    return add(Const{0}, unit, e.range);
+  }
+  template <class Node>
+  ValueId quantity(const Node&, const sema::Expr& e) {
+    refuse(e, "this is not a quantity");
+    return add(Const{0}, Unit::mm, e.range);
+  }
+
+  ValueId sum(ValueId a, ValueId b, Unit unit, const sema::Expr& e) {
+    return add(Add{a, b}, unit, e.range);
+  }
+  ValueId scaled(const sema::Expr& operand, const Rational& factor, const sema::Expr& e) {
+    const ValueId a = quantity(operand);
+    if (!factor.get_num().fits_slong_p() || !factor.get_den().fits_slong_p()) {
+      refuse(e, "the factor does not fit the integer kernel");
+      return a;
+    }
+    return add(Scale{a, factor.get_num().get_si(), factor.get_den().get_si()}, unit_of(e), e.range);
+  }
+
+  // Value of an expression without signals, in SI; nullopt otherwise.
+  std::optional<Rational> fold(const sema::Expr& e) {
+    if (const auto* c = std::get_if<sema::Constant>(&e.node)) return c->value;
+    const auto* a = std::get_if<sema::Arithmetic>(&e.node);
+    if (!a) return std::nullopt;
+    const auto left = fold(*a->operands[0]);
+    if (a->op == sema::ArithmeticOp::negate) {
+      return left ? std::optional<Rational>(-*left) : std::nullopt;
+    }
+    const auto right = fold(*a->operands[1]);
+    if (!left || !right) return std::nullopt;
+    switch (a->op) {
+      case sema::ArithmeticOp::add: return Rational(*left + *right);
+      case sema::ArithmeticOp::subtract: return Rational(*left - *right);
+      case sema::ArithmeticOp::multiply: return Rational(*left * *right);
+      case sema::ArithmeticOp::divide:
+        return sgn(*right) == 0 ? std::nullopt : std::optional<Rational>(*left / *right);
+      case sema::ArithmeticOp::negate: break;
+    }
+    return std::nullopt;
+  }
+  ValueId constant(const Rational& si, const sema::Expr& e) {
+    const bool is_ratio = e.dimension == ratio;
+    const Rational grid = si * (is_ratio ? 1'000'000 : 1000);
+    if (grid.get_den() != 1) {
+      const auto show = [&](const Rational& steps) {
+        return is_ratio ? to_decimal(steps / 10'000) + " %" : to_decimal(steps / 1000) + " m";
+      };
+      const Rational below(floor_to_int(grid));
+      diagnostics_.report({Code::constant_off_grid, e.range,
+                           "this constant does not lie on the grid of " +
+                               std::string(is_ratio ? "1 ppm" : "1 mm"),
+                           "", {}, "`" + show(below) + "` and `" + show(below + 1) + "` do", {}});
+      return add(Const{0}, unit_of(e), e.range);
+    }
+    return add(Const{floor_to_int(grid)}, unit_of(e), e.range);
+  }
+
+  void refuse(const sema::Expr& e, const std::string& what) {
+    diagnostics_.report({Code::expression_not_supported, e.range, what, "", {},
+                         "compute it outside and pass it in, or compare clearance, distance or "
+                         "battery with a constant",
+                         {}});
+  }
+
+  const TableMap& tables_;
+  sema::KindId kind_;
+  Decision& decision_;
+  diag::Engine& diagnostics_;
+  Block* block_ = nullptr;
+};
+
+}  // namespace
+
+void build_blocks(const sema::Spec& spec, const TableMap& tables, Module& module,
+                  diag::Engine& diagnostics) {
+  for (std::size_t i = 0; i < module.decisions.size(); ++i) {
+    const sema::Decision& from = spec.decisions[i];
+    Decision& decision = module.decisions[i];
+    BlockBuilder builder(tables, from.kind, decision, diagnostics);
+    for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
+      const sema::Monitor& monitor = spec[from.priority[k]];
+      decision.monitors[k].property = builder.build(*monitor.always);
+      if (monitor.return_when) {
+        decision.monitors[k].return_when = builder.build(*monitor.return_when);
+      }
+    }
+  }
+}
+
+}  // namespace rtac::ir

@@ -1,0 +1,235 @@
+// The decision IR: what a kernel computes, on integers, with every number resolved.
+// A module holds constant tables (zones, ways to sites), the limits of each kind of robot, and per
+// decision its monitors. A monitor is a few blocks; a block is straight-line code in SSA form.
+// Canonical text: printer.h. Well-formedness: verifier.h.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "compiler/support/source.h"
+
+namespace rtac::ir {
+
+enum class ZoneIndex : std::uint32_t {};
+enum class SiteIndex : std::uint32_t {};
+enum class ValueId : std::uint32_t {};
+
+// ---- tables -----------------------------------------------------------------------------------
+
+struct Edge {  // mm; the zone on its left; unit direction in Q30
+  std::int32_t ax, ay, bx, by, ux_q30, uy_q30;
+};
+struct Cells {
+  std::int32_t origin_x_mm = 0, origin_y_mm = 0, cell_mm = 100, columns = 0, rows = 0;
+  std::vector<std::int32_t> clearance_mm_lo;
+};
+struct ZoneTable {
+  std::string name;
+  std::vector<Edge> edges;
+  std::vector<std::uint32_t> ring_starts;
+  Cells cells;
+  std::int32_t widest_mm = 0, widest_x_mm = 0, widest_y_mm = 0;
+};
+inline constexpr std::int32_t no_body = -1;        // no body fits into the cell
+inline constexpr std::int32_t no_way = 1 << 30;    // no way from the cell to the site
+struct SiteTable {
+  std::string name;
+  ZoneIndex zone{};  // whose cells index `cost_ppm`
+  struct Place {
+    std::string robot;
+    std::int32_t x_mm = 0, y_mm = 0;
+    std::vector<std::int32_t> cost_ppm;  // of a full battery; empty when no property asks
+  };
+  std::vector<Place> places;  // by fleet index
+};
+
+// ---- limits, rounded to the safe side -----------------------------------------------------------
+
+struct Body {
+  std::int64_t radius_mm = 0, position_error_mm = 0, velocity_error_mmps = 0;
+  std::int64_t accel_mmps2 = 0;  // planar, turning included
+  std::int64_t brake_mmps2 = 0;
+  std::int64_t brake_lag_ms = 0, brake_lag_permille = 0, hold_mm = 0;
+  std::int64_t position_age_us = 0, velocity_age_us = 0, battery_age_us = 0, hears_age_us = 0;
+  std::int64_t latency_us = 0, tracking_mm = 0;
+  std::int64_t battery_error_ppm = 0, drain_ppm_per_s = 0;
+};
+struct Motion {
+  std::string name;  // "any" or the name of the recovery
+  std::int64_t speed_mmps = 0, accel_mmps2 = 0;
+  bool recovery = false;
+};
+
+// ---- values -------------------------------------------------------------------------------------
+
+enum class Unit { mm, ppm };
+
+// Quantities: intervals on the grid.
+struct Const {
+  std::int64_t value;
+};
+struct Battery {};
+struct Clearance {
+  ZoneIndex zone;
+};
+struct Distance {};  // to the robot of the enclosing for_others
+struct EnergyTo {
+  SiteIndex site;
+};
+struct Add {
+  ValueId a, b;
+};
+struct Negate {
+  ValueId a;
+};
+struct Scale {  // a * num / den, den > 0
+  ValueId a;
+  std::int64_t num, den;
+};
+// Margins, judged now.
+struct AtLeast {  // a >= b; strict: a > b
+  ValueId a, b;
+  bool strict;
+};
+struct PlanInZone {  // every way-point and leg of a proposed plan
+  ZoneIndex zone;
+};
+struct Truth {
+  bool value;
+};
+struct Not {
+  ValueId a;
+};
+struct And {
+  ValueId a, b;
+};
+struct Or {
+  ValueId a, b;
+};
+struct HeldFor {
+  ValueId a;
+  std::int64_t ticks;
+  std::uint32_t slot;  // of the counters in the state
+};
+struct Block;
+struct ForOthers {
+  bool universal;
+  std::unique_ptr<Block> body;
+};
+// Margins over everything within reach, made by the look-ahead pass.
+struct ZoneReach {
+  ZoneIndex zone;
+  std::int64_t least_mm;
+};
+struct LegsInZone {
+  ZoneIndex zone;
+  std::int64_t legs, need_mm;
+};
+struct PointsInZone {
+  ZoneIndex zone;
+  std::int64_t points, need_mm;
+};
+struct PairReach {
+  std::int64_t least_mm;
+};
+struct LegsApart {
+  std::int64_t legs, need_mm;
+  bool ranked;  // the robot with the smaller index goes first
+};
+struct EnergyReach {
+  SiteIndex site;
+  std::int64_t reserve_ppm;
+};
+struct ChargeReach {  // the charge stays above a constant
+  std::int64_t least_ppm;
+};
+
+using Op = std::variant<Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast,
+                        PlanInZone, Truth, Not, And, Or, HeldFor, ForOthers, ZoneReach, LegsInZone,
+                        PointsInZone, PairReach, LegsApart, EnergyReach, ChargeReach>;
+
+struct Range {
+  std::int64_t lo = 0, hi = 0;
+};
+struct Value {
+  Op op;
+  std::optional<Unit> unit;    // none: a margin
+  std::optional<Range> range;  // of quantities; set by analyse_ranges
+  SourceRange source;
+};
+struct Block {
+  std::vector<Value> values;
+  ValueId result{};
+  [[nodiscard]] const Value& operator[](ValueId id) const {
+    return values[static_cast<std::uint32_t>(id)];
+  }
+};
+
+// ---- decisions ----------------------------------------------------------------------------------
+
+struct Lookahead {
+  bool duration = true;           // false: way-points only
+  std::int64_t duration_us = 0;   // D
+  std::int64_t waypoints = 0;     // n, 0: the plan is not looked at
+  bool points_only = false;
+};
+enum class RecoveryKind { external, retreat, route, yield };
+struct Recovery {
+  std::string name;
+  RecoveryKind kind = RecoveryKind::external;
+  ZoneIndex zone{};
+  SiteIndex site{};
+  std::int64_t speed_mmps = 0;
+  // Clearances of the centre (retreat, route, yield) and distance of centres (yield).
+  std::int64_t route_clearance_mm = 0, return_clearance_mm = 0, pass_gap_mm = 0;
+};
+struct Monitor {
+  std::string name, requirement_id, requirement_text;
+  std::string file;  // base name of the source file
+  std::uint32_t line = 0;
+  std::string return_text;  // as written
+  std::optional<Unit> unit;  // of the reported margin
+  Lookahead lookahead;
+  SourceRange source, lookahead_source;
+  Block property;
+  std::optional<Block> ahead;        // made by expand_lookahead
+  std::optional<Block> return_when;  // none: only the derived condition
+  Recovery recovery;
+  // Largest standoff that a separation atom of the property asks for; none: no such atom.
+  std::optional<std::int64_t> separation_mm;
+};
+struct Acknowledgement {
+  std::string recovery, monitor, reason;
+};
+struct Decision {
+  std::string name, kind, advanced, safe;
+  bool on_plan = false;
+  std::int64_t period_us = 0, return_extra_us = 0, dwell_ticks = 0, lease_us = 0;
+  std::uint32_t robots = 1;  // size of the fleet of this kind
+  std::int64_t plan_capacity = 0;
+  Body body;
+  std::int64_t hold_reserve_ppm = 0;   // charge that held time and detours may take
+  std::vector<Motion> motions;         // 0: any control, k + 1: recovery of monitor k
+  std::vector<Monitor> monitors;       // by priority
+  std::uint32_t held_slots = 0;
+  std::vector<Acknowledgement> acknowledgements;
+};
+struct Module {
+  std::string name;
+  std::vector<ZoneTable> zones;
+  std::vector<SiteTable> sites;
+  std::vector<Decision> decisions;
+  [[nodiscard]] const ZoneTable& operator[](ZoneIndex i) const {
+    return zones[static_cast<std::uint32_t>(i)];
+  }
+  [[nodiscard]] const SiteTable& operator[](SiteIndex i) const {
+    return sites[static_cast<std::uint32_t>(i)];
+  }
+};
+
+}  // namespace rtac::ir

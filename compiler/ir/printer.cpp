@@ -1,0 +1,157 @@
+#include "compiler/ir/printer.h"
+
+namespace rtac::ir {
+namespace {
+
+std::string name(ValueId id) {
+  return "%" + std::to_string(static_cast<std::uint32_t>(id));
+}
+std::string num(std::int64_t value) {
+  return std::to_string(value);
+}
+const char* name(Unit unit) {
+  return unit == Unit::mm ? "mm" : "ppm";
+}
+
+class Printer {
+ public:
+  explicit Printer(const Module& module) : module_(module) {}
+
+  void block(const Block& block, const std::string& indent) {
+    for (std::size_t i = 0; i < block.values.size(); ++i) {
+      const Value& value = block.values[i];
+      out_ += indent + name(ValueId(i)) + " = " + std::visit(*this, value.op);
+      out_ += value.unit ? std::string(" : ") + name(*value.unit) : " : margin";
+      if (value.range) out_ += " [" + num(value.range->lo) + ", " + num(value.range->hi) + "]";
+      out_ += "\n";
+      if (const auto* others = std::get_if<ForOthers>(&value.op)) {
+        this->block(*others->body, indent + "  ");
+      }
+    }
+    out_ += indent + "result " + name(block.result) + "\n";
+  }
+  void line(const std::string& text) { out_ += text + "\n"; }
+  std::string take() { return std::move(out_); }
+
+  std::string operator()(const Const& v) const { return "const " + num(v.value); }
+  std::string operator()(const Battery&) const { return "battery"; }
+  std::string operator()(const Clearance& v) const { return "clearance " + module_[v.zone].name; }
+  std::string operator()(const Distance&) const { return "distance"; }
+  std::string operator()(const EnergyTo& v) const { return "energy_to " + module_[v.site].name; }
+  std::string operator()(const Add& v) const { return "add " + name(v.a) + ", " + name(v.b); }
+  std::string operator()(const Negate& v) const { return "negate " + name(v.a); }
+  std::string operator()(const Scale& v) const {
+    return "scale " + name(v.a) + ", " + num(v.num) + "/" + num(v.den);
+  }
+  std::string operator()(const AtLeast& v) const {
+    return (v.strict ? "more_than " : "at_least ") + name(v.a) + ", " + name(v.b);
+  }
+  std::string operator()(const PlanInZone& v) const {
+    return "plan_in_zone " + module_[v.zone].name;
+  }
+  std::string operator()(const Truth& v) const { return v.value ? "true" : "false"; }
+  std::string operator()(const Not& v) const { return "not " + name(v.a); }
+  std::string operator()(const And& v) const { return "and " + name(v.a) + ", " + name(v.b); }
+  std::string operator()(const Or& v) const { return "or " + name(v.a) + ", " + name(v.b); }
+  std::string operator()(const HeldFor& v) const {
+    return "held_for " + name(v.a) + ", " + num(v.ticks) + " ticks, slot " + num(v.slot);
+  }
+  std::string operator()(const ForOthers& v) const {
+    return v.universal ? "for_all_others" : "for_some_other";
+  }
+  std::string operator()(const ZoneReach& v) const {
+    return "zone_reach " + module_[v.zone].name + ", least " + num(v.least_mm);
+  }
+  std::string operator()(const LegsInZone& v) const {
+    return "legs_in_zone " + module_[v.zone].name + ", legs " + num(v.legs) + ", need " +
+           num(v.need_mm);
+  }
+  std::string operator()(const PointsInZone& v) const {
+    return "points_in_zone " + module_[v.zone].name + ", points " + num(v.points) + ", need " +
+           num(v.need_mm);
+  }
+  std::string operator()(const PairReach& v) const { return "pair_reach least " + num(v.least_mm); }
+  std::string operator()(const LegsApart& v) const {
+    return "legs_apart legs " + num(v.legs) + ", need " + num(v.need_mm) +
+           (v.ranked ? ", ranked" : "");
+  }
+  std::string operator()(const EnergyReach& v) const {
+    return "energy_reach " + module_[v.site].name + ", reserve " + num(v.reserve_ppm);
+  }
+  std::string operator()(const ChargeReach& v) const {
+    return "charge_reach least " + num(v.least_ppm);
+  }
+
+  void tables() {
+    for (const ZoneTable& z : module_.zones) {
+      line("zone " + z.name + " edges " + num(std::int64_t(z.edges.size())) + " cells " +
+           num(z.cells.columns) + "x" + num(z.cells.rows) + " of " + num(z.cells.cell_mm) +
+           " mm, widest " + num(z.widest_mm) + " mm at (" + num(z.widest_x_mm) + ", " +
+           num(z.widest_y_mm) + ")");
+      for (const Edge& e : z.edges) {
+        line("  edge (" + num(e.ax) + ", " + num(e.ay) + ") to (" + num(e.bx) + ", " + num(e.by) +
+             ")");
+      }
+    }
+    for (const SiteTable& s : module_.sites) {
+      for (const SiteTable::Place& p : s.places) {
+        line("site " + s.name + " of " + p.robot + " at (" + num(p.x_mm) + ", " + num(p.y_mm) +
+             ") on " + module_[s.zone].name + (p.cost_ppm.empty() ? "" : ", with cost"));
+      }
+    }
+  }
+  void monitor(const Monitor& m) {
+    line("  monitor " + m.name + " \"" + m.requirement_id + "\" at " + m.file + ":" + num(m.line));
+    if (m.lookahead.duration) line("    horizon " + num(m.lookahead.duration_us) + " us");
+    line("    property");
+    block(m.property, "      ");
+    if (m.ahead) {
+      line("    ahead");
+      block(*m.ahead, "      ");
+    }
+    if (m.return_when) {
+      line("    return");
+      block(*m.return_when, "      ");
+    }
+    line("    recovery " + m.recovery.name + " route " + num(m.recovery.route_clearance_mm) +
+         " return " + num(m.recovery.return_clearance_mm) + " pass " +
+         num(m.recovery.pass_gap_mm));
+  }
+  void decision(const Decision& d) {
+    const Body& b = d.body;
+    line("decision " + d.name + " for " + d.kind +
+         (d.on_plan ? std::string(" on plan")
+                    : " every " + num(d.period_us) + " us, return +" + num(d.return_extra_us) +
+                          " us, dwell " + num(d.dwell_ticks)));
+    line("  body radius " + num(b.radius_mm) + ", errors " + num(b.position_error_mm) + " mm " +
+         num(b.velocity_error_mmps) + " mm/s, accel " + num(b.accel_mmps2) + ", brake " +
+         num(b.brake_mmps2) + ", brake lag " + num(b.brake_lag_ms) + " ms " +
+         num(b.brake_lag_permille) + " permille, hold " + num(b.hold_mm));
+    for (const Motion& m : d.motions) {
+      line("  motion " + m.name + " speed " + num(m.speed_mmps) + " accel " + num(m.accel_mmps2));
+    }
+    for (const Monitor& m : d.monitors) monitor(m);
+  }
+
+ private:
+  const Module& module_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string print(const Module& module) {
+  Printer printer(module);
+  printer.line("module " + module.name);
+  printer.tables();
+  for (const Decision& d : module.decisions) printer.decision(d);
+  return printer.take();
+}
+
+std::string print(const Module& module, const Block& block, const std::string& indent) {
+  Printer printer(module);
+  printer.block(block, indent);
+  return printer.take();
+}
+
+}  // namespace rtac::ir

@@ -1,0 +1,14 @@
+// The canonical text of the IR: `--dump-ir`, goldens.
+#pragma once
+
+#include <string>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::ir {
+
+std::string print(const Module& module);
+// Ends with a line break; values are indented by `indent`.
+std::string print(const Module& module, const Block& block, const std::string& indent);
+
+}  // namespace rtac::ir
