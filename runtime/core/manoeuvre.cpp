@@ -1,12 +1,12 @@
 #include "rtac/safe/manoeuvre.h"
 
-#include "angles.h"
+#include "rtac/sample.h"
 
 namespace rtac::safe {
 
 bool is_held(const Announcement& other, TimeUs now_us) {
   return other.lease_end_us != never_us && other.lease_end_us >= now_us &&
-         other.position.stamp_us != never_us && detail::finite(other.position.value);
+         other.position.stamp_us != never_us && is_finite(other.position.value);
 }
 
 RouteQuery Manoeuvre::query(const Observation& observation, bool around_held) const {

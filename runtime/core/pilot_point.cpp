@@ -5,6 +5,7 @@
 #include "angles.h"
 #include "rtac/safe/grid_route.h"
 #include "rtac/safe/pilot.h"
+#include "rtac/sample.h"
 
 namespace rtac::safe {
 namespace {
@@ -32,7 +33,7 @@ void Pilot<Acceleration>::engage(const Observation& observation) {
   latched_ = driving_ = false;
   if (can_steer(observation)) return;
   // Nothing seen yet in this engagement: an older velocity must not steer the blind brake.
-  if (observation.velocity.stamp_us == never_us || !detail::finite(observation.velocity.value)) {
+  if (observation.velocity.stamp_us == never_us || !is_finite(observation.velocity.value)) {
     last_velocity_ = {};
     last_seen_us_ = never_us;
   } else {
@@ -44,8 +45,7 @@ void Pilot<Acceleration>::engage(const Observation& observation) {
 bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
   const TimeUs now_us = observation.now_us;
   return usable(observation.position, now_us, limits_.position_age_us, period_us_) &&
-         usable(observation.velocity, now_us, limits_.velocity_age_us, period_us_) &&
-         detail::finite(observation.position.value) && detail::finite(observation.velocity.value);
+         usable(observation.velocity, now_us, limits_.velocity_age_us, period_us_);
 }
 
 Acceleration Pilot<Acceleration>::limited(Vec2 a, double limit_mps2) const {

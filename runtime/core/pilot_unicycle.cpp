@@ -5,6 +5,7 @@
 #include "angles.h"
 #include "rtac/safe/grid_route.h"
 #include "rtac/safe/pilot.h"
+#include "rtac/sample.h"
 
 namespace rtac::safe {
 namespace {
@@ -39,9 +40,7 @@ bool Pilot<Twist>::can_steer(const Observation& observation) const {
   const TimeUs now_us = observation.now_us;
   return usable(observation.position, now_us, limits_.position_age_us, period_us_) &&
          usable(observation.velocity, now_us, limits_.velocity_age_us, period_us_) &&
-         usable(observation.heading, now_us, limits_.heading_age_us, period_us_) &&
-         detail::finite(observation.position.value) && detail::finite(observation.velocity.value) &&
-         detail::finite(observation.heading.value);
+         usable(observation.heading, now_us, limits_.heading_age_us, period_us_);
 }
 
 // The base brakes by itself: speed and turn 0 at once, never a ramp (theory: unicycle).

@@ -32,11 +32,6 @@ class LegTracker {
 double approach_speed(const LegTracker::Leg& leg, double speed_mps, double brake_mps2,
                       double reaction_s);
 
-// A sample that can be acted on: received, not older than declared (at least one period is always
-// granted), not from the future, finite.
-template <class T>
-bool usable(const Sample<T>& sample, TimeUs now_us, TimeUs age_us_max, TimeUs period_us);
-
 template <class Output>
 class Pilot;
 
@@ -93,12 +88,5 @@ class Pilot<Twist> {
   bool latched_ = false, driving_ = false, turning_ = false;
   int still_samples_ = 0;
 };
-
-template <class T>
-bool usable(const Sample<T>& sample, TimeUs now_us, TimeUs age_us_max, TimeUs period_us) {
-  if (sample.stamp_us == never_us || sample.stamp_us > now_us) return false;
-  const TimeUs limit_us = age_us_max > period_us ? age_us_max : period_us;
-  return now_us - sample.stamp_us <= limit_us;
-}
 
 }  // namespace rtac::safe

@@ -1,0 +1,75 @@
+// The lowest layer: one RTA module per robot. Every period it senses, lets the decision module
+// choose, asks the chosen controller, actuates and announces.
+#pragma once
+
+#include "rtac/controller.h"
+#include "rtac/decision.h"
+#include "rtac/stack/machines.h"
+#include "rtac/watchdog.h"
+
+namespace rtac {
+
+// What one robot of a system consists of.
+template <class Output>
+struct RobotParts {
+  const char* name = "";
+  DecisionModule* decision = nullptr;
+  PlanDecision* plan_decision = nullptr;                        // may be null
+  FixedList<SafeController<Output>*, max_monitors> recoveries;  // by index of the monitor
+  Controller<Output>* advanced = nullptr;
+  Planner* advanced_planner = nullptr;
+  Planner* safe_planner = nullptr;  // null without plan_decision
+  TimeUs period_us = 0;
+  RobotLimits limits;
+};
+
+namespace stack {
+
+template <class Output>
+class PlanExecutor final : public ExecutorMachine {
+ public:
+  PlanExecutor(int index, int robots, const RobotParts<Output>& parts, const SystemOptions& options,
+               SystemObserver& observer);
+  void connect(RobotMachine& robot) { robot_ = &robot; }
+  void attach(RobotSdk<Output>& sdk) { sdk_ = &sdk; }
+
+ private:
+  void handle(const ExecutorEvent& event) override;
+  void on(const Tick& tick);
+  void on(const NewPlan& plan);
+  void on(const Situation& situation);
+
+  [[nodiscard]] SafeController<Output>* active() const;  // null: the advanced controller
+  void sense(TimeUs now_us);
+  void follow_progress();
+  void decide();
+  void switch_to(int mode);
+  Output command(bool late);
+  void announce();
+  void report();
+  void drop_plan();
+  [[nodiscard]] bool claims() const;
+  [[nodiscard]] double remaining_m() const;
+
+  int index_;
+  RobotParts<Output> parts_;
+  SystemOptions options_;
+  SystemObserver& observer_;
+  RobotMachine* robot_ = nullptr;
+  RobotSdk<Output>* sdk_ = nullptr;
+  Watchdog watchdog_;
+
+  Observation observation_;
+  Path plan_;
+  Situation situation_;
+  DecisionRecord record_;
+  Announcement announcement_;
+  int mode_ = 0;  // that drives; follows the record only when the system is protected
+  bool has_position_ = false;
+};
+
+extern template class PlanExecutor<Twist>;
+extern template class PlanExecutor<Acceleration>;
+
+}  // namespace stack
+}  // namespace rtac

@@ -1,0 +1,223 @@
+#include "rtac/stack/plan_executor.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "rtac/safe/manoeuvre.h"
+#include "rtac/sample.h"
+
+namespace rtac::stack {
+
+template <class Output>
+PlanExecutor<Output>::PlanExecutor(int index, int robots, const RobotParts<Output>& parts,
+                                   const SystemOptions& options, SystemObserver& observer)
+    : index_(index),
+      parts_(parts),
+      options_(options),
+      observer_(observer),
+      watchdog_(parts.period_us, options.late_periods) {
+  observation_.self = index;
+  observation_.robots = robots;
+}
+
+template <class Output>
+void PlanExecutor<Output>::handle(const ExecutorEvent& event) {
+  std::visit([this](const auto& e) { on(e); }, event);
+}
+
+template <class Output>
+SafeController<Output>* PlanExecutor<Output>::active() const {
+  return mode_ == 0 ? nullptr : parts_.recoveries[static_cast<std::size_t>(mode_ - 1)];
+}
+
+template <class Output>
+void PlanExecutor<Output>::on(const Tick& tick) {
+  const bool late = watchdog_.expired(tick.now_us);
+  sense(tick.now_us);
+  follow_progress();
+  observation_.plan = plan_;
+  decide();
+  watchdog_.stepped(tick.now_us);
+  sdk_->actuate(command(late && options_.protect));
+  announce();
+  report();
+}
+
+template <class Output>
+void PlanExecutor<Output>::on(const NewPlan& plan) {
+  // A plan that comes while a recovery drives is of the past; the robot asks again later.
+  if (mode_ != 0 || !situation_.has_destination) return;
+  plan_ = plan.path;
+  observer_.on_plan(index_, plan_, plan.safe);
+}
+
+template <class Output>
+void PlanExecutor<Output>::on(const Situation& situation) {
+  // A plan belongs to its destination; a robot that gives control up follows none.
+  const bool other_goal = !situation.has_destination || !situation_.has_destination ||
+                          norm(situation.destination - situation_.destination) > 0;
+  if (other_goal || situation.surrender) drop_plan();
+  situation_ = situation;
+}
+
+template <class Output>
+void PlanExecutor<Output>::drop_plan() {
+  plan_.points.clear();
+  plan_.index = 0;
+  plan_.stamp_us = never_us;
+}
+
+template <class Output>
+void PlanExecutor<Output>::sense(TimeUs now_us) {
+  observation_.now_us = now_us;
+  sdk_->sense(observation_);
+  observation_.now_us = now_us;
+  observation_.claims = claims();
+  has_position_ =
+      usable(observation_.position, now_us, parts_.limits.position_age_us, parts_.period_us);
+}
+
+template <class Output>
+void PlanExecutor<Output>::follow_progress() {
+  if (!has_position_ || !situation_.has_destination) return;
+  const Vec2 p = observation_.position.value;
+  bool arrived = false;
+  if (mode_ == 0) {
+    while (!plan_.finished() && norm(plan_.points[plan_.index] - p) <= options_.reach_m) {
+      ++plan_.index;
+    }
+    arrived = !plan_.points.empty() && plan_.finished();
+  } else {
+    // A recovery may happen to pass the destination: that counts.
+    arrived = norm(situation_.destination - p) <= options_.reach_m;
+  }
+  if (!arrived) return;
+  drop_plan();
+  situation_.has_destination = false;
+  robot_->post(PathCompleted{observation_.now_us});
+}
+
+template <class Output>
+void PlanExecutor<Output>::decide() {
+  using Clock = std::chrono::steady_clock;
+  const SafeController<Output>* recovery = active();
+  const bool holding = recovery != nullptr && recovery->holding();
+  const auto begin = options_.measure_decisions ? Clock::now() : Clock::time_point{};
+  record_ = parts_.decision->step(observation_, holding, situation_.surrender);
+  record_.robot = index_;
+  if (options_.measure_decisions) {
+    record_.decision_ns =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin).count();
+  }
+  observer_.on_decision(record_);
+  const int recoveries = static_cast<int>(parts_.recoveries.size());
+  const int mode = std::clamp(record_.mode, 0, recoveries);
+  switch_to(options_.protect ? mode : 0);
+}
+
+template <class Output>
+void PlanExecutor<Output>::switch_to(int mode) {
+  if (mode == mode_) return;
+  const bool leaves_advanced = mode_ == 0;
+  mode_ = mode;
+  if (mode_ != 0) active()->engage(observation_);
+  if (!leaves_advanced) return;
+  const bool rejected = !plan_.points.empty() &&
+                        (record_.reason == Reason::waypoint || record_.reason == Reason::leg ||
+                         record_.reason == Reason::over_capacity);
+  drop_plan();
+  observation_.plan = plan_;
+  robot_->post(PlanLost{observation_.now_us, rejected});
+}
+
+template <class Output>
+Output PlanExecutor<Output>::command(bool late) {
+  SafeController<Output>* recovery = active();
+  if (late) {
+    // The decision is of now, but nobody looked for too long: one tick of braking is always safe.
+    observer_.on_late(index_, observation_.now_us);
+    if (recovery == nullptr) {
+      recovery = parts_.recoveries[0];
+      recovery->engage(observation_);
+    }
+    return recovery->command(observation_, Gate::hold);
+  }
+  if (recovery == nullptr) return parts_.advanced->command(observation_);
+  return recovery->command(observation_, record_.gate);
+}
+
+// It has something to do: a destination, or a recovery that is on its way or would like to be.
+template <class Output>
+bool PlanExecutor<Output>::claims() const {
+  const SafeController<Output>* recovery = active();
+  if (recovery == nullptr) return situation_.has_destination;
+  if (recovery->parked()) return false;
+  return situation_.has_destination || recovery->blocked() || !recovery->holding();
+}
+
+template <class Output>
+void PlanExecutor<Output>::announce() {
+  const SafeController<Output>* recovery = active();
+  Announcement& out = announcement_;
+  out.position = observation_.position;
+  out.velocity = observation_.velocity;
+  out.lease_end_us = record_.lease_end_us;
+  out.claims = claims();
+  out.blocked = false;
+  // The first monitor's recovery holds a robot that surrendered; any other has its own errand.
+  const bool held_for_stack = mode_ <= 1 && situation_.blocked;
+  if (held_for_stack) {
+    out.blocked = true;
+    out.plan = situation_.way;
+  } else if (recovery == nullptr) {
+    out.plan = plan_;
+  } else {
+    out.blocked = recovery->blocked();
+    if (const Path* path = recovery->path(); path != nullptr) {
+      out.plan = *path;
+    } else {
+      out.plan = Path{};
+    }
+  }
+  sdk_->announce(out);
+}
+
+template <class Output>
+double PlanExecutor<Output>::remaining_m() const {
+  double sum_m = 0;
+  Vec2 from = observation_.position.value;
+  for (std::size_t i = plan_.index; i < plan_.points.size(); ++i) {
+    sum_m += norm(plan_.points[i] - from);
+    from = plan_.points[i];
+  }
+  return sum_m;
+}
+
+template <class Output>
+void PlanExecutor<Output>::report() {
+  Report out;
+  out.now_us = observation_.now_us;
+  out.mode = mode_;
+  out.errand = active() != nullptr && active()->errand();
+  out.has_position = has_position_;
+  out.position = observation_.position.value;
+  out.has_plan = !plan_.points.empty();
+  out.remaining_m = remaining_m();
+  for (int j = 0; j < observation_.robots; ++j) {
+    const Announcement& other = observation_.others[static_cast<std::size_t>(j)];
+    if (j == index_ || other.position.stamp_us == never_us) continue;
+    const bool stands = safe::is_held(other, observation_.now_us) ||
+                        norm(other.velocity.value) < options_.standing_mps;
+    if (!stands || !has_position_) continue;
+    // Standing closer than the gap already, it may still drive away.
+    const double distance_m = norm(other.position.value - out.position);
+    const double radius_m = std::min(options_.pass_gap_m, distance_m - 0.01);
+    if (radius_m > 0) (void)out.standing.push({other.position.value, radius_m});
+  }
+  robot_->post(out);
+}
+
+template class PlanExecutor<Twist>;
+template class PlanExecutor<Acceleration>;
+
+}  // namespace rtac::stack

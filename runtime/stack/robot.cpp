@@ -1,0 +1,143 @@
+#include "rtac/stack/machines.h"
+
+namespace rtac::stack {
+namespace {
+
+// Progress smaller than this is noise of the position.
+constexpr double progress_m = 0.01;
+
+}  // namespace
+
+void Robot::handle(const RobotEvent& event) {
+  std::visit([this](const auto& e) { on(e); }, event);
+}
+
+void Robot::on(const Report& report) {
+  last_ = report;
+  may_plan_ = true;
+  if (!situation_.has_destination) {
+    if (!asked_ && !no_more_tasks_) {
+      asked_ = true;
+      tasks_->post(TaskWanted{index_, report.now_us});
+    }
+    return;
+  }
+  if (stalled(report)) return skip(SkipReason::stalled, report.now_us);
+  if (!situation_.blocked) {
+    if (report.mode == 0 && !report.has_plan) want_plan();
+    return;
+  }
+  if (report.now_us - blocked_since_us_ >= options_.blocked_skip_us) {
+    return skip(SkipReason::blocked, report.now_us);
+  }
+  if (report.now_us >= retry_at_us_) want_plan();
+}
+
+// The destination waits while the robot is away on an errand (charging), and the way back from
+// there may be longer than any before; both start the count again.
+bool Robot::stalled(const Report& report) {
+  if (report.errand) {
+    best_to_go_m_ = std::numeric_limits<double>::infinity();
+    progress_us_ = report.now_us;
+    return false;
+  }
+  if (report.has_plan && report.has_position && report.remaining_m < best_to_go_m_ - progress_m) {
+    best_to_go_m_ = report.remaining_m;
+    progress_us_ = report.now_us;
+  }
+  return report.now_us - progress_us_ >= options_.stall_skip_us;
+}
+
+void Robot::want_plan() {
+  if (!may_plan_ || !last_.has_position || last_.now_us < next_plan_us_) return;
+  may_plan_ = false;
+  planner_->post(
+      PlanJob{last_.position, situation_.destination, last_.standing, prefer_safe_, last_.now_us});
+}
+
+void Robot::on(const TaskAssigned& event) {
+  forget_destination();
+  asked_ = false;
+  situation_.has_destination = true;
+  situation_.destination = event.destination;
+  progress_us_ = event.now_us;
+  tell_executor();
+  if (last_.mode == 0) want_plan();
+}
+
+void Robot::on(const NoTask&) {
+  asked_ = false;
+  no_more_tasks_ = true;
+  forget_destination();
+  situation_.surrender = true;  // it only stands from now on, and a recovery can do that safely
+  tell_executor();
+}
+
+void Robot::on(const PathCompleted& event) {
+  if (!situation_.has_destination) return;
+  const Vec2 destination = situation_.destination;
+  forget_destination();
+  tell_executor();
+  observer_.on_delivered(index_, destination, event.now_us);
+  asked_ = true;
+  tasks_->post(TaskCompleted{index_, destination, event.now_us});
+}
+
+void Robot::on(const PlanLost& event) {
+  if (!event.rejected || !situation_.has_destination) return;
+  prefer_safe_ = true;
+  ++rejections_;
+  // Without a safe planner the next plan would be no better than this one.
+  const int limit = has_safe_planner_ ? options_.rejections_to_skip : 1;
+  if (rejections_ >= limit) skip(SkipReason::rejected, event.now_us);
+}
+
+void Robot::on(const PlanReady&) {
+  // While a recovery holds the robot the plan only shows that the way is free again; the next one
+  // is made when the advanced controller drives.
+  if (last_.mode == 0) blocked_since_us_ = never_us;
+  if (!situation_.blocked) return;
+  situation_.blocked = situation_.surrender = false;
+  tell_executor();
+}
+
+void Robot::on(const PlanBlocked& event) {
+  if (!situation_.has_destination) return;
+  if (blocked_since_us_ == never_us) blocked_since_us_ = event.now_us;
+  retry_at_us_ = event.now_us + options_.blocked_retry_us;
+  situation_.blocked = situation_.surrender = true;
+  situation_.way = event.way;
+  tell_executor();
+  observer_.on_blocked(index_, event.way, event.now_us);
+}
+
+void Robot::on(const Unreachable& event) {
+  if (!situation_.has_destination) return;
+  // If the cause is where the robot stands, the next destination fails alike: do not spend one a
+  // tick.
+  next_plan_us_ = event.now_us + options_.blocked_retry_us;
+  skip(SkipReason::unreachable, event.now_us);
+}
+
+void Robot::skip(SkipReason reason, TimeUs now_us) {
+  const Vec2 destination = situation_.destination;
+  forget_destination();
+  tell_executor();
+  observer_.on_skipped(index_, destination, now_us, reason);
+  asked_ = true;
+  tasks_->post(TaskSkipped{index_, destination, now_us});
+}
+
+void Robot::forget_destination() {
+  situation_ = {};
+  prefer_safe_ = false;
+  rejections_ = 0;
+  blocked_since_us_ = never_us;
+  best_to_go_m_ = std::numeric_limits<double>::infinity();
+}
+
+void Robot::tell_executor() {
+  executor_->post(situation_);
+}
+
+}  // namespace rtac::stack
