@@ -1,0 +1,311 @@
+// What a property says about robots: signals, zones, distances, energy.
+#include "compiler/sema/property_checker.h"
+#include "compiler/sema/suggest.h"
+#include "compiler/sema/zones.h"
+
+namespace rtac::sema {
+
+namespace {
+
+const syntax::Name* name_in(const syntax::Expr& expr) {
+  const auto* reference = std::get_if<syntax::NameRef>(&expr.node);
+  return reference != nullptr ? &reference->name : nullptr;
+}
+
+}  // namespace
+
+std::optional<Subject> PropertyChecker::subject(const syntax::Expr& expr) const {
+  const syntax::Name* name = name_in(expr);
+  if (name == nullptr) return std::nullopt;
+  if (name->text == scope_.self.text) return Subject::self;
+  if (other_ != nullptr && name->text == other_->text) return Subject::other;
+  return std::nullopt;
+}
+
+void PropertyChecker::require(Need need, const SourceRange& range, const std::string& user) {
+  if (scope_.kind) context_.require(*scope_.kind, need, range, user);
+}
+
+// Look-ahead predicts where the robot can be: from its position and its velocity.
+void PropertyChecker::require_motion(const SourceRange& range, const std::string& user) {
+  require(Need::position, range, user);
+  require(Need::velocity, range, user);
+}
+
+void PropertyChecker::unknown_name(const syntax::Name& name) {
+  if (context_.broken_tree() || name.text.empty()) return;
+  std::vector<std::string> variables{scope_.self.text};
+  if (other_ != nullptr) variables.push_back(other_->text);
+  context_.report(
+      Finding(Code::unknown_name, name.range, "the name `" + name.text + "` is not declared")
+          .label("not known here")
+          .help(did_you_mean(name.text, variables, "robots of this property")));
+}
+
+bool PropertyChecker::is_self(const syntax::Expr& expr, const std::string& user) {
+  const auto who = subject(expr);
+  if (who == Subject::self) return true;
+  if (is_error(expr)) return false;
+  const syntax::Name* name = name_in(expr);
+  const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
+  const std::string& self = scope_.self.text;
+  if (who == Subject::other || (symbol != nullptr && symbol->sort == Sort::robot)) {
+    context_.report(Finding(Code::monitored_robot_required, expr.range,
+                            user + " speaks of `" + name->text + "`, which is not monitored here")
+                        .label("must be `" + self + "`")
+                        .help("write `" + self + "`: the monitor runs on every robot of its kind"));
+  } else if (name != nullptr && symbol == nullptr) {
+    unknown_name(*name);
+  } else {
+    context_.report(Finding(Code::wrong_argument, expr.range, user + " takes a robot here")
+                        .label("not a robot")
+                        .help("write `" + self + "`"));
+  }
+  return false;
+}
+
+bool PropertyChecker::argument_count(const syntax::Expr& expr, const syntax::Call& call,
+                                     std::size_t due, const std::string& example) {
+  if (call.arguments.size() == due) return true;
+  context_.report(Finding(Code::wrong_argument_count, expr.range,
+                          "`" + call.callee.text + "` takes " + std::to_string(due) +
+                              (due == 1 ? " argument" : " arguments") + ", not " +
+                              std::to_string(call.arguments.size()))
+                      .label("like `" + example + "`")
+                      .help("write `" + example + "`"));
+  return false;
+}
+
+ExprPtr PropertyChecker::form(const syntax::Expr& expr, const syntax::NameRef& reference) {
+  const syntax::Name& name = reference.name;
+  const Symbol* symbol = context_.symbols.find(name.text);
+  if (!subject(expr) && symbol == nullptr) {
+    unknown_name(name);
+    return nullptr;
+  }
+  if (subject(expr) || symbol->sort == Sort::robot) {
+    context_.report(
+        Finding(Code::quantity_expected, expr.range, "`" + name.text + "` is a robot, not a value")
+            .label("a robot")
+            .help("write a signal such as `" + scope_.self.text + ".battery`, or `clearance(" +
+                  scope_.self.text + ", zone)`"));
+    return nullptr;
+  }
+  return not_a_quantity(expr, std::string("a ") + name_of(symbol->sort));
+}
+
+ExprPtr PropertyChecker::form(const syntax::Expr& expr, const syntax::Member& member) {
+  if (is_error(*member.base)) return nullptr;
+  if (const auto who = subject(*member.base)) return signal(expr, member.field, *who);
+  is_self(*member.base, "`." + member.field.text + "`");
+  return nullptr;
+}
+
+ExprPtr PropertyChecker::signal(const syntax::Expr& expr, const syntax::Name& field, Subject who) {
+  const std::string user = "`" + field.text + "`";
+  if (field.text == "battery" || field.text == "speed") {
+    const bool battery = field.text == "battery";
+    require(battery ? Need::battery : Need::velocity, expr.range, user);
+    if (who == Subject::other) require(Need::hears, expr.range, user + " of another robot");
+    return make_quantity(expr.range, battery ? dims::ratio : dims::speed,
+                         SignalRef{who, battery ? Signal::battery : Signal::speed});
+  }
+  if (field.text == "position" || field.text == "velocity" || field.text == "heading" ||
+      field.text == "plan") {
+    return not_scalar(expr, field);
+  }
+  if (!field.text.empty()) {
+    context_.report(
+        Finding(Code::unknown_signal, field.range, "a robot has no signal `" + field.text + "`")
+            .label("not a signal")
+            .help(did_you_mean(field.text, {"battery", "speed", "plan"},
+                               "signals of a robot in a property")));
+  }
+  return nullptr;
+}
+
+ExprPtr PropertyChecker::not_scalar(const syntax::Expr& expr, const syntax::Name& field) {
+  const std::string& self = scope_.self.text;
+  std::string help = "write `" + self + " inside zone`, `clearance(" + self +
+                     ", zone)` or `distance(" + self + ", q)`";
+  std::string what = "a point";
+  if (field.text == "velocity") {
+    what = "a vector";
+    help = "write `" + self + ".speed` for its length";
+  } else if (field.text == "heading") {
+    what = "a direction";
+    help = "no property can speak of the heading; " + help;
+  } else if (field.text == "plan") {
+    what = "a path";
+    help = "write `" + self + ".plan inside zone`";
+  }
+  context_.report(Finding(Code::signal_not_scalar, expr.range,
+                          "`" + field.text + "` is " + what + ", not a quantity")
+                      .label("this is " + what)
+                      .help(help));
+  return nullptr;
+}
+
+ExprPtr PropertyChecker::inside(const syntax::Expr& expr, const syntax::Binary& binary) {
+  const auto* member = std::get_if<syntax::Member>(&binary.left->node);
+  if (member != nullptr) return plan_inside(expr, *member, *binary.right);
+  const bool self = is_self(*binary.left, "`inside`");
+  const auto zone = zone_in_property(context_, *binary.right);
+  if (!self || !zone) return nullptr;
+  require_motion(expr.range, "`inside`");
+  return make_condition(expr.range, InsideZone{*zone});
+}
+
+ExprPtr PropertyChecker::plan_inside(const syntax::Expr& expr, const syntax::Member& member,
+                                     const syntax::Expr& zone_expr) {
+  const bool self = is_self(*member.base, "`inside`");
+  const auto zone = zone_in_property(context_, zone_expr);
+  if (!self) return nullptr;
+  if (member.field.text == "position") {
+    context_.report(
+        Finding(Code::signal_not_scalar, expr.range, "`inside` speaks of the body, not of a point")
+            .label("`position` is the centre of the body")
+            .help("write `" + scope_.self.text + " inside ...`"));
+    return nullptr;
+  }
+  if (member.field.text != "plan") {
+    if (member.field.text.empty()) return nullptr;
+    context_.report(Finding(Code::wrong_argument, member.field.range,
+                            "`" + member.field.text + "` cannot be inside a zone")
+                        .label("neither a robot nor its plan")
+                        .help("write `" + scope_.self.text + " inside ...` or `" +
+                              scope_.self.text + ".plan inside ...`"));
+    return nullptr;
+  }
+  require(Need::plan, expr.range, "`plan inside`");
+  return zone ? make_condition(expr.range, PlanInside{*zone}) : nullptr;
+}
+
+ExprPtr PropertyChecker::form(const syntax::Expr& expr, const syntax::Call& call) {
+  const std::string& name = call.callee.text;
+  if (name == "clearance") return clearance(expr, call);
+  if (name == "distance") return distance(expr, call);
+  if (name == "energy_to") return energy_to(expr, call);
+  if (name == "shrink" || name == "grow") return not_a_quantity(expr, "a zone");
+  const Symbol* symbol = context_.symbols.find(name);
+  if (symbol != nullptr && symbol->sort == Sort::site) {
+    context_.report(
+        Finding(Code::quantity_expected, expr.range, "`" + name + "` is a place, not a quantity")
+            .label("a place")
+            .help("write `energy_to(" + name + "(" + scope_.self.text + "))`"));
+  } else if (symbol != nullptr) {
+    context_.report(Finding(Code::wrong_sort, call.callee.range,
+                            "`" + name + "` is a " + name_of(symbol->sort) + ", not a function")
+                        .label("not a function")
+                        .note(symbol->range, "`" + name + "` is declared here")
+                        .help("the functions are `clearance`, `distance` and `energy_to`"));
+  } else if (!context_.broken_tree() && !name.empty()) {
+    context_.report(
+        Finding(Code::unknown_function, call.callee.range, "there is no function `" + name + "`")
+            .label("not a function")
+            .help(did_you_mean(name, {"clearance", "distance", "energy_to", "shrink", "grow"},
+                               "functions")));
+  }
+  return nullptr;
+}
+
+ExprPtr PropertyChecker::clearance(const syntax::Expr& expr, const syntax::Call& call) {
+  const std::string example = "clearance(" + scope_.self.text + ", zone)";
+  if (!argument_count(expr, call, 2, example)) return nullptr;
+  const bool self = is_self(*call.arguments[0], "`clearance`");
+  const auto zone = zone_in_property(context_, *call.arguments[1]);
+  if (!self || !zone) return nullptr;
+  require_motion(expr.range, "`clearance`");
+  return make_quantity(expr.range, dims::length, Clearance{*zone});
+}
+
+ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& call) {
+  const std::string& self = scope_.self.text;
+  if (!argument_count(expr, call, 2, "distance(" + self + ", q)")) return nullptr;
+  const syntax::Expr& first = *call.arguments[0];
+  const syntax::Expr& second = *call.arguments[1];
+  if (is_error(first) || is_error(second)) return nullptr;
+  const auto one = subject(first);
+  const auto two = subject(second);
+  if (one && two && *one != *two) {
+    require_motion(expr.range, "`distance`");
+    require(Need::hears, expr.range, "`distance`");
+    return make_quantity(expr.range, dims::length, Distance{});
+  }
+  for (const syntax::Expr* argument : {&first, &second}) {
+    const syntax::Name* name = name_in(*argument);
+    const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
+    if (form_of(*argument) == "a zone" || (symbol != nullptr && symbol->sort == Sort::zone)) {
+      context_.report(Finding(Code::wrong_argument, argument->range,
+                              "`distance` takes two robots, this is a zone")
+                          .label("a zone")
+                          .help("write `clearance(" + self + ", ...)` with the zone"));
+      return nullptr;
+    }
+  }
+  const bool quantified = other_ != nullptr;
+  context_.report(
+      Finding(Code::distance_needs_other, expr.range,
+              quantified ? "`distance` is the one between `" + self + "` and `" + other_->text + "`"
+                         : "`distance` needs another robot, bound by `forall` or `exists`")
+          .label(quantified ? "not these two" : "outside `forall` and `exists`")
+          .help(quantified ? "write `distance(" + self + ", " + other_->text + ")`"
+                           : "write `forall q : Kind, q != " + self + " : distance(" + self +
+                                 ", q) >= ...`"));
+  return nullptr;
+}
+
+ExprPtr PropertyChecker::energy_to(const syntax::Expr& expr, const syntax::Call& call) {
+  if (!argument_count(expr, call, 1, "energy_to(dock(" + scope_.self.text + "))")) return nullptr;
+  const auto site = place_of_self(*call.arguments[0]);
+  if (!site) return nullptr;
+  require_motion(expr.range, "`energy_to`");
+  require(Need::battery, expr.range, "`energy_to`");
+  require(Need::energy, expr.range, "`energy_to`");
+  return make_quantity(expr.range, dims::ratio, EnergyTo{*site});
+}
+
+// `dock(r)`; `home` alone when the site is one place for all robots.
+std::optional<SiteId> PropertyChecker::place_of_self(const syntax::Expr& place) {
+  if (is_error(place)) return std::nullopt;
+  const std::string& self = scope_.self.text;
+  const auto* call = std::get_if<syntax::Call>(&place.node);
+  const syntax::Name* name = call != nullptr ? &call->callee : name_in(place);
+  if (name == nullptr) {
+    context_.report(
+        Finding(Code::wrong_argument, place.range, "`energy_to` takes a site")
+            .label("not a site")
+            .help("declare `site dock = (x, y);` and write `energy_to(dock(" + self + "))`"));
+    return std::nullopt;
+  }
+  const auto site = context_.resolve<SiteId>(*name, Sort::site);
+  if (!site) return std::nullopt;
+  if (call == nullptr) {
+    const auto& places = context_.spec[*site].places;
+    if (!places.empty() && !places.front().robot) return site;
+    context_.report(Finding(Code::wrong_argument, place.range,
+                            "`" + name->text + "` has a place for each robot")
+                        .label("whose place?")
+                        .help("write `" + name->text + "(" + self + ")`")
+                        .insert_after(name->range, "(" + self + ")"));
+    return std::nullopt;
+  }
+  if (!argument_count(place, *call, 1, name->text + "(" + self + ")")) return std::nullopt;
+  if (!place_belongs_to_self(*call->arguments[0], name->text)) return std::nullopt;
+  if (scope_.kind) context_.require_places(*site, *scope_.kind, place.range);
+  return site;
+}
+
+// The name of a robot may stand for the variable when the robot is the only one of its kind.
+bool PropertyChecker::place_belongs_to_self(const syntax::Expr& robot, const std::string& site) {
+  const syntax::Name* name = name_in(robot);
+  const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
+  if (symbol != nullptr && symbol->sort == Sort::robot && scope_.kind) {
+    int robots = 0;
+    for (const Robot& each : context_.spec.robots) robots += each.kind == *scope_.kind ? 1 : 0;
+    if (robots == 1 && context_.spec.robots[symbol->index].kind == *scope_.kind) return true;
+  }
+  return is_self(robot, "`" + site + "`");
+}
+
+}  // namespace rtac::sema

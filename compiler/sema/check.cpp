@@ -1,0 +1,35 @@
+#include "compiler/sema/check.h"
+
+#include "compiler/sema/context.h"
+#include "compiler/sema/controllers.h"
+#include "compiler/sema/decisions.h"
+#include "compiler/sema/declare.h"
+#include "compiler/sema/fleets.h"
+#include "compiler/sema/monitors.h"
+#include "compiler/sema/robots.h"
+#include "compiler/sema/zones.h"
+
+namespace rtac::sema {
+
+std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnostics) {
+  Context context(diagnostics, diagnostics.has_errors());
+  if (!program.files.empty() && program.files.back().spec) {
+    context.spec.name = program.files.back().spec->text;
+    context.spec.name_range = program.files.back().spec->range;
+  }
+  // Each step needs the ones before it: names before uses, robots before the places that belong
+  // to them, places before the kinds that charge there, limits of kinds before the controllers
+  // that must keep them, properties before the decisions that say when they are judged.
+  declare_all(context, program);
+  check_zones(context);
+  check_fleets(context, program);
+  check_sites(context, program);
+  check_kinds(context);
+  check_controllers(context);
+  check_monitors(context);
+  check_decisions(context);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return std::move(context.spec);
+}
+
+}  // namespace rtac::sema

@@ -1,0 +1,92 @@
+// What the checks of one specification share: the specification that grows, the names, the
+// declarations as written, and the way to report.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/sema/finding.h"
+#include "compiler/sema/names.h"
+#include "compiler/sema/spec.h"
+#include "compiler/syntax/ast.h"
+
+namespace rtac::sema {
+
+using diag::Code;
+
+// One declaration as written; its place in the list is its id.
+template <class T>
+struct Declared {
+  const T* node;
+  SourceRange range;  // of the whole item
+};
+
+// What a kind of robot needs so that a property or a controller can be computed.
+enum class Need { position, heading, velocity, battery, hears, plan, energy };
+
+class Context {
+ public:
+  Context(diag::Engine& engine, bool broken_tree) : engine_(engine), broken_tree_(broken_tree) {}
+
+  void report(const Finding& finding) { engine_.report(finding.diagnostic()); }
+
+  // True when the parser reported errors: a declaration or clause may be lost, so that nothing is
+  // said about what seems to be missing.
+  [[nodiscard]] bool broken_tree() const { return broken_tree_; }
+
+  // The index of the declaration of this name; otherwise reports what the name is, if anything.
+  std::optional<std::uint32_t> resolve(const syntax::Name& name, Sort sort);
+  template <class Id>
+  std::optional<Id> resolve(const syntax::Name& name, Sort sort) {
+    const auto index = resolve(name, sort);
+    return index ? std::optional<Id>(Id{*index}) : std::nullopt;
+  }
+
+  // Reports that `owner` lacks a clause; `example` shows one that would do.
+  void missing_clause(const SourceRange& owner_range, const std::string& owner,
+                      const std::string& what, const std::string& example);
+  // Reports a second clause where one may stand.
+  void duplicate_clause(const SourceRange& range, const SourceRange& first,
+                        const std::string& what);
+  // Reports a word that is none of `allowed`.
+  void unknown_word(const syntax::Name& word, const std::string& what,
+                    const std::vector<std::string>& allowed);
+
+  // Does the kind declare what is needed? A declaration with mistakes counts: they were reported.
+  [[nodiscard]] bool has(KindId kind, Need need) const;
+  // Reports, once per kind and need, that the kind lacks it. `user` says who needs it.
+  void require(KindId kind, Need need, const SourceRange& range, const std::string& user);
+  // Reports, once per site and kind, a robot of the kind for which the site has no place.
+  void require_places(SiteId site, KindId kind, const SourceRange& range);
+
+  Spec spec;
+  Symbols symbols;
+  std::vector<Declared<syntax::ZoneItem>> zones;
+  std::vector<Declared<syntax::RobotItem>> kinds;
+  std::vector<Declared<syntax::ControllerItem>> controllers;
+  std::vector<Declared<syntax::MonitorItem>> monitors;
+  std::vector<Declared<syntax::DecisionItem>> decisions;
+
+ private:
+  diag::Engine& engine_;
+  bool broken_tree_;
+  std::set<std::pair<KindId, Need>> reported_needs_;
+  std::set<std::pair<SiteId, KindId>> reported_sites_;
+};
+
+// Number of an id, for tables.
+template <class Id>
+std::uint32_t index_of(Id id) {
+  return static_cast<std::uint32_t>(id);
+}
+
+// Nothing is said about an expression that the parser could not read.
+inline bool is_error(const syntax::Expr& expr) {
+  return std::holds_alternative<syntax::ErrorExpr>(expr.node);
+}
+
+}  // namespace rtac::sema

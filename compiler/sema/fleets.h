@@ -1,0 +1,16 @@
+// Fleets and sites: who there is, and the places that belong to them.
+#pragma once
+
+#include "compiler/sema/context.h"
+
+namespace rtac::sema {
+
+// Most robots of one kind: the runtime's tables of other robots have this many places.
+inline constexpr int max_fleet = 16;
+
+// Finds the kind of every robot. Needs all names to be declared.
+void check_fleets(Context& context, const syntax::Program& program);
+// Fills the places of the sites. Needs the robots.
+void check_sites(Context& context, const syntax::Program& program);
+
+}  // namespace rtac::sema

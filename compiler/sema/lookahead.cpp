@@ -1,0 +1,143 @@
+// The clause `ahead 200 ms, 2 waypoints` of a monitor.
+#include <map>
+
+#include "compiler/sema/monitors.h"
+#include "compiler/sema/quantity.h"
+
+namespace rtac::sema {
+
+namespace {
+
+// Largest number of way-points that a decision looks ahead.
+constexpr int max_waypoints_ahead = 16;
+
+class AheadChecker {
+ public:
+  AheadChecker(Context& context, const syntax::MonitorItem& monitor,
+               const std::optional<KindId>& kind)
+      : context_(context), monitor_(monitor), kind_(kind) {}
+
+  Ahead check() {
+    ahead_.range = monitor_.name.range;
+    if (!monitor_.ahead.empty()) {
+      ahead_.range = monitor_.ahead.front().range;
+      ahead_.range.end = monitor_.ahead.back().range.end;
+    }
+    for (const syntax::AheadTerm& written : monitor_.ahead) {
+      std::visit([&](const auto& node) { term(written.range, node); }, written.node);
+    }
+    check_combination();
+    return std::move(ahead_);
+  }
+
+ private:
+  bool first(const std::string& what, const SourceRange& range) {
+    const auto [place, added] = seen_.emplace(what, range);
+    if (!added) context_.duplicate_clause(range, place->second, what);
+    return added;
+  }
+
+  void term(const SourceRange& range, const syntax::AheadDuration& written) {
+    if (!first("the duration of `ahead`", range)) return;
+    duration_range_ = range;
+    ahead_.duration = quantity(context_, *written.duration,
+                               {dims::time, "the duration of `ahead`", Limit::positive});
+    if (!written.unsound || !reason_given(range, *written.unsound)) return;
+    ahead_.duration_unsound = written.unsound->text;
+    warn(range, "a duration below the reaction time of the module is allowed");
+  }
+
+  void term(const SourceRange& range, const syntax::AheadWaypoints& written) {
+    if (!first("the number of `waypoints`", range)) return;
+    has_waypoints_ = true;
+    const auto number =
+        count(context_, *written.count, "the number of `waypoints`", 1, max_waypoints_ahead);
+    ahead_.waypoints = number.value_or(1);
+    if (kind_) context_.require(*kind_, Need::plan, range, "`waypoints`");
+  }
+
+  void term(const SourceRange& range, const syntax::WaypointsOnly& written) {
+    if (!first("`waypoints only`", range)) return;
+    ahead_.waypoints_only = true;
+    only_range_ = range;
+    unsound_term(range, written.unsound, "`waypoints only`", "what happens between decisions");
+  }
+
+  void term(const SourceRange& range, const syntax::PointsOnly& written) {
+    if (!first("`points only`", range)) return;
+    ahead_.points_only = true;
+    if (!only_range_) only_range_ = range;
+    unsound_term(range, written.unsound, "`points only`", "the legs between way-points");
+  }
+
+  void unsound_term(const SourceRange& range, const std::optional<syntax::Text>& reason,
+                    const std::string& term, const std::string& ignored) {
+    if (!reason) {
+      if (context_.broken_tree()) return;
+      context_.report(
+          Finding(Code::unsound_reason_missing, range, term + " is unsound: it ignores " + ignored)
+              .label("must be declared")
+              .help("write " + term.substr(0, term.size() - 1) +
+                    " unsound \"why\"` with the reason, which goes into the evidence")
+              .insert_after(range, " unsound \"why\""));
+      return;
+    }
+    if (!reason_given(range, *reason)) return;
+    std::string& all = ahead_.unsound_reason;
+    if (all.empty()) {
+      all = reason->text;
+    } else if (all != reason->text) {
+      all += "; " + reason->text;
+    }
+    warn(range, term + " ignores " + ignored);
+  }
+
+  bool reason_given(const SourceRange& range, const syntax::Text& reason) {
+    if (reason.text.find_first_not_of(" \t") != std::string::npos) return true;
+    context_.report(Finding(Code::unsound_reason_missing, range, "the reason is empty")
+                        .label("no reason")
+                        .help("say why an unsound look-ahead is acceptable here"));
+    return false;
+  }
+
+  void warn(const SourceRange& range, const std::string& what) {
+    context_.report(Finding(Code::unsound_lookahead, range,
+                            "the look-ahead of `" + monitor_.name.text + "` is unsound: " + what)
+                        .label("declared unsound")
+                        .help("for comparison only: a sound look-ahead has a duration and judges "
+                              "legs, `ahead 200 ms, 2 waypoints`"));
+  }
+
+  void check_combination() {
+    if (only_range_ && !has_waypoints_ && !context_.broken_tree()) {
+      context_.report(Finding(Code::waypoints_missing, *only_range_,
+                              "the look-ahead does not say how many way-points it judges")
+                          .label("no number of `waypoints`")
+                          .help("write `ahead 2 waypoints, ...`"));
+    }
+    if (ahead_.waypoints_only && duration_range_) {
+      context_.report(Finding(Code::clause_without_effect, *duration_range_,
+                              "the duration has no effect beside `waypoints only`")
+                          .label("would be ignored")
+                          .note(*only_range_, "`waypoints only` drops the duration check")
+                          .help("leave out one of the two"));
+    }
+  }
+
+  Context& context_;
+  const syntax::MonitorItem& monitor_;
+  std::optional<KindId> kind_;
+  Ahead ahead_;
+  std::map<std::string, SourceRange> seen_;
+  std::optional<SourceRange> duration_range_, only_range_;
+  bool has_waypoints_ = false;
+};
+
+}  // namespace
+
+Ahead check_ahead(Context& context, const syntax::MonitorItem& monitor,
+                  const std::optional<KindId>& kind) {
+  return AheadChecker(context, monitor, kind).check();
+}
+
+}  // namespace rtac::sema

@@ -1,0 +1,63 @@
+#include "compiler/sema/names.h"
+
+namespace rtac::sema {
+
+const char* name_of(Sort sort) {
+  switch (sort) {
+    case Sort::zone:
+      return "zone";
+    case Sort::robot_kind:
+      return "kind of robot";
+    case Sort::robot:
+      return "robot";
+    case Sort::site:
+      return "site";
+    case Sort::controller:
+      return "controller";
+    case Sort::monitor:
+      return "monitor";
+    case Sort::decision:
+      return "decision";
+  }
+  return "";
+}
+
+const char* plural_of(Sort sort) {
+  switch (sort) {
+    case Sort::zone:
+      return "zones";
+    case Sort::robot_kind:
+      return "kinds of robots";
+    case Sort::robot:
+      return "robots";
+    case Sort::site:
+      return "sites";
+    case Sort::controller:
+      return "controllers";
+    case Sort::monitor:
+      return "monitors";
+    case Sort::decision:
+      return "decisions";
+  }
+  return "";
+}
+
+const Symbol* Symbols::add(const std::string& name, const Symbol& symbol) {
+  const auto [place, added] = symbols_.emplace(name, symbol);
+  return added ? nullptr : &place->second;
+}
+
+const Symbol* Symbols::find(std::string_view name) const {
+  const auto place = symbols_.find(name);
+  return place == symbols_.end() ? nullptr : &place->second;
+}
+
+std::vector<std::string> Symbols::names_of(Sort sort) const {
+  std::vector<std::string> names;
+  for (const auto& [name, symbol] : symbols_) {
+    if (symbol.sort == sort) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace rtac::sema

@@ -1,0 +1,37 @@
+// The table of declared names. All sorts of declarations share one space of names, so that a name
+// means one thing in the whole specification.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/support/source.h"
+
+namespace rtac::sema {
+
+enum class Sort { zone, robot_kind, robot, site, controller, monitor, decision };
+
+const char* name_of(Sort sort);    // "kind of robot"
+const char* plural_of(Sort sort);  // "kinds of robots"
+
+struct Symbol {
+  Sort sort;
+  std::uint32_t index;  // the id within its sort
+  SourceRange range;    // of the name where it is declared
+};
+
+class Symbols {
+ public:
+  // The symbol that already has this name, else nullptr and `symbol` is kept.
+  const Symbol* add(const std::string& name, const Symbol& symbol);
+  [[nodiscard]] const Symbol* find(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> names_of(Sort sort) const;  // in alphabetical order
+
+ private:
+  std::map<std::string, Symbol, std::less<>> symbols_;
+};
+
+}  // namespace rtac::sema

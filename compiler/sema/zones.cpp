@@ -1,0 +1,276 @@
+#include "compiler/sema/zones.h"
+
+#include <algorithm>
+
+#include "compiler/sema/quantity.h"
+#include "compiler/sema/suggest.h"
+
+namespace rtac::sema {
+
+using syntax::BinaryOp;
+
+namespace {
+
+ZoneExprPtr make(const SourceRange& range, decltype(ZoneExpr::node) node) {
+  return std::make_unique<ZoneExpr>(ZoneExpr{range, std::move(node)});
+}
+
+class ZoneChecker {
+ public:
+  explicit ZoneChecker(Context& context) : context_(context) {}
+
+  ZoneExprPtr check(const syntax::Expr& expr) {
+    return std::visit([&](const auto& node) { return zone(expr, node); }, expr.node);
+  }
+
+ private:
+  ZoneExprPtr zone(const syntax::Expr&, const syntax::ErrorExpr&) { return nullptr; }
+
+  ZoneExprPtr zone(const syntax::Expr& expr, const syntax::NameRef& reference) {
+    const auto id = context_.resolve<ZoneId>(reference.name, Sort::zone);
+    return id ? make(expr.range, ZoneRef{*id}) : nullptr;
+  }
+
+  ZoneExprPtr zone(const syntax::Expr& expr, const syntax::RectangleLit& rectangle) {
+    const auto from = check_point(context_, *rectangle.from, "a corner of a rectangle");
+    const auto to = check_point(context_, *rectangle.to, "a corner of a rectangle");
+    if (!from || !to) return nullptr;
+    if (from->x == to->x || from->y == to->y) {
+      const bool narrow = from->x == to->x;
+      context_.report(Finding(Code::rectangle_degenerate, expr.range,
+                              std::string("the rectangle has no area: both corners have ") +
+                                  (narrow ? "x = " : "y = ") +
+                                  show(narrow ? from->x : from->y, dims::length))
+                          .label("no area")
+                          .help("give two corners that lie diagonally opposite"));
+      return nullptr;
+    }
+    const auto [left, right] = std::minmax(from->x, to->x);
+    const auto [bottom, top] = std::minmax(from->y, to->y);
+    ZonePolygon polygon;
+    polygon.outer.points = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+    polygon.outer.range = expr.range;
+    for (const Point& corner : polygon.outer.points) {
+      const bool at_from = corner.x == from->x && corner.y == from->y;
+      const bool at_to = corner.x == to->x && corner.y == to->y;
+      polygon.outer.point_ranges.push_back(at_from ? rectangle.from->range
+                                                   : (at_to ? rectangle.to->range : expr.range));
+    }
+    return make(expr.range, std::move(polygon));
+  }
+
+  ZoneExprPtr zone(const syntax::Expr& expr, const syntax::CircleLit& circle) {
+    const auto centre = check_point(context_, *circle.centre, "the centre of a circle");
+    const auto radius = quantity(context_, *circle.radius,
+                                 {dims::length, "the radius of a circle", Limit::positive});
+    if (!centre || !radius) return nullptr;
+    return make(expr.range, ZoneCircle{*centre, radius->value});
+  }
+
+  ZoneExprPtr zone(const syntax::Expr& expr, const syntax::PolygonLit& written) {
+    ZonePolygon polygon;
+    bool good = ring(written.outer, polygon.outer);
+    for (const auto& hole : written.holes) good = ring(hole, polygon.holes.emplace_back()) && good;
+    return good ? make(expr.range, std::move(polygon)) : nullptr;
+  }
+
+  bool ring(const syntax::PolygonLit::Ring& written, ZonePolygon::Ring& ring) {
+    bool good = true;
+    ring.range = written.range;
+    for (const syntax::ExprPtr& vertex : written.points) {
+      const auto point = check_point(context_, *vertex, "a vertex of a polygon");
+      good = good && point.has_value();
+      ring.points.push_back(point.value_or(Point{}));
+      ring.point_ranges.push_back(vertex->range);
+    }
+    return good;
+  }
+
+  ZoneExprPtr zone(const syntax::Expr& expr, const syntax::Binary& binary) {
+    switch (binary.op) {
+      case BinaryOp::zone_union:
+        return join(expr, binary, ZoneOp::unite);
+      case BinaryOp::zone_intersection:
+        return join(expr, binary, ZoneOp::intersect);
+      case BinaryOp::subtract:
+        return join(expr, binary, ZoneOp::subtract);
+      case BinaryOp::add:
+      case BinaryOp::logical_or:
+        return not_a_zone(expr, "zones are joined by `|`");
+      case BinaryOp::multiply:
+      case BinaryOp::logical_and:
+        return not_a_zone(expr, "the common part of two zones is written with `&`");
+      case BinaryOp::iff:
+      case BinaryOp::implies:
+      case BinaryOp::logical_xor:
+      case BinaryOp::less:
+      case BinaryOp::less_equal:
+      case BinaryOp::greater:
+      case BinaryOp::greater_equal:
+      case BinaryOp::equal:
+      case BinaryOp::not_equal:
+      case BinaryOp::inside:
+      case BinaryOp::divide:
+        return not_a_zone(expr, zone_help);
+    }
+    return nullptr;
+  }
+
+  ZoneExprPtr join(const syntax::Expr& expr, const syntax::Binary& binary, ZoneOp op) {
+    ZoneExprPtr left = check(*binary.left);
+    ZoneExprPtr right = check(*binary.right);
+    if (!left || !right) return nullptr;
+    return make(expr.range, ZoneBinary{op, std::move(left), std::move(right)});
+  }
+
+  ZoneExprPtr zone(const syntax::Expr& expr, const syntax::Call& call) {
+    const bool grows = call.callee.text == "grow";
+    if (!grows && call.callee.text != "shrink") return other_call(expr, call);
+    if (call.arguments.size() != 2) {
+      context_.report(Finding(Code::wrong_argument_count, expr.range,
+                              "`" + call.callee.text + "` takes 2 arguments, not " +
+                                  std::to_string(call.arguments.size()))
+                          .label("a zone and a length are due")
+                          .help("write `" + call.callee.text + "(zone, 15 cm)`"));
+      return nullptr;
+    }
+    ZoneExprPtr operand = check(*call.arguments[0]);
+    const auto distance =
+        quantity(context_, *call.arguments[1],
+                 {dims::length, "the distance of `" + call.callee.text + "`", Limit::positive});
+    if (!operand || !distance) return nullptr;
+    return make(expr.range, ZoneOffset{std::move(operand),
+                                       grows ? distance->value : Rational(-distance->value)});
+  }
+
+  ZoneExprPtr other_call(const syntax::Expr& expr, const syntax::Call& call) {
+    const std::string& name = call.callee.text;
+    if (name == "clearance" || name == "distance" || name == "energy_to" ||
+        context_.symbols.find(name) != nullptr) {
+      return not_a_zone(expr, zone_help);
+    }
+    if (!context_.broken_tree() && !name.empty()) {
+      context_.report(
+          Finding(Code::unknown_function, call.callee.range, "there is no function `" + name + "`")
+              .label("not a function")
+              .help(did_you_mean(name, {"shrink", "grow"}, "functions of zones")));
+    }
+    return nullptr;
+  }
+
+  template <class Node>
+  ZoneExprPtr zone(const syntax::Expr& expr, const Node&) {
+    return not_a_zone(expr, zone_help);
+  }
+
+  ZoneExprPtr not_a_zone(const syntax::Expr& expr, const std::string& help) {
+    const std::string form = form_of(expr);
+    const bool known = !form.empty() && form != "a zone";
+    context_.report(Finding(Code::zone_expected, expr.range, "a zone is due here")
+                        .label(known ? "this is " + form : "this is not a zone")
+                        .help(help));
+    return nullptr;
+  }
+
+  static constexpr const char* zone_help =
+      "write the name of a zone, `rectangle`, `circle`, `polygon`, `shrink(zone, length)`, or "
+      "zones joined by `|`, `&` and `-`";
+
+  Context& context_;
+};
+
+void collect_references(const ZoneExpr& expr, std::vector<const ZoneExpr*>& references) {
+  if (std::holds_alternative<ZoneRef>(expr.node)) {
+    references.push_back(&expr);
+  } else if (const auto* binary = std::get_if<ZoneBinary>(&expr.node)) {
+    collect_references(*binary->left, references);
+    collect_references(*binary->right, references);
+  } else if (const auto* offset = std::get_if<ZoneOffset>(&expr.node)) {
+    collect_references(*offset->operand, references);
+  }
+}
+
+// Depth-first search along references; every cycle is reported once, at its first zone.
+class CycleSearch {
+ public:
+  explicit CycleSearch(Context& context)
+      : context_(context), state_(context.spec.zones.size(), State::fresh) {}
+
+  void visit(std::uint32_t zone) {
+    if (state_[zone] != State::fresh) return;
+    state_[zone] = State::open;
+    path_.push_back(zone);
+    std::vector<const ZoneExpr*> references;
+    const Zone& declared = context_.spec.zones[zone];
+    if (declared.value) collect_references(*declared.value, references);
+    for (const ZoneExpr* reference : references) {
+      const std::uint32_t next = index_of(std::get<ZoneRef>(reference->node).zone);
+      if (state_[next] == State::open) report_cycle(next, *reference);
+      visit(next);
+    }
+    path_.pop_back();
+    state_[zone] = State::done;
+  }
+
+ private:
+  enum class State { fresh, open, done };
+
+  void report_cycle(std::uint32_t first, const ZoneExpr& closing) {
+    const Zone& zone = context_.spec.zones[first];
+    Finding finding(Code::zone_cycle, zone.name_range,
+                    "the zone `" + zone.name + "` is defined by itself");
+    finding.label("depends on itself");
+    const auto begin = std::find(path_.begin(), path_.end(), first);
+    for (auto step = begin + 1; step != path_.end(); ++step) {
+      const Zone& through = context_.spec.zones[*step];
+      finding.note(through.name_range, "by way of `" + through.name + "`");
+    }
+    finding.note(closing.range, "the circle closes here");
+    finding.help("define one of these zones without the others");
+    context_.report(finding);
+  }
+
+  Context& context_;
+  std::vector<State> state_;
+  std::vector<std::uint32_t> path_;
+};
+
+}  // namespace
+
+void check_zones(Context& context) {
+  for (std::size_t i = 0; i < context.zones.size(); ++i) {
+    context.spec.zones[i].value = ZoneChecker(context).check(*context.zones[i].node->value);
+  }
+  CycleSearch search(context);
+  for (std::uint32_t i = 0; i < context.spec.zones.size(); ++i) search.visit(i);
+}
+
+std::optional<Point> check_point(Context& context, const syntax::Expr& expr,
+                                 const std::string& what) {
+  if (is_error(expr)) return std::nullopt;
+  const auto* point = std::get_if<syntax::PointLit>(&expr.node);
+  if (point == nullptr || point->coordinates.size() != 2) {
+    context.report(Finding(Code::point_expected, expr.range, what + " is a point of the plane")
+                       .label(point == nullptr
+                                  ? "not a point"
+                                  : std::to_string(point->coordinates.size()) + " coordinates")
+                       .help("write two lengths: `(1 m, 2 m)`"));
+    return std::nullopt;
+  }
+  const auto x = quantity(context, *point->coordinates[0], {dims::length, "a coordinate"});
+  const auto y = quantity(context, *point->coordinates[1], {dims::length, "a coordinate"});
+  if (!x || !y) return std::nullopt;
+  return Point{x->value, y->value};
+}
+
+std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr) {
+  if (const auto* reference = std::get_if<syntax::NameRef>(&expr.node)) {
+    return context.resolve<ZoneId>(reference->name, Sort::zone);
+  }
+  ZoneExprPtr value = ZoneChecker(context).check(expr);
+  if (!value) return std::nullopt;
+  context.spec.zones.push_back({"", expr.range, std::move(value)});
+  return ZoneId{static_cast<std::uint32_t>(context.spec.zones.size() - 1)};
+}
+
+}  // namespace rtac::sema
