@@ -2,6 +2,7 @@
 
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -16,12 +17,12 @@ using Ipopt::Number;
 
 constexpr double smoothing_mps = 1e-4;  // see worst_case.h
 constexpr double unbounded = 2e19;      // Ipopt takes anything beyond 1e19 for infinity
-constexpr int iterations_max = 300;
+constexpr int iterations_max = 100;
 constexpr double tolerance = 1e-9;
 
-// |x_at - x_from|^2 / radius^2 <= 1; `from` < 0: the constant `centre` instead of x_from.
+// |x_at - centre|^2 / radius^2 <= 1
 struct Ball {
-  Index at, from;
+  Index at;
   Vec2 centre;
   double radius;
 };
@@ -31,7 +32,8 @@ class ReachNlp : public Ipopt::TNLP {
   ReachNlp(const ReachProblem& problem, Candidate start)
       : problem_(problem),
         candidate_(std::move(start)),
-        step_s_(problem.horizon_s / problem.intervals) {
+        step_s_(problem.horizon_s / problem.intervals),
+        step_mps_(problem.accel_mps2 * step_s_) {
     add_balls();
   }
   [[nodiscard]] const Candidate& candidate() const { return candidate_; }
@@ -40,13 +42,9 @@ class ReachNlp : public Ipopt::TNLP {
   bool get_nlp_info(Index& n, Index& m, Index& jacobian_size, Index& hessian_size,
                     IndexStyleEnum& style) override {
     n = variables();
-    m = static_cast<Index>(balls_.size());
-    jacobian_size = hessian_size = 0;
-    for (const Ball& ball : balls_) {
-      jacobian_size += ball.from < 0 ? 2 : 4;
-      hessian_size += ball.from < 0 ? 2 : 6;
-    }
-    hessian_size += 3;  // of the objective, at the last velocity
+    m = static_cast<Index>(balls_.size()) + 2 * problem_.intervals;
+    jacobian_size = 2 * static_cast<Index>(balls_.size()) + 6 * problem_.intervals;
+    hessian_size = 2 * static_cast<Index>(balls_.size()) + 3;
     style = C_STYLE;
     return true;
   }
@@ -61,8 +59,9 @@ class ReachNlp : public Ipopt::TNLP {
     if (problem_.position_error_m <= 0) fix(problem_.position, 0, lower, upper);
     if (problem_.velocity_error_mps <= 0) fix(problem_.velocity, at(0), lower, upper);
     for (Index i = 0; i < m; ++i) {
-      g_lower[i] = -unbounded;
-      g_upper[i] = 1;
+      const bool inside_ball = i < first_step();
+      g_lower[i] = inside_ball ? -unbounded : 0;
+      g_upper[i] = inside_ball ? 1 : 0;
     }
     return true;
   }
@@ -71,7 +70,10 @@ class ReachNlp : public Ipopt::TNLP {
                           bool init_lambda, Number*) override {
     put(candidate_.start, 0, x);
     for (Index k = 0; k <= problem_.intervals; ++k) {
-      put(candidate_.velocities[static_cast<std::size_t>(k)], at(k), x);
+      put(velocity(k), at(k), x);
+    }
+    for (Index k = 0; k < problem_.intervals; ++k) {
+      put((1 / step_mps_) * (velocity(k + 1) - velocity(k)), control(k), x);
     }
     return !init_z && !init_lambda;
   }
@@ -86,6 +88,7 @@ class ReachNlp : public Ipopt::TNLP {
 
   bool eval_grad_f(Index, const Number* x, bool, Number* gradient) override {
     const Vec2 v = last(x), n = problem_.normal;
+    std::fill_n(gradient, variables(), 0.0);
     put(-1.0 * n, 0, gradient);
     for (Index k = 0; k <= problem_.intervals; ++k) put(-weight_s(k) * n, at(k), gradient);
     const double s = smooth_speed(v), half = 1 / (2 * problem_.brake_mps2);
@@ -95,67 +98,54 @@ class ReachNlp : public Ipopt::TNLP {
     return true;
   }
 
-  bool eval_g(Index, const Number* x, bool, Index m, Number* g) override {
-    for (Index i = 0; i < m; ++i) {
+  bool eval_g(Index, const Number* x, bool, Index, Number* g) override {
+    for (Index i = 0; i < first_step(); ++i) {
       const Vec2 d = difference(ball(i), x);
       g[i] = dot(d, d) / (ball(i).radius * ball(i).radius);
+    }
+    for (Index k = 0; k < problem_.intervals; ++k) {
+      put(get(x, at(k + 1)) - get(x, at(k)) - step_mps_ * get(x, control(k)), first_step() + 2 * k,
+          g);
     }
     return true;
   }
 
-  bool eval_jac_g(Index, const Number* x, bool, Index m, Index, Index* rows, Index* columns,
+  bool eval_jac_g(Index, const Number* x, bool, Index, Index, Index* rows, Index* columns,
                   Number* values) override {
-    Index entry = 0;
-    const auto add = [&](Index row, Index column, double value) {
-      if (values == nullptr) {
-        rows[entry] = row;
-        columns[entry] = column;
-      } else {
-        values[entry] = value;
-      }
-      ++entry;
-    };
-    for (Index i = 0; i < m; ++i) {
+    Entries entries{rows, columns, values};
+    for (Index i = 0; i < first_step(); ++i) {
       const Ball& b = ball(i);
       const Vec2 d = values == nullptr ? Vec2{} : (2 / (b.radius * b.radius)) * difference(b, x);
-      add(i, b.at, d.x);
-      add(i, b.at + 1, d.y);
-      if (b.from < 0) continue;
-      add(i, b.from, -d.x);
-      add(i, b.from + 1, -d.y);
+      entries.add(i, b.at, d.x);
+      entries.add(i, b.at + 1, d.y);
+    }
+    for (Index k = 0; k < problem_.intervals; ++k) {
+      for (Index axis = 0; axis < 2; ++axis) {
+        const Index row = first_step() + 2 * k + axis;
+        entries.add(row, at(k + 1) + axis, 1);
+        entries.add(row, at(k) + axis, -1);
+        entries.add(row, control(k) + axis, -step_mps_);
+      }
     }
     return true;
   }
 
   // Lower triangle; Ipopt sums entries at the same place.
-  bool eval_h(Index, const Number* x, bool, Number objective_factor, Index m,
+  bool eval_h(Index, const Number* x, bool, Number objective_factor, Index,
               const Number* multipliers, bool, Index, Index* rows, Index* columns,
               Number* values) override {
-    Index entry = 0;
-    const auto add = [&](Index row, Index column, double value) {
-      if (values == nullptr) {
-        rows[entry] = row;
-        columns[entry] = column;
-      } else {
-        values[entry] = value;
-      }
-      ++entry;
-    };
-    for (Index i = 0; i < m; ++i) {
+    Entries entries{rows, columns, values};
+    for (Index i = 0; i < first_step(); ++i) {
       const Ball& b = ball(i);
       const double c = values == nullptr ? 0 : 2 * multipliers[i] / (b.radius * b.radius);
-      for (Index axis = 0; axis < 2; ++axis) {
-        add(b.at + axis, b.at + axis, c);
-        if (b.from < 0) continue;
-        add(b.from + axis, b.from + axis, c);
-        add(b.at + axis, b.from + axis, -c);  // `from` precedes `at`
-      }
+      entries.add(b.at, b.at, c);
+      entries.add(b.at + 1, b.at + 1, c);
     }
     const Curvature c = values == nullptr ? Curvature{} : curvature(last(x), objective_factor);
     const Index v = at(problem_.intervals);
-    add(v, v, c.xx);
-    add(v + 1, v, c.xy);
-    add(v + 1, v + 1, c.yy);
+    entries.add(v, v, c.xx);
+    entries.add(v + 1, v, c.xy);
+    entries.add(v + 1, v + 1, c.yy);
     return true;
   }
 
@@ -173,24 +163,46 @@ class ReachNlp : public Ipopt::TNLP {
   struct Curvature {
     double xx = 0, xy = 0, yy = 0;
   };
+  // Ipopt asks first for the places of a sparse matrix (`values` null), later for its values.
+  struct Entries {
+    Index* rows;
+    Index* columns;
+    Number* values;
+    Index next = 0;
+    void add(Index row, Index column, double value) {
+      if (values == nullptr) {
+        rows[next] = row;
+        columns[next] = column;
+      } else {
+        values[next] = value;
+      }
+      ++next;
+    }
+  };
 
   void add_balls() {
     const bool capped = std::isfinite(problem_.speed_mps);
     if (problem_.position_error_m > 0) {
-      balls_.push_back({0, -1, problem_.position, problem_.position_error_m});
+      balls_.push_back({0, problem_.position, problem_.position_error_m});
     }
     if (problem_.velocity_error_mps > 0) {
-      balls_.push_back({at(0), -1, problem_.velocity, problem_.velocity_error_mps});
-      if (capped) balls_.push_back({at(0), -1, Vec2{}, problem_.speed_mps});
+      balls_.push_back({at(0), problem_.velocity, problem_.velocity_error_mps});
+      if (capped) balls_.push_back({at(0), Vec2{}, problem_.speed_mps});
     }
     for (Index k = 1; k <= problem_.intervals; ++k) {
-      balls_.push_back({at(k), at(k - 1), Vec2{}, problem_.accel_mps2 * step_s_});
-      if (capped) balls_.push_back({at(k), -1, Vec2{}, problem_.speed_mps});
+      balls_.push_back({control(k - 1), Vec2{}, 1.0});
+      if (capped) balls_.push_back({at(k), Vec2{}, problem_.speed_mps});
     }
   }
 
-  [[nodiscard]] Index variables() const { return 2 * (problem_.intervals + 2); }
+  [[nodiscard]] Index variables() const { return control(problem_.intervals); }
   [[nodiscard]] static Index at(Index k) { return 2 * (k + 1); }  // of velocity k
+  [[nodiscard]] Index control(Index k) const { return at(problem_.intervals + 1) + 2 * k; }
+  // Constraints: the balls, then two equations for each interval.
+  [[nodiscard]] Index first_step() const { return static_cast<Index>(balls_.size()); }
+  [[nodiscard]] Vec2 velocity(Index k) const {
+    return candidate_.velocities[static_cast<std::size_t>(k)];
+  }
   [[nodiscard]] const Ball& ball(Index i) const { return balls_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] static Vec2 get(const Number* x, Index i) { return {x[i], x[i + 1]}; }
   [[nodiscard]] Vec2 last(const Number* x) const { return get(x, at(problem_.intervals)); }
@@ -210,7 +222,7 @@ class ReachNlp : public Ipopt::TNLP {
     return std::sqrt(dot(v, v) + smoothing_mps * smoothing_mps);
   }
   [[nodiscard]] static Vec2 difference(const Ball& b, const Number* x) {
-    return get(x, b.at) - (b.from < 0 ? b.centre : get(x, b.from));
+    return get(x, b.at) - b.centre;
   }
   // Second derivatives of the objective by the last velocity:
   // (n v' + v n') / s + (n.v) (I / s - v v' / s^3), s the smooth speed, over 2 brake, negated.
@@ -225,7 +237,7 @@ class ReachNlp : public Ipopt::TNLP {
 
   const ReachProblem& problem_;
   Candidate candidate_;
-  double step_s_;
+  double step_s_, step_mps_;  // of an interval: its length, and the change of velocity at full push
   std::vector<Ball> balls_;
   bool has_result_ = false;
 };

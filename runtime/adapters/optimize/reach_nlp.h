@@ -1,8 +1,10 @@
 // The search of rtac/optimize/worst_case.h as a nonlinear programme, and the only door to Ipopt.
 //
-// Variables: true start position, then the velocities at the ends of all intervals (x and y each).
-// Controls are differences of velocities, so that every constraint is a ball around a constant or
-// around the preceding velocity, and Jacobian and Hessian stay sparse.
+// Variables (x and y each): true start position, velocities at the ends of all intervals, controls
+// as fractions of the limit. Velocities are variables, tied to the controls by linear equations,
+// because Jacobian and Hessian stay sparse that way, and because every other constraint is a ball
+// around a constant. (Without controls as variables, their limit is a ball around a difference,
+// whose gradient vanishes at rest: that took twice the iterations.)
 #pragma once
 
 #include <vector>

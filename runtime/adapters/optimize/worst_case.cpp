@@ -44,9 +44,9 @@ Vec2 clip(Vec2 p, Vec2 centre, double radius) {
 
 // A control direction for the n-th local search: straight across the line, onward, none, random.
 Vec2 start_direction(const ReachProblem& problem, int n, std::mt19937_64& random) {
-  if (n == 0) return problem.normal;
   const double speed = norm(problem.velocity);
-  if (n == 1) return speed > 0 ? (1 / speed) * problem.velocity : -1.0 * problem.normal;
+  if (n == 0) return problem.normal;
+  if (n == 1 && speed > 0) return (1 / speed) * problem.velocity;
   if (n == 2) return {};
   // 53 random bits: unlike the distributions of the library, the same everywhere.
   const double angle = 2 * pi * double(random() >> 11) * 0x1p-53;

@@ -1,6 +1,8 @@
 #include "rtac/planning/certified_planner.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "free_space.h"
 #include "ompl_search.h"
@@ -19,7 +21,10 @@ OmplOptions options_of_attempt(const CertifiedOptions& options, std::uint64_t se
   result.clearance_m = options.clearance_m;
   result.algorithm = Algorithm::rrt_connect;
   result.seed = planning::derive_seed(seed, static_cast<std::uint64_t>(attempt));
-  result.iterations = options.iterations << attempt;
+  // The cap keeps the sum of all attempts far from overflow; no search of interest is that long.
+  constexpr std::int64_t iterations_max = 100'000'000;
+  result.iterations = static_cast<int>(
+      std::min(std::int64_t{options.iterations} * (std::int64_t{1} << attempt), iterations_max));
   result.leg_m = options.leg_m;
   result.shortcut = true;
   return result;
@@ -71,7 +76,7 @@ bool CertifiedPlanner::plan(const PlanRequest& request, Path& plan) {
   if (options_.zone == nullptr) return false;
   const FreeSpace space(options_.zone, options_.clearance_m, request.obstacles);
   if (hopeless(space, request)) return false;
-  constexpr int doublings_max = 10;  // keeps the number of iterations in an int
+  constexpr int doublings_max = 20;
   for (int attempt = 0; attempt <= options_.restarts && attempt <= doublings_max; ++attempt) {
     OmplPlanner planner(options_of_attempt(options_, seed, attempt));
     if (planner.plan(request, plan) &&

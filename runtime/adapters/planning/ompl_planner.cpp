@@ -35,8 +35,8 @@ bool usable(const OmplOptions& options, const PlanRequest& request) {
 // Free legs from `from`, which is free, to the goal.
 bool find_way(const OmplOptions& options, const FreeSpace& space, std::uint64_t seed, Vec2 from,
               Vec2 goal, std::vector<Vec2>& way) {
-  // Pulled taut, any path becomes this leg.
-  if (options.shortcut && space.leg_free(from, goal)) {
+  // Pulled taut, any path becomes this leg. Without a distance there is nothing to search.
+  if ((options.shortcut || norm(goal - from) <= 0) && space.leg_free(from, goal)) {
     way = {from, goal};
     return true;
   }

@@ -96,7 +96,7 @@ TEST(WorstCaseTest, FindsTheWorstMomentToBrake) {
 }
 
 // From rest |v| has a kink: the search must still leave it in the right direction.
-TEST(WorstCaseTest, LeavesRestAgainstItsFirstGuess) {
+TEST(WorstCaseTest, LeavesRest) {
   for (const Vec2 normal : {Vec2{1, 0}, Vec2{-0.6, 0.8}, Vec2{0, -1}}) {
     const ReachProblem q = problem({0, 0}, normal);
     EXPECT_NEAR(worst_case(q).excursion_m, test::disc_bound_m(q), 1e-5);

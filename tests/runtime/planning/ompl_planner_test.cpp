@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <thread>
 #include <vector>
 
 #include "tests/runtime/planning/arena.h"
@@ -218,6 +219,36 @@ TEST_F(OmplPlannerTest, ShortcutIsNearlyShortest) {
     length += norm(plan_.points[i] - plan_.points[i - 1]);
   }
   EXPECT_LT(length, 3.15);  // straight: 3.0; over the tops of the two rounded corners: 3.02
+}
+
+// A robot that is where it should go has a plan: the goal alone.
+TEST_F(OmplPlannerTest, PlansToWhereItStands) {
+  for (const bool shortcut : {true, false}) {
+    OmplOptions options = options_for(&zone_, Algorithm::rrt_star);
+    options.shortcut = shortcut;
+    OmplPlanner planner(options);
+    ASSERT_TRUE(planner.plan(from_to({1, 1}, {1, 1}), plan_));
+    ASSERT_EQ(plan_.points.size(), 1U);
+    EXPECT_EQ(plan_.points[0].x, 1);
+  }
+}
+
+// OMPL's seeds are shared by the whole process: planning in several threads must not mix them up.
+TEST_F(OmplPlannerTest, IsReproducibleInSeveralThreads) {
+  OmplOptions options = options_for(&zone_, Algorithm::rrt_connect);
+  options.shortcut = false;
+  const auto run = [&options](std::vector<Path>& plans) {
+    OmplPlanner planner(options);
+    for (Path& plan : plans) EXPECT_TRUE(planner.plan(from_to({1, 0.5}, {4, 0.5}), plan));
+  };
+  std::vector<Path> alone(20), first(20), second(20);
+  run(alone);
+  std::thread one([&] { run(first); }), two([&] { run(second); });
+  one.join();
+  two.join();
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_TRUE(same(alone[i], first[i]) && same(alone[i], second[i])) << "plan " << i;
+  }
 }
 
 // OMPL would report every search on the console of the application.

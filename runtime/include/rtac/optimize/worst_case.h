@@ -27,7 +27,7 @@ struct ReachProblem {
   double offset_m = 0;     // free where dot(normal, p) <= offset_m
   int intervals = 20;      // piecewise constant control
   int starts = 4;          // local searches from different controls; the worst one counts
-  std::uint64_t seed = 1;  // of the starts beyond the first three
+  std::uint64_t seed = 1;  // of the starts that are drawn at random
 };
 
 enum class SearchStatus {
