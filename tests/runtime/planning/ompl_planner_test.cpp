@@ -241,7 +241,7 @@ TEST_F(OmplPlannerTest, IsReproducibleInSeveralThreads) {
     OmplPlanner planner(options);
     for (Path& plan : plans) EXPECT_TRUE(planner.plan(from_to({1, 0.5}, {4, 0.5}), plan));
   };
-  std::vector<Path> alone(20), first(20), second(20);
+  std::vector<Path> alone(400), first(400), second(400);
   run(alone);
   std::thread one([&] { run(first); }), two([&] { run(second); });
   one.join();
