@@ -62,14 +62,27 @@ struct Unary {
 };
 enum class BinaryOp {
   // logic, weakest first
-  iff, implies, logical_xor, logical_or, logical_and,
+  iff,
+  implies,
+  logical_xor,
+  logical_or,
+  logical_and,
   // comparison
-  less, less_equal, greater, greater_equal, equal, not_equal,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  equal,
+  not_equal,
   inside,  // r inside Z, r.plan inside Z
   // zone algebra: union, intersection; difference is `subtract`
-  zone_union, zone_intersection,
+  zone_union,
+  zone_intersection,
   // arithmetic
-  add, subtract, multiply, divide,
+  add,
+  subtract,
+  multiply,
+  divide,
 };
 struct Binary {
   BinaryOp op;
@@ -130,8 +143,8 @@ struct MotionClause {
   std::vector<Bound> bounds;
 };
 struct SenseClause {
-  Name name;  // position, heading, velocity, battery
-  Name type;  // point, angle, vector, ratio
+  Name name;               // position, heading, velocity, battery
+  Name type;               // point, angle, vector, ratio
   ExprPtr error, max_age;  // either may be null: sema reports it
 };
 struct HearsClause {  // hears other robots max_age 200 ms

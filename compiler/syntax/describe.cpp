@@ -1,0 +1,280 @@
+#include "compiler/syntax/describe.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "compiler/syntax/lookalike.h"
+
+namespace rtac::syntax {
+namespace {
+
+using diag::Code;
+using diag::Diagnostic;
+
+// Words that a future version starts an item with.
+constexpr std::array<std::string_view, 7> kFutureItems{"param",  "fun",  "assume", "input",
+                                                       "period", "grid", "scale"};
+
+bool is_operator(TokenKind kind) {
+  return (kind >= T::LESS && kind <= T::SLASH) || kind == T::INSIDE ||
+         (kind >= T::AND && kind <= T::XOR);
+}
+
+bool is_bracket_end(TokenKind kind) {
+  return kind == T::RIGHT_PAREN || kind == T::RIGHT_BRACKET || kind == T::RIGHT_BRACE;
+}
+
+std::string join_choices(const std::vector<std::string>& choices) {
+  std::string result;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) result += i + 1 == choices.size() ? " or " : ", ";
+    result += choices[i];
+  }
+  return result;
+}
+
+class Describer {
+ public:
+  Describer(const std::vector<Token>& tokens, const SyntaxError& error,
+            const SourceManager& sources)
+      : tokens_(tokens), error_(error), sources_(sources), found_(tokens[error.index]) {}
+
+  Diagnostic describe(const std::optional<Edit>& edit) {
+    if (Diagnostic future = future_construct(); !future.message.empty()) return future;
+    if (!edit) return plain();
+    switch (edit->reason) {
+      case EditReason::missing:
+        return missing(edit->token);
+      case EditReason::misspelled:
+        return misspelled(edit->token);
+      case EditReason::foreign_operator:
+        return foreign_operator(edit->token);
+      case EditReason::chained_comparison:
+        return chained_comparison();
+      case EditReason::word_as_name:
+        return word_as_name();
+      case EditReason::missing_operand:
+        return plain();
+      case EditReason::superfluous:
+        return superfluous(edit->kind == EditKind::remove);
+    }
+    return plain();
+  }
+
+ private:
+  static std::string ticks(TokenKind kind) { return '`' + std::string{token_name(kind)} + '`'; }
+
+  [[nodiscard]] Diagnostic make(Code code, std::string message, std::string label) const {
+    return {code, found_.range, std::move(message), std::move(label), {}, {}, {}};
+  }
+
+  // END of a stretch carries the place of the token behind it.
+  [[nodiscard]] std::string found() const {
+    if (found_.range.begin == found_.range.end) return "the end of the file";
+    if (found_.kind == T::STRING) return "a text";
+    return quote(sources_.text(found_.range));
+  }
+
+  // " after the unit": where the author was; empty at the start of a stretch.
+  [[nodiscard]] std::string after() const {
+    if (error_.index == 0) return {};
+    const Token& previous = tokens_[error_.index - 1];
+    switch (previous.kind) {
+      case T::UNIT:
+        return " after the unit";
+      case T::NUMBER:
+        return " after the number";
+      case T::STRING:
+        return " after the text";
+      case T::BAD_EXPR:
+      case T::BAD_CLAUSE:
+        return {};
+      default:
+        return previous.range.begin == previous.range.end
+                   ? std::string{}
+                   : " after " + quote(sources_.text(previous.range));
+    }
+  }
+
+  [[nodiscard]] SourceRange behind_previous() const {
+    if (error_.index == 0) return found_.range;
+    const SourceRange& previous = tokens_[error_.index - 1].range;
+    return {previous.file, previous.end, previous.end};
+  }
+
+  // What would fit, in a few words: an expression or a name stands for all that can start it, and
+  // operators are only named when nothing else fits.
+  [[nodiscard]] std::string expected() const {
+    const bool at_item = error_.expects(T::BAD_CLAUSE) && error_.expects(T::ZONE);
+    if (at_item) return "an item such as `zone`, `robot`, `monitor` or `decision`";
+    std::vector<std::string> choices;
+    if (error_.expects(T::BAD_EXPR)) {
+      choices.emplace_back("an expression");
+    } else if (error_.expects(T::IDENT)) {
+      choices.emplace_back("a name");
+    }
+    const bool names_fit = !choices.empty();
+    bool operators_fit = false;
+    for (const TokenKind kind : error_.expected) {
+      operators_fit = operators_fit || is_operator(kind);
+      if (kind == T::BAD_CLAUSE || kind == T::BAD_EXPR || kind == T::IDENT) continue;
+      const bool starts_name = names_fit && (find_word(kind) || kind == T::NUMBER);
+      const bool starts_expr = error_.expects(T::BAD_EXPR) && is_expression_start(kind);
+      const bool is_one_of_many = is_operator(kind) || is_postfix(kind);
+      if (!starts_name && !starts_expr && !is_one_of_many) choices.push_back(describe_kind(kind));
+    }
+    if (choices.empty() && operators_fit) return operators();
+    return join_choices(choices);
+  }
+
+  [[nodiscard]] std::string operators() const {
+    std::vector<std::string> choices;
+    for (const TokenKind kind : error_.expected) {
+      if (is_operator(kind)) choices.push_back(ticks(kind));
+    }
+    return choices.size() > 4 ? "an operator" : join_choices(choices);
+  }
+
+  static bool is_expression_start(TokenKind kind) {
+    return kind == T::LEFT_PAREN || kind == T::MINUS || kind == T::NUMBER || find_word(kind);
+  }
+
+  // What may follow an operand: `x.y`, `f(x)`, `φ for 1 s`.
+  [[nodiscard]] bool is_postfix(TokenKind kind) const {
+    if (kind == T::UNIT) return true;
+    return (kind == T::DOT || kind == T::LEFT_PAREN || kind == T::FOR) && error_.expects(T::PLUS);
+  }
+
+  static std::string describe_kind(TokenKind kind) {
+    switch (kind) {
+      case T::STRING:
+        return "a text";
+      case T::NUMBER:
+        return "a number";
+      case T::END:
+        return "the end of the file";
+      default:
+        return ticks(kind);
+    }
+  }
+
+  [[nodiscard]] Diagnostic plain() const {
+    const std::string what = expected();
+    return make(Code::unexpected_token, "expected " + what + after() + ", found " + found(),
+                "expected " + what);
+  }
+
+  [[nodiscard]] Diagnostic missing(TokenKind kind) const {
+    const std::string what = describe_kind(kind);
+    Diagnostic result =
+        make(Code::unexpected_token, "expected " + what + after() + ", found " + found(),
+             what + " is missing");
+    if (kind == T::SEMICOLON) result.code = Code::missing_semicolon;
+    result.range = behind_previous();
+    const bool is_word = find_word(kind) != nullptr;
+    const bool writable = kind != T::STRING && kind != T::NUMBER && kind != T::IDENT;
+    if (writable) {
+      result.fixits.push_back(
+          {behind_previous(), (is_word ? " " : "") + std::string{token_name(kind)}});
+    }
+    if (is_bracket_end(kind)) add_opener(result);
+    return result;
+  }
+
+  // Points at the bracket that is still open.
+  void add_opener(Diagnostic& result) const {
+    result.code = Code::unclosed_bracket;
+    int depth = 0;
+    for (std::size_t i = error_.index; i-- > 0;) {
+      const TokenKind kind = tokens_[i].kind;
+      if (is_bracket_end(kind)) ++depth;
+      const bool opens = kind == T::LEFT_PAREN || kind == T::LEFT_BRACKET || kind == T::LEFT_BRACE;
+      if (!opens || depth-- > 0) continue;
+      result.notes.push_back({tokens_[i].range, ticks(kind) + " is opened here"});
+      return;
+    }
+  }
+
+  [[nodiscard]] Diagnostic misspelled(TokenKind kind) const {
+    Diagnostic result = plain();
+    result.label = "did you mean " + ticks(kind) + "?";
+    result.fixits.push_back({found_.range, std::string{token_name(kind)}});
+    return result;
+  }
+
+  [[nodiscard]] Diagnostic foreign_operator(TokenKind kind) const {
+    Diagnostic result = kind == T::EQUAL
+                            ? make(Code::wrong_operator, "`=` defines and does not compare",
+                                   "write `==` to compare")
+                            : make(Code::wrong_operator, "`==` compares and does not define",
+                                   "write `=` to define");
+    result.fixits.push_back({found_.range, std::string{token_name(kind)}});
+    return result;
+  }
+
+  [[nodiscard]] Diagnostic chained_comparison() const {
+    Diagnostic result = make(Code::chained_comparison, "comparisons cannot be chained",
+                             "a second comparison of the same expression");
+    result.help = "write two comparisons joined by `and`: `a <= x and x <= b`";
+    return result;
+  }
+
+  [[nodiscard]] Diagnostic word_as_name() const {
+    Diagnostic result =
+        make(Code::reserved_word, found() + " is a word of the language and cannot be a name",
+             "expected " + expected());
+    const std::string word{sources_.text(found_.range)};
+    result.help = "choose another name, such as `my_" + word + '`';
+    return result;
+  }
+
+  [[nodiscard]] Diagnostic superfluous(bool removed) const {
+    if (found_.kind == T::RIGHT_BRACE && error_.expects(T::END)) {
+      Diagnostic result = make(Code::unexpected_token, "`}` closes nothing", "no `{` is open here");
+      result.fixits.push_back({found_.range, ""});
+      return result;
+    }
+    if (found_.kind == T::SEMICOLON && error_.expects(T::BAD_CLAUSE)) {
+      Diagnostic result =
+          make(Code::unexpected_token, "a `;` that ends nothing", "not needed here");
+      result.fixits.push_back({found_.range, ""});
+      return result;
+    }
+    Diagnostic result = plain();
+    if (removed) result.fixits.push_back({found_.range, ""});
+    return result;
+  }
+
+  // A construct that the language has, but not this version; without a message if it is none.
+  [[nodiscard]] Diagnostic future_construct() const {
+    const Word* word = find_word(found_.kind);
+    bool is_future = word && word->word_kind == WordKind::future && !error_.expects(T::COLON) &&
+                     (error_.expects(T::BAD_EXPR) || error_.expects(T::AND));
+    const bool at_item = error_.expects(T::BAD_CLAUSE) && error_.expects(T::ZONE);
+    const auto text = sources_.text(found_.range);
+    if (at_item) {
+      is_future = std::find(kFutureItems.begin(), kFutureItems.end(), text) != kFutureItems.end();
+    }
+    if (!is_future) return make(Code::not_available, {}, {});
+    Diagnostic result = make(Code::not_available, found() + " is not available in this version",
+                             "this construct cannot be compiled yet");
+    if (!at_item) result.help = "it is reserved, so it cannot be a name either";
+    return result;
+  }
+
+  const std::vector<Token>& tokens_;
+  const SyntaxError& error_;
+  const SourceManager& sources_;
+  const Token& found_;
+};
+
+}  // namespace
+
+Diagnostic describe_error(const std::vector<Token>& tokens, const SyntaxError& error,
+                          const std::optional<Edit>& edit, const SourceManager& sources) {
+  return Describer{tokens, error, sources}.describe(edit);
+}
+
+}  // namespace rtac::syntax

@@ -1,0 +1,317 @@
+#include <string>
+#include <string_view>
+
+#include "compiler/syntax/printer.h"
+#include "compiler/syntax/spelling.h"
+
+namespace rtac::syntax {
+namespace {
+
+std::string join(const std::vector<Name>& names, std::string_view separator) {
+  std::string result;
+  for (const Name& name : names) {
+    if (!result.empty()) result += separator;
+    result += name.text;
+  }
+  return result;
+}
+
+class Dumper {
+ public:
+  explicit Dumper(const SourceManager& sources) : sources_(sources) {}
+
+  void add(const File& file) {
+    out_ += "File " + sources_.path(file.id) + '\n';
+    Level level{*this};
+    if (file.spec) line("Spec " + file.spec->text, file.spec->range);
+    for (const Item& item : file.items) {
+      std::visit([&](const auto& node) { add(node, item.range); }, item.node);
+    }
+  }
+
+  std::string take() { return std::move(out_); }
+
+ private:
+  struct Level {
+    explicit Level(Dumper& dumper) : dumper_(dumper) { ++dumper_.depth_; }
+    ~Level() { --dumper_.depth_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+    Dumper& dumper_;
+  };
+
+  void line(const std::string& text, const SourceRange& range) {
+    const LineColumn place = sources_.position(range.file, range.begin);
+    out_ += std::string(2 * depth_, ' ') + text + " @" + std::to_string(place.line) + ':' +
+            std::to_string(place.column) + '\n';
+  }
+
+  // A labelled part of a node; nothing when it is absent.
+  void part(const std::string& label, const ExprPtr& expr) {
+    if (!expr) return;
+    line(label, expr->range);
+    Level level{*this};
+    add(*expr);
+  }
+  void part(const std::string& label, const Name& name) {
+    line(label + ' ' + name.text, name.range);
+  }
+  void part(const std::string& label, const Text& text) {
+    line(label + ' ' + spell_text(text.text), text.range);
+  }
+  void part(const std::string& label, const std::optional<Text>& text) {
+    if (text) part(label, *text);
+  }
+  template <class T>
+  void parts(const std::string& label, const std::vector<T>& list) {
+    for (const T& element : list) part(label, element);
+  }
+
+  // ---- expressions
+
+  void add(const Expr& expr) {
+    std::visit([&](const auto& node) { add(node, expr.range); }, expr.node);
+  }
+  void add_all(const std::vector<ExprPtr>& list) {
+    for (const ExprPtr& expr : list) add(*expr);
+  }
+
+  void add(const NumberLit& node, const SourceRange& range) {
+    line("Number " + node.text + (node.unit ? ' ' + node.unit->text : ""), range);
+  }
+  void add(const BoolLit& node, const SourceRange& range) {
+    line(node.value ? "Bool true" : "Bool false", range);
+  }
+  void add(const NameRef& node, const SourceRange& range) { line("Name " + node.name.text, range); }
+  void add(const Member& node, const SourceRange& range) {
+    line("Member " + node.field.text, range);
+    Level level{*this};
+    add(*node.base);
+  }
+  void add(const Call& node, const SourceRange& range) {
+    line("Call " + node.callee.text, range);
+    Level level{*this};
+    add_all(node.arguments);
+  }
+  void add(const Unary& node, const SourceRange& range) {
+    line("Unary " + std::string{spell(node.op)}, range);
+    Level level{*this};
+    add(*node.operand);
+  }
+  void add(const Binary& node, const SourceRange& range) {
+    line("Binary " + std::string{spell(node.op)}, range);
+    Level level{*this};
+    add(*node.left);
+    add(*node.right);
+  }
+  void add(const Held& node, const SourceRange& range) {
+    line("Held", range);
+    Level level{*this};
+    add(*node.operand);
+    part("Duration", node.duration);
+  }
+  void add(const Quantified& node, const SourceRange& range) {
+    line("Quantified " + std::string{spell(node.quantifier)} + ' ' + node.variable.text + " : " +
+             node.kind.text,
+         range);
+    Level level{*this};
+    part("Guard", node.guard);
+    add(*node.body);
+  }
+  void add(const PointLit& node, const SourceRange& range) {
+    line("Point", range);
+    Level level{*this};
+    add_all(node.coordinates);
+  }
+  void add(const RectangleLit& node, const SourceRange& range) {
+    line("Rectangle", range);
+    Level level{*this};
+    add(*node.from);
+    add(*node.to);
+  }
+  void add(const CircleLit& node, const SourceRange& range) {
+    line("Circle", range);
+    Level level{*this};
+    add(*node.centre);
+    part("Radius", node.radius);
+  }
+  void add(const PolygonLit& node, const SourceRange& range) {
+    line("Polygon", range);
+    Level level{*this};
+    add("Ring", node.outer);
+    for (const PolygonLit::Ring& hole : node.holes) add("Hole", hole);
+  }
+  void add(const std::string& label, const PolygonLit::Ring& ring) {
+    line(label, ring.range);
+    Level level{*this};
+    add_all(ring.points);
+  }
+  void add(const ErrorExpr&, const SourceRange& range) { line("Error", range); }
+
+  // ---- robots
+
+  void add(const Bound& bound) {
+    line("Bound " + bound.name.text + ' ' + std::string{spell(bound.relation)} +
+             (bound.at ? " at " + bound.at->text : ""),
+         bound.name.range);
+    Level level{*this};
+    add(*bound.value);
+  }
+  void add(const BodyClause& node, const SourceRange& range) {
+    line("Body", range);
+    Level level{*this};
+    part("Radius", node.radius);
+  }
+  void add(const MotionClause& node, const SourceRange& range) {
+    line("Motion " + node.model.text, range);
+    Level level{*this};
+    for (const Bound& bound : node.bounds) add(bound);
+  }
+  void add(const SenseClause& node, const SourceRange& range) {
+    line("Sense " + node.name.text + " : " + node.type.text, range);
+    Level level{*this};
+    part("ErrorBound", node.error);
+    part("MaxAge", node.max_age);
+  }
+  void add(const HearsClause& node, const SourceRange& range) {
+    line("Hears", range);
+    Level level{*this};
+    part("MaxAge", node.max_age);
+  }
+  void add(const InputClause& node, const SourceRange& range) {
+    line("Input " + node.name.text + " : " + node.type.text, range);
+    Level level{*this};
+    part("Capacity", node.capacity);
+    part("Tracking", node.tracking);
+  }
+  void add(const OutputClause& node, const SourceRange& range) {
+    line("Output " + node.name.text + " : " + node.type.text, range);
+  }
+  void add(const LatencyClause& node, const SourceRange& range) {
+    line("Latency", range);
+    Level level{*this};
+    add(*node.value);
+  }
+  void add(const EnergyClause& node, const SourceRange& range) {
+    line("Energy", range);
+    Level level{*this};
+    for (const Bound& bound : node.bounds) add(bound);
+  }
+
+  // ---- items
+
+  void add(const ImportItem& node, const SourceRange& range) {
+    line("Import " + spell_text(node.path.text), range);
+  }
+  void add(const ZoneItem& node, const SourceRange& range) {
+    line("Zone " + node.name.text, range);
+    Level level{*this};
+    add(*node.value);
+  }
+  void add(const RobotItem& node, const SourceRange& range) {
+    line("Robot " + node.name.text, range);
+    Level level{*this};
+    for (const RobotClause& clause : node.clauses) {
+      std::visit([&](const auto& part) { add(part, clause.range); }, clause.node);
+    }
+  }
+  void add(const FleetItem& node, const SourceRange& range) {
+    line("Fleet " + join(node.members, ", ") + " : " + node.kind.text, range);
+  }
+  void add(const SiteItem& node, const SourceRange& range) {
+    line("Site " + node.name.text + (node.robot ? '(' + node.robot->text + ')' : ""), range);
+    Level level{*this};
+    add(*node.position);
+  }
+  void add(const ControllerItem& node, const SourceRange& range) {
+    line("Controller " + node.name.text + " : " + std::string{spell(node.role)} + " for " +
+             node.kind.text,
+         range);
+    Level level{*this};
+    std::visit([&](const auto& part) { add(part, node.implementation_range); },
+               node.implementation);
+  }
+  void add(const ExternTemplate&, const SourceRange& range) { line("Extern", range); }
+  void add(const RetreatTemplate& node, const SourceRange& range) {
+    line("Retreat within " + node.zone.text, range);
+    Level level{*this};
+    part("Speed", node.speed);
+  }
+  void add(const RouteTemplate& node, const SourceRange& range) {
+    line("Route to " + node.site.text + " within " + node.zone.text, range);
+    Level level{*this};
+    part("Speed", node.speed);
+  }
+  void add(const YieldTemplate& node, const SourceRange& range) {
+    line("Yield within " + node.zone.text + " order " + node.order.text, range);
+    Level level{*this};
+    part("Speed", node.speed);
+  }
+
+  void add(const MonitorItem& node, const SourceRange& range) {
+    const bool bound = node.variable && node.kind;
+    line("Monitor " + node.name.text +
+             (bound ? " for " + node.variable->text + " : " + node.kind->text : ""),
+         range);
+    Level level{*this};
+    parts("Requirement", node.requirement);
+    parts("Always", node.always);
+    for (const AheadTerm& term : node.ahead) {
+      std::visit([&](const auto& part) { add(part, term.range); }, term.node);
+    }
+    parts("Recover", node.recover);
+    parts("ReturnWhen", node.return_when);
+  }
+  void add(const AheadDuration& node, const SourceRange& range) {
+    line("AheadDuration", range);
+    Level level{*this};
+    add(*node.duration);
+    part("Unsound", node.unsound);
+  }
+  void add(const AheadWaypoints& node, const SourceRange& range) {
+    line("AheadWaypoints", range);
+    Level level{*this};
+    add(*node.count);
+  }
+  void add(const WaypointsOnly& node, const SourceRange& range) {
+    line("WaypointsOnly", range);
+    Level level{*this};
+    part("Unsound", node.unsound);
+  }
+  void add(const PointsOnly& node, const SourceRange& range) {
+    line("PointsOnly", range);
+    Level level{*this};
+    part("Unsound", node.unsound);
+  }
+
+  void add(const DecisionItem& node, const SourceRange& range) {
+    line("Decision " + node.name.text + " for " + node.kind.text, range);
+    Level level{*this};
+    parts("Advanced", node.advanced);
+    parts("Safe", node.safe);
+    parts("On", node.on);
+    parts("Period", node.period);
+    for (const auto& ranking : node.priority) {
+      line("Priority " + join(ranking, " > "), ranking.front().range);
+    }
+    for (const Acknowledge& entry : node.acknowledge) {
+      line("Acknowledge " + entry.recovery.text + " may break " + entry.monitor.text + ' ' +
+               spell_text(entry.reason.text),
+           entry.range);
+    }
+  }
+
+  const SourceManager& sources_;
+  std::string out_;
+  std::size_t depth_ = 0;
+};
+
+}  // namespace
+
+std::string dump(const Program& program, const SourceManager& sources) {
+  Dumper dumper{sources};
+  for (const File& file : program.files) dumper.add(file);
+  return dumper.take();
+}
+
+}  // namespace rtac::syntax

@@ -1,0 +1,167 @@
+#include "compiler/syntax/edit.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace rtac::syntax {
+namespace {
+
+// Every trial parses the stretch again: beyond this size a mistake drops its clause untried.
+constexpr std::size_t kTrialTokensMax = 20'000;
+
+constexpr std::array kClosers{T::RIGHT_PAREN, T::RIGHT_BRACKET, T::RIGHT_BRACE};
+constexpr std::array kSeparators{T::COMMA, T::COLON, T::ASSIGN, T::LEFT_BRACE};
+constexpr std::array kComparisons{T::LESS,  T::LESS_EQUAL, T::GREATER, T::GREATER_EQUAL,
+                                  T::EQUAL, T::NOT_EQUAL,  T::INSIDE};
+
+template <class Set>
+bool contains(const Set& set, TokenKind kind) {
+  return std::find(set.begin(), set.end(), kind) != set.end();
+}
+
+// Optimal string alignment: insertions, removals, replacements and swaps of neighbours.
+std::size_t typing_distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t cost = a[i - 1] == b[j - 1] ? 0 : 1;
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + cost});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+// The candidates in the order in which they are tried.
+class EditList {
+ public:
+  EditList(const std::vector<Token>& tokens, const SyntaxError& error, const SourceManager& sources)
+      : found_(tokens[error.index]), error_(error), sources_(sources) {}
+
+  std::vector<Edit> make() {
+    add_operators();
+    add_spelling();
+    add_missing_tokens();
+    add_operands();
+    // The end cannot be removed, and a bracket that opens has a partner that would be left over.
+    if (found_.kind != T::END && found_.kind != T::LEFT_BRACE) {
+      edits_.push_back({EditKind::remove, EditReason::superfluous, found_.kind});
+      if (expects(T::BAD_EXPR)) replace(EditReason::superfluous, T::BAD_EXPR);
+    }
+    return std::move(edits_);
+  }
+
+ private:
+  [[nodiscard]] bool expects(TokenKind kind) const { return error_.expects(kind); }
+  void insert(EditReason reason, TokenKind kind) {
+    edits_.push_back({EditKind::insert, reason, kind});
+  }
+  void replace(EditReason reason, TokenKind kind) {
+    edits_.push_back({EditKind::replace, reason, kind});
+  }
+
+  void add_operators() {
+    if (found_.kind == T::ASSIGN && expects(T::EQUAL)) {
+      replace(EditReason::foreign_operator, T::EQUAL);
+    }
+    if (found_.kind == T::EQUAL && expects(T::ASSIGN)) {
+      replace(EditReason::foreign_operator, T::ASSIGN);
+    }
+    const bool after_comparison = expects(T::AND) && !expects(T::LESS);
+    if (contains(kComparisons, found_.kind) && after_comparison) {
+      replace(EditReason::chained_comparison, T::AND);
+    }
+  }
+
+  void add_spelling() {
+    const std::string_view text = sources_.text(found_.range);
+    constexpr std::size_t kWordMax = 32;
+    if (found_.kind != T::IDENT || text.size() > kWordMax || expects(T::IDENT)) return;
+    std::vector<std::pair<std::size_t, TokenKind>> near;
+    for (const TokenKind kind : error_.expected) {
+      const Word* word = find_word(kind);
+      if (!word) continue;
+      const std::size_t distance = typing_distance(text, word->text);
+      if (distance <= std::max<std::size_t>(1, word->text.size() / 3)) {
+        near.emplace_back(distance, kind);
+      }
+    }
+    std::sort(near.begin(), near.end());
+    for (const auto& [distance, kind] : near) replace(EditReason::misspelled, kind);
+  }
+
+  void add_missing_tokens() {
+    if (expects(T::SEMICOLON)) insert(EditReason::missing, T::SEMICOLON);
+    for (const TokenKind kind : kClosers) {
+      if (expects(kind)) insert(EditReason::missing, kind);
+    }
+    for (const TokenKind kind : kSeparators) {
+      if (expects(kind)) insert(EditReason::missing, kind);
+    }
+    if (error_.expected.size() == 1 && !expects(T::IDENT)) {
+      insert(EditReason::missing, error_.expected.front());
+    }
+  }
+
+  void add_operands() {
+    const Word* word = find_word(found_.kind);
+    if (word && word->word_kind != WordKind::clause && expects(T::IDENT)) {
+      replace(EditReason::word_as_name, T::IDENT);
+    }
+    if (expects(T::BAD_EXPR)) {
+      insert(EditReason::missing_operand, T::BAD_EXPR);
+    } else if (expects(T::IDENT)) {
+      insert(EditReason::missing_operand, T::IDENT);
+    }
+  }
+
+  const Token& found_;
+  const SyntaxError& error_;
+  const SourceManager& sources_;
+  std::vector<Edit> edits_;
+};
+
+// The edited place must be read, and at least one more token of the author's than before.
+bool reads_on(const std::vector<Token>& tokens, const SyntaxError& error, const Edit& edit,
+              const SourceManager& sources) {
+  const Attempt attempt = attempt_parse(apply_edit(tokens, error.index, edit), sources);
+  if (!attempt.error) return true;
+  const std::size_t needed = edit.kind == EditKind::insert ? 3 : 2;
+  return attempt.error->index >= error.index + needed;
+}
+
+}  // namespace
+
+std::vector<Token> apply_edit(std::vector<Token> tokens, std::size_t index, const Edit& edit) {
+  const auto at = tokens.begin() + static_cast<std::ptrdiff_t>(index);
+  switch (edit.kind) {
+    case EditKind::insert: {
+      const std::uint32_t place = index > 0 ? tokens[index - 1].range.end : at->range.begin;
+      tokens.insert(at, Token{edit.token, {at->range.file, place, place}});
+      break;
+    }
+    case EditKind::replace:
+      at->kind = edit.token;
+      at->text.clear();
+      break;
+    case EditKind::remove:
+      tokens.erase(at);
+      break;
+  }
+  return tokens;
+}
+
+std::optional<Edit> find_edit(const std::vector<Token>& tokens, const SyntaxError& error,
+                              const SourceManager& sources) {
+  if (tokens.size() > kTrialTokensMax) return std::nullopt;
+  for (const Edit& edit : EditList{tokens, error, sources}.make()) {
+    if (reads_on(tokens, error, edit, sources)) return edit;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rtac::syntax

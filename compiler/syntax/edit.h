@@ -1,0 +1,36 @@
+// An edit of the tokens that stands for what the author meant. Internal to the folder.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compiler/syntax/parse_attempt.h"
+
+namespace rtac::syntax {
+
+enum class EditKind { insert, replace, remove };
+
+// Why an edit was tried: it decides the wording.
+enum class EditReason {
+  missing,             // a token is missing in front of the error
+  misspelled,          // a word with a typing error
+  foreign_operator,    // `=` for `==` and the reverse
+  chained_comparison,  // a < b < c
+  word_as_name,        // a reserved word where a name is expected
+  missing_operand,     // an expression or name is missing
+  superfluous,         // the token does not belong here
+};
+
+struct Edit {
+  EditKind kind;
+  EditReason reason;
+  TokenKind token;  // what is inserted or written instead
+};
+
+std::vector<Token> apply_edit(std::vector<Token> tokens, std::size_t index, const Edit& edit);
+
+// The first edit at the error that lets the parser read on; nullopt when none does.
+std::optional<Edit> find_edit(const std::vector<Token>& tokens, const SyntaxError& error,
+                              const SourceManager& sources);
+
+}  // namespace rtac::syntax

@@ -1,0 +1,269 @@
+#include "compiler/syntax/lexer_sink.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/syntax/lookalike.h"
+
+namespace rtac::syntax {
+namespace {
+
+using diag::Code;
+
+bool is_high(char c) {
+  return static_cast<unsigned char>(c) >= 0x80U;
+}
+
+// First byte from `from` on that starts a look-alike of an operator.
+std::size_t find_operator(std::string_view text, std::size_t from) {
+  while (from < text.size() && !(is_high(text[from]) && find_lookalike(text.substr(from)))) ++from;
+  return from;
+}
+
+}  // namespace
+
+LexerSink::LexerSink(FileId file, std::size_t offset, diag::Engine& diagnostics)
+    : file_(file), diagnostics_(diagnostics), begin_(offset), end_(offset) {}
+
+void LexerSink::advance(std::size_t length) {
+  begin_ = end_;
+  end_ += length;
+}
+
+SourceRange LexerSink::range(std::size_t begin, std::size_t end) const {
+  return {file_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+void LexerSink::report(Mistake mistake, SourceRange range) {
+  if (diagnostics_.error_count() > kErrorsMax) return;
+  diag::Diagnostic diagnostic{mistake.code,
+                              range,
+                              std::move(mistake.message),
+                              std::move(mistake.label),
+                              {},
+                              std::move(mistake.help),
+                              {}};
+  if (mistake.replacement) diagnostic.fixits.push_back({range, std::move(*mistake.replacement)});
+  diagnostics_.report(std::move(diagnostic));
+}
+
+void LexerSink::push(TokenKind kind, std::string text, bool bad) {
+  tokens_.push_back({kind, range(), std::move(text), bad || next_is_bad_, at_line_start_});
+  at_line_start_ = false;
+  next_is_bad_ = false;
+  track_depth(kind);
+}
+
+void LexerSink::track_depth(TokenKind kind) {
+  const bool opens = kind == T::LEFT_PAREN || kind == T::LEFT_BRACKET || kind == T::LEFT_BRACE;
+  const bool closes = kind == T::RIGHT_PAREN || kind == T::RIGHT_BRACKET || kind == T::RIGHT_BRACE;
+  if (closes && bracket_depth_ > 0) --bracket_depth_;
+  if (!opens || ++bracket_depth_ <= kBracketDepthMax) return;
+  const std::string limit = std::to_string(kBracketDepthMax);
+  report({Code::nesting_too_deep, "brackets are nested more than " + limit + " deep",
+          "the file is not read beyond this bracket",
+          "give parts of the expression a name of their own"});
+  stopped_ = true;
+}
+
+void LexerSink::foreign_operator(TokenKind kind, std::string_view text) {
+  const std::string ours{token_name(kind)};
+  std::string help;
+  if (text == "=>") help = "for a comparison, write `>=`";
+  report({Code::wrong_operator, quote(text) + " is not an operator of this language",
+          "`" + ours + "` is meant?", std::move(help), ours});
+  push(kind, {}, true);
+}
+
+void LexerSink::word(std::string_view text) {
+  const Word* word = find_word(text);
+  push(word ? word->kind : T::IDENT);
+}
+
+void LexerSink::number(std::string_view text) {
+  const bool fits = parse_decimal(text).has_value();
+  if (!fits) {
+    report({Code::number_too_large, "the number " + quote(text) + " is too long or too large",
+            "at most 64 digits and an exponent of at most 64"});
+  }
+  push(T::NUMBER, std::string{text}, !fits);
+}
+
+void LexerSink::malformed_number(std::string_view text) {
+  Mistake mistake{Code::number_malformed, quote(text) + " is not a number", {}};
+  std::string repaired{text};
+  if (text.front() == '.') {
+    mistake.label = "a digit is missing in front of the point";
+    repaired.insert(0, "0");
+  } else if (text.find('_') != std::string_view::npos) {
+    mistake.label = "digits are written without `_`";
+    std::erase(repaired, '_');
+  } else if (text.find('.') == text.size() - 1) {
+    mistake.label = "a digit is missing behind the point";
+    repaired.pop_back();
+  } else {
+    mistake.label = "a number has at most one point, between digits";
+    repaired.clear();
+  }
+  if (!repaired.empty()) mistake.replacement = std::move(repaired);
+  report(std::move(mistake));
+  push(T::NUMBER, "0", true);
+}
+
+bool LexerSink::unit(std::string_view text) {
+  const std::string_view first = text.substr(0, text.find_first_of("/*^"));
+  if (find_word(first)) return false;
+  push(T::UNIT, std::string{text});
+  return true;
+}
+
+std::size_t LexerSink::foreign_unit(std::string_view text) {
+  UnitReading reading = read_unit(text);
+  if (reading.length == 0) return 0;
+  keep(reading.length);
+  const std::string_view used = text.substr(0, reading.length);
+  if (reading.ascii == used) return unit(used) ? reading.length : 0;
+  report({Code::unknown_character,
+          "the unit " + quote(used) + " is not written in ASCII",
+          "units are made of ASCII letters, `%`, `/`, `*` and `^`",
+          {},
+          reading.ascii});
+  push(T::UNIT, std::move(reading.ascii), true);
+  return reading.length;
+}
+
+void LexerSink::report_name(std::string_view text) {
+  const auto begin =
+      static_cast<std::size_t>(std::find_if(text.begin(), text.end(), is_high) - text.begin());
+  if (begin > 0 || text.size() > 4) {
+    report({Code::unknown_character, quote(text) + " is not a name",
+            "names are made of ASCII letters, digits and `_`",
+            "other letters may stand in comments and texts"});
+  } else {
+    report({Code::unknown_character, quote(text) + " has no meaning outside comments and texts",
+            "not expected here"});
+  }
+}
+
+std::size_t LexerSink::foreign_run(std::string_view text) {
+  const std::size_t end = find_operator(text, 0);
+  if (end > 0) {
+    const std::string_view used = text.substr(0, end);
+    keep(end);
+    if (std::none_of(used.begin(), used.end(), is_high)) {
+      word(used);
+    } else {
+      report_name(used);
+      push(T::IDENT, {}, true);
+    }
+    return end;
+  }
+  const Lookalike& found = *find_lookalike(text);
+  keep(found.text.size());
+  if (found.kind == T::END) {
+    report({Code::unknown_character,
+            "an invisible character has no meaning outside comments and texts",
+            "a special blank stands here",
+            {},
+            std::string{found.ascii}});
+    next_is_bad_ = true;
+  } else {
+    report({Code::unknown_character,
+            quote(found.text) + " is not an operator of this language",
+            "operators are written in ASCII",
+            {},
+            std::string{found.ascii}});
+    push(found.kind, {}, true);
+  }
+  return found.text.size();
+}
+
+std::string LexerSink::resolve_escapes(std::string_view inner) {
+  std::string result;
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    if (inner[i] != '\\' || i + 1 == inner.size()) {
+      result += inner[i];
+      continue;
+    }
+    const char escaped = inner[++i];
+    if (escaped == 'n') {
+      result += '\n';
+    } else if (escaped == 't') {
+      result += '\t';
+    } else {
+      result += escaped;
+      if (escaped == '"' || escaped == '\\') continue;
+      const std::size_t at = begin_ + 1 + i;  // behind the opening quote
+      report({Code::unknown_escape, quote(inner.substr(i - 1, 2)) + " is not an escape",
+              "a text knows `\\\"`, `\\\\`, `\\n` and `\\t`", "write `\\\\` for a backslash"},
+             range(at - 1, at + 1));
+    }
+  }
+  return result;
+}
+
+void LexerSink::string(std::string_view text) {
+  push(T::STRING, resolve_escapes(text.substr(1, text.size() - 2)));
+}
+
+void LexerSink::unterminated_string(std::string_view text) {
+  // The quote most likely belongs in front of a final `;`, `,` or `{`.
+  const std::size_t last = text.find_last_not_of(" \t\r;,{");
+  const std::size_t close = begin_ + (last == std::string_view::npos ? 1 : last + 1);
+  if (text.back() == '\r') text.remove_suffix(1);
+  if (diagnostics_.error_count() <= kErrorsMax) {
+    diagnostics_.report({Code::unterminated_string,
+                         range(begin_, begin_ + text.size()),
+                         "a text does not end on its line",
+                         "the closing `\"` is missing",
+                         {},
+                         {},
+                         {{range(close, close), "\""}}});
+  }
+  push(T::STRING, std::string{text.substr(1, close - begin_ - 1)}, true);
+}
+
+void LexerSink::foreign_quotes(std::string_view text, std::size_t quote_length) {
+  const std::string inner{text.substr(quote_length, text.size() - 2 * quote_length)};
+  report({Code::unknown_character,
+          "texts are written in double quotes",
+          "these quotes have no meaning",
+          {},
+          '"' + inner + '"'});
+  push(T::STRING, inner, true);
+}
+
+void LexerSink::hash_comment() {
+  report({Code::unknown_character,
+          "`#` does not start a comment",
+          "comments start with `//`",
+          {},
+          "//"},
+         range(begin_, begin_ + 1));
+  next_is_bad_ = true;
+}
+
+void LexerSink::unknown(std::string_view text) {
+  const bool continues = unknown_end_ == begin_ && begin_ > 0;
+  unknown_end_ = end_;
+  next_is_bad_ = true;
+  if (continues) return;
+  std::string label = "not expected here";
+  if (text == "%") label = "`%` is a unit: it stands behind a number";
+  if (text == "^") label = "`^` belongs to a unit, without blanks: `m/s^2`";
+  report({Code::unknown_character, quote(text) + " has no meaning outside comments and texts",
+          std::move(label)});
+}
+
+void LexerSink::unterminated_comment() {
+  report({Code::unterminated_comment, "a comment does not end", "`*/` is missing behind this"},
+         range(comment_begin_, comment_begin_ + 2));
+  next_is_bad_ = true;
+}
+
+void LexerSink::end_of_file() {
+  begin_ = end_;
+  push(T::END);
+}
+
+}  // namespace rtac::syntax

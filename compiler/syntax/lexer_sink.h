@@ -1,0 +1,73 @@
+// What the rules of lexer.ll call. Internal to the folder.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/syntax/lexer.h"
+
+namespace rtac::syntax {
+
+class LexerSink {
+ public:
+  LexerSink(FileId file, std::size_t offset, diag::Engine& diagnostics);
+
+  // Positions: every match first advances; `keep` gives all but its first bytes back.
+  void advance(std::size_t length);
+  void keep(std::size_t length) { end_ = begin_ + length; }
+  void line_break() { at_line_start_ = true; }
+
+  void punctuation(TokenKind kind) { push(kind); }
+  void foreign_operator(TokenKind kind, std::string_view text);
+  void word(std::string_view text);
+  void number(std::string_view text);
+  void malformed_number(std::string_view text);
+  // False when the text is no unit: it starts with a word of the language.
+  bool unit(std::string_view text);
+  // A run with bytes beyond ASCII behind a number; returns how many bytes of it are a unit.
+  std::size_t foreign_unit(std::string_view text);
+  // A run with bytes beyond ASCII; returns how many bytes of it are used up.
+  std::size_t foreign_run(std::string_view text);
+  void string(std::string_view text);  // with its quotes
+  void unterminated_string(std::string_view text);
+  void foreign_quotes(std::string_view text, std::size_t quote_length);
+  void hash_comment();
+  void unknown(std::string_view text);
+  void comment_start() { comment_begin_ = begin_; }
+  void unterminated_comment();
+  void end_of_file();
+
+  [[nodiscard]] bool stopped() const { return stopped_; }
+  std::vector<Token> take() { return std::move(tokens_); }
+
+ private:
+  void push(TokenKind kind, std::string text = {}, bool bad = false);
+  void track_depth(TokenKind kind);
+  [[nodiscard]] SourceRange range() const { return range(begin_, end_); }
+  [[nodiscard]] SourceRange range(std::size_t begin, std::size_t end) const;
+  struct Mistake {
+    diag::Code code;
+    std::string message, label;
+    std::string help = {};
+    std::optional<std::string> replacement = std::nullopt;
+  };
+  void report(Mistake mistake) { report(std::move(mistake), range()); }
+  void report(Mistake mistake, SourceRange range);
+  void report_name(std::string_view text);
+  std::string resolve_escapes(std::string_view inner);
+
+  FileId file_;
+  diag::Engine& diagnostics_;
+  std::vector<Token> tokens_;
+  std::size_t begin_ = 0, end_ = 0, comment_begin_ = 0;
+  std::size_t bracket_depth_ = 0;
+  bool at_line_start_ = true;
+  bool next_is_bad_ = false;     // a character before the next token was skipped
+  std::size_t unknown_end_ = 0;  // of the last unknown character: a run of them is one mistake
+  bool stopped_ = false;
+};
+
+}  // namespace rtac::syntax

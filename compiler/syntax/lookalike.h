@@ -1,0 +1,30 @@
+// Characters beyond ASCII that authors write for something that the language spells in ASCII.
+// Internal to the folder.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "compiler/syntax/token.h"
+
+namespace rtac::syntax {
+
+struct Lookalike {
+  std::string_view text;  // UTF-8
+  std::string_view ascii;
+  TokenKind kind;  // END: a blank
+};
+// The look-alike at the start of `text`, or nullptr.
+const Lookalike* find_lookalike(std::string_view text);
+
+// The unit that is meant at the start of `text` (`m/s²` is `m/s^2`), and how many bytes it takes.
+struct UnitReading {
+  std::string ascii;
+  std::size_t length = 0;
+};
+UnitReading read_unit(std::string_view text);
+
+// Source text for a message: in back-ticks, control characters escaped, cut when long.
+std::string quote(std::string_view text);
+
+}  // namespace rtac::syntax

@@ -1,0 +1,200 @@
+#include "compiler/syntax/parse.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "compiler/syntax/lexer.h"
+#include "compiler/syntax/lookalike.h"
+#include "compiler/syntax/repair.h"
+
+namespace rtac::syntax {
+namespace {
+
+using diag::Code;
+
+// Words that start items are reserved: one at the start of a line, or behind a finished item,
+// starts an item whatever is still open. So a missing `}` costs no more than its own item.
+bool starts_stretch(const std::vector<Token>& tokens, std::size_t index) {
+  const Word* word = find_word(tokens[index].kind);
+  if (!word || word->word_kind != WordKind::item || index == 0) return false;
+  const TokenKind previous = tokens[index - 1].kind;
+  return tokens[index].first_on_line || previous == T::SEMICOLON || previous == T::RIGHT_BRACE;
+}
+
+// Each stretch ends with an END at the place of what follows it.
+std::vector<std::vector<Token>> split_items(const std::vector<Token>& tokens) {
+  std::vector<std::vector<Token>> stretches(1);
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (starts_stretch(tokens, i)) {
+      stretches.back().push_back({T::END, tokens[i].range});
+      stretches.emplace_back();
+    }
+    stretches.back().push_back(tokens[i]);
+  }
+  return stretches;
+}
+
+void report_spec_place(const Name& name, std::string message, std::string label,
+                       diag::Engine& diagnostics) {
+  diagnostics.report(
+      {Code::spec_misplaced, name.range, std::move(message), std::move(label), {}, {}, {}});
+}
+
+void add_attempt(Attempt attempt, File& file, diag::Engine& diagnostics) {
+  for (Name& name : attempt.specs) {
+    if (file.spec) {
+      report_spec_place(name, "a file has one `spec` line", "a second name", diagnostics);
+    } else if (!file.items.empty()) {
+      report_spec_place(name, "the `spec` line stands behind an item",
+                        "move it to the start of the file", diagnostics);
+    }
+    if (!file.spec) file.spec = std::move(name);
+  }
+  for (Item& item : attempt.items) file.items.push_back(std::move(item));
+}
+
+// In the order of the text, and no more than a reader would work through.
+void forward(const diag::Engine& found, FileId file, diag::Engine& diagnostics) {
+  std::vector<const diag::Diagnostic*> ordered;
+  for (const diag::Diagnostic& diagnostic : found.all()) ordered.push_back(&diagnostic);
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const auto* a, const auto* b) { return a->range->begin < b->range->begin; });
+  const bool too_many = ordered.size() > static_cast<std::size_t>(kErrorsMax);
+  if (too_many) ordered.resize(kErrorsMax);
+  for (const diag::Diagnostic* diagnostic : ordered) diagnostics.report(*diagnostic);
+  if (!too_many) return;
+  const SourceRange last = *ordered.back()->range;
+  diagnostics.report({Code::too_many_errors,
+                      SourceRange{file, last.begin, last.end},
+                      "more than " + std::to_string(kErrorsMax) + " syntax errors in one file",
+                      "the rest of the file is not reported",
+                      {},
+                      {},
+                      {}});
+}
+
+class ProgramParser {
+ public:
+  ProgramParser(SourceManager& sources, diag::Engine& diagnostics,
+                std::vector<std::string>& dependencies)
+      : sources_(sources), diagnostics_(diagnostics), dependencies_(dependencies) {}
+
+  Program run(FileId root) {
+    known_.insert(identity(sources_.path(root)));
+    dependencies_.push_back(sources_.path(root));
+    visit(root, nullptr);
+    return std::move(program_);
+  }
+
+ private:
+  struct Opened {
+    std::string identity;
+    std::string path;
+  };
+
+  // Two paths of one file are one identity.
+  static std::string identity(const std::string& path) {
+    std::error_code failed;
+    const auto canonical = std::filesystem::weakly_canonical(path, failed);
+    return failed ? path : canonical.string();
+  }
+
+  void visit(FileId id, const Text* import) {
+    open_.push_back({identity(sources_.path(id)), sources_.path(id)});
+    const int errors_before = diagnostics_.error_count();
+    File file = parse_file(id, sources_, diagnostics_);
+    check_spec(file, import, diagnostics_.error_count() > errors_before);
+    for (const Item& item : file.items) {
+      if (const auto* node = std::get_if<ImportItem>(&item.node)) follow(node->path, id);
+    }
+    program_.files.push_back(std::move(file));
+    open_.pop_back();
+  }
+
+  void check_spec(const File& file, const Text* import, bool has_errors) {
+    if (import && file.spec) {
+      report_spec_place(*file.spec, "an imported file has no `spec` line",
+                        "only the root file is a specification", diagnostics_);
+    }
+    if (import || file.spec || has_errors) return;
+    diagnostics_.report({Code::missing_spec_name,
+                         SourceRange{file.id, 0, 0},
+                         "the specification has no name",
+                         "expected `spec NAME;` here",
+                         {},
+                         {},
+                         {{SourceRange{file.id, 0, 0}, "spec my_spec;\n"}}});
+  }
+
+  void follow(const Text& import, FileId importer) {
+    const std::filesystem::path base = std::filesystem::path{sources_.path(importer)}.parent_path();
+    const std::string path = (base / import.text).lexically_normal().string();
+    const std::string id = identity(path);
+    if (std::any_of(open_.begin(), open_.end(),
+                    [&](const Opened& file) { return file.identity == id; })) {
+      report_cycle(import, id);
+      return;
+    }
+    if (!known_.insert(id).second) return;
+    std::string why;
+    const std::optional<FileId> loaded = sources_.load(path, why);
+    if (!loaded) {
+      diagnostics_.report({Code::import_not_found,
+                           import.range,
+                           "cannot read the imported file " + quote(path),
+                           why,
+                           {},
+                           "the path is relative to the directory of the importing file",
+                           {}});
+      return;
+    }
+    dependencies_.push_back(path);
+    visit(*loaded, &import);
+  }
+
+  void report_cycle(const Text& import, const std::string& id) {
+    std::string chain;
+    bool in_cycle = false;
+    for (const Opened& file : open_) {
+      in_cycle = in_cycle || file.identity == id;
+      if (in_cycle) chain += quote(file.path) + " imports ";
+    }
+    diagnostics_.report({Code::import_cycle,
+                         import.range,
+                         "files import each other in a circle",
+                         "this file is still being read",
+                         {{std::nullopt, chain + "the first again"}},
+                         "move what both need into a third file",
+                         {}});
+  }
+
+  SourceManager& sources_;
+  diag::Engine& diagnostics_;
+  std::vector<std::string>& dependencies_;
+  Program program_;
+  std::set<std::string> known_;
+  std::vector<Opened> open_;
+};
+
+}  // namespace
+
+File parse_file(FileId file, const SourceManager& sources, diag::Engine& diagnostics) {
+  diag::Engine found;
+  File result;
+  result.id = file;
+  for (auto& stretch : split_items(tokenize(file, sources, found))) {
+    add_attempt(parse_with_repair(std::move(stretch), sources, found), result, found);
+  }
+  forward(found, file, diagnostics);
+  return result;
+}
+
+Program parse_program(FileId root, SourceManager& sources, diag::Engine& diagnostics,
+                      std::vector<std::string>& dependencies) {
+  return ProgramParser{sources, diagnostics, dependencies}.run(root);
+}
+
+}  // namespace rtac::syntax

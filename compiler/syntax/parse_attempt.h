@@ -1,0 +1,28 @@
+// One run of the generated parser, which stops at the first mistake. Internal to the folder.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compiler/syntax/ast.h"
+#include "compiler/syntax/token.h"
+
+namespace rtac::syntax {
+
+struct SyntaxError {
+  std::size_t index;                // of the token that does not fit
+  std::vector<TokenKind> expected;  // what would fit instead
+  [[nodiscard]] bool expects(TokenKind kind) const;
+};
+
+struct Attempt {
+  std::optional<SyntaxError> error;
+  std::optional<SourceRange> too_high;  // an expression that became ErrorExpr for its height
+  std::vector<Item> items;
+  std::vector<Name> specs;  // names of `spec` lines
+};
+
+// `tokens` ends with END.
+Attempt attempt_parse(const std::vector<Token>& tokens, const SourceManager& sources);
+
+}  // namespace rtac::syntax

@@ -1,0 +1,167 @@
+#include "compiler/syntax/print_expr.h"
+
+#include <vector>
+
+#include "compiler/syntax/spelling.h"
+
+namespace rtac::syntax {
+namespace {
+
+// How strongly an expression binds: the precedence table of parser.yy, weakest first.
+enum Strength {
+  kQuantified,
+  kIff,
+  kImplies,
+  kXor,
+  kOr,
+  kAnd,
+  kHeld,
+  kNot,
+  kComparison,
+  kUnion,
+  kIntersection,
+  kSum,
+  kProduct,
+  kNegation,
+  kZone,  // rectangle, circle, polygon: operands, but `.` cannot follow them
+  kPrimary
+};
+
+Strength next_above(Strength strength) {
+  return static_cast<Strength>(strength + 1);
+}
+
+Strength strength_of(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::iff:
+      return kIff;
+    case BinaryOp::implies:
+      return kImplies;
+    case BinaryOp::logical_xor:
+      return kXor;
+    case BinaryOp::logical_or:
+      return kOr;
+    case BinaryOp::logical_and:
+      return kAnd;
+    case BinaryOp::less:
+    case BinaryOp::less_equal:
+    case BinaryOp::greater:
+    case BinaryOp::greater_equal:
+    case BinaryOp::equal:
+    case BinaryOp::not_equal:
+    case BinaryOp::inside:
+      return kComparison;
+    case BinaryOp::zone_union:
+      return kUnion;
+    case BinaryOp::zone_intersection:
+      return kIntersection;
+    case BinaryOp::add:
+    case BinaryOp::subtract:
+      return kSum;
+    case BinaryOp::multiply:
+    case BinaryOp::divide:
+      return kProduct;
+  }
+  return kPrimary;
+}
+
+Strength strength_of(const Expr& expr) {
+  return std::visit(
+      Overloaded{
+          [](const Binary& node) { return strength_of(node.op); },
+          [](const Unary& node) { return node.op == UnaryOp::negate ? kNegation : kNot; },
+          [](const Held&) { return kHeld; },
+          [](const Quantified&) { return kQuantified; },
+          [](const RectangleLit&) { return kZone; },
+          [](const CircleLit&) { return kZone; },
+          [](const PolygonLit&) { return kZone; },
+          [](const NumberLit&) { return kPrimary; },
+          [](const BoolLit&) { return kPrimary; },
+          [](const NameRef&) { return kPrimary; },
+          [](const Member&) { return kPrimary; },
+          [](const Call&) { return kPrimary; },
+          [](const PointLit&) { return kPrimary; },
+          [](const ErrorExpr&) { return kPrimary; },
+      },
+      expr.node);
+}
+
+// In brackets when it binds more weakly than its place needs.
+std::string operand(const ExprPtr& expr, Strength needed) {
+  std::string text = print_expr(*expr);
+  return strength_of(*expr) < needed ? '(' + text + ')' : text;
+}
+
+std::string print_list(const std::vector<ExprPtr>& list) {
+  std::string result;
+  for (const ExprPtr& expr : list) {
+    if (!result.empty()) result += ", ";
+    result += print_expr(*expr);
+  }
+  return result;
+}
+
+std::string print_node(const NumberLit& node) {
+  return node.unit ? node.text + ' ' + node.unit->text : node.text;
+}
+std::string print_node(const BoolLit& node) {
+  return node.value ? "true" : "false";
+}
+std::string print_node(const NameRef& node) {
+  return node.name.text;
+}
+std::string print_node(const Member& node) {
+  return operand(node.base, kPrimary) + '.' + node.field.text;
+}
+std::string print_node(const Call& node) {
+  return node.callee.text + '(' + print_list(node.arguments) + ')';
+}
+std::string print_node(const Unary& node) {
+  if (node.op == UnaryOp::negate) return '-' + operand(node.operand, kNegation);
+  return "not " + operand(node.operand, kNot);
+}
+std::string print_node(const Binary& node) {
+  const Strength own = strength_of(node.op);
+  // `implies` groups to the right, comparisons not at all, everything else to the left.
+  const bool left_may_repeat = own != kImplies && own != kComparison;
+  const bool right_may_repeat = own == kImplies;
+  return operand(node.left, left_may_repeat ? own : next_above(own)) + ' ' +
+         std::string{spell(node.op)} + ' ' +
+         operand(node.right, right_may_repeat ? own : next_above(own));
+}
+std::string print_node(const Held& node) {
+  return operand(node.operand, kHeld) + " for " + operand(node.duration, kPrimary);
+}
+std::string print_node(const Quantified& node) {
+  std::string head =
+      std::string{spell(node.quantifier)} + ' ' + node.variable.text + " : " + node.kind.text;
+  if (node.guard) head += ", " + print_expr(*node.guard);
+  return head + " : " + print_expr(*node.body);
+}
+std::string print_node(const PointLit& node) {
+  return '(' + print_list(node.coordinates) + ')';
+}
+std::string print_node(const RectangleLit& node) {
+  return "rectangle " + print_expr(*node.from) + " to " + print_expr(*node.to);
+}
+std::string print_node(const CircleLit& node) {
+  return "circle " + print_expr(*node.centre) + " radius " + operand(node.radius, kPrimary);
+}
+std::string print_node(const PolygonLit& node) {
+  std::string result = "polygon [" + print_list(node.outer.points) + ']';
+  for (const PolygonLit::Ring& hole : node.holes)
+    result += " hole [" + print_list(hole.points) + ']';
+  return result;
+}
+// Not specification text: a tree with errors is printed only to be looked at.
+std::string print_node(const ErrorExpr&) {
+  return "<error>";
+}
+
+}  // namespace
+
+std::string print_expr(const Expr& expr) {
+  return std::visit([](const auto& node) { return print_node(node); }, expr.node);
+}
+
+}  // namespace rtac::syntax

@@ -1,0 +1,176 @@
+#include "compiler/syntax/printer.h"
+
+#include <string_view>
+
+#include "compiler/syntax/print_expr.h"
+#include "compiler/syntax/spelling.h"
+
+namespace rtac::syntax {
+namespace {
+
+std::string join(const std::vector<Name>& names, std::string_view separator) {
+  std::string result;
+  for (const Name& name : names) {
+    if (!result.empty()) result += separator;
+    result += name.text;
+  }
+  return result;
+}
+
+std::string optional_part(std::string_view word, const ExprPtr& expr) {
+  return expr ? ' ' + std::string{word} + ' ' + print_expr(*expr) : std::string{};
+}
+
+std::string print_unsound(const std::optional<Text>& reason) {
+  return reason ? " unsound " + spell_text(reason->text) : std::string{};
+}
+
+std::string print_bounds(const std::vector<Bound>& bounds) {
+  std::string result = "{";
+  for (const Bound& bound : bounds) {
+    result += ' ' + bound.name.text + ' ' + std::string{spell(bound.relation)} + ' ' +
+              print_expr(*bound.value) + (bound.at ? " at " + bound.at->text : "") + ';';
+  }
+  return result + " }";
+}
+
+// ---- robots
+
+std::string print_node(const BodyClause& node) {
+  return "body radius " + print_expr(*node.radius) + ';';
+}
+std::string print_node(const MotionClause& node) {
+  return "motion " + node.model.text + ' ' + print_bounds(node.bounds);
+}
+std::string print_node(const SenseClause& node) {
+  return "sense " + node.name.text + " : " + node.type.text + optional_part("error", node.error) +
+         optional_part("max_age", node.max_age) + ';';
+}
+std::string print_node(const HearsClause& node) {
+  return "hears other robots" + optional_part("max_age", node.max_age) + ';';
+}
+std::string print_node(const InputClause& node) {
+  return "input " + node.name.text + " : " + node.type.text +
+         (node.capacity ? '[' + print_expr(*node.capacity) + ']' : "") +
+         optional_part("tracking <=", node.tracking) + ';';
+}
+std::string print_node(const OutputClause& node) {
+  return "output " + node.name.text + " : " + node.type.text + ';';
+}
+std::string print_node(const LatencyClause& node) {
+  return "latency " + print_expr(*node.value) + ';';
+}
+std::string print_node(const EnergyClause& node) {
+  return "energy " + print_bounds(node.bounds);
+}
+
+// ---- controllers
+
+std::string print_node(const ExternTemplate&) {
+  return "extern";
+}
+std::string print_node(const RetreatTemplate& node) {
+  return "= retreat within " + node.zone.text + optional_part("speed", node.speed);
+}
+std::string print_node(const RouteTemplate& node) {
+  return "= route to " + node.site.text + " within " + node.zone.text +
+         optional_part("speed", node.speed);
+}
+std::string print_node(const YieldTemplate& node) {
+  return "= yield within " + node.zone.text + optional_part("speed", node.speed) + " order " +
+         node.order.text;
+}
+
+// ---- monitors
+
+std::string print_node(const AheadDuration& node) {
+  return print_expr(*node.duration) + print_unsound(node.unsound);
+}
+std::string print_node(const AheadWaypoints& node) {
+  const auto* number = std::get_if<NumberLit>(&node.count->node);
+  const bool is_one = number && !number->unit && number->value == 1;
+  return print_expr(*node.count) + (is_one ? " waypoint" : " waypoints");
+}
+std::string print_node(const WaypointsOnly& node) {
+  return "waypoints only" + print_unsound(node.unsound);
+}
+std::string print_node(const PointsOnly& node) {
+  return "points only" + print_unsound(node.unsound);
+}
+
+// ---- items
+
+std::string print_node(const ImportItem& node) {
+  return "import " + spell_text(node.path.text) + ";\n";
+}
+std::string print_node(const ZoneItem& node) {
+  return "zone " + node.name.text + " = " + print_expr(*node.value) + ";\n";
+}
+std::string print_node(const RobotItem& node) {
+  std::string result = "robot " + node.name.text + " {\n";
+  for (const RobotClause& clause : node.clauses) {
+    result += "  ";
+    result += std::visit([](const auto& part) { return print_node(part); }, clause.node);
+    result += '\n';
+  }
+  return result + "}\n";
+}
+std::string print_node(const FleetItem& node) {
+  return "fleet " + join(node.members, ", ") + " : " + node.kind.text + ";\n";
+}
+std::string print_node(const SiteItem& node) {
+  return "site " + node.name.text + (node.robot ? '(' + node.robot->text + ')' : "") + " = " +
+         print_expr(*node.position) + ";\n";
+}
+std::string print_node(const ControllerItem& node) {
+  return "controller " + node.name.text + " : " + std::string{spell(node.role)} + " for " +
+         node.kind.text + ' ' +
+         std::visit([](const auto& part) { return print_node(part); }, node.implementation) + ";\n";
+}
+std::string print_node(const MonitorItem& node) {
+  std::string result = "monitor " + node.name.text;
+  if (node.variable && node.kind) {
+    result += " for " + node.variable->text + " : " + node.kind->text;
+  }
+  result += " {\n";
+  for (const Text& text : node.requirement) result += "  " + spell_text(text.text) + '\n';
+  for (const ExprPtr& expr : node.always) result += "  always " + print_expr(*expr) + ";\n";
+  std::string ahead;
+  for (const AheadTerm& term : node.ahead) {
+    if (!ahead.empty()) ahead += ", ";
+    ahead += std::visit([](const auto& part) { return print_node(part); }, term.node);
+  }
+  if (!ahead.empty()) result += "  ahead " + ahead + ";\n";
+  for (const Name& name : node.recover) result += "  recover " + name.text + ";\n";
+  for (const ExprPtr& expr : node.return_when) {
+    result += "  return when " + print_expr(*expr) + ";\n";
+  }
+  return result + "}\n";
+}
+std::string print_node(const DecisionItem& node) {
+  std::string result = "decision " + node.name.text + " for " + node.kind.text + " {\n";
+  for (const Name& name : node.advanced) result += "  advanced " + name.text + ";\n";
+  for (const Name& name : node.safe) result += "  safe " + name.text + ";\n";
+  for (const Name& name : node.on) result += "  on " + name.text + ";\n";
+  for (const ExprPtr& expr : node.period) result += "  period " + print_expr(*expr) + ";\n";
+  for (const auto& ranking : node.priority) result += "  priority " + join(ranking, " > ") + ";\n";
+  for (const Acknowledge& entry : node.acknowledge) {
+    result += "  acknowledge " + entry.recovery.text + " may break " + entry.monitor.text + ' ' +
+              spell_text(entry.reason.text) + ";\n";
+  }
+  return result + "}\n";
+}
+
+}  // namespace
+
+std::string print(const File& file) {
+  std::string result;
+  if (file.spec) result += "spec " + file.spec->text + ";\n";
+  for (const Item& item : file.items) {
+    if (!result.empty()) result += '\n';
+    result += std::visit([](const auto& node) { return print_node(node); }, item.node);
+  }
+  return result;
+}
+
+}  // namespace rtac::syntax

@@ -1,0 +1,125 @@
+#include "compiler/syntax/repair.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "compiler/syntax/builder.h"
+#include "compiler/syntax/describe.h"
+#include "compiler/syntax/edit.h"
+#include "compiler/syntax/lexer.h"
+
+namespace rtac::syntax {
+namespace {
+
+bool ends_clause(TokenKind kind) {
+  return kind == T::SEMICOLON || kind == T::LEFT_BRACE || kind == T::RIGHT_BRACE ||
+         kind == T::BAD_CLAUSE;
+}
+
+class Repairer {
+ public:
+  Repairer(std::vector<Token> tokens, const SourceManager& sources, diag::Engine& diagnostics)
+      : tokens_(std::move(tokens)), sources_(sources), diagnostics_(diagnostics) {}
+
+  Attempt run() {
+    while (true) {
+      Attempt attempt = attempt_parse(tokens_, sources_);
+      if (!attempt.error) {
+        report_height(attempt);
+        return attempt;
+      }
+      if (diagnostics_.error_count() > kErrorsMax || !handle(*attempt.error)) {
+        return attempt;
+      }
+    }
+  }
+
+ private:
+  // False when the rest cannot be understood.
+  bool handle(const SyntaxError& error) {
+    const std::optional<Edit> edit = find_edit(tokens_, error, sources_);
+    const bool doubtful = is_doubtful(error.index);
+    if (!doubtful && !follows_bad_token(error.index)) {
+      diagnostics_.report(describe_error(tokens_, error, edit, sources_));
+    }
+    if (!edit || doubtful) return drop_clause(error.index);
+    tokens_ = apply_edit(std::move(tokens_), error.index, *edit);
+    edited_at_ = error.index;
+    return true;
+  }
+
+  [[nodiscard]] bool follows_bad_token(std::size_t index) const {
+    return tokens_[index].bad || tokens_[index].kind == T::BAD_CLAUSE ||
+           (index > 0 && tokens_[index - 1].bad);
+  }
+
+  // An error in the clause that was edited last may be a consequence of the edit.
+  [[nodiscard]] bool is_doubtful(std::size_t index) const {
+    if (!edited_at_ || *edited_at_ > index) return false;
+    return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(*edited_at_),
+                        tokens_.begin() + static_cast<std::ptrdiff_t>(index),
+                        [](const Token& token) { return ends_clause(token.kind); });
+  }
+
+  // Replaces the clause around `index`, or the item whose head it is, by BAD_CLAUSE. False when
+  // nothing is gained by it.
+  bool drop_clause(std::size_t index) {
+    std::size_t begin = index;
+    while (begin > 0 && !ends_clause(tokens_[begin - 1].kind)) --begin;
+    const TokenKind first = tokens_[begin].kind;
+    const bool is_head = first == T::ROBOT || first == T::MONITOR || first == T::DECISION;
+    const std::size_t end = clause_end(index, is_head);
+    if (end == begin || (end == begin + 1 && first == T::BAD_CLAUSE)) return false;
+    const Token bad{T::BAD_CLAUSE, tokens_[begin].range};
+    const auto at = [&](std::size_t i) { return tokens_.begin() + static_cast<std::ptrdiff_t>(i); };
+    tokens_.erase(at(begin), at(end));
+    tokens_.insert(at(begin), bad);
+    edited_at_.reset();
+    return true;
+  }
+
+  // Behind the `;` or the block that ends the clause, in front of a `}` that closes a block around
+  // it.
+  [[nodiscard]] std::size_t clause_end(std::size_t index, bool is_head) const {
+    int depth = 0;
+    for (std::size_t i = index; i < tokens_.size(); ++i) {
+      const TokenKind kind = tokens_[i].kind;
+      if (kind == T::END) return i;
+      if (kind == T::LEFT_BRACE) ++depth;
+      if (kind == T::RIGHT_BRACE) {
+        if (depth == 0) return is_head ? i + 1 : i;
+        if (--depth == 0) return i + 1;
+      }
+      if (kind == T::SEMICOLON && depth == 0 && !is_head) return i + 1;
+    }
+    return tokens_.size() - 1;
+  }
+
+  void report_height(const Attempt& attempt) {
+    if (!attempt.too_high) return;
+    const std::string limit = std::to_string(kTreeHeightMax);
+    diagnostics_.report({diag::Code::nesting_too_deep,
+                         attempt.too_high,
+                         "an expression has more than " + limit + " levels of operators",
+                         "this part is too long",
+                         {},
+                         "give parts of it a name of their own, such as a zone",
+                         {}});
+  }
+
+  std::vector<Token> tokens_;
+  const SourceManager& sources_;
+  diag::Engine& diagnostics_;
+  std::optional<std::size_t> edited_at_;
+};
+
+}  // namespace
+
+Attempt parse_with_repair(std::vector<Token> tokens, const SourceManager& sources,
+                          diag::Engine& diagnostics) {
+  return Repairer{std::move(tokens), sources, diagnostics}.run();
+}
+
+}  // namespace rtac::syntax

@@ -1,0 +1,110 @@
+#include "compiler/syntax/spelling.h"
+
+namespace rtac::syntax {
+
+std::string_view spell(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::iff:
+      return "iff";
+    case BinaryOp::implies:
+      return "implies";
+    case BinaryOp::logical_xor:
+      return "xor";
+    case BinaryOp::logical_or:
+      return "or";
+    case BinaryOp::logical_and:
+      return "and";
+    case BinaryOp::less:
+      return "<";
+    case BinaryOp::less_equal:
+      return "<=";
+    case BinaryOp::greater:
+      return ">";
+    case BinaryOp::greater_equal:
+      return ">=";
+    case BinaryOp::equal:
+      return "==";
+    case BinaryOp::not_equal:
+      return "!=";
+    case BinaryOp::inside:
+      return "inside";
+    case BinaryOp::zone_union:
+      return "|";
+    case BinaryOp::zone_intersection:
+      return "&";
+    case BinaryOp::add:
+      return "+";
+    case BinaryOp::subtract:
+      return "-";
+    case BinaryOp::multiply:
+      return "*";
+    case BinaryOp::divide:
+      return "/";
+  }
+  return {};
+}
+
+std::string_view spell(UnaryOp op) {
+  switch (op) {
+    case UnaryOp::negate:
+      return "-";
+    case UnaryOp::logical_not:
+      return "not";
+  }
+  return {};
+}
+
+std::string_view spell(Quantifier quantifier) {
+  switch (quantifier) {
+    case Quantifier::forall:
+      return "forall";
+    case Quantifier::exists:
+      return "exists";
+  }
+  return {};
+}
+
+std::string_view spell(Relation relation) {
+  switch (relation) {
+    case Relation::at_most:
+      return "<=";
+    case Relation::at_least:
+      return ">=";
+  }
+  return {};
+}
+
+std::string_view spell(Role role) {
+  switch (role) {
+    case Role::advanced:
+      return "advanced";
+    case Role::safe:
+      return "safe";
+  }
+  return {};
+}
+
+std::string spell_text(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    switch (c) {
+      case '"':
+        result += "\\\"";
+        break;
+      case '\\':
+        result += "\\\\";
+        break;
+      case '\n':
+        result += "\\n";
+        break;
+      case '\t':
+        result += "\\t";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result + '"';
+}
+
+}  // namespace rtac::syntax

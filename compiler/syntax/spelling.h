@@ -1,0 +1,27 @@
+// How operators and texts are written: shared by both printers. Internal to the folder.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "compiler/syntax/ast.h"
+
+namespace rtac::syntax {
+
+std::string_view spell(BinaryOp op);
+std::string_view spell(UnaryOp op);
+std::string_view spell(Quantifier quantifier);
+std::string_view spell(Relation relation);
+std::string_view spell(Role role);
+
+// A string literal with its quotes and escapes.
+std::string spell_text(const std::string& text);
+
+template <class... Ts>
+struct Overloaded : Ts... {
+  using Ts::operator()...;
+};
+template <class... Ts>
+Overloaded(Ts...) -> Overloaded<Ts...>;
+
+}  // namespace rtac::syntax
