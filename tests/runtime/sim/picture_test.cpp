@@ -1,0 +1,182 @@
+#include "rtac/sim/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "rtac/sim/random.h"
+#include "tests/runtime/sim/scene.h"
+
+namespace rtac::sim::testing {
+namespace {
+
+std::vector<TruthState> two_at(Vec2 a, Vec2 b) {
+  std::vector<TruthState> truths(2);
+  truths[0].position = a;
+  truths[1].position = b;
+  return truths;
+}
+
+// Two robots; the first meets the pillar and is turned back, the second drives undisturbed.
+Recorder small_run() {
+  Recorder recorder(2);
+  for (int i = 0; i <= 60; ++i) {
+    const TimeUs t = i * 50 * ms;
+    const double x = 0.5 + (i <= 30 ? 0.045 * i : 1.35 - 0.02 * (i - 30));
+    recorder.observe(t, two_at({x, 2.5}, {3.5, 0.5 + 0.05 * i}));
+    const bool safe = i >= 28 && i < 50;
+    recorder.mode(0, t, safe ? 1 : 0, safe ? "turn_back" : "follow_plan",
+                  safe ? "geofence: leg 0 < margin" : "");
+    recorder.mode(1, t, 0, "follow_plan", "");
+  }
+  return recorder;
+}
+
+Picture small_picture(const Room& room) {
+  Picture picture;
+  picture.title = "Boxes & \"walls\" <test>";
+  picture.notes = {"one line below"};
+  picture.zone = room.view();
+  picture.robot_names = {"r1", "r2"};
+  picture.radius_m = 0.11;
+  picture.docks = {{{1, 1}, "dock(r1)"}};
+  picture.destinations = {{{3.5, 3.5}, ""}, {{0.5, 3.5}, "shop"}};
+  picture.advanced_controller = "follow_plan";
+  return picture;
+}
+
+// Every element closes in order and no bare special character stands in text or attributes.
+bool is_well_formed(const std::string& xml) {
+  std::vector<std::string> open;
+  for (std::size_t i = 0; i < xml.size(); ++i) {
+    if (xml[i] == '&') {
+      const std::size_t end = xml.find(';', i);
+      if (end == std::string::npos || end - i > 6) return false;
+    }
+    if (xml[i] == '>') return false;
+    if (xml[i] != '<') continue;
+    const std::size_t end = xml.find('>', i);
+    if (end == std::string::npos || xml.find('<', i + 1) < end) return false;
+    const std::string tag = xml.substr(i + 1, end - i - 1);
+    if (tag[0] == '/') {
+      if (open.empty() || open.back() != tag.substr(1)) return false;
+      open.pop_back();
+    } else if (tag.back() != '/') {
+      open.push_back(tag.substr(0, tag.find(' ')));
+    }
+    i = end;
+  }
+  return open.empty();
+}
+
+int occurrences(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++count;
+  return count;
+}
+
+TEST(Recorder, KeepsSwitchesWithTimePlaceAndReason) {
+  const Recorder recorder = small_run();
+  ASSERT_EQ(recorder.switches().size(), 2u);
+  const SwitchEvent& event = recorder.switches()[0];
+  EXPECT_EQ(event.time_us, 28 * 50 * ms);
+  EXPECT_NEAR(event.place.x, 0.5 + 0.045 * 28, 1e-12);
+  EXPECT_EQ(event.mode, 1);
+  EXPECT_EQ(event.controller, "turn_back");
+  EXPECT_EQ(recorder.switches()[1].previous_mode, 1);
+}
+
+TEST(Recorder, SamplesEveryFiftyMilliseconds) {
+  Recorder recorder(1);
+  std::vector<TruthState> truths(1);
+  for (TimeUs t = 0; t <= 1 * s; t += 1 * ms) recorder.observe(t, truths);
+  EXPECT_EQ(recorder.track(0).size(), 21u);
+}
+
+TEST(Recorder, MeasuresTheAdvancedShareInTime) {
+  const Recorder recorder = small_run();
+  EXPECT_NEAR(recorder.advanced_share(0), (60 - 22) / 60.0, 1e-12);
+  EXPECT_EQ(recorder.advanced_share(1), 1);
+}
+
+TEST(Picture, IsWellFormedWhateverTheTexts) {
+  const Room room;
+  Picture picture = small_picture(room);
+  picture.title = "<&>\"' \x01 \xff \xc3\xa9";
+  picture.robot_names = {"</svg>", "\xe2\x82"};
+  const std::string svg = draw_svg(picture, small_run());
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_NE(svg.find("&lt;&amp;&gt;&quot;&#39; ? ? \xc3\xa9"), std::string::npos);
+}
+
+TEST(Picture, MatchesTheGolden) {
+  // RTAC_BLESS=1 rewrites the golden from the present output.
+  const Room room;
+  const std::string svg = draw_svg(small_picture(room), small_run());
+  EXPECT_TRUE(is_well_formed(svg));
+  const std::string path = RTAC_SOURCE_DIR "/tests/runtime/sim/golden/small_run.svg";
+  if (std::getenv("RTAC_BLESS") != nullptr) {
+    ASSERT_TRUE(write_text_file(path, svg));
+  }
+  std::ifstream file(path, std::ios::binary);
+  const std::string golden{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_TRUE(svg == golden) << "the picture differs from " << path;
+}
+
+TEST(Picture, UsesExactlyTwoColoursForThePaths) {
+  const Room room;
+  const std::string svg = draw_svg(small_picture(room), small_run());
+  const std::size_t from = svg.find("clip-path=\"url(#map)\"");
+  const std::string paths = svg.substr(from, svg.find("</g>", from) - from);
+  EXPECT_EQ(occurrences(paths, "<path"), 3);  // r1 advanced, r2 advanced, r1 safe
+  EXPECT_EQ(occurrences(paths, "stroke=\"#"), 3);
+  EXPECT_EQ(occurrences(paths, "stroke=\"#0072B2\""), 2);
+  EXPECT_EQ(occurrences(paths, "stroke=\"#D55E00\""), 1);
+  EXPECT_EQ(occurrences(paths, "stroke-dasharray"), 1);  // r2
+}
+
+// Switches at random places, all for one of five reasons.
+Recorder busy_run(int switches) {
+  Recorder recorder(2);
+  Random random(8);
+  for (int i = 0; i < switches; ++i) {
+    const TimeUs t = i * 1 * s;
+    recorder.observe(t, two_at({random.uniform(0, 4), random.uniform(0, 4)}, {1, 1}));
+    const std::string reason = "reason " + std::to_string(random.below(5));
+    recorder.mode(0, t, i % 2, i % 2 == 1 ? "turn_back" : "follow_plan", reason);
+  }
+  return recorder;
+}
+
+TEST(Picture, ShowsAtMostFortyPinsAndCountsEverySwitch) {
+  const Room room;
+  const std::string svg = draw_svg(small_picture(room), busy_run(1000));
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_EQ(occurrences(svg, "r=\"8.0\""), 40);
+  EXPECT_NE(svg.find(">499</text>"), std::string::npos);  // returns: the run starts advanced
+  EXPECT_EQ(occurrences(svg, ">turn_back</text>"), 5);    // one legend entry per reason
+}
+
+TEST(Picture, OfNothingIsStillAPicture) {
+  const std::string svg = draw_svg(Picture{}, Recorder(0));
+  EXPECT_TRUE(is_well_formed(svg));
+}
+
+TEST(TextFile, IsWrittenWholeOrNotAtAll) {
+  EXPECT_FALSE(write_text_file("/nowhere/at/all.svg", "text"));
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / "rtac_sim_picture_test.txt";
+  EXPECT_TRUE(write_text_file(path.string(), "whole"));
+  std::ifstream file(path);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "whole");
+  EXPECT_FALSE(std::filesystem::exists(path.string() + ".tmp"));
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace rtac::sim::testing
