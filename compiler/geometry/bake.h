@@ -29,7 +29,8 @@ Region to_region(const SnappedZone& zone);
 // One directed edge; the region is on its left.
 struct EdgeRow {
   GridPoint a, b;
-  // Unit direction of the edge and inward unit normal in Q30, rounded to nearest.
+  // Unit direction of the edge and inward unit normal in Q30, rounded to nearest: each component
+  // is off by at most 2^-31.
   std::int32_t ux_q30 = 0, uy_q30 = 0, nx_q30 = 0, ny_q30 = 0;
   std::int32_t length_mm_up = 0;  // ceiling
 };
@@ -37,11 +38,12 @@ struct EdgeRow {
 // Square cells over the bounding box, row by row from the south-west. Values are one-sided over
 // the whole closed cell.
 struct CellGrid {
-  GridPoint origin;         // south-west corner
+  GridPoint origin;  // south-west corner
   std::int32_t cell_mm = 100;
   std::int32_t columns = 0, rows = 0;
-  // Lower bound of the distance to the boundary for every point of the cell; 0 for a cell that
-  // meets the boundary, negative (-1) for one that lies outside.
+  // Lower bound of the distance to the boundary for every point of the cell, in fact the smallest
+  // such distance rounded down; 0 for a cell that meets the boundary, negative (-1) for one that
+  // lies outside.
   std::vector<std::int32_t> clearance_mm_lo;
   // Upper bound, for deciding that no body can be there; -1 outside.
   std::vector<std::int32_t> clearance_mm_hi;
@@ -55,13 +57,17 @@ struct BakedZone {
   GridPoint widest_at;
   std::int32_t widest_mm = 0;
 };
+// The cells are as wide as the smallest multiple of `cell_mm` that makes at most 1,000,000 of them.
 BakedZone bake(const SnappedZone& zone, std::int32_t cell_mm);
 
 // Length of a path along cell centres, 8-connected (a diagonal step needs both its orthogonal
 // neighbours), through cells with clearance_mm_lo >= clearance_mm, from anywhere in the cell to
 // `site` (half a cell diagonal added at either end, rounded up). Cells below that clearance whose
 // clearance_mm_hi >= body_mm get a connector: the straight way to the nearest admissible cell
-// centre within `connector_mm`, plus that cell's value. -1: no way.
+// centre that has a value within `connector_mm`, plus that value; the way must not pass a cell with
+// clearance_mm_hi < body_mm, where no body can be. -1: no way, or one of more than 2^31 mm. All
+// cells have -1 when `site` is outside the grid or in no admissible cell (a site between cells is
+// in all of them). Cells outside the region are never admissible, whatever `clearance_mm`.
 std::vector<std::int32_t> distances_to(const CellGrid& cells, GridPoint site,
                                        std::int32_t clearance_mm, std::int32_t body_mm,
                                        std::int32_t connector_mm);

@@ -18,20 +18,25 @@ struct Point {
 using Ring = std::vector<Point>;
 
 struct PolygonWithHoles {
-  Ring outer;  // counter-clockwise
+  Ring outer;               // counter-clockwise
   std::vector<Ring> holes;  // clockwise
 };
 
 // Why a polygon as written is not one. `ring` 0 is the outer ring, 1.. the holes in order;
-// `vertex` is the index in that ring as written.
+// `vertex` is the index in that ring as written. Problems are looked for in the order of `Kind`,
+// then of ring, vertex and other.
 struct Problem {
   enum class Kind {
-    too_short,          // fewer than three different vertices
-    repeats_vertex,     // `vertex` equals vertex `other`
-    self_intersects,    // edge from `vertex` meets the edge from `other` at `where`
-    no_area,
+    too_short,        // fewer than three different vertices
+    repeats_vertex,   // `vertex` equals vertex `other`, which comes first
+    self_intersects,  // edge from `vertex` meets the edge from `other` at `where`
+    no_area,          // all vertices on one line
+    // The edge from `vertex` of hole `ring` meets the edge from `other` of the outer ring at
+    // `where`; or no edges meet and `where` is vertex 0 of the hole, outside.
     hole_outside_ring,
-    holes_overlap,      // ring `ring` and ring `other`
+    // Holes `ring` < `other` (both ring numbers) meet at `where`, on the edge from `vertex` of
+    // `ring`; or one lies inside the other and `where` is the inner one's vertex 0.
+    holes_overlap,
   };
   Kind kind;
   std::size_t ring = 0, vertex = 0, other = 0;
@@ -48,6 +53,9 @@ class Region {
 
   // Any orientation, closed implicitly. Collinear vertices are merged silently.
   static std::variant<Region, Problem> polygon(const Ring& outer, const std::vector<Ring>& holes);
+  // Every point about which the rings wind at least once: outer rings counter-clockwise, holes
+  // clockwise; they may overlap and touch.
+  static Region of_rings(const std::vector<Ring>& rings);
   // A regular 32-gon inscribed in the circle (inner) or circumscribed about it (!inner), with
   // rational vertices that lie exactly inside / outside.
   static Region circle(const Point& centre, const Rational& radius, bool inner);
@@ -57,20 +65,26 @@ class Region {
   [[nodiscard]] Region subtract(const Region& other) const;
   // One-sided: every point of the result has a distance of at least `distance` to the complement.
   // The result may be smaller than the true erosion, by less than 1 mm where the boundary is
-  // convex or straight; round reflex corners are polygonised from the inside within 2 mm.
+  // convex or straight; round reflex corners are polygonised from the inside within 2 mm. A
+  // distance of zero or less changes nothing.
   [[nodiscard]] Region shrink(const Rational& distance) const;
-  // One-sided: contains every point within `distance` of the region; at most 2 mm larger.
+  // One-sided: contains every point within `distance` of the region; at most 2 mm larger. A
+  // distance of zero or less changes nothing.
   [[nodiscard]] Region grow(const Rational& distance) const;
 
   [[nodiscard]] bool empty() const;
-  [[nodiscard]] bool contains(const Point& p) const;  // closed
+  [[nodiscard]] bool contains(const Point& p) const;       // closed
   [[nodiscard]] bool contains(const Region& other) const;  // other is a subset of this, exactly
   [[nodiscard]] Rational area() const;
-  // Connected components in a canonical order (lexicographic by lowest-left vertex), each ring
-  // starting at its lowest-left vertex: the same region always gives the same list.
+  // Connected components in a canonical order (by lowest-left vertex: the lowest, of
+  // several the leftmost), each ring starting at its lowest-left vertex, without collinear
+  // vertices. Every ring is simple; where a region touches itself, rings share a point: the same
+  // region always gives the same list.
   [[nodiscard]] std::vector<PolygonWithHoles> polygons() const;
 
  private:
+  explicit Region(std::vector<PolygonWithHoles> canonical_parts);
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,216 @@
+#include "compiler/geometry/cell_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace rtac::geometry {
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+struct Corner {
+  std::int64_t x, y;
+};
+
+std::array<Corner, 4> corners(const Square& s) {
+  return {{{s.x_mm, s.y_mm},
+           {s.x_mm + s.side_mm, s.y_mm},
+           {s.x_mm + s.side_mm, s.y_mm + s.side_mm},
+           {s.x_mm, s.y_mm + s.side_mm}}};
+}
+
+std::int64_t cross(const PreparedEdge& e, const Corner& p) {
+  return e.dx * (p.y - e.ay) - e.dy * (p.x - e.ax);
+}
+
+// A squared distance as an exact fraction.
+struct Squared {
+  Wide numerator;
+  std::uint64_t denominator;
+};
+
+Wide squared_norm(std::int64_t x, std::int64_t y) {
+  const auto square = [](std::int64_t v) {
+    const auto size = static_cast<Wide>(v < 0 ? -v : v);
+    return size * size;
+  };
+  return square(x) + square(y);
+}
+
+// -1: nearest to a, 0: between, +1: nearest to b.
+int end_of(const PreparedEdge& e, const Corner& p) {
+  const std::int64_t along = (p.x - e.ax) * e.dx + (p.y - e.ay) * e.dy;
+  return along <= 0 ? -1 : along >= e.squared_length ? 1 : 0;
+}
+
+Squared squared_distance(const PreparedEdge& e, const Corner& p) {
+  const int end = end_of(e, p);
+  if (end < 0) return {squared_norm(p.x - e.ax, p.y - e.ay), 1};
+  if (end > 0) return {squared_norm(p.x - e.bx, p.y - e.by), 1};
+  return {squared_norm(cross(e, p), 0), static_cast<std::uint64_t>(e.squared_length)};
+}
+
+double approximate_distance(const PreparedEdge& e, const Corner& p) {
+  const int end = end_of(e, p);
+  if (end != 0) {
+    const auto x = static_cast<double>(p.x - (end < 0 ? e.ax : e.bx));
+    const auto y = static_cast<double>(p.y - (end < 0 ? e.ay : e.by));
+    return std::sqrt(x * x + y * y);
+  }
+  return std::abs(static_cast<double>(cross(e, p))) / e.length;
+}
+
+std::int64_t gap(std::int64_t value, std::int64_t lo, std::int64_t hi) {
+  return value < lo ? lo - value : value > hi ? value - hi : 0;
+}
+
+// Offset from the closed square to a point.
+Corner offset_from(const Square& s, std::int64_t x, std::int64_t y) {
+  return {gap(x, s.x_mm, s.x_mm + s.side_mm), gap(y, s.y_mm, s.y_mm + s.side_mm)};
+}
+
+// All corners lie on one side of the edge's line; `or_touch` counts corners on the line as well.
+bool separated_by_line(const Square& square, const PreparedEdge& edge, bool or_touch) {
+  bool left = true;
+  bool right = true;
+  for (const Corner& corner : corners(square)) {
+    const std::int64_t side = cross(edge, corner);
+    left = left && (or_touch ? side >= 0 : side > 0);
+    right = right && (or_touch ? side <= 0 : side < 0);
+  }
+  return left || right;
+}
+
+// floor(sqrt(value)); values stay below 2^66 here.
+std::int64_t floor_sqrt_wide(Wide value) {
+  auto root = static_cast<std::int64_t>(std::sqrt(static_cast<long double>(value)));
+  while (root > 0 && static_cast<Wide>(root) * static_cast<Wide>(root) > value) --root;
+  while (static_cast<Wide>(root + 1) * static_cast<Wide>(root + 1) <= value) ++root;
+  return root;
+}
+
+// floor(sqrt(n / d)) = floor(sqrt(floor(n / d))), because squares of integers are integers.
+std::int64_t floor_distance(const Squared& s) {
+  return floor_sqrt_wide(s.numerator / s.denominator);
+}
+
+std::int64_t ceil_distance(const Squared& s) {
+  const std::int64_t root = floor_distance(s);
+  const Wide square = static_cast<Wide>(root) * static_cast<Wide>(root);
+  return square * s.denominator < s.numerator ? root + 1 : root;
+}
+
+}  // namespace
+
+std::uint64_t floor_sqrt(std::uint64_t value) {
+  return static_cast<std::uint64_t>(floor_sqrt_wide(value));
+}
+
+std::vector<PreparedEdge> prepare_edges(const SnappedZone& zone) {
+  std::vector<PreparedEdge> edges;
+  for (const auto& ring : zone.rings) {
+    const std::size_t n = ring.size();
+    const std::size_t first = edges.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      PreparedEdge e{};
+      e.ax = ring[i].x_mm;
+      e.ay = ring[i].y_mm;
+      e.bx = ring[(i + 1) % n].x_mm;
+      e.by = ring[(i + 1) % n].y_mm;
+      e.dx = e.bx - e.ax;
+      e.dy = e.by - e.ay;
+      e.squared_length = e.dx * e.dx + e.dy * e.dy;
+      e.length = std::sqrt(static_cast<double>(e.squared_length));
+      edges.push_back(e);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      PreparedEdge& e = edges[first + i];
+      PreparedEdge& next = edges[first + (i + 1) % n];
+      e.reflex_at_b = next.reflex_at_a = e.dx * next.dy - e.dy * next.dx < 0;
+    }
+  }
+  return edges;
+}
+
+bool meets_closed(const Square& s, const PreparedEdge& e) {
+  return std::max(e.ax, e.bx) >= s.x_mm && std::min(e.ax, e.bx) <= s.x_mm + s.side_mm &&
+         std::max(e.ay, e.by) >= s.y_mm && std::min(e.ay, e.by) <= s.y_mm + s.side_mm &&
+         !separated_by_line(s, e, false);
+}
+
+bool meets_interior(const Square& s, const PreparedEdge& e) {
+  return std::max(e.ax, e.bx) > s.x_mm && std::min(e.ax, e.bx) < s.x_mm + s.side_mm &&
+         std::max(e.ay, e.by) > s.y_mm && std::min(e.ay, e.by) < s.y_mm + s.side_mm &&
+         !separated_by_line(s, e, true);
+}
+
+double nearest(const Square& square, const PreparedEdge& edge) {
+  if (meets_closed(square, edge)) return 0;
+  const auto to_end = [&](std::int64_t x, std::int64_t y) {
+    const Corner offset = offset_from(square, x, y);
+    const auto dx = static_cast<double>(offset.x);
+    const auto dy = static_cast<double>(offset.y);
+    return std::sqrt(dx * dx + dy * dy);
+  };
+  double least = std::min(to_end(edge.ax, edge.ay), to_end(edge.bx, edge.by));
+  for (const Corner& corner : corners(square)) {
+    least = std::min(least, approximate_distance(edge, corner));
+  }
+  return least;
+}
+
+double farthest(const Square& square, const PreparedEdge& edge) {
+  double most = 0;
+  for (const Corner& corner : corners(square)) {
+    most = std::max(most, approximate_distance(edge, corner));
+  }
+  return most;
+}
+
+std::int64_t nearest_floor(const Square& square, const PreparedEdge& edge) {
+  if (meets_closed(square, edge)) return 0;
+  const auto to_end = [&](std::int64_t x, std::int64_t y) {
+    const Corner offset = offset_from(square, x, y);
+    return floor_sqrt_wide(squared_norm(offset.x, offset.y));
+  };
+  std::int64_t least = std::min(to_end(edge.ax, edge.ay), to_end(edge.bx, edge.by));
+  for (const Corner& corner : corners(square)) {
+    least = std::min(least, floor_distance(squared_distance(edge, corner)));
+  }
+  return least;
+}
+
+std::int64_t farthest_ceil(const Square& square, const PreparedEdge& edge) {
+  std::int64_t most = 0;
+  for (const Corner& corner : corners(square)) {
+    most = std::max(most, ceil_distance(squared_distance(edge, corner)));
+  }
+  return most;
+}
+
+Candidates narrow(const Square& square, const std::vector<PreparedEdge>& edges,
+                  const std::vector<std::uint32_t>& candidates) {
+  // Why nothing is lost for any smaller square inside this one: an edge that is nearest to one of
+  // its points p is at most as far from p as the edge with the least `farthest`, so its `nearest`
+  // is at most that; the same holds for the edge with the least `farthest` of the smaller square.
+  Candidates result;
+  result.least_farthest = std::numeric_limits<double>::infinity();
+  std::vector<double> distance;
+  distance.reserve(candidates.size());
+  for (const std::uint32_t index : candidates) {
+    distance.push_back(nearest(square, edges[index]));
+    if (distance.back() > result.least_farthest) continue;
+    result.least_farthest = std::min(result.least_farthest, farthest(square, edges[index]));
+  }
+  const double limit = result.least_farthest * (1 + 1e-9) + 1e-3;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (distance[i] > limit) continue;
+    result.edges.push_back(candidates[i]);
+    result.meets_boundary = result.meets_boundary || distance[i] == 0;
+  }
+  return result;
+}
+
+}  // namespace rtac::geometry

@@ -1,0 +1,113 @@
+#include "compiler/geometry/region.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/geometry/offset.h"
+#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/ring.h"
+#include "compiler/geometry/validate.h"
+
+namespace rtac::geometry {
+
+// The canonical parts are the whole state: plain rationals, so that no chain of lazy exact
+// numbers outlives one operation.
+struct Region::Impl {
+  std::vector<PolygonWithHoles> parts;
+
+  [[nodiscard]] std::vector<Ring> rings() const {
+    std::vector<Ring> all;
+    for (const PolygonWithHoles& part : parts) {
+      all.push_back(part.outer);
+      all.insert(all.end(), part.holes.begin(), part.holes.end());
+    }
+    return all;
+  }
+};
+
+Region::Region() : impl_(std::make_unique<Impl>()) {}
+Region::Region(std::vector<PolygonWithHoles> parts)
+    : impl_(std::make_unique<Impl>(Impl{std::move(parts)})) {}
+Region::~Region() = default;
+Region::Region(const Region& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+Region::Region(Region&& other) noexcept = default;
+Region& Region::operator=(Region other) {
+  impl_ = std::move(other.impl_);
+  return *this;
+}
+
+std::variant<Region, Problem> Region::polygon(const Ring& outer, const std::vector<Ring>& holes) {
+  if (auto problem = find_problem(outer, holes)) return *problem;
+  // Valid rings do not touch one another: turning them round and sorting makes them canonical.
+  PolygonWithHoles part;
+  part.outer = canonical(twice_area(outer) > 0 ? outer : reversed(outer));
+  for (const Ring& hole : holes) {
+    part.holes.push_back(canonical(twice_area(hole) < 0 ? hole : reversed(hole)));
+  }
+  std::sort(part.holes.begin(), part.holes.end(), ring_order);
+  return Region({std::move(part)});
+}
+
+Region Region::of_rings(const std::vector<Ring>& rings) {
+  return Region(overlay(rings, {}, Combine::unite));
+}
+
+Region Region::circle(const Point& centre, const Rational& radius, bool inner) {
+  if (radius <= 0) return {};
+  const std::vector<Point> directions = regular_directions_32();
+  const Ring ring =
+      inner ? inscribed(centre, radius, directions) : circumscribed(centre, radius, directions);
+  return Region({PolygonWithHoles{canonical(ring), {}}});
+}
+
+Region Region::unite(const Region& other) const {
+  return Region(overlay(impl_->rings(), other.impl_->rings(), Combine::unite));
+}
+
+Region Region::intersect(const Region& other) const {
+  return Region(overlay(impl_->rings(), other.impl_->rings(), Combine::intersect));
+}
+
+Region Region::subtract(const Region& other) const {
+  return Region(overlay(impl_->rings(), other.impl_->rings(), Combine::subtract));
+}
+
+Region Region::shrink(const Rational& distance) const {
+  if (distance <= 0) return *this;
+  return Region(overlay(impl_->rings(), boundary_band(impl_->parts, distance, BandSide::interior),
+                        Combine::subtract));
+}
+
+Region Region::grow(const Rational& distance) const {
+  if (distance <= 0) return *this;
+  return Region(overlay(impl_->rings(), boundary_band(impl_->parts, distance, BandSide::exterior),
+                        Combine::unite));
+}
+
+bool Region::empty() const {
+  return impl_->parts.empty();
+}
+
+bool Region::contains(const Point& p) const {
+  return std::any_of(impl_->parts.begin(), impl_->parts.end(), [&](const PolygonWithHoles& part) {
+    return locate(p, part.outer) != Side::outside &&
+           std::none_of(part.holes.begin(), part.holes.end(),
+                        [&](const Ring& hole) { return locate(p, hole) == Side::inside; });
+  });
+}
+
+bool Region::contains(const Region& other) const {
+  return overlay(other.impl_->rings(), impl_->rings(), Combine::subtract).empty();
+}
+
+Rational Region::area() const {
+  Rational twice = 0;
+  for (const Ring& ring : impl_->rings()) twice += twice_area(ring);
+  return twice / 2;
+}
+
+std::vector<PolygonWithHoles> Region::polygons() const {
+  return impl_->parts;
+}
+
+}  // namespace rtac::geometry

@@ -1,0 +1,133 @@
+// shrink and grow never err on the unsafe side: proved edge against edge in exact numbers, and
+// they stay within the promised 2 mm of the true result.
+#include <gtest/gtest.h>
+
+#include "testing.h"
+
+namespace rtac::geometry {
+namespace {
+
+TEST(Shrink, ConvexAxisParallelIsExact) {
+  EXPECT_EQ(text(box(0, 0, 5000, 5000).shrink(q(26, 100))), text(box(260, 260, 4740, 4740)));
+  EXPECT_TRUE(box(0, 0, 5000, 5000).shrink(q(5, 2)).empty());
+  EXPECT_EQ(box(0, 0, 5000, 5000).shrink(q(2499, 1000)).area(), q(4, 1000000));
+}
+
+TEST(Shrink, ZeroOrNegativeChangesNothing) {
+  const Region region = delivery_free();
+  EXPECT_EQ(text(region.shrink(q(0))), text(region));
+  EXPECT_EQ(text(region.grow(q(-1))), text(region));
+}
+
+TEST(Shrink, HoleGetsStraightSidesAndRoundCorners) {
+  const Region region =
+      polygon(box_ring(0, 0, 5000, 5000), {box_ring(2000, 2000, 3000, 3000)}).shrink(q(1, 2));
+  EXPECT_TRUE(region.contains(Point{q(5, 2), q(3, 2)}));
+  EXPECT_FALSE(region.contains(Point{q(5, 2), q(3, 2) + q(1, 1000000)}));
+  EXPECT_TRUE(region.contains(Point{q(2), q(3, 2)}));
+  // At 45 degrees from the corner (2, 2): 0.5 m is at 0.353553 in x and y, plus at most 2 mm.
+  EXPECT_FALSE(region.contains(Point{q(2) - q(353553, 1000000), q(2) - q(353553, 1000000)}));
+  EXPECT_TRUE(region.contains(Point{q(2) - q(3550, 10000), q(2) - q(3550, 10000)}));
+}
+
+TEST(Shrink, RegionCutAtANarrowPassage) {
+  // Two rooms with a door of 0.4 m: 0.2 m closes it, 0.19 m does not.
+  const Region rooms = polygon(box_ring(0, 0, 4000, 2000))
+                           .subtract(box(1900, 0, 2100, 800))
+                           .subtract(box(1900, 1200, 2100, 2000));
+  EXPECT_EQ(rooms.shrink(q(19, 100)).polygons().size(), 1U);
+  EXPECT_EQ(rooms.shrink(q(2, 10)).polygons().size(), 2U);
+}
+
+TEST(Shrink, TouchingPartsAndHolesAreBoundaryToo) {
+  // Nothing near the corner where two squares touch survives.
+  const Region touching = box(0, 0, 1000, 1000).unite(box(1000, 1000, 2000, 2000));
+  EXPECT_EQ(text(touching.shrink(q(1, 10))),
+            text(box(100, 100, 900, 900).unite(box(1100, 1100, 1900, 1900))));
+}
+
+// Exactly: inside the region, and no edge of one closer than `distance` to an edge of the other.
+void expect_shrunk(const Region& region, const Region& result, const Rational& distance) {
+  EXPECT_TRUE(region.contains(result));
+  if (result.empty()) return;
+  EXPECT_GE(squared_distance(boundary(result), boundary(region)), distance * distance);
+}
+
+void expect_grown(const Region& region, const Region& result, const Rational& distance) {
+  EXPECT_TRUE(result.contains(region));
+  EXPECT_GE(squared_distance(boundary(result), boundary(region)), distance * distance);
+}
+
+Point random_point(Random& random) {
+  return {q(pick(random, -1000000, 6000000), 1000003), q(pick(random, -1000000, 6000000), 1000003)};
+}
+
+TEST(Shrink, RandomRegionsAreOneSidedAndTight) {
+  Random random(3);
+  int kept = 0;
+  for (int i = 0; i < 25; ++i) {
+    const Region region = random_region(random, 4, i % 2 == 0 ? 1 : 13);
+    const Rational distance = q(pick(random, 1, 400), 1000);
+    const Region result = region.shrink(distance);
+    expect_shrunk(region, result, distance);
+    const std::vector<Segment> edges = boundary(region);
+    const Rational enough = distance + q(2, 1000);
+    for (int k = 0; k < 150; ++k) {
+      const Point p = random_point(random);
+      const Rational squared = squared_distance(p, edges);
+      const bool inside = region.contains(p);
+      if (inside && squared >= enough * enough) {
+        EXPECT_TRUE(result.contains(p)) << i;
+        ++kept;
+      } else if (!inside || squared < distance * distance) {
+        EXPECT_FALSE(result.contains(p)) << i;
+      }
+    }
+  }
+  EXPECT_GT(kept, 200);
+}
+
+TEST(Grow, RandomRegionsAreOneSidedAndTight) {
+  Random random(4);
+  int gained = 0;
+  for (int i = 0; i < 25; ++i) {
+    const Region region = random_region(random, 4, i % 2 == 0 ? 1 : 13);
+    const Rational distance = q(pick(random, 1, 400), 1000);
+    const Region result = region.grow(distance);
+    expect_grown(region, result, distance);
+    const std::vector<Segment> edges = boundary(region);
+    const Rational most = distance + q(2, 1000);
+    for (int k = 0; k < 150; ++k) {
+      const Point p = random_point(random);
+      const Rational squared = squared_distance(p, edges);
+      if (region.contains(p) || squared <= distance * distance) {
+        EXPECT_TRUE(result.contains(p)) << i;
+        gained += region.contains(p) ? 0 : 1;
+      } else if (squared > most * most) {
+        EXPECT_FALSE(result.contains(p)) << i;
+      }
+    }
+  }
+  EXPECT_GT(gained, 100);
+}
+
+TEST(Shrink, ChainsDoNotExplode) {
+  // Ten steps of 1 cm against one of 10 cm: more is lost, never less, in bounded time.
+  Region region = delivery_free();
+  for (int i = 0; i < 10; ++i) region = region.shrink(q(1, 100));
+  EXPECT_TRUE(delivery_free().shrink(q(98, 1000)).contains(region));
+  expect_shrunk(delivery_free(), region, q(98, 1000));
+}
+
+TEST(Shrink, LargeDistancesAndCoordinates) {
+  const long km = 1000000;
+  const Region region = polygon({mm(-500 * km, -500 * km), mm(500 * km, -400 * km),
+                                 mm(450 * km, 500 * km), mm(0, 0), mm(-400 * km, 450 * km)});
+  const Region result = region.shrink(q(30000));
+  EXPECT_FALSE(result.empty());
+  expect_shrunk(region, result, q(30000));
+  expect_grown(region, region.grow(q(1, 1000)), q(1, 1000));
+}
+
+}  // namespace
+}  // namespace rtac::geometry
