@@ -116,7 +116,8 @@ int GridRoute::connect(const RouteQuery& query, Vec2 p, bool leaving) const {
     if (!admissible(cell, query.clearance_m)) continue;
     const Vec2 c = centre(cell);
     const double distance_m = norm(c - p);
-    if (distance_m >= best_m || !allowed(c)) continue;
+    // Negated, so that a position that is not a number reaches nothing.
+    if (!(distance_m < best_m) || !allowed(c)) continue;
     if (signed_clearance(zone_, p, c) < floor_m - connector_loss_m) continue;
     best_m = distance_m;
     best = cell;
@@ -272,7 +273,7 @@ bool GridRoute::straight_to_place(const RouteQuery& query, const PlaceTest& test
     const std::int32_t clearance_mm = zone_.clearance_mm_lo[cell];
     const Vec2 c = centre(cell);
     const double distance_m = norm(c - query.start);
-    if (clearance_mm < 0 || distance_m >= best_m) continue;
+    if (clearance_mm < 0 || !(distance_m < best_m)) continue;
     if (!test.accepts(c, clearance_mm * m_per_mm) || !leg_allowed(query, query.start, c)) continue;
     if (signed_clearance(zone_, query.start, c) < floor_m) continue;
     best_m = distance_m;

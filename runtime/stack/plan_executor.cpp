@@ -161,7 +161,8 @@ void PlanExecutor<Output>::announce() {
   Announcement& out = announcement_;
   out.position = observation_.position;
   out.velocity = observation_.velocity;
-  out.lease_end_us = record_.lease_end_us;
+  // Without protection nothing keeps the promise that the record speaks of.
+  out.lease_end_us = options_.protect ? record_.lease_end_us : never_us;
   out.claims = claims();
   out.blocked = false;
   // The first monitor's recovery holds a robot that surrendered; any other has its own errand.

@@ -1,0 +1,133 @@
+// Pilots against plants with noise and latency at the declared bounds.
+#include "rtac/safe/pilot.h"
+
+#include <gtest/gtest.h>
+
+#include "rtac/safe/grid_route.h"
+#include "tests/runtime/core/test_plants.h"
+
+namespace rtac::safe {
+namespace {
+
+using test::Plant;
+
+Setting drone() {
+  Setting s;
+  s.limits = test::drone_limits(), s.period_us = 50'000, s.speed_mps = 0.3;
+  return s;
+}
+Setting cart() {
+  Setting s;
+  s.limits = test::cart_limits(), s.period_us = 100'000, s.speed_mps = 0.15;
+  return s;
+}
+Path square() {
+  Path way;
+  for (const Vec2 p : {Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}, Vec2{0, 0}}) (void)way.points.push(p);
+  return way;
+}
+
+// Drives the square; returns the largest distance of the true position from the leg it is on.
+template <class Output>
+double worst_deviation(const Setting& setting, TimeUs limit_us) {
+  Plant<Output> plant(setting.limits, {0, 0});
+  Pilot<Output> pilot(setting);
+  pilot.engage(plant.observe());
+  Path way = square();
+  double worst = 0;
+  while (!way.finished() && plant.now_us < limit_us) {
+    plant.apply(pilot.drive(plant.observe(), way), setting.period_us);
+    double nearest = 1e9;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec2 a = square().points[i], b = square().points[(i + 1) % 4];
+      nearest = std::min(nearest, distance_to_segment(plant.p, a, b));
+    }
+    worst = std::max(worst, nearest);
+  }
+  EXPECT_TRUE(way.finished()) << "still driving after " << plant.now_us / 1000 << " ms";
+  return worst;
+}
+
+// A unicycle keeps within 5 cm of the legs, corners included.
+TEST(UnicyclePilot, TracksASquare) {
+  EXPECT_LT(worst_deviation<Twist>(cart(), 90'000'000), 0.05);
+}
+
+// So does a point mass, and both get round in reasonable time.
+TEST(PointPilot, TracksASquare) {
+  EXPECT_LT(worst_deviation<Acceleration>(drone(), 40'000'000), 0.05);
+}
+
+// The brake of a unicycle is speed 0 and turn 0 at once, never a ramp.
+TEST(UnicyclePilot, BrakesAtOnce) {
+  Plant<Twist> plant(test::cart_limits(), {0, 0});
+  plant.v = {0.22, 0}, plant.speed = 0.22, plant.turn = 2;
+  Pilot<Twist> pilot(cart());
+  pilot.engage(plant.observe());
+  const Twist out = pilot.halt(plant.observe());
+  EXPECT_EQ(out.speed_mps, 0);
+  EXPECT_EQ(out.turn_radps, 0);
+  EXPECT_FALSE(pilot.latched());
+  for (int i = 0; i < 20; ++i) plant.apply(pilot.halt(plant.observe()), 100'000);
+  EXPECT_TRUE(pilot.latched());
+}
+
+// The sampled brake ends in a position hold: with noise and latency it does not creep for 60 s,
+// and it stops no further than the theory's stop set (theory: the brake).
+TEST(PointPilot, BrakeDoesNotCreep) {
+  Plant<Acceleration> plant(test::drone_limits(), {0, 0});
+  plant.v = {0.8, 0.6};
+  Pilot<Acceleration> pilot(drone());
+  pilot.engage(plant.observe());
+  const double eta = 0.02 + 0.07;  // eps_v + b (h + l)
+  const double hold = 0.06;
+  const double overshoot = eta * 1.0 + eta * eta + hold + 0.07;  // and the latency's way
+  Vec2 rest{};
+  double from_rest = 0, furthest = 0;
+  while (plant.now_us < 62'000'000) {
+    plant.apply(pilot.halt(plant.observe()), 50'000);
+    if (plant.now_us == 3'000'000) rest = plant.p;
+    if (plant.now_us > 3'000'000) from_rest = std::max(from_rest, norm(plant.p - rest));
+    furthest = std::max(furthest, norm(plant.p));
+  }
+  EXPECT_TRUE(pilot.latched());
+  EXPECT_LT(from_rest, 0.03);
+  EXPECT_LT(furthest, 0.5 + overshoot);
+  EXPECT_LT(norm(plant.v), 0.05);
+}
+
+// Without a position the point mass brakes along its last known motion, then commands nothing.
+TEST(PointPilot, BrakesBlind) {
+  Plant<Acceleration> plant(test::drone_limits(), {0, 0});
+  plant.v = {0.5, 0};
+  Pilot<Acceleration> pilot(drone());
+  Observation blind = plant.observe();
+  pilot.engage(blind);
+  (void)pilot.halt(blind);
+  blind.now_us += 100'000;
+  EXPECT_FALSE(pilot.can_steer(blind));
+  EXPECT_NEAR(pilot.brake_blind(blind).value_mps2.x, -1.0, 0.01);
+  blind.now_us += 500'000;
+  EXPECT_EQ(pilot.brake_blind(blind).value_mps2.x, 0.0);
+  EXPECT_FALSE(pilot.latched());
+}
+
+// Not a number, a stamp from the future and a stamp that is too old all mean: cannot steer.
+TEST(UnicyclePilot, RefusesBadSamples) {
+  Plant<Twist> plant(test::cart_limits(), {0, 0});
+  plant.now_us = 1'000'000;
+  Pilot<Twist> pilot(cart());
+  Observation seen = plant.observe();
+  EXPECT_TRUE(pilot.can_steer(seen));
+  seen.heading.value = std::nan("");
+  EXPECT_FALSE(pilot.can_steer(seen));
+  seen = plant.observe();
+  seen.position.stamp_us += 1;
+  EXPECT_FALSE(pilot.can_steer(seen));
+  seen = plant.observe();
+  seen.velocity.stamp_us -= 200'001;
+  EXPECT_FALSE(pilot.can_steer(seen));
+}
+
+}  // namespace
+}  // namespace rtac::safe

@@ -1,0 +1,282 @@
+// The safe-controller templates in a closed loop: where they go, what they keep, when they stay.
+#include "rtac/safe/controllers.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/runtime/core/test_plants.h"
+#include "tests/runtime/core/test_zone.h"
+
+namespace rtac::safe {
+namespace {
+
+using test::Plant;
+using test::tick;
+
+const test::TestZone& room() {
+  static const test::TestZone zone(test::square_rings(5000));
+  return zone;
+}
+// A corridor of 1 m with a bay of 1 m x 1 m on its north side at x = 4..5.
+const test::TestZone& corridor() {
+  static const test::TestZone zone({{{0, 0},
+                                     {8000, 0},
+                                     {8000, 1000},
+                                     {5000, 1000},
+                                     {5000, 2000},
+                                     {4000, 2000},
+                                     {4000, 1000},
+                                     {0, 1000}}});
+  return zone;
+}
+
+Setting cart(const ZoneView& zone) {
+  Setting s;
+  s.limits = test::cart_limits(), s.period_us = 100'000, s.speed_mps = 0.15, s.zone = &zone;
+  s.route_clearance_m = 0.2, s.return_clearance_m = 0.45, s.pass_gap_m = 0.7;
+  return s;
+}
+Setting drone(const ZoneView& zone) {
+  Setting s;
+  s.limits = test::drone_limits(), s.period_us = 50'000, s.speed_mps = 0.3, s.zone = &zone;
+  s.route_clearance_m = 0.2, s.return_clearance_m = 0.45, s.pass_gap_m = 0.7;
+  return s;
+}
+void place_other(Observation& seen, int j, Vec2 p, TimeUs lease_end_us, bool claims = true) {
+  seen.robots = std::max(seen.robots, j + 1);
+  Announcement& other = seen.others[static_cast<std::size_t>(j)];
+  other.position = {p, 0}, other.velocity = {{0, 0}, 0};
+  other.lease_end_us = lease_end_us, other.claims = claims;
+}
+constexpr TimeUs always = INT64_MAX / 2;
+
+// From close to a wall the drone gets to a clearance at which control returns, never closer to the
+// wall than its stop, and then says that it holds.
+TEST(Retreat, LeavesTheWall) {
+  Plant<Acceleration> plant(test::drone_limits(), {0.6, 2.5});
+  plant.v = {-0.6, 0};
+  Retreat<Acceleration> retreat(drone(room().view()));
+  retreat.engage(plant.observe());
+  double least = 1;
+  for (int i = 0; i < 300; ++i) {
+    tick(retreat, plant, Gate::free, 50'000);
+    least = std::min(least, signed_clearance(room().view(), plant.p));
+  }
+  EXPECT_GT(least, 0.6 - 0.18 - 0.15);
+  EXPECT_GE(signed_clearance(room().view(), plant.p), 0.45 - 0.02);
+  EXPECT_TRUE(retreat.holding());
+}
+
+// In a corner no straight way from one wall is enough: it goes along the diagonal.
+TEST(Retreat, LeavesACorner) {
+  Plant<Twist> plant(test::cart_limits(), {0.2, 0.2});
+  Retreat<Twist> retreat(cart(room().view()));
+  retreat.engage(plant.observe());
+  for (int i = 0; i < 300; ++i) tick(retreat, plant, Gate::free, 100'000);
+  EXPECT_GE(signed_clearance(room().view(), plant.p), 0.43);
+  EXPECT_TRUE(retreat.holding());
+}
+
+// Already outside it comes straight back in; the violation does not grow on the way.
+TEST(Retreat, ComesBackFromOutside) {
+  Plant<Twist> plant(test::cart_limits(), {-0.3, 2.0});
+  Retreat<Twist> retreat(cart(room().view()));
+  retreat.engage(plant.observe());
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    tick(retreat, plant, Gate::free, 100'000);
+    worst = std::min(worst, signed_clearance(room().view(), plant.p));
+  }
+  EXPECT_GE(worst, -0.3 - 0.04);
+  EXPECT_GE(signed_clearance(room().view(), plant.p), 0.43);
+}
+
+// A zone that nowhere has the clearance: hold, and do not blame the robots.
+TEST(Retreat, HoldsWhereNoPlaceIsGoodEnough) {
+  Setting setting = cart(corridor().view());
+  setting.return_clearance_m = 0.9;
+  Plant<Twist> plant(test::cart_limits(), {1, 0.5});
+  Retreat<Twist> retreat(setting);
+  retreat.engage(plant.observe());
+  for (int i = 0; i < 50; ++i) tick(retreat, plant, Gate::free, 100'000);
+  EXPECT_TRUE(retreat.holding());
+  EXPECT_FALSE(retreat.blocked());
+  EXPECT_LT(norm(plant.p - Vec2{1, 0.5}), 0.01);
+}
+
+// A closed gate stops every motion at once, and the wish to move is not a hold.
+TEST(Retreat, ObeysTheGate) {
+  Plant<Twist> plant(test::cart_limits(), {0.2, 2.5});
+  Retreat<Twist> retreat(cart(room().view()));
+  retreat.engage(plant.observe());
+  for (int i = 0; i < 12; ++i) tick(retreat, plant, Gate::free, 100'000);
+  EXPECT_GT(plant.p.x, 0.21);
+  const Twist stopped = retreat.command(plant.observe(), Gate::hold);
+  EXPECT_EQ(stopped.speed_mps, 0);
+  EXPECT_EQ(stopped.turn_radps, 0);
+  for (int i = 0; i < 10; ++i) tick(retreat, plant, Gate::hold, 100'000);
+  const Vec2 before = plant.p;
+  for (int i = 0; i < 50; ++i) tick(retreat, plant, Gate::hold, 100'000);
+  EXPECT_LT(norm(plant.p - before), 1e-6);
+  EXPECT_FALSE(retreat.holding());
+}
+
+// away_only: the way in leads towards a robot that stands there, so the robot stays.
+TEST(Retreat, DoesNotApproachAHeldRobot) {
+  Plant<Twist> plant(test::cart_limits(), {0.2, 2.5});
+  place_other(plant.seen, 1, {1.2, 2.5}, always);
+  Retreat<Twist> retreat(cart(room().view()));
+  retreat.engage(plant.observe());
+  const double before = norm(plant.p - Vec2{1.2, 2.5});
+  for (int i = 0; i < 100; ++i) tick(retreat, plant, Gate::away_only, 100'000);
+  EXPECT_GE(norm(plant.p - Vec2{1.2, 2.5}), before - 0.01);
+}
+
+// Blind, a unicycle commands zero, and control of the hold is not promised.
+TEST(Retreat, BrakesWhenBlind) {
+  Plant<Twist> plant(test::cart_limits(), {0.2, 2.5});
+  Retreat<Twist> retreat(cart(room().view()));
+  retreat.engage(plant.observe());
+  for (int i = 0; i < 20; ++i) tick(retreat, plant, Gate::free, 100'000);
+  Observation blind = plant.observe();
+  blind.position.stamp_us = never_us;
+  EXPECT_EQ(retreat.command(blind, Gate::free).speed_mps, 0);
+  EXPECT_FALSE(retreat.holding());
+}
+
+// The way to the dock ends parked, and goes on being parked in spite of noise.
+TEST(Route, ParksAtTheSite) {
+  Plant<Twist> plant(test::cart_limits(), {3, 3});
+  Route<Twist> route(cart(room().view()), {1, 1});
+  route.engage(plant.observe());
+  for (int i = 0; i < 400; ++i) tick(route, plant, Gate::free, 100'000);
+  EXPECT_TRUE(route.parked());
+  EXPECT_TRUE(route.holding());
+  EXPECT_LT(norm(plant.p - Vec2{1, 1}), 0.07);
+  for (int i = 0; i < 300; ++i) {
+    tick(route, plant, Gate::free, 100'000);
+    ASSERT_TRUE(route.parked());
+  }
+}
+
+// A held robot on the straight way is passed at the pass gap.
+TEST(Route, GoesAroundAHeldRobot) {
+  Plant<Acceleration> plant(test::drone_limits(), {1, 2.5});
+  place_other(plant.seen, 1, {2.5, 2.5}, always);
+  Route<Acceleration> route(drone(room().view()), {4, 2.5});
+  route.engage(plant.observe());
+  double least = 9;
+  for (int i = 0; i < 600; ++i) {
+    tick(route, plant, Gate::free, 50'000);
+    least = std::min(least, norm(plant.p - Vec2{2.5, 2.5}));
+  }
+  EXPECT_TRUE(route.parked());
+  EXPECT_GT(least, 0.7 - 0.05);
+}
+
+// A held robot that fills the corridor blocks the way: hold, ask, and go on once it has left.
+TEST(Route, AsksForPassage) {
+  Plant<Twist> plant(test::cart_limits(), {1, 0.5});
+  place_other(plant.seen, 1, {2.5, 0.5}, always);
+  Route<Twist> route(cart(corridor().view()), {7, 0.5});
+  route.engage(plant.observe());
+  for (int i = 0; i < 50; ++i) tick(route, plant, Gate::free, 100'000);
+  EXPECT_TRUE(route.blocked());
+  EXPECT_TRUE(route.holding());
+  ASSERT_NE(route.path(), nullptr);
+  EXPECT_LT(norm(route.path()->points.back() - Vec2{7, 0.5}), 1e-9);
+  place_other(plant.seen, 1, {4.5, 1.7}, always);
+  for (int i = 0; i < 50; ++i) tick(route, plant, Gate::free, 100'000);
+  EXPECT_FALSE(route.blocked());
+  EXPECT_GT(plant.p.x, 1.1);
+}
+
+// The lower-ranked robot in a corridor goes to the bay when the other asks for passage: off the
+// whole announced way, and never closer to the one who waits.
+TEST(Yield, GoesToThePassingPlace) {
+  Plant<Twist> plant(test::cart_limits(), {3.0, 0.5});
+  plant.seen.self = 1;
+  place_other(plant.seen, 0, {1.8, 0.5}, always);
+  plant.seen.robots = 2;
+  Announcement& asker = plant.seen.others[0];
+  asker.blocked = true;
+  ASSERT_TRUE(asker.plan.points.push({7, 0.3}));
+  Yield<Twist> yield(cart(corridor().view()));
+  yield.engage(plant.observe());
+  double least = 9;
+  for (int i = 0; i < 400; ++i) {
+    tick(yield, plant, Gate::away_only, 100'000);
+    least = std::min(least, norm(plant.p - Vec2{1.8, 0.5}));
+  }
+  EXPECT_GE(least, 1.2 - 0.02);
+  EXPECT_GE(distance_to_segment(plant.p, {1.8, 0.5}, {7, 0.3}), 0.7 - 0.05);
+  EXPECT_TRUE(yield.holding());
+}
+
+// A robot with the stronger claim does not leave its place for one that asks.
+TEST(Yield, StaysWhenItOutranks) {
+  Plant<Twist> plant(test::cart_limits(), {3.0, 0.5});
+  place_other(plant.seen, 1, {1.0, 0.5}, always);
+  plant.seen.others[1].blocked = true;
+  ASSERT_TRUE(plant.seen.others[1].plan.points.push({7, 0.5}));
+  Yield<Twist> yield(cart(corridor().view()));
+  yield.engage(plant.observe());
+  for (int i = 0; i < 100; ++i) tick(yield, plant, Gate::free, 100'000);
+  EXPECT_LT(norm(plant.p - Vec2{3.0, 0.5}), 0.01);
+  EXPECT_TRUE(yield.holding());
+}
+
+// A parked robot makes no claim: it makes room even for one with a higher index.
+TEST(Yield, ParkedRobotsMakeRoom) {
+  Plant<Twist> plant(test::cart_limits(), {3.0, 0.5});
+  plant.seen.claims = false;
+  place_other(plant.seen, 1, {1.8, 0.5}, always);
+  plant.seen.others[1].blocked = true;
+  ASSERT_TRUE(plant.seen.others[1].plan.points.push({7, 0.3}));
+  Yield<Twist> yield(cart(corridor().view()));
+  yield.engage(plant.observe());
+  for (int i = 0; i < 400; ++i) tick(yield, plant, Gate::away_only, 100'000);
+  EXPECT_GE(distance_to_segment(plant.p, {1.8, 0.5}, {7, 0.3}), 0.65);
+}
+
+// Two held robots too close: after 2 s the first of the order wants to move, lets its lease lapse,
+// and backs off once the gate opens; the second keeps holding.
+TEST(Yield, FirstInOrderBacksOff) {
+  Plant<Twist> first(test::cart_limits(), {2.5, 2.5}), second(test::cart_limits(), {2.9, 2.5});
+  second.seen.self = 1;
+  place_other(first.seen, 1, {2.9, 2.5}, always);
+  place_other(second.seen, 0, {2.5, 2.5}, always);
+  second.seen.robots = 2;
+  Yield<Twist> a(cart(room().view())), b(cart(room().view()));
+  a.engage(first.observe());
+  b.engage(second.observe());
+  for (int i = 0; i < 10; ++i) {
+    tick(a, first, Gate::hold, 100'000);
+    tick(b, second, Gate::hold, 100'000);
+  }
+  EXPECT_TRUE(a.holding());
+  EXPECT_TRUE(b.holding());
+  for (int i = 0; i < 30; ++i) {
+    tick(a, first, Gate::hold, 100'000);
+    tick(b, second, Gate::hold, 100'000);
+  }
+  EXPECT_FALSE(a.holding());
+  EXPECT_TRUE(b.holding());
+  EXPECT_LT(norm(first.p - Vec2{2.5, 2.5}), 1e-6);  // the gate was closed
+  for (int i = 0; i < 200; ++i) tick(a, first, Gate::away_only, 100'000);
+  EXPECT_GE(norm(first.p - Vec2{2.9, 2.5}), 0.65);
+  EXPECT_TRUE(a.holding());
+}
+
+// A robot nearby that is not held may move any time: nothing but holding is safe to assume.
+TEST(Yield, KeepsHoldingBesideAMovingRobot) {
+  Plant<Twist> plant(test::cart_limits(), {2.5, 2.5});
+  place_other(plant.seen, 1, {2.9, 2.5}, never_us);
+  Yield<Twist> yield(cart(room().view()));
+  yield.engage(plant.observe());
+  for (int i = 0; i < 100; ++i) tick(yield, plant, Gate::free, 100'000);
+  EXPECT_TRUE(yield.holding());
+  EXPECT_LT(norm(plant.p - Vec2{2.5, 2.5}), 0.01);
+}
+
+}  // namespace
+}  // namespace rtac::safe
