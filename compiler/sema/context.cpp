@@ -64,10 +64,11 @@ bool any_clause(const syntax::RobotItem& robot) {
   return false;
 }
 
+// A misspelt signal counts: it was reported.
 bool senses(const syntax::RobotItem& robot, const char* name) {
   for (const auto& clause : robot.clauses) {
     const auto* sense = std::get_if<syntax::SenseClause>(&clause.node);
-    if (sense != nullptr && sense->name.text == name) return true;
+    if (sense != nullptr && nearest(sense->name.text, {name})) return true;
   }
   return false;
 }
@@ -84,7 +85,8 @@ std::optional<std::uint32_t> Context::resolve(const syntax::Name& name, Sort sor
                .label(std::string("a ") + name_of(sort) + " is due")
                .note(symbol->range, "`" + name.text + "` is declared here")
                .help(did_you_mean(name.text, symbols.names_of(sort), plural_of(sort))));
-  } else if (!broken_tree_ && !name.text.empty()) {
+  } else if (!broken_tree_ && !name.text.empty() &&
+             reported_names_.insert({name.text, sort}).second) {
     report(Finding(unknown_code(sort), name.range,
                    std::string("there is no ") + name_of(sort) + " `" + name.text + "`")
                .label(std::string("no ") + name_of(sort) + " has this name")
@@ -158,7 +160,7 @@ void Context::require(KindId kind, Need need, const SourceRange& range, const st
 
 void Context::require_places(SiteId site, KindId kind, const SourceRange& range) {
   const Site& family = spec[site];
-  if (broken_tree_) return;
+  if (broken_tree_ || faulty_sites.count(site) > 0) return;
   for (const Site::Place& place : family.places) {
     if (!place.robot) return;
   }

@@ -39,6 +39,7 @@ class Context {
   [[nodiscard]] bool broken_tree() const { return broken_tree_; }
 
   // The index of the declaration of this name; otherwise reports what the name is, if anything.
+  // A name that is not declared is reported once, however often it is used.
   std::optional<std::uint32_t> resolve(const syntax::Name& name, Sort sort);
   template <class Id>
   std::optional<Id> resolve(const syntax::Name& name, Sort sort) {
@@ -70,10 +71,12 @@ class Context {
   std::vector<Declared<syntax::ControllerItem>> controllers;
   std::vector<Declared<syntax::MonitorItem>> monitors;
   std::vector<Declared<syntax::DecisionItem>> decisions;
+  std::set<SiteId> faulty_sites;  // a place of theirs has a mistake: which robots lack one is open
 
  private:
   diag::Engine& engine_;
   bool broken_tree_;
+  std::set<std::pair<std::string, Sort>> reported_names_;
   std::set<std::pair<KindId, Need>> reported_needs_;
   std::set<std::pair<SiteId, KindId>> reported_sites_;
 };

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compiler/sema/quantity.h"
+#include "compiler/sema/suggest.h"
 
 namespace rtac::sema {
 
@@ -112,17 +113,21 @@ class DecisionChecker {
               .help("name a controller for `" + context_.spec[*kind_].name + "`"));
       return std::nullopt;
     }
-    if (decision_.on_plan && !std::holds_alternative<ExternController>(found.implementation)) {
-      context_.report(Finding(Code::outputs_differ, name.range,
-                              "`" + found.name +
-                                  "` drives the robot, but a decision on a plan "
-                                  "chooses between paths")
-                          .label("does not output a path")
-                          .note(found.name_range, "a built-in template is declared here")
-                          .help("name a planner, which is declared as `extern`"));
-      return std::nullopt;
-    }
-    return id;
+    return decision_.on_plan && !plans(found, name) ? std::nullopt : id;
+  }
+
+  // A decision on a plan chooses between paths; a template outputs commands.
+  bool plans(const Controller& found, const syntax::Name& name) {
+    if (std::holds_alternative<ExternController>(found.implementation)) return true;
+    if (found.advanced) return false;  // an advanced template: reported where it is declared
+    context_.report(Finding(Code::outputs_differ, name.range,
+                            "`" + found.name +
+                                "` drives the robot, but a decision on a plan chooses between "
+                                "paths")
+                        .label("does not output a path")
+                        .note(found.name_range, "a built-in template is declared here")
+                        .help("name a planner, which is declared as `extern`"));
+    return false;
   }
 
   void one_name(const std::vector<syntax::Name>& names, const std::string& what) {
@@ -245,13 +250,8 @@ class DecisionChecker {
 
   void report_acknowledge(const syntax::Name& name, const std::string& sort,
                           const std::vector<std::string>& possible) {
-    std::string help = owner() + " has none";
-    if (!possible.empty()) {
-      help = "possible are ";
-      for (std::size_t i = 0; i < possible.size(); ++i) {
-        help += (i > 0 ? ", `" : "`") + possible[i] + "`";
-      }
-    }
+    const std::string help =
+        possible.empty() ? owner() + " has none" : "possible are " + listing(possible);
     context_.report(Finding(Code::acknowledge_unknown, name.range,
                             "`" + name.text + "` is not a " + sort + " of " + owner())
                         .label("not a " + sort + " of this decision")
@@ -300,8 +300,9 @@ void warn_unused(Context& context) {
   for (const auto& decision : context.decisions) {
     for (const auto& list : decision.node->priority) {
       for (const syntax::Name& name : list) {
-        const Symbol* symbol = context.symbols.find(name.text);
-        if (symbol != nullptr && symbol->sort == Sort::monitor) used.insert(symbol->index);
+        // A misspelt monitor is used, too: its name was reported.
+        const auto meant = nearest(name.text, context.symbols.names_of(Sort::monitor));
+        if (meant) used.insert(context.symbols.find(*meant)->index);
       }
     }
   }

@@ -40,7 +40,7 @@ class Declarer {
   void operator()(const SourceRange&, const syntax::FleetItem& fleet) {
     for (const syntax::Name& member : fleet.members) {
       add(member, Sort::robot, next_id(spec().robots));
-      spec().robots.push_back({member.text, member.range, KindId{}});
+      spec().robots.push_back({member.text, member.range, KindId{UINT32_MAX}});  // not known yet
     }
   }
 

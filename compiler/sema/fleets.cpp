@@ -56,7 +56,11 @@ void check_site(Context& context, const syntax::Item& item, const syntax::SiteIt
   }
   const auto position = check_point(context, *written.position, "a place");
   if (position) place.position = *position;
-  if (good || site.places.empty()) site.places.push_back(place);
+  if (good) {
+    site.places.push_back(place);
+  } else {
+    context.faulty_sites.insert(SiteId{symbol->index});
+  }
 }
 
 }  // namespace
