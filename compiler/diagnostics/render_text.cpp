@@ -19,6 +19,13 @@ std::string trim_right(std::string text) {
   return text;
 }
 
+// An insertion brings the blanks around it; a reader does not need them.
+std::string trim_blanks(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \n");
+  if (begin == std::string::npos) return text;
+  return text.substr(begin, text.find_last_not_of(" \n") - begin + 1);
+}
+
 class TextRenderer {
  public:
   TextRenderer(const SourceManager& sources, bool colour) : sources_(sources), colour_(colour) {}
@@ -101,7 +108,7 @@ class TextRenderer {
       return "remove `" + std::string{sources_.text(fixit.range)} + '`';
     }
     const bool inserts = fixit.range.begin == fixit.range.end;
-    return (inserts ? "insert `" : "write `") + fixit.replacement + '`';
+    return (inserts ? "insert `" : "write `") + trim_blanks(fixit.replacement) + '`';
   }
 
   const SourceManager& sources_;

@@ -42,11 +42,15 @@ class Describer {
       : tokens_(tokens), error_(error), sources_(sources), found_(tokens[error.index]) {}
 
   Diagnostic describe(const std::optional<Edit>& edit) {
+    if (found_.kind == T::UNKNOWN) return unknown_character();
     if (Diagnostic future = future_construct(); !future.message.empty()) return future;
     if (!edit) return plain();
     switch (edit->reason) {
       case EditReason::missing:
         return missing(edit->token);
+      case EditReason::missing_earlier:
+        return Describer{tokens_, {error_.index - 1, error_.expected}, sources_}.missing(
+            edit->token);
       case EditReason::misspelled:
         return misspelled(edit->token);
       case EditReason::foreign_operator:
@@ -90,6 +94,9 @@ class Describer {
         return " after the text";
       case T::BAD_EXPR:
       case T::BAD_CLAUSE:
+      case T::SEMICOLON:
+      case T::LEFT_BRACE:
+      case T::RIGHT_BRACE:
         return {};
       default:
         return previous.range.begin == previous.range.end
@@ -107,8 +114,7 @@ class Describer {
   // What would fit, in a few words: an expression or a name stands for all that can start it, and
   // operators are only named when nothing else fits.
   [[nodiscard]] std::string expected() const {
-    const bool at_item = error_.expects(T::BAD_CLAUSE) && error_.expects(T::ZONE);
-    if (at_item) return "an item such as `zone`, `robot`, `monitor` or `decision`";
+    if (at_item()) return "an item such as `zone`, `robot`, `monitor` or `decision`";
     std::vector<std::string> choices;
     if (error_.expects(T::BAD_EXPR)) {
       choices.emplace_back("an expression");
@@ -160,10 +166,21 @@ class Describer {
     }
   }
 
+  [[nodiscard]] bool at_item() const {
+    return error_.expects(T::BAD_CLAUSE) && error_.expects(T::ZONE);
+  }
+
   [[nodiscard]] Diagnostic plain() const {
     const std::string what = expected();
-    return make(Code::unexpected_token, "expected " + what + after() + ", found " + found(),
-                "expected " + what);
+    if (error_.expects(T::BAD_CLAUSE) && !at_item()) {
+      return make(Code::unexpected_token, found() + " starts no clause here", "expected " + what);
+    }
+    Diagnostic result =
+        make(Code::unexpected_token, "expected " + what + after() + ", found " + found(),
+             "expected " + what);
+    const bool after_spec = error_.index > 0 && tokens_[error_.index - 1].kind == T::SPEC;
+    if (after_spec) result.code = Code::missing_spec_name;
+    return result;
   }
 
   [[nodiscard]] Diagnostic missing(TokenKind kind) const {
@@ -197,9 +214,18 @@ class Describer {
     }
   }
 
+  [[nodiscard]] Diagnostic unknown_character() const {
+    const std::string_view text = sources_.text(found_.range);
+    std::string label = "not expected here";
+    if (text.front() == '%') label = "`%` is a unit: it stands behind a number";
+    if (text.front() == '^') label = "`^` belongs to a unit, without blanks: `m/s^2`";
+    return make(Code::unknown_character, quote(text) + " has no meaning outside comments and texts",
+                std::move(label));
+  }
+
   [[nodiscard]] Diagnostic misspelled(TokenKind kind) const {
-    Diagnostic result = plain();
-    result.label = "did you mean " + ticks(kind) + "?";
+    Diagnostic result = make(Code::unexpected_token, found() + " is not a word that fits here",
+                             "did you mean " + ticks(kind) + "?");
     result.fixits.push_back({found_.range, std::string{token_name(kind)}});
     return result;
   }
@@ -252,15 +278,14 @@ class Describer {
     const Word* word = find_word(found_.kind);
     bool is_future = word && word->word_kind == WordKind::future && !error_.expects(T::COLON) &&
                      (error_.expects(T::BAD_EXPR) || error_.expects(T::AND));
-    const bool at_item = error_.expects(T::BAD_CLAUSE) && error_.expects(T::ZONE);
     const auto text = sources_.text(found_.range);
-    if (at_item) {
+    if (at_item()) {
       is_future = std::find(kFutureItems.begin(), kFutureItems.end(), text) != kFutureItems.end();
     }
     if (!is_future) return make(Code::not_available, {}, {});
     Diagnostic result = make(Code::not_available, found() + " is not available in this version",
                              "this construct cannot be compiled yet");
-    if (!at_item) result.help = "it is reserved, so it cannot be a name either";
+    if (!at_item()) result.help = "it is reserved, so it cannot be a name either";
     return result;
   }
 

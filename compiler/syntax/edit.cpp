@@ -40,15 +40,15 @@ std::size_t typing_distance(std::string_view a, std::string_view b) {
 class EditList {
  public:
   EditList(const std::vector<Token>& tokens, const SyntaxError& error, const SourceManager& sources)
-      : found_(tokens[error.index]), error_(error), sources_(sources) {}
+      : tokens_(tokens), found_(tokens[error.index]), error_(error), sources_(sources) {}
 
   std::vector<Edit> make() {
     add_operators();
+    add_missing_brace();
     add_spelling();
     add_missing_tokens();
     add_operands();
-    // The end cannot be removed, and a bracket that opens has a partner that would be left over.
-    if (found_.kind != T::END && found_.kind != T::LEFT_BRACE) {
+    if (found_.kind != T::END) {
       edits_.push_back({EditKind::remove, EditReason::superfluous, found_.kind});
       if (expects(T::BAD_EXPR)) replace(EditReason::superfluous, T::BAD_EXPR);
     }
@@ -77,10 +77,20 @@ class EditList {
     }
   }
 
+  // A clause word on a new line behind a `;` was taken for the name of a bound: the `}` of the
+  // bounds is missing in front of it.
+  void add_missing_brace() {
+    const std::size_t index = error_.index;
+    if (index < 2 || !tokens_[index - 1].first_on_line) return;
+    if (!find_word(tokens_[index - 1].kind) || tokens_[index - 2].kind != T::SEMICOLON) return;
+    insert(EditReason::missing_earlier, T::RIGHT_BRACE);
+  }
+
   void add_spelling() {
     const std::string_view text = sources_.text(found_.range);
     constexpr std::size_t kWordMax = 32;
-    if (found_.kind != T::IDENT || text.size() > kWordMax || expects(T::IDENT)) return;
+    const bool is_word = found_.kind == T::IDENT || find_word(found_.kind);
+    if (!is_word || text.size() > kWordMax || expects(T::IDENT)) return;
     std::vector<std::pair<std::size_t, TokenKind>> near;
     for (const TokenKind kind : error_.expected) {
       const Word* word = find_word(kind);
@@ -119,6 +129,7 @@ class EditList {
     }
   }
 
+  const std::vector<Token>& tokens_;
   const Token& found_;
   const SyntaxError& error_;
   const SourceManager& sources_;
@@ -128,6 +139,10 @@ class EditList {
 // The edited place must be read, and at least one more token of the author's than before.
 bool reads_on(const std::vector<Token>& tokens, const SyntaxError& error, const Edit& edit,
               const SourceManager& sources) {
+  // Between clauses nothing can depend on a stray `;` or `}`.
+  const TokenKind found = tokens[error.index].kind;
+  const bool is_stray = found == T::SEMICOLON || found == T::RIGHT_BRACE;
+  if (edit.kind == EditKind::remove && is_stray && error.expects(T::BAD_CLAUSE)) return true;
   const Attempt attempt = attempt_parse(apply_edit(tokens, error.index, edit), sources);
   if (!attempt.error) return true;
   const std::size_t needed = edit.kind == EditKind::insert ? 3 : 2;
@@ -137,6 +152,7 @@ bool reads_on(const std::vector<Token>& tokens, const SyntaxError& error, const 
 }  // namespace
 
 std::vector<Token> apply_edit(std::vector<Token> tokens, std::size_t index, const Edit& edit) {
+  index = edit_index(index, edit);
   const auto at = tokens.begin() + static_cast<std::ptrdiff_t>(index);
   switch (edit.kind) {
     case EditKind::insert: {

@@ -13,6 +13,7 @@ enum class EditKind { insert, replace, remove };
 // Why an edit was tried: it decides the wording.
 enum class EditReason {
   missing,             // a token is missing in front of the error
+  missing_earlier,     // or in front of the token before it, which was taken for a name
   misspelled,          // a word with a typing error
   foreign_operator,    // `=` for `==` and the reverse
   chained_comparison,  // a < b < c
@@ -27,6 +28,12 @@ struct Edit {
   TokenKind token;  // what is inserted or written instead
 };
 
+// Where the edit applies when the error is at `index`.
+inline std::size_t edit_index(std::size_t index, const Edit& edit) {
+  return edit.reason == EditReason::missing_earlier ? index - 1 : index;
+}
+
+// `index` is that of the error.
 std::vector<Token> apply_edit(std::vector<Token> tokens, std::size_t index, const Edit& edit);
 
 // The first edit at the error that lets the parser read on; nullopt when none does.

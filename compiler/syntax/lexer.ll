@@ -113,7 +113,7 @@ INQUOTES   ([^\n\xE2]|\xE2[^\x80\n]|\xE2\x80[^\x9C\x9D\n])*
 "=<"                      { yyextra->foreign_operator(T::LESS_EQUAL, MATCH); }
 ":="                      { yyextra->foreign_operator(T::ASSIGN, MATCH); }
 
-.                         { yyextra->unknown(MATCH); }
+.                         { yyextra->unknown(); }
 <INITIAL,UNIT><<EOF>>     { yyextra->end_of_file(); return 0; }
 %%
 

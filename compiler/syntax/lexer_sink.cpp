@@ -243,16 +243,14 @@ void LexerSink::hash_comment() {
   next_is_bad_ = true;
 }
 
-void LexerSink::unknown(std::string_view text) {
-  const bool continues = unknown_end_ == begin_ && begin_ > 0;
-  unknown_end_ = end_;
-  next_is_bad_ = true;
-  if (continues) return;
-  std::string label = "not expected here";
-  if (text == "%") label = "`%` is a unit: it stands behind a number";
-  if (text == "^") label = "`^` belongs to a unit, without blanks: `m/s^2`";
-  report({Code::unknown_character, quote(text) + " has no meaning outside comments and texts",
-          std::move(label)});
+void LexerSink::unknown() {
+  const bool continues =
+      !tokens_.empty() && tokens_.back().kind == T::UNKNOWN && tokens_.back().range.end == begin_;
+  if (continues) {
+    tokens_.back().range.end = static_cast<std::uint32_t>(end_);
+  } else {
+    push(T::UNKNOWN);
+  }
 }
 
 void LexerSink::unterminated_comment() {

@@ -35,7 +35,7 @@ class LexerSink {
   void unterminated_string(std::string_view text);
   void foreign_quotes(std::string_view text, std::size_t quote_length);
   void hash_comment();
-  void unknown(std::string_view text);
+  void unknown();  // a run of them is one token; the parser reports it
   void comment_start() { comment_begin_ = begin_; }
   void unterminated_comment();
   void end_of_file();
@@ -65,8 +65,7 @@ class LexerSink {
   std::size_t begin_ = 0, end_ = 0, comment_begin_ = 0;
   std::size_t bracket_depth_ = 0;
   bool at_line_start_ = true;
-  bool next_is_bad_ = false;     // a character before the next token was skipped
-  std::size_t unknown_end_ = 0;  // of the last unknown character: a run of them is one mistake
+  bool next_is_bad_ = false;  // a character before the next token was skipped
   bool stopped_ = false;
 };
 

@@ -15,13 +15,11 @@ namespace {
 
 using diag::Code;
 
-// Words that start items are reserved: one at the start of a line, or behind a finished item,
-// starts an item whatever is still open. So a missing `}` costs no more than its own item.
+// Words that start items are reserved: one at the start of a line starts an item whatever is still
+// open. So a missing `}` costs no more than its own item.
 bool starts_stretch(const std::vector<Token>& tokens, std::size_t index) {
   const Word* word = find_word(tokens[index].kind);
-  if (!word || word->word_kind != WordKind::item || index == 0) return false;
-  const TokenKind previous = tokens[index - 1].kind;
-  return tokens[index].first_on_line || previous == T::SEMICOLON || previous == T::RIGHT_BRACE;
+  return index > 0 && tokens[index].first_on_line && word && word->word_kind == WordKind::item;
 }
 
 // Each stretch ends with an END at the place of what follows it.

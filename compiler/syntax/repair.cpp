@@ -41,12 +41,13 @@ class Repairer {
   bool handle(const SyntaxError& error) {
     const std::optional<Edit> edit = find_edit(tokens_, error, sources_);
     const bool doubtful = is_doubtful(error.index);
-    if (!doubtful && !follows_bad_token(error.index)) {
+    if (!doubtful && !follows_bad_token(error.index) && !is_left_over(error, edit)) {
       diagnostics_.report(describe_error(tokens_, error, edit, sources_));
     }
+    if (!is_misspelled(edit)) failed_before_ = true;
     if (!edit || doubtful) return drop_clause(error.index);
     tokens_ = apply_edit(std::move(tokens_), error.index, *edit);
-    edited_at_ = error.index;
+    edited_at_ = edit_index(error.index, *edit);
     return true;
   }
 
@@ -61,6 +62,22 @@ class Repairer {
     return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(*edited_at_),
                         tokens_.begin() + static_cast<std::ptrdiff_t>(index),
                         [](const Token& token) { return ends_clause(token.kind); });
+  }
+
+  static bool is_between_items(const SyntaxError& error) {
+    return error.expects(T::BAD_CLAUSE) && error.expects(T::ZONE);
+  }
+
+  static bool is_misspelled(const std::optional<Edit>& edit) {
+    return edit && edit->reason == EditReason::misspelled;
+  }
+
+  // What follows a dropped clause on its line, or an item that ended too early by an earlier
+  // mistake, is a rest of it.
+  [[nodiscard]] bool is_left_over(const SyntaxError& error, const std::optional<Edit>& edit) const {
+    const bool after_drop = error.index > 0 && tokens_[error.index - 1].kind == T::BAD_CLAUSE;
+    if (after_drop && !tokens_[error.index].first_on_line) return true;
+    return failed_before_ && is_between_items(error) && !is_misspelled(edit);
   }
 
   // Replaces the clause around `index`, or the item whose head it is, by BAD_CLAUSE. False when
@@ -113,6 +130,7 @@ class Repairer {
   const SourceManager& sources_;
   diag::Engine& diagnostics_;
   std::optional<std::size_t> edited_at_;
+  bool failed_before_ = false;  // an earlier mistake may have ended its item too early
 };
 
 }  // namespace
