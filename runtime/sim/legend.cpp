@@ -106,7 +106,7 @@ void write_symbols(Legend& legend, const Picture& picture) {
               "fill=\"url(#outside)\" stroke=\"#333333\" stroke-width=\"1.2\"");
   }
   legend.entry("not allowed");
-  if (svg != nullptr) draw_start(*svg, legend.symbol(), "");
+  if (svg != nullptr) draw_start(*svg, legend.symbol(), start_radius_px, "");
   legend.entry("start");
   if (!picture.docks.empty()) {
     if (svg != nullptr) draw_dock(*svg, legend.symbol());
@@ -151,7 +151,8 @@ void write_switches(Legend& legend, const PinBoard& board) {
     legend.svg()->circle(legend.symbol() - Vec2{8, 0}, 2.2,
                          "fill=\"#ffffff\" stroke=\"#0072B2\" stroke-width=\"1.2\"");
   }
-  legend.count(board.returns, "returns to the advanced controller");
+  legend.count(board.returns, board.returns == 1 ? "return to the advanced controller"
+                                                 : "returns to the advanced controller");
 }
 
 void write_legend(Legend& legend, const Picture& picture, const Recorder& recorder,
@@ -197,11 +198,12 @@ void draw_dock(SvgWriter& svg, Vec2 at) {
            "fill=\"#222222\"");
 }
 
-void draw_start(SvgWriter& svg, Vec2 at, const std::string& name) {
+void draw_start(SvgWriter& svg, Vec2 at, double body_px, const std::string& name) {
   svg.circle(at, start_radius_px, "fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"1.8\"");
   svg.circle(at, 2, "fill=\"#222222\"");
   if (name.empty()) return;
-  svg.text_with_halo(at + Vec2{12, 4}, name, "font-size=\"12\" font-weight=\"bold\"");
+  svg.text_with_halo(at + Vec2{body_px + start_name_px, 4}, name,
+                     "font-size=\"12\" font-weight=\"bold\"");
 }
 
 void draw_pin(SvgWriter& svg, const Pin& pin) {

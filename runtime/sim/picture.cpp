@@ -103,7 +103,7 @@ double grid_step_m(double extent_m) {
   while (extent_m / step > 12) step *= 10;
   while (extent_m / step < 1.2) step /= 10;
   if (extent_m / step < 2.5) return step / 5;
-  return extent_m / step < 5 ? step / 2 : step;
+  return extent_m / step < 3.5 ? step / 2 : step;
 }
 
 std::string tick_text(double value, double step) {
@@ -228,7 +228,9 @@ std::vector<Box> symbol_boxes(const Layout& layout, const Picture& picture,
     if (recorder.track(robot).empty()) continue;
     const Vec2 at = layout.projection(recorder.track(robot).front().place);
     const double name_px = text_width_px(robot_name(picture, robot), 12);
-    boxes.push_back({at - Vec2{8, 8}, at + Vec2{12 + name_px, 8}});
+    const double radius = std::max(start_radius_px, picture.radius_m * layout.projection.scale);
+    boxes.push_back(around(at, start_radius_px + 2));
+    boxes.push_back({at - Vec2{0, 8}, at + Vec2{radius + start_name_px + name_px, 8}});
   }
   return boxes;
 }
@@ -242,7 +244,7 @@ void draw_starts(SvgWriter& svg, const Layout& layout, const Picture& picture,
     if (radius > start_radius_px) {
       svg.circle(at, radius, "fill=\"none\" stroke=\"#222222\" stroke-dasharray=\"2 2\"");
     }
-    draw_start(svg, at, robot_name(picture, robot));
+    draw_start(svg, at, std::max(radius, start_radius_px), robot_name(picture, robot));
   }
 }
 
