@@ -258,6 +258,8 @@ class Deriver {
     for (const ir::Monitor& m : d.monitors) {
       lookahead_us = std::max(lookahead_us, m.lookahead.duration_us);
     }
+    d.cruise_clearance_mm =
+        cruise_clearance_mm(d, d.motions[0], lookahead_us) + fence_standoff_mm(d);
     for (std::size_t k = 0; k < d.monitors.size(); ++k) {
       ir::Recovery& r = d.monitors[k].recovery;
       r.return_clearance_mm = return_clearance_mm(d, lookahead_us) + fence_standoff_mm(d);

@@ -4,6 +4,9 @@
 #
 # Every .cpp of the folder belongs to the target; a folder without any is header-only.
 set(RTAC_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  list(APPEND RTAC_WARNINGS -Wno-restrict)  # false alarms of GCC 12 on std::string concatenation
+endif()
 
 function(rtac_folder target)
   cmake_parse_arguments(arg "" "STANDARD" "DEPENDS" ${ARGN})

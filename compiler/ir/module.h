@@ -213,6 +213,8 @@ struct Decision {
   std::uint32_t robots = 1;  // size of the fleet of this kind
   std::int64_t plan_capacity = 0;
   Body body;
+  // Clearance of the centre at which a robot at full speed never fails a fence: for planners.
+  std::int64_t cruise_clearance_mm = 0;
   std::int64_t hold_reserve_ppm = 0;   // charge that held time and detours may take
   std::vector<Motion> motions;         // 0: any control, k + 1: recovery of monitor k
   std::vector<Monitor> monitors;       // by priority

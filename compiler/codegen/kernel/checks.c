@@ -242,8 +242,8 @@ static span cells_span(const cells *c, vec p, int64_t radius_mm) {
   int64_t lo = SPAN_MAX;
   int64_t hi = -1;
   int32_t x, y;
-  for (y = max_of(y0, 0) > 0 ? y0 : 0; y <= y1 && y < c->rows; ++y) {
-    for (x = max_of(x0, 0) > 0 ? x0 : 0; x <= x1 && x < c->columns; ++x) {
+  for (y = y0 > 0 ? y0 : 0; y <= y1 && y < c->rows; ++y) {
+    for (x = x0 > 0 ? x0 : 0; x <= x1 && x < c->columns; ++x) {
       const int64_t value = c->value[y * c->columns + x];
       if (value != NO_BODY) {
         lo = min_of(lo, value);
@@ -284,6 +284,18 @@ static margin energy_reach(const cells *c, const reach *r, span charge, int64_t 
     const span way = cells_span(c, r->p, r->centre_mm);
     const int64_t spare = charge.lo - way.hi - reserve_ppm -
                           div_up(drain_ppm_per_s * div_up(horizon_us, 1000), 1000);
+    return margin_of(spare * WEIGHT_PPM, spare * WEIGHT_PPM, REASON_MARGIN);
+  }
+}
+/*= charge_reach : span_type margin_of margin_unknown div_up */
+/* The charge stays at `least_ppm` or above until the horizon. */
+static margin charge_reach(span charge, int64_t least_ppm, int64_t drain_ppm_per_s,
+                           int64_t horizon_us) {
+  if (charge.input != INPUT_NONE) {
+    return margin_unknown(charge.input);
+  } else {
+    const int64_t spare =
+        charge.lo - least_ppm - div_up(drain_ppm_per_s * div_up(horizon_us, 1000), 1000);
     return margin_of(spare * WEIGHT_PPM, spare * WEIGHT_PPM, REASON_MARGIN);
   }
 }

@@ -99,6 +99,16 @@ static span span_negate(span a) {
   s.hi = -a.lo;
   return s;
 }
+/*= span_scale : span_type min_of max_of */
+/* a * num / den with outward rounding, den > 0. */
+static span span_scale(span a, int64_t num, int64_t den) {
+  const int64_t p = a.lo * num;
+  const int64_t q = a.hi * num;
+  span s = a;
+  s.lo = min_of(p, q) / den - 1;
+  s.hi = max_of(p, q) / den + 1;
+  return s;
+}
 /*= margin_at_least : span_type margin_of margin_unknown */
 /* a >= b, or a > b when `strict`; `weight` turns grid units into millionths of the scale. */
 static margin margin_at_least(span a, span b, int64_t weight, int64_t strict) {

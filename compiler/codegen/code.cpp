@@ -1,0 +1,100 @@
+#include "compiler/codegen/code.h"
+
+#include <sstream>
+
+namespace rtac::codegen {
+namespace {
+
+constexpr std::size_t width = 100;
+
+void print_comment(const std::string& text, Code::Style style, const std::string& indent,
+                   std::string& out) {
+  const std::string open = style == Code::Style::c ? "/* " : "// ";
+  const std::string next = style == Code::Style::c ? " * " : "// ";
+  std::istringstream words(text);
+  std::string line = indent + open, word;
+  bool first = true;
+  while (words >> word) {
+    // a comment of the author must not end ours
+    for (std::size_t at; (at = word.find("*/")) != std::string::npos;) word.replace(at, 2, "* /");
+    if (!first && line.size() + 1 + word.size() + 3 > width) {
+      out += line + "\n";
+      line = indent + next;
+      first = true;
+    }
+    line += (first ? "" : " ") + word;
+    first = false;
+  }
+  out += line + (style == Code::Style::c ? " */\n" : "\n");
+}
+
+}  // namespace
+
+Code& Code::line(std::string text) {
+  nodes_.push_back(Line{std::move(text)});
+  return *this;
+}
+
+Code& Code::comment(std::string text) {
+  nodes_.push_back(Comment{std::move(text)});
+  return *this;
+}
+
+Code& Code::text(std::string laid_out) {
+  nodes_.push_back(Laid{std::move(laid_out)});
+  return *this;
+}
+
+Code& Code::block(std::string head, const std::function<void(Code&)>& body, std::string tail) {
+  Code inner;
+  body(inner);
+  auto block = std::make_shared<Block>();
+  block->head = std::move(head);
+  block->tail = std::move(tail);
+  block->body = std::move(inner.nodes_);
+  nodes_.push_back(std::move(block));
+  return *this;
+}
+
+std::string Code::print(Style style) const {
+  std::string out;
+  print(nodes_, style, 0, out);
+  return out;
+}
+
+void Code::print(const std::vector<Node>& nodes, Style style, int depth, std::string& out) {
+  const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+  for (const Node& node : nodes) {
+    if (const auto* line = std::get_if<Line>(&node)) {
+      const bool flush = line->text.empty() || line->text[0] == '#';
+      out += (flush ? "" : indent) + line->text + "\n";
+    } else if (const auto* comment = std::get_if<Comment>(&node)) {
+      print_comment(comment->text, style, indent, out);
+    } else if (const auto* laid = std::get_if<Laid>(&node)) {
+      out += laid->text;
+    } else {
+      const Block& block = *std::get<std::shared_ptr<Block>>(node);
+      out += indent + block.head + " {\n";
+      print(block.body, style, depth + 1, out);
+      out += indent + block.tail + "\n";
+    }
+  }
+}
+
+std::string quoted(const std::string& text) {
+  static const char* const digits = "01234567";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += std::string("\\") + c;
+    } else if (byte < 32 || byte == 127) {
+      out += std::string("\\") + digits[byte >> 6] + digits[(byte >> 3) & 7] + digits[byte & 7];
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+}  // namespace rtac::codegen

@@ -1,0 +1,173 @@
+#include "compiler/codegen/kernel_blocks.h"
+
+namespace rtac::codegen {
+namespace {
+
+using namespace ir;
+
+std::string num(std::int64_t value) {
+  return std::to_string(value);
+}
+std::string ref(ValueId id) {
+  return "v" + std::to_string(static_cast<std::uint32_t>(id));
+}
+const char* weight(Unit unit) {
+  return unit == Unit::mm ? "WEIGHT_MM" : "WEIGHT_PPM";
+}
+
+}  // namespace
+
+std::string zone_symbol(const ZoneTable& zone) {
+  return "zone_" + zone.name;
+}
+std::string cells_symbol(const SiteTable& site) {
+  return "cells_to_" + site.name;
+}
+
+std::string BlockPrinter::use(const std::string& function, const std::string& arguments) {
+  uses_.insert(function);
+  return function + "(" + arguments + ")";
+}
+
+void BlockPrinter::function(const std::string& name, const std::string& comment,
+                            const Block& block, Code& out) {
+  for (std::size_t i = 0; i < block.values.size(); ++i) {
+    if (const auto* v = std::get_if<ForOthers>(&block.values[i].op)) {
+      others(name + "_" + ref(ValueId(i)), *v->body, out);
+    }
+  }
+  if (!comment.empty()) out.comment(comment);
+  out.block("static margin " + name + "(const " + view_ + " *v)",
+            [&](Code& to) { body(name, block, to); });
+  out.blank();
+}
+
+void BlockPrinter::others(const std::string& name, const Block& block, Code& out) {
+  out.block("static margin " + name + "(const " + view_ + " *v, int32_t j)",
+            [&](Code& to) { body(name, block, to); });
+  out.blank();
+}
+
+void BlockPrinter::body(const std::string& name, const Block& block, Code& out) {
+  for (std::size_t i = 0; i < block.values.size(); ++i) {
+    const Value& v = block.values[i];
+    const std::string target = ref(ValueId(i));
+    if (const auto* loop = std::get_if<ForOthers>(&v.op)) {
+      const std::string join = loop->universal ? "margin_and" : "margin_or";
+      uses_.insert(join);
+      uses_.insert("margin_of");
+      out.line("margin " + target + " = " +
+               (loop->universal ? use("margin_true", "")
+                                : use("margin_of", "-MARGIN_MAX, -MARGIN_MAX, REASON_MARGIN")) +
+               ";");
+      out.line("int32_t j;");
+      out.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
+        each.block("if (j != v->in->self)", [&](Code& other) {
+          other.line(target + " = " + join + "(" + target + ", " + name + "_" + target +
+                     "(v, j));");
+        });
+      });
+      continue;
+    }
+    out.line(std::string("const ") + (v.unit ? "span " : "margin ") + target + " = " +
+             value(v, block) + ";");
+  }
+  out.line("return " + ref(block.result) + ";");
+}
+
+std::string BlockPrinter::value(const Value& v, const Block& block) {
+  const auto if_legs = [&](const std::string& call) {
+    uses_.insert("margin_true");
+    return "v->legs != 0 ? " + call + " : margin_true()";
+  };
+  struct Visitor {
+    BlockPrinter& p;
+    const Block& block;
+    const std::function<std::string(const std::string&)> if_legs;
+
+    std::string zone(ZoneIndex z) const { return "&" + zone_symbol(p.module_[z]); }
+    std::string cells(SiteIndex s) const {
+      return "&" + cells_symbol(p.module_[s]) + "[v->in->self]";
+    }
+    std::string operator()(const Const& c) const {
+      return p.use("span_of", num(c.value) + ", " + num(c.value));
+    }
+    std::string operator()(const Battery&) const { return "v->charge"; }
+    std::string operator()(const Clearance& c) const {
+      return p.use("clearance_now", zone(c.zone) + ", &v->self, &BODY, v->m");
+    }
+    std::string operator()(const Distance&) const {
+      return p.use("distance_now", "&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j");
+    }
+    std::string operator()(const EnergyTo& e) const {
+      return p.use("energy_now", cells(e.site) + ", &v->self, v->m");
+    }
+    std::string operator()(const Add& a) const {
+      return p.use("span_add", ref(a.a) + ", " + ref(a.b));
+    }
+    std::string operator()(const Negate& n) const { return p.use("span_negate", ref(n.a)); }
+    std::string operator()(const Scale& s) const {
+      return p.use("span_scale", ref(s.a) + ", " + num(s.num) + ", " + num(s.den));
+    }
+    std::string operator()(const AtLeast& a) const {
+      return p.use("margin_at_least", ref(a.a) + ", " + ref(a.b) + ", " + weight(*block[a.a].unit) +
+                                          (a.strict ? ", 1" : ", 0"));
+    }
+    std::string operator()(const PlanInZone& z) const {
+      return p.use("plan_in_zone", zone(z.zone) + ", v, 0");
+    }
+    std::string operator()(const Truth& t) const {
+      return t.value ? p.use("margin_true", "")
+                     : p.use("margin_of", "-MARGIN_MAX, -MARGIN_MAX, REASON_MARGIN");
+    }
+    std::string operator()(const Not& n) const { return p.use("margin_not", ref(n.a)); }
+    std::string operator()(const And& a) const {
+      return p.use("margin_and", ref(a.a) + ", " + ref(a.b));
+    }
+    std::string operator()(const Or& a) const {
+      return p.use("margin_or", ref(a.a) + ", " + ref(a.b));
+    }
+    std::string operator()(const HeldFor& h) const {
+      return p.use("held_for", ref(h.a) + ", &v->runs[" + num(h.slot) + "], " + num(h.ticks) +
+                                   ", v->new_tick");
+    }
+    std::string operator()(const ForOthers&) const { return ""; }  // printed as a loop
+    std::string operator()(const ZoneReach& z) const {
+      return p.use("zone_reach", zone(z.zone) + ", &v->reach, " + num(z.least_mm));
+    }
+    std::string operator()(const LegsInZone& z) const {
+      return if_legs(p.use("legs_in_zone", zone(z.zone) + ", &v->self, &v->in->plan, " +
+                                               num(z.legs) + ", " + num(z.need_mm)));
+    }
+    std::string operator()(const PointsInZone& z) const {
+      return if_legs(p.use("points_in_zone", zone(z.zone) + ", &v->in->plan, " + num(z.points) +
+                                                 ", " + num(z.need_mm)));
+    }
+    std::string operator()(const PairReach& r) const {
+      return p.use("pair_reach",
+                   "&v->reach, &v->others[j], &BODY, " + num(r.least_mm) + ", j");
+    }
+    std::string operator()(const LegsApart& l) const {
+      return if_legs(p.use(
+          "legs_apart", "&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, " +
+                            num(l.legs) + ", " + num(l.need_mm) + ", " +
+                            num(p.decision_.body.hold_mm) + ", " +
+                            num(p.decision_.body.tracking_mm) + ", " +
+                            (l.ranked ? "j < v->in->self" : "1") + ", j"));
+    }
+    std::string operator()(const EnergyReach& e) const {
+      return p.use("energy_reach", cells(e.site) + ", &v->reach, v->charge, " +
+                                       num(e.reserve_ppm) + ", " +
+                                       num(p.decision_.body.drain_ppm_per_s) +
+                                       ", v->horizon_us");
+    }
+    std::string operator()(const ChargeReach& c) const {
+      return p.use("charge_reach", "v->charge, " + num(c.least_ppm) + ", " +
+                                       num(p.decision_.body.drain_ppm_per_s) +
+                                       ", v->horizon_us");
+    }
+  };
+  return std::visit(Visitor{*this, block, if_legs}, v.op);
+}
+
+}  // namespace rtac::codegen

@@ -1,0 +1,39 @@
+// From blocks of IR to C functions, and the library functions that they use.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "compiler/codegen/code.h"
+#include "compiler/ir/module.h"
+
+namespace rtac::codegen {
+
+class BlockPrinter {
+ public:
+  // `view`: type of the parameter of the functions; `uses` collects library functions.
+  BlockPrinter(const ir::Module& module, const ir::Decision& decision, std::string view,
+               std::set<std::string>& uses)
+      : module_(module), decision_(decision), view_(std::move(view)), uses_(uses) {}
+
+  // static margin NAME(const VIEW *v)
+  void function(const std::string& name, const std::string& comment, const ir::Block& block,
+                Code& out);
+
+ private:
+  void others(const std::string& name, const ir::Block& block, Code& out);
+  void body(const std::string& name, const ir::Block& block, Code& out);
+  std::string value(const ir::Value& value, const ir::Block& block);
+  std::string use(const std::string& function, const std::string& arguments);
+
+  const ir::Module& module_;
+  const ir::Decision& decision_;
+  const std::string view_;
+  std::set<std::string>& uses_;
+};
+
+// Names of the constant tables.
+std::string zone_symbol(const ir::ZoneTable& zone);
+std::string cells_symbol(const ir::SiteTable& site);
+
+}  // namespace rtac::codegen

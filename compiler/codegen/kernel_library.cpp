@@ -1,0 +1,97 @@
+#include "compiler/codegen/kernel_library.h"
+
+#include <cctype>
+#include <map>
+#include <sstream>
+
+#include "compiler/codegen/names.h"
+
+namespace rtac::codegen {
+namespace {
+
+struct Part {
+  std::string name, text;
+  std::vector<std::string> needs;
+};
+
+// `/*= name : a b c */`
+Part parse_head(const std::string& line) {
+  Part part;
+  std::istringstream words(line.substr(4, line.rfind("*/") - 4));
+  std::string word;
+  words >> part.name;
+  while (words >> word) {
+    if (word != ":") part.needs.push_back(word);
+  }
+  return part;
+}
+
+std::vector<Part> parse_parts() {
+  std::vector<Part> parts;
+  for (const char* text : kernel_texts()) {
+    std::istringstream lines(text);
+    std::string line;
+    bool in_part = false;  // what stands before the first part describes the file
+    while (std::getline(lines, line)) {
+      if (line.rfind("/*= ", 0) == 0) {
+        parts.push_back(parse_head(line));
+        in_part = true;
+      } else if (in_part) {
+        parts.back().text += line + "\n";
+      }
+    }
+  }
+  return parts;
+}
+
+void need(const std::string& name, const std::map<std::string, const Part*>& by_name,
+          std::set<std::string>& needed) {
+  const auto part = by_name.find(name);
+  if (part == by_name.end() || !needed.insert(name).second) return;
+  for (const std::string& other : part->second->needs) need(other, by_name, needed);
+}
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// KERNEL_point -> delivery_point; REASON_LEG -> DELIVERY_REASON_LEG
+std::string prefixed(const std::string& text, const std::string& prefix) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    if (!is_word(text[i])) {
+      out += text[i++];
+      continue;
+    }
+    std::size_t end = i;
+    while (end < text.size() && is_word(text[end])) ++end;
+    const std::string word = text.substr(i, end - i);
+    if (word.rfind("KERNEL_", 0) == 0) {
+      out += prefix + "_" + word.substr(7);
+    } else {
+      for (const char* family : {"REASON_", "INPUT_", "VERDICT_", "GATE_"}) {
+        if (word.rfind(family, 0) == 0) out += upper(prefix) + "_";
+      }
+      out += word;
+    }
+    i = end;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string kernel_library(const std::set<std::string>& wanted, const std::string& prefix) {
+  const std::vector<Part> parts = parse_parts();
+  std::map<std::string, const Part*> by_name;
+  for (const Part& part : parts) by_name[part.name] = &part;
+  std::set<std::string> needed;
+  for (const std::string& name : wanted) need(name, by_name, needed);
+  std::string out;
+  for (const Part& part : parts) {
+    if (needed.count(part.name) > 0) out += prefixed(part.text, prefix) + "\n";
+  }
+  return out;
+}
+
+}  // namespace rtac::codegen

@@ -1,0 +1,18 @@
+// The library of the kernel: C functions whose text stands in kernel/*.c. A function starts at a
+// line `/*= name : needs needs */`; only what a specification needs is printed.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rtac::codegen {
+
+// The embedded files, in the order in which they are printed.
+const std::vector<const char*>& kernel_texts();
+
+// The text of the wanted functions and of everything that they need, in library order, with
+// `KERNEL_` and the prefixes of the enumerations replaced by `prefix_` (`PREFIX_`).
+std::string kernel_library(const std::set<std::string>& wanted, const std::string& prefix);
+
+}  // namespace rtac::codegen

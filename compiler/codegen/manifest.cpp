@@ -1,0 +1,104 @@
+#include "compiler/codegen/manifest.h"
+
+#include <nlohmann/json.hpp>
+
+namespace rtac::codegen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace ir;
+
+Json monitor(const Monitor& m, const Decision& d) {
+  Json j;
+  j["name"] = m.name;
+  j["requirement"] = m.requirement_id;
+  j["text"] = m.requirement_text;
+  j["file"] = m.file;
+  j["line"] = m.line;
+  if (d.on_plan) return j;
+  j["recovery"] = m.recovery.name;
+  if (m.lookahead.duration) {
+    j["lookahead_us"] = m.lookahead.duration_us;
+    j["horizon_us"] =
+        m.lookahead.duration_us + d.body.latency_us + d.body.position_age_us;
+  }
+  if (m.lookahead.waypoints > 0) j["lookahead_waypoints"] = m.lookahead.waypoints;
+  j["sound"] = m.lookahead.duration && !m.lookahead.points_only;
+  j["return_clearance_mm"] = m.recovery.return_clearance_mm;
+  if (!m.return_text.empty()) j["return_when"] = m.return_text;
+  return j;
+}
+
+Json decision(const Decision& d) {
+  Json j;
+  j["name"] = d.name;
+  j["kind"] = d.kind;
+  j["advanced"] = d.advanced;
+  if (d.on_plan) {
+    j["safe"] = d.safe;
+    j["on"] = "plan";
+  } else {
+    j["period_us"] = d.period_us;
+  }
+  j["monitors"] = Json::array();
+  for (const Monitor& m : d.monitors) j["monitors"].push_back(monitor(m, d));
+  j["acknowledged"] = Json::array();
+  for (const Acknowledgement& a : d.acknowledgements) {
+    j["acknowledged"].push_back(
+        {{"recovery", a.recovery}, {"monitor", a.monitor}, {"reason", a.reason}});
+  }
+  return j;
+}
+
+// Every declared bound is an assumption; none of them is checked while the robot runs, except the
+// ages of samples.
+Json assumptions(const sema::RobotKind& k) {
+  Json list = Json::array();
+  const auto add = [&](const std::string& what, const Rational& si, const std::string& unit,
+                       const char* checked_by) {
+    list.push_back({{"kind", k.name}, {"bound", what}, {"value", to_decimal(si) + " " + unit},
+                    {"checked_by", checked_by}});
+  };
+  add("speed", k.motion.speed.value, "m/s", "UNCHECKED");
+  add("accel", k.motion.accel.value, "m/s^2", "UNCHECKED");
+  add("brake", k.motion.brake.value, "m/s^2", "UNCHECKED");
+  add("latency", k.latency.value, "s", "UNCHECKED");
+  const auto sense = [&](const std::string& name, const std::string& unit,
+                         const std::optional<sema::Sense>& s) {
+    if (!s) return;
+    add(name + " error", s->error.value, unit, "UNCHECKED");
+    add(name + " max_age", s->max_age.value, "s", "decision module: stale input is unknown");
+  };
+  sense("position", "m", k.position);
+  sense("velocity", "m/s", k.velocity);
+  sense("heading", "rad", k.heading);
+  sense("battery", "of full", k.battery);
+  return list;
+}
+
+}  // namespace
+
+std::string manifest(const Module& module, const sema::Spec& spec, const Naming& naming) {
+  Json j;
+  j["generator"] = "rtac " RTAC_VERSION;
+  j["abi"] = RTAC_ABI;
+  j["specification"] = spec.name;
+  j["source"] = naming.source;
+  j["namespace"] = naming.space;
+  j["files"] = {naming.stem + "_kernel.h", naming.stem + "_kernel.c", naming.stem + ".h",
+                naming.stem + ".cpp", naming.stem + "_system.h"};
+  j["decisions"] = Json::array();
+  for (const Decision& d : module.decisions) j["decisions"].push_back(decision(d));
+  j["zones"] = Json::array();
+  for (const ZoneTable& z : module.zones) {
+    j["zones"].push_back({{"name", z.name}, {"edges", z.edges.size()},
+                          {"bytes", z.edges.size() * sizeof(Edge)}});
+  }
+  j["assumptions"] = Json::array();
+  for (const sema::RobotKind& k : spec.kinds) {
+    for (auto& a : assumptions(k)) j["assumptions"].push_back(std::move(a));
+  }
+  return j.dump(2) + "\n";
+}
+
+}  // namespace rtac::codegen

@@ -1,0 +1,273 @@
+#include "compiler/codegen/system.h"
+
+#include <algorithm>
+
+#include "compiler/codegen/code.h"
+#include "compiler/codegen/names.h"
+#include "compiler/support/rational.h"
+
+namespace rtac::codegen {
+namespace {
+
+using namespace ir;
+
+std::string metres(std::int64_t mm) {
+  std::string text = to_decimal(Rational(static_cast<long>(mm), 1000));
+  return text.find('.') == std::string::npos ? text + ".0" : text;
+}
+
+// One kind of robot with its decisions.
+struct Kind {
+  const sema::RobotKind* spec = nullptr;
+  const Decision* periodic = nullptr;
+  const Decision* on_plan = nullptr;
+  std::vector<std::string> robots;
+};
+
+class SystemPrinter {
+ public:
+  SystemPrinter(const Module& module, const Kind& kind, bool only, Code& out)
+      : module_(module), kind_(kind), name_(only ? "System" : kind.spec->name + "System"),
+        output_(kind.spec->output == sema::OutputType::twist ? "rtac::Twist"
+                                                             : "rtac::Acceleration"),
+        out_(out) {}
+
+  void print() {
+    slots();
+    out_.comment("The fleet of " + kind_.spec->name + ": task planner, and per robot motion "
+                 "planner, plan executor, decision modules and recoveries, wired. Fill the slots, "
+                 "give the robots' SDK, and run.");
+    out_.block("class " + name_, [&](Code& body) {
+      body.line("public:");
+      interface(body);
+      body.blank().line("private:");
+      members(body);
+    }, "};");
+    out_.blank();
+  }
+
+ private:
+  const Decision& d() const { return *kind_.periodic; }
+
+  // Slot types in the order of the constructor.
+  std::vector<std::pair<std::string, std::string>> slot_list() const {
+    std::vector<std::pair<std::string, std::string>> slots;
+    slots.push_back({"rtac::Controller<" + output_ + ">&", d().advanced});
+    for (const Monitor& m : d().monitors) {
+      if (m.recovery.kind == RecoveryKind::external) {
+        slots.push_back({"rtac::SafeController<" + output_ + ">&", m.recovery.name});
+      }
+    }
+    if (kind_.on_plan) {
+      slots.push_back({"rtac::Planner&", kind_.on_plan->advanced});
+      slots.push_back({"rtac::Planner&", kind_.on_plan->safe});
+    } else {
+      slots.push_back({"rtac::Planner&", "planner"});
+    }
+    return slots;
+  }
+
+  void slots() {
+    out_.comment("External controllers of one " + kind_.spec->name +
+                 ". A slot that is left empty does not compile.");
+    out_.block("struct " + kind_.spec->name + "Controllers", [&](Code& body) {
+      for (const auto& [type, name] : slot_list()) body.line(type + " " + legal(name) + ";");
+    }, "};");
+    out_.blank();
+  }
+
+  void interface(Code& body) {
+    const std::size_t count = kind_.robots.size();
+    body.block("struct Controllers", [&](Code& c) {
+      for (const std::string& robot : kind_.robots) {
+        c.line(kind_.spec->name + "Controllers " + legal(robot) + ";");
+      }
+      c.line("rtac::TaskSource& tasks;");
+    }, "};");
+    body.line("static constexpr int robots = " + std::to_string(count) + ";").blank();
+    body.comment("Clearances of the centre: where control can be given back, where a robot at "
+                 "full speed never fails a fence; and the distance at which robots pass.");
+    body.line("static constexpr double return_clearance_m = " +
+              metres(d().monitors[0].recovery.return_clearance_mm) + ";");
+    body.line("static constexpr double cruise_clearance_m = " + metres(d().cruise_clearance_mm) +
+              ";");
+    body.line("static constexpr double pass_gap_m = " +
+              metres(d().monitors[0].recovery.pass_gap_mm) + ";").blank();
+    body.block("static const char* robot_name(int robot)", [&](Code& f) {
+      std::string names;
+      for (const std::string& robot : kind_.robots) {
+        names += (names.empty() ? "" : ", ") + quoted(robot);
+      }
+      f.line("static const char* const names[] = {" + names + "};");
+      f.line("return names[robot];");
+    });
+    for (const SiteTable& s : module_.sites) {
+      if (s.places.size() != count || s.places[0].robot != kind_.robots[0]) continue;
+      body.block("static rtac::Vec2 " + legal(s.name) + "(int robot)", [&](Code& f) {
+        std::string places;
+        for (const auto& p : s.places) {
+          places += (places.empty() ? "{" : ", {") + metres(p.x_mm) + ", " + metres(p.y_mm) + "}";
+        }
+        f.line("static const rtac::Vec2 places[] = {" + places + "};");
+        f.line("return places[robot];");
+      });
+    }
+    body.block("static rtac::SystemOptions default_options()", [&](Code& f) {
+      f.line("rtac::SystemOptions options;");
+      f.line("options.pass_gap_m = pass_gap_m;");
+      f.line("return options;");
+    });
+    body.blank();
+    constructor(body);
+    body.blank();
+    body.comment("Until the clock of the fleet reads `until_us`, or the SDK says stop.");
+    body.block("[[nodiscard]] rtac::Status run(rtac::FleetSdk<" + output_ +
+                   ">& fleet, rtac::TimeUs until_us)",
+               [&](Code& f) { f.line("return system_.run(fleet, until_us);"); });
+  }
+
+  void constructor(Code& body) {
+    body.line("explicit " + name_ + "(const Controllers& controllers,");
+    const std::string pad(name_.size() + 10, ' ');
+    body.line(pad + "const rtac::SystemOptions& options = default_options(),");
+    body.line(pad + "rtac::SystemObserver* observer = nullptr)");
+    std::string robots, parts;
+    for (std::size_t i = 0; i < kind_.robots.size(); ++i) {
+      const std::string robot = legal(kind_.robots[i]);
+      robots += (i ? ", " : "") + robot + "_(" + std::to_string(i) + ")";
+      parts += (i ? ", " : "") + ("parts(" + quoted(kind_.robots[i])) + ", " + robot +
+               "_, controllers." + robot + ")";
+    }
+    body.line("    : " + robots + ",");
+    body.line("      parts_{{" + parts + "}},");
+    body.line("      system_(controllers.tasks, parts_.data(), robots, options, observer) {}");
+    body.line(name_ + "(const " + name_ + "&) = delete;");
+    body.line(name_ + "& operator=(const " + name_ + "&) = delete;");
+  }
+
+  void members(Code& body) {
+    body.block("struct Robot", [&](Code& r) {
+      std::string inits;
+      const auto init = [&](const std::string& member, const std::string& arguments) {
+        inits += (inits.empty() ? "" : ", ") + member + "(" + arguments + ")";
+      };
+      init(legal(d().name), "self");
+      if (kind_.on_plan) init(legal(kind_.on_plan->name), "self");
+      for (const Monitor& m : d().monitors) {
+        if (m.recovery.kind == RecoveryKind::external) continue;
+        init(legal(m.recovery.name), arguments_of(m.recovery));
+      }
+      r.line("explicit Robot(int self)").line("    : " + inits + " {}");
+      r.line(camel(d().name) + " " + legal(d().name) + ";");
+      if (kind_.on_plan) {
+        r.line(camel(kind_.on_plan->name) + " " + legal(kind_.on_plan->name) + ";");
+      }
+      for (const Monitor& m : d().monitors) {
+        if (m.recovery.kind == RecoveryKind::external) continue;
+        r.line("rtac::safe::" + std::string(class_of(m.recovery.kind)) + "<" + output_ + "> " +
+               legal(m.recovery.name) + ";");
+      }
+    }, "};");
+    setting(body);
+    parts(body);
+    body.blank();
+    for (const std::string& robot : kind_.robots) body.line("Robot " + legal(robot) + "_;");
+    body.line("std::array<rtac::RobotParts<" + output_ + ">, robots> parts_;");
+    body.line("rtac::System<" + output_ + "> system_;");
+  }
+  static const char* class_of(RecoveryKind kind) {
+    switch (kind) {
+      case RecoveryKind::retreat: return "Retreat";
+      case RecoveryKind::route: return "Route";
+      case RecoveryKind::yield: return "Yield";
+      case RecoveryKind::external: break;
+    }
+    return "";
+  }
+  std::string arguments_of(const Recovery& r) const {
+    std::string text = "setting(" + metres(r.speed_mmps) + ", " +
+                       legal(module_[r.zone].name) + "_zone(), " + metres(r.route_clearance_mm) +
+                       ", " + metres(r.return_clearance_mm) + ", " + metres(r.pass_gap_mm) + ")";
+    if (r.kind == RecoveryKind::route) text += ", " + legal(module_[r.site].name) + "(self)";
+    return text;
+  }
+  void setting(Code& body) {
+    body.line("static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,");
+    body.line("                                   double route_clearance_m, double give_back_m,");
+    body.block("                                   double pass_m)", [&](Code& f) {
+      f.line("rtac::safe::Setting s;");
+      f.line("s.limits = " + kind_.spec->name + "_limits();");
+      f.line("s.period_us = " + std::to_string(d().period_us) + ";");
+      f.line("s.speed_mps = speed_mps;");
+      f.line("s.zone = &zone;");
+      f.line("s.route_clearance_m = route_clearance_m;");
+      f.line("s.return_clearance_m = give_back_m;");
+      f.line("s.pass_gap_m = pass_m;");
+      f.line("return s;");
+    });
+  }
+  void parts(Code& body) {
+    body.block("static rtac::RobotParts<" + output_ + "> parts(const char* name, Robot& robot, " +
+                   "const " + kind_.spec->name + "Controllers& controllers)",
+               [&](Code& f) {
+      f.line("rtac::RobotParts<" + output_ + "> p;");
+      f.line("p.name = name;");
+      f.line("p.decision = &robot." + legal(d().name) + ";");
+      for (const Monitor& m : d().monitors) {
+        const std::string from =
+            m.recovery.kind == RecoveryKind::external ? "controllers." : "robot.";
+        f.line("(void)p.recoveries.push(&" + from + legal(m.recovery.name) + ");");
+      }
+      f.line("p.advanced = &controllers." + legal(d().advanced) + ";");
+      if (kind_.on_plan) {
+        f.line("p.plan_decision = &robot." + legal(kind_.on_plan->name) + ";");
+        f.line("p.advanced_planner = &controllers." + legal(kind_.on_plan->advanced) + ";");
+        f.line("p.safe_planner = &controllers." + legal(kind_.on_plan->safe) + ";");
+      } else {
+        f.line("p.advanced_planner = &controllers.planner;");
+      }
+      f.line("p.period_us = " + std::to_string(d().period_us) + ";");
+      f.line("p.limits = " + kind_.spec->name + "_limits();");
+      f.line("return p;");
+    });
+  }
+
+  const Module& module_;
+  const Kind& kind_;
+  const std::string name_, output_;
+  Code& out_;
+};
+
+std::vector<Kind> kinds_of(const Module& module, const sema::Spec& spec) {
+  std::vector<Kind> kinds;
+  for (const sema::RobotKind& k : spec.kinds) {
+    Kind kind;
+    kind.spec = &k;
+    for (const Decision& d : module.decisions) {
+      if (d.kind == k.name) (d.on_plan ? kind.on_plan : kind.periodic) = &d;
+    }
+    for (const sema::Robot& r : spec.robots) {
+      if (spec[r.kind].name == k.name) kind.robots.push_back(r.name);
+    }
+    if (kind.periodic && !kind.robots.empty()) kinds.push_back(std::move(kind));
+  }
+  return kinds;
+}
+
+}  // namespace
+
+std::string system_header(const Module& module, const sema::Spec& spec, const Naming& naming) {
+  Code out;
+  out.comment("Generated by rtac " RTAC_VERSION " from " + naming.source + ". Do not edit.");
+  out.line("#pragma once").blank();
+  out.line("#include <array>").blank();
+  out.line("#include \"rtac/safe/controllers.h\"").line("#include \"rtac/stack/system.h\"");
+  out.line("#include \"" + naming.stem + ".h\"").blank();
+  out.line("namespace " + naming.space + " {").blank();
+  const std::vector<Kind> kinds = kinds_of(module, spec);
+  for (const Kind& kind : kinds) SystemPrinter(module, kind, kinds.size() == 1, out).print();
+  out.line("}  // namespace " + naming.space);
+  return out.print(Code::Style::cpp);
+}
+
+}  // namespace rtac::codegen

@@ -1,0 +1,21 @@
+// Prints the C++17 side of a module: one class per decision around its kernel, the tables of the
+// decision record, the zones for safe controllers and pictures, the limits of the robots.
+#pragma once
+
+#include <string>
+
+#include "compiler/ir/module.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::codegen {
+
+struct Naming {
+  std::string stem;    // base name of the generated files
+  std::string source;  // base name of the specification
+  std::string space;   // C++ namespace
+};
+
+std::string wrapper_header(const ir::Module& module, const sema::Spec& spec, const Naming& naming);
+std::string wrapper_source(const ir::Module& module, const sema::Spec& spec, const Naming& naming);
+
+}  // namespace rtac::codegen

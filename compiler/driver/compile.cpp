@@ -1,0 +1,69 @@
+#include "compiler/driver/compile.h"
+
+#include <ostream>
+
+#include "compiler/analysis/derive.h"
+#include "compiler/driver/files.h"
+#include "compiler/ir/builder.h"
+#include "compiler/ir/printer.h"
+#include "compiler/ir/verifier.h"
+#include "compiler/passes/pipeline.h"
+#include "compiler/sema/check.h"
+#include "compiler/sema/spec_printer.h"
+#include "compiler/syntax/parse.h"
+#include "compiler/syntax/printer.h"
+
+namespace rtac::driver {
+namespace {
+
+std::optional<FileId> open(const Options& options, Compilation& c) {
+  if (options.spec == "-") return c.sources.add("<stdin>", read_stdin());
+  std::string why;
+  const auto file = c.sources.load(options.spec, why);
+  if (!file) {
+    c.unreadable = true;
+    c.diagnostics.report({diag::Code::cannot_read, std::nullopt,
+                          "cannot read `" + options.spec + "`: " + why, "", {},
+                          "give the path of a .rta file, or - for standard input", {}});
+  }
+  return file;
+}
+
+void run_passes(const Options& options, std::ostream& out, Compilation& c) {
+  if (const auto problem = ir::verify(*c.module)) {
+    c.internal_error = "after building the IR: " + *problem;
+    return;
+  }
+  const auto after = [&](const passes::Pass& pass) {
+    if (options.print_after == pass.name) out << ir::print(*c.module);
+  };
+  if (auto problem = passes::run_pipeline(*c.module, c.diagnostics, after)) {
+    c.internal_error = std::move(*problem);
+  }
+}
+
+}  // namespace
+
+void compile(const Options& options, std::ostream& out, Compilation& c) {
+  const auto file = open(options, c);
+  if (!file) return;
+  const syntax::Program program =
+      syntax::parse_program(*file, c.sources, c.diagnostics, c.dependencies);
+  if (options.dump_ast) out << syntax::dump(program, c.sources);
+  if (c.diagnostics.has_errors()) return;
+  c.spec = sema::check(program, c.diagnostics);
+  if (!c.spec) return;
+  if (options.dump_spec) out << sema::dump(*c.spec);
+  auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics);
+  if (!derived) return;
+  c.module = std::move(derived->module);
+  ir::build_blocks(*c.spec, derived->tables, *c.module, c.diagnostics);
+  if (!c.diagnostics.has_errors()) run_passes(options, out, c);
+  if (c.diagnostics.has_errors() || !c.internal_error.empty()) {
+    c.module.reset();
+    return;
+  }
+  if (options.dump_ir) out << ir::print(*c.module);
+}
+
+}  // namespace rtac::driver

@@ -1,0 +1,30 @@
+// The phases in order: text, tree, checked specification, tables and limits, IR, passes.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/driver/options.h"
+#include "compiler/ir/module.h"
+#include "compiler/sema/spec.h"
+#include "compiler/support/source.h"
+
+namespace rtac::driver {
+
+struct Compilation {
+  SourceManager sources;
+  diag::Engine diagnostics;
+  std::vector<std::string> dependencies;  // files that were read
+  std::optional<sema::Spec> spec;
+  std::optional<ir::Module> module;
+  std::string internal_error;  // a bug of the compiler; empty otherwise
+  bool unreadable = false;     // the specification could not be read (exit code 2)
+};
+
+// Dumps asked for by the options go to `out`.
+void compile(const Options& options, std::ostream& out, Compilation& result);
+
+}  // namespace rtac::driver

@@ -1,0 +1,123 @@
+#include "compiler/driver/driver.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <ostream>
+
+#include "compiler/codegen/generate.h"
+#include "compiler/diagnostics/render.h"
+#include "compiler/driver/compile.h"
+#include "compiler/driver/files.h"
+#include "compiler/driver/options.h"
+#include "compiler/driver/summary.h"
+
+namespace rtac::driver {
+namespace {
+
+// Only for a person at a terminal who did not ask for none (no-color.org).
+bool wants_colour(const std::ostream& err) {
+  const char* const no_colour = std::getenv("NO_COLOR");
+  return &err == &std::cerr && isatty(STDERR_FILENO) != 0 &&
+         (no_colour == nullptr || *no_colour == '\0');
+}
+
+void show(const Options& options, const Compilation& c, std::ostream& err) {
+  if (options.format == Format::json) {
+    err << diag::render_json(c.diagnostics, c.sources) << "\n";
+  } else {
+    err << diag::render_text(c.diagnostics, c.sources, options.colour);
+  }
+}
+
+std::string base_name(const std::string& path) {
+  return path.substr(path.find_last_of('/') + 1);
+}
+// Name of the generated files; that of the specification when it came from standard input.
+std::string stem_of(const Options& options, const Compilation& c) {
+  if (options.spec == "-") return c.module->name;
+  const std::string name = base_name(options.spec);
+  const std::size_t dot = name.find_last_of('.');
+  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+}
+
+// Blanks and what else make and ninja read specially.
+std::string escaped(const std::string& path) {
+  std::string out;
+  for (const char c : path) {
+    if (c == ' ' || c == '#' || c == '\\') out += '\\';
+    if (c == '$') out += '$';
+    out += c;
+  }
+  return out;
+}
+
+int build(const Options& options, Compilation& c) {
+  codegen::Naming naming;
+  naming.stem = stem_of(options, c);
+  naming.source = options.spec == "-" ? "standard input" : base_name(options.spec);
+  naming.space = options.name_space;
+  std::vector<OutputFile> files;
+  for (auto& file : codegen::generate(*c.module, *c.spec, naming)) {
+    files.push_back({options.output + "/" + file.name, std::move(file.text)});
+  }
+  if (!options.depfile.empty()) {
+    std::string text = escaped(files.front().path) + ":";
+    for (const std::string& path : c.dependencies) text += " \\\n  " + escaped(path);
+    files.push_back({options.depfile, text + "\n"});
+  }
+  const std::string problem = write_all(files);
+  if (problem.empty()) return exit_clean;
+  c.diagnostics.report({diag::Code::cannot_write, std::nullopt, problem, "", {},
+                        "give a directory that can be written after `-o`", {}});
+  return exit_usage;
+}
+
+bool has_warnings(const Compilation& c) {
+  const auto& all = c.diagnostics.all();
+  return std::any_of(all.begin(), all.end(), [](const diag::Diagnostic& d) {
+    return diag::info(d.code).severity == diag::Severity::warning;
+  });
+}
+
+int run(const Options& options, std::ostream& out, std::ostream& err) {
+  Compilation c;
+  compile(options, out, c);
+  int status = c.unreadable ? exit_usage : exit_spec_errors;
+  if (!c.internal_error.empty()) {
+    err << "internal error: " << c.internal_error
+        << "\nthis is a bug of rtac; the specification may be fine\n";
+    return exit_internal;
+  }
+  if (c.module && !(options.werror && has_warnings(c))) {
+    status = options.command == Command::build ? build(options, c) : exit_clean;
+    const bool dumped = options.dump_ast || options.dump_spec || options.dump_ir ||
+                        !options.print_after.empty();
+    if (options.command == Command::check && !dumped) out << summary(*c.module);
+  }
+  show(options, c, err);
+  return status;
+}
+
+}  // namespace
+
+int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  auto parsed = parse_options(arguments);
+  if (const auto* problem = std::get_if<std::string>(&parsed)) {
+    err << "rtac: " << *problem << "\n";
+    return exit_usage;
+  }
+  Options options = std::get<Options>(std::move(parsed));
+  options.colour = wants_colour(err);
+  switch (options.command) {
+    case Command::help: out << help_text(); return exit_clean;
+    case Command::version: out << "rtac " RTAC_VERSION "\n"; return exit_clean;
+    case Command::check:
+    case Command::build: break;
+  }
+  return run(options, out, err);
+}
+
+}  // namespace rtac::driver

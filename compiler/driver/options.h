@@ -1,0 +1,32 @@
+// From words to options; what is wrong with them is a text for the user.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rtac::driver {
+
+enum class Command { check, build, help, version };
+enum class Format { text, json };
+
+struct Options {
+  Command command = Command::help;
+  std::string spec;       // path, or "-" for standard input
+  std::string output;     // directory of `build`
+  std::string depfile;    // may be empty
+  std::string name_space; // may be empty: the name of the specification
+  Format format = Format::text;
+  bool colour = false;
+  bool dump_ast = false, dump_spec = false, dump_ir = false;
+  std::string print_after;  // name of a pass
+  bool werror = false;
+};
+
+// A text: the usage error, in one line, with what would work.
+std::variant<Options, std::string> parse_options(const std::vector<std::string>& arguments);
+
+std::string help_text();
+
+}  // namespace rtac::driver

@@ -1,0 +1,44 @@
+#include "compiler/driver/summary.h"
+
+#include "compiler/analysis/derive.h"
+#include "compiler/support/rational.h"
+
+namespace rtac::driver {
+namespace {
+
+std::string metres(std::int64_t mm) {
+  return to_decimal(Rational(static_cast<long>(mm), 1000)) + " m";
+}
+std::string millis(std::int64_t us) {
+  return to_decimal(Rational(static_cast<long>(us), 1000)) + " ms";
+}
+
+}  // namespace
+
+std::string summary(const ir::Module& module) {
+  std::string out = "specification " + module.name + "\n";
+  for (const ir::Decision& d : module.decisions) {
+    out += "\ndecision " + d.name + " for " + d.kind +
+           (d.on_plan ? ", on a plan" : ", every " + millis(d.period_us)) + "\n";
+    for (const auto& s : analysis::summarise(module, d)) {
+      out += "  monitor " + s.monitor;
+      if (s.horizon_us == 0) {
+        out += d.on_plan ? ": every leg of the plan\n" : ": way-points only, no duration\n";
+        continue;
+      }
+      out += ": looks " + millis(s.lookahead_us) + " ahead, " + millis(s.horizon_us) +
+             " with sample age and latency\n";
+      out += "    full speed needs a clearance of " + metres(s.stopping_mm) +
+             ", control returns at " + metres(s.return_clearance_mm) + "\n";
+      if (s.lookahead_max_us > 0) {
+        out += "    the zone allows a look-ahead of up to " + millis(s.lookahead_max_us) + "\n";
+      }
+    }
+    for (const auto& a : d.acknowledgements) {
+      out += "  acknowledged: " + a.recovery + " may break " + a.monitor + " (" + a.reason + ")\n";
+    }
+  }
+  return out;
+}
+
+}  // namespace rtac::driver

@@ -1,0 +1,27 @@
+// Visits the operands of an operation, for passes that rename or trace them.
+#pragma once
+
+#include <type_traits>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::ir {
+
+template <class Visit>
+void for_each_operand(Op& op, const Visit& visit) {
+  std::visit(
+      [&](auto& node) {
+        using Node = std::decay_t<decltype(node)>;
+        if constexpr (requires { node.b; }) {
+          visit(node.a);
+          visit(node.b);
+        } else if constexpr (requires { node.a; }) {
+          visit(node.a);
+        } else {
+          static_assert(!std::is_same_v<Node, void>);
+        }
+      },
+      op);
+}
+
+}  // namespace rtac::ir

@@ -1,0 +1,111 @@
+#include "compiler/passes/analyse_ranges.h"
+
+#include <algorithm>
+
+#include "compiler/support/rational.h"
+
+namespace rtac::passes {
+namespace {
+
+using namespace ir;
+
+constexpr std::int64_t extent_mm = std::int64_t{1} << 29;  // positions saturate there
+constexpr std::int64_t gap_mm = std::int64_t{1} << 31;     // any distance within the extent
+constexpr std::int64_t quantity_limit = std::int64_t{1} << 48;
+constexpr std::int64_t speed_limit_mmps = 100'000;
+constexpr std::int64_t accel_limit_mmps2 = 1'000'000;
+constexpr std::int64_t horizon_limit_us = 60'000'000;
+
+Rational exact(std::int64_t value) {
+  return Rational(static_cast<long>(value));
+}
+
+class Ranges {
+ public:
+  Ranges(const Module& module, diag::Engine& diagnostics)
+      : module_(module), diagnostics_(diagnostics) {}
+
+  void block(Block& block) {
+    for (Value& value : block.values) {
+      if (auto* others = std::get_if<ForOthers>(&value.op)) this->block(*others->body);
+      if (value.unit) value.range = range(block, value);
+    }
+  }
+
+ private:
+  Range range(const Block& block, const Value& value) {
+    const auto of = [&](ValueId id) { return *block[id].range; };
+    if (const auto* v = std::get_if<Const>(&value.op)) return checked(exact(v->value), value);
+    if (std::holds_alternative<Battery>(value.op)) return {-2'000'000, 3'000'000};
+    if (const auto* v = std::get_if<EnergyTo>(&value.op)) {
+      std::int64_t most = no_way;
+      for (const auto& place : module_[v->site].places) {
+        for (const std::int32_t cost : place.cost_ppm) most = std::max<std::int64_t>(most, cost);
+      }
+      return {0, most};
+    }
+    if (const auto* v = std::get_if<Add>(&value.op)) {
+      const Range a = of(v->a), b = of(v->b);
+      return checked(exact(a.lo) + exact(b.lo), exact(a.hi) + exact(b.hi), value);
+    }
+    if (const auto* v = std::get_if<Negate>(&value.op)) return {-of(v->a).hi, -of(v->a).lo};
+    if (const auto* v = std::get_if<Scale>(&value.op)) {
+      const Range a = of(v->a);
+      const Rational k = exact(v->num) / exact(v->den);
+      // the kernel multiplies before it divides
+      checked(exact(a.lo) * exact(v->num), exact(a.hi) * exact(v->num), value);
+      const Rational p = exact(a.lo) * k, q = exact(a.hi) * k;
+      return checked(std::min(p, q) - 1, std::max(p, q) + 1, value);
+    }
+    return {-gap_mm, gap_mm};  // clearance, distance
+  }
+  Range checked(const Rational& only, const Value& value) { return checked(only, only, value); }
+  Range checked(const Rational& lo, const Rational& hi, const Value& value) {
+    const Rational limit = exact(quantity_limit);
+    if (lo < -limit || hi > limit) {
+      diagnostics_.report({diag::Code::value_out_of_range, value.source,
+                           "this value ranges over [" + to_decimal(lo) + ", " + to_decimal(hi) +
+                               "] grid units, the kernel holds ±2^48",
+                           "", {}, "use smaller factors or compare in other units", {}});
+      return {-quantity_limit, quantity_limit};
+    }
+    return {floor_to_int(lo), ceil_to_int(hi)};
+  }
+
+  const Module& module_;
+  diag::Engine& diagnostics_;
+};
+
+void check_limit(const SourceRange& source, const std::string& what, std::int64_t value,
+                 std::int64_t limit, const std::string& unit, diag::Engine& diagnostics) {
+  if (value <= limit) return;
+  diagnostics.report({diag::Code::value_out_of_range, source,
+                      what + " of " + std::to_string(value) + " " + unit +
+                          " exceeds what the kernel can multiply",
+                      "", {}, "at most " + std::to_string(limit) + " " + unit + " works", {}});
+}
+
+}  // namespace
+
+void analyse_ranges(ir::Module& module, diag::Engine& diagnostics) {
+  Ranges ranges(module, diagnostics);
+  for (Decision& d : module.decisions) {
+    for (Monitor& monitor : d.monitors) {
+      ranges.block(monitor.property);
+      if (monitor.ahead) ranges.block(*monitor.ahead);
+      if (monitor.return_when) ranges.block(*monitor.return_when);
+      check_limit(monitor.lookahead_source, "a horizon",
+                  monitor.lookahead.duration_us + d.body.position_age_us + d.body.latency_us +
+                      d.return_extra_us,
+                  horizon_limit_us, "us", diagnostics);
+    }
+    for (const Motion& m : d.motions) {
+      const SourceRange& at = d.monitors.front().source;
+      check_limit(at, "a speed", m.speed_mmps, speed_limit_mmps, "mm/s", diagnostics);
+      check_limit(at, "an acceleration", m.accel_mmps2, accel_limit_mmps2, "mm/s^2", diagnostics);
+    }
+  }
+  static_assert(extent_mm * 2 * extent_mm * 2 * 2 > 0, "products of differences fit int64");
+}
+
+}  // namespace rtac::passes

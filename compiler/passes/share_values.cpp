@@ -1,0 +1,59 @@
+#include "compiler/passes/share_values.h"
+
+#include <map>
+#include <vector>
+
+#include "compiler/ir/operands.h"
+#include "compiler/ir/printer.h"
+
+namespace rtac::passes {
+namespace {
+
+using namespace ir;
+
+// Copies what `result` needs, in order, reusing equal values. Two values are equal when their
+// canonical texts are, once their operands have been renamed.
+Block shared(const Module& module, Block from) {
+  std::vector<bool> needed(from.values.size(), false);
+  needed[static_cast<std::uint32_t>(from.result)] = true;
+  for (std::size_t i = from.values.size(); i-- > 0;) {
+    if (!needed[i]) continue;
+    for_each_operand(from.values[i].op,
+                     [&](ValueId& id) { needed[static_cast<std::uint32_t>(id)] = true; });
+  }
+  Block to;
+  std::vector<ValueId> renamed(from.values.size());
+  std::map<std::string, ValueId> seen;
+  for (std::size_t i = 0; i < from.values.size(); ++i) {
+    if (!needed[i]) continue;
+    Value value = std::move(from.values[i]);
+    for_each_operand(value.op, [&](ValueId& id) { id = renamed[static_cast<std::uint32_t>(id)]; });
+    if (auto* others = std::get_if<ForOthers>(&value.op)) {
+      *others->body = shared(module, std::move(*others->body));
+    }
+    Block single;
+    single.values.push_back(std::move(value));
+    const std::string text = print(module, single, "");
+    const auto [known, is_new] = seen.emplace(text, ValueId(to.values.size()));
+    if (is_new) to.values.push_back(std::move(single.values[0]));
+    renamed[i] = known->second;
+  }
+  to.result = renamed[static_cast<std::uint32_t>(from.result)];
+  return to;
+}
+
+}  // namespace
+
+void share_values(ir::Module& module, diag::Engine&) {
+  for (Decision& decision : module.decisions) {
+    for (Monitor& monitor : decision.monitors) {
+      monitor.property = shared(module, std::move(monitor.property));
+      if (monitor.ahead) monitor.ahead = shared(module, std::move(*monitor.ahead));
+      if (monitor.return_when) {
+        monitor.return_when = shared(module, std::move(*monitor.return_when));
+      }
+    }
+  }
+}
+
+}  // namespace rtac::passes

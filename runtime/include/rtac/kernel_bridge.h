@@ -1,0 +1,89 @@
+// Between the doubles of an application and the integers of a generated kernel. Only generated
+// code includes this. Every conversion rounds outward, so that a kernel never sees a measurement
+// that is better than the real one.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "rtac/decision.h"
+#include "rtac/types.h"
+
+namespace rtac::bridge {
+
+// Generated code states the ABI that it was written for; see RTAC_ABI in the build.
+inline constexpr int abi = 1;
+
+inline constexpr double grid_limit = 1e15;  // beyond it a double has no exact neighbours in int64
+
+// Largest and smallest grid value around `si * per_unit`, exact for every double: the error of the
+// product is recovered by a fused multiply-add.
+inline bool grid_pair(double si, double per_unit, std::int64_t& lo, std::int64_t& hi) {
+  const double product = si * per_unit;
+  if (!(std::fabs(product) < grid_limit)) return false;  // also NaN
+  const double error = std::fma(si, per_unit, -product);
+  const double below = std::floor(product), above = std::ceil(product);
+  lo = static_cast<std::int64_t>(below) - (below == product && error < 0 ? 1 : 0);
+  hi = static_cast<std::int64_t>(above) + (above == product && error > 0 ? 1 : 0);
+  return true;
+}
+
+// KernelPoint { x_lo, x_hi, y_lo, y_hi, stamp_us, valid }
+template <class KernelPoint>
+void put(KernelPoint& to, const Sample<Vec2>& from) {
+  to.stamp_us = from.stamp_us;
+  to.valid = from.stamp_us != never_us && grid_pair(from.value.x, 1000, to.x_lo, to.x_hi) &&
+             grid_pair(from.value.y, 1000, to.y_lo, to.y_hi);
+}
+// KernelScalar { lo, hi, stamp_us, valid }, in ppm
+template <class KernelScalar>
+void put_ratio(KernelScalar& to, const Sample<double>& from) {
+  to.stamp_us = from.stamp_us;
+  to.valid = from.stamp_us != never_us && grid_pair(from.value, 1e6, to.lo, to.hi);
+}
+// KernelPlan { valid, count, index, x[], y[] }: way-points to the nearest mm
+template <class KernelPlan>
+void put(KernelPlan& to, const Path& from, std::size_t capacity) {
+  to.count = static_cast<std::int32_t>(from.points.size());
+  to.index = static_cast<std::int32_t>(from.index);
+  to.valid = from.points.size() <= capacity;
+  for (std::size_t i = 0; i < from.points.size() && to.valid != 0; ++i) {
+    const Vec2 p = from.points[i];
+    to.valid = std::fabs(p.x) < grid_limit / 1000 && std::fabs(p.y) < grid_limit / 1000;
+    if (to.valid != 0) {
+      to.x[i] = std::llround(p.x * 1000);
+      to.y[i] = std::llround(p.y * 1000);
+    }
+  }
+}
+
+// Millionths of the scale to the unit of the record; the kernel's bounds mean "unknown".
+inline double margin_of(std::int64_t millionths) {
+  constexpr std::int64_t bound = 1'000'000'000'000'000;
+  if (millionths <= -bound) return -std::numeric_limits<double>::infinity();
+  if (millionths >= bound) return std::numeric_limits<double>::infinity();
+  return static_cast<double>(millionths) * 1e-6;
+}
+
+// KernelOut { found { reason, index, input, other }, monitors[] { now, ahead, safer, ... } }
+template <class KernelOut>
+void take_findings(const KernelOut& from, int monitor_count, DecisionRecord& to) {
+  to.previous_mode = to.mode;
+  to.mode = from.mode;
+  to.deciding_monitor = from.monitor;
+  to.reason = static_cast<Reason>(from.found.reason);
+  to.reason_index = from.found.index;
+  to.reason_input = static_cast<InputField>(from.found.input);
+  to.reason_other = from.found.other;
+  for (int k = 0; k < monitor_count; ++k) {
+    MonitorRecord& record = to.monitors[static_cast<std::size_t>(k)];
+    record.now = static_cast<Verdict>(from.monitors[k].now);
+    record.ahead = static_cast<Verdict>(from.monitors[k].ahead);
+    record.safer = static_cast<Verdict>(from.monitors[k].safer);
+    record.engaged = from.monitors[k].engaged != 0;
+    record.margin = margin_of(from.monitors[k].margin);
+  }
+}
+
+}  // namespace rtac::bridge

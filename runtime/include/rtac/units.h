@@ -1,0 +1,39 @@
+// Quantities with their unit in the type, for the typed inputs of generated modules: what is not
+// a length cannot be passed as one. SI inside.
+#pragma once
+
+namespace rtac {
+
+template <class Tag>
+class Quantity {
+ public:
+  constexpr explicit Quantity(double si) : si_(si) {}
+  [[nodiscard]] constexpr double si() const { return si_; }
+  constexpr Quantity operator-() const { return Quantity(-si_); }
+
+ private:
+  double si_;
+};
+using Length = Quantity<struct LengthTag>;    // m
+using Speed = Quantity<struct SpeedTag>;      // m/s
+using Angle = Quantity<struct AngleTag>;      // rad
+using Charge = Quantity<struct ChargeTag>;    // ratio of a full battery
+
+struct Position {  // map frame
+  Length x, y;
+};
+struct Velocity {  // map frame
+  Speed x, y;
+};
+
+namespace literals {
+constexpr Length operator""_m(long double v) { return Length(static_cast<double>(v)); }
+constexpr Length operator""_m(unsigned long long v) { return Length(static_cast<double>(v)); }
+constexpr Speed operator""_mps(long double v) { return Speed(static_cast<double>(v)); }
+constexpr Speed operator""_mps(unsigned long long v) { return Speed(static_cast<double>(v)); }
+constexpr Angle operator""_rad(long double v) { return Angle(static_cast<double>(v)); }
+constexpr Charge operator""_pct(long double v) { return Charge(static_cast<double>(v) / 100); }
+constexpr Charge operator""_pct(unsigned long long v) { return Charge(static_cast<double>(v) / 100); }
+}  // namespace literals
+
+}  // namespace rtac
