@@ -15,7 +15,8 @@ constexpr TimeUs wanting_us_max = 10'000'000;
 // Far enough from given robots and from the way of one of them.
 class Aside : public PlaceTest {
  public:
-  explicit Aside(double gap_m) : gap_m_(gap_m) {}
+  explicit Aside(const Setting& setting)
+      : gap_m_(setting.pass_gap_m), error_m_(setting.limits.position_error_m) {}
   void keep_from(Vec2 robot) { (void)robots_.push(robot); }
   void keep_from_way(Vec2 from, const Path& plan) {
     keep_from(from);
@@ -24,21 +25,28 @@ class Aside : public PlaceTest {
       from = plan.points[i];
     }
   }
+  // A place to go to has room for the position errors of either robot and of the arrival; a place
+  // to stay at, for the other's view of this one, so that the passing robot sees the gap too.
   [[nodiscard]] bool accepts(Vec2 place, double) const override {
-    for (const Vec2 robot : robots_) {
-      if (norm(place - robot) < gap_m_) return false;
-    }
-    for (const Leg& leg : way_) {
-      if (distance_to_segment(place, leg.a, leg.b) < gap_m_) return false;
-    }
-    return true;
+    return clear(place, gap_m_ + 3 * error_m_);
   }
+  [[nodiscard]] bool good_enough(Vec2 place) const { return clear(place, gap_m_ + error_m_); }
 
  private:
   struct Leg {
     Vec2 a, b;
   };
-  double gap_m_;
+  [[nodiscard]] bool clear(Vec2 place, double gap_m) const {
+    for (const Vec2 robot : robots_) {
+      if (norm(place - robot) < gap_m) return false;
+    }
+    for (const Leg& leg : way_) {
+      if (distance_to_segment(place, leg.a, leg.b) < gap_m) return false;
+    }
+    return true;
+  }
+
+  double gap_m_, error_m_;
   FixedList<Vec2, max_robots> robots_;
   FixedList<Leg, max_waypoints> way_;
 };
@@ -137,10 +145,10 @@ void YieldManoeuvre::reconsider(const Observation& observation, Gate gate) {
 
 void YieldManoeuvre::make_passage(const Observation& observation, Gate gate, int asker) {
   const Announcement& other = observation.others[static_cast<std::size_t>(asker)];
-  Aside aside(setting_.pass_gap_m);
+  Aside aside(setting_);
   aside.keep_from_way(other.position.value, other.plan);
   stay();
-  if (aside.accepts(observation.position.value, 0)) return;  // already out of the way
+  if (aside.good_enough(observation.position.value)) return;  // already out of the way
   RouteQuery away = query(observation, false);
   recede_from_held(observation, away);
   if (route_.to_place(away, aside, way_)) return;
@@ -150,7 +158,7 @@ void YieldManoeuvre::make_passage(const Observation& observation, Gate gate, int
 }
 
 void YieldManoeuvre::back_off(const Observation& observation) {
-  Aside aside(setting_.pass_gap_m);
+  Aside aside(setting_);
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || other.position.stamp_us == never_us) continue;
@@ -158,7 +166,7 @@ void YieldManoeuvre::back_off(const Observation& observation) {
     if (distance_m <= 2 * setting_.pass_gap_m) aside.keep_from(other.position.value);
   }
   stay();
-  if (aside.accepts(observation.position.value, 0)) return;
+  if (aside.good_enough(observation.position.value)) return;
   RouteQuery away = query(observation, false);
   recede_from_held(observation, away);
   if (!route_.to_place(away, aside, way_)) stay();

@@ -22,7 +22,7 @@ PlanExecutor<Output>::PlanExecutor(int index, int robots, const RobotParts<Outpu
 
 template <class Output>
 void PlanExecutor<Output>::handle(const ExecutorEvent& event) {
-  std::visit([this](const auto& e) { on(e); }, event);
+  std::visit([this](const auto& e) { this->on(e); }, event);
 }
 
 template <class Output>
@@ -146,13 +146,14 @@ Output PlanExecutor<Output>::command(bool late) {
   return recovery->command(observation_, record_.gate);
 }
 
-// It has something to do: a destination, or a recovery that is on its way or would like to be.
+// It has something to do: a destination, or a recovery with an errand of its own. A robot without
+// either that makes room for others still makes no claim.
 template <class Output>
 bool PlanExecutor<Output>::claims() const {
   const SafeController<Output>* recovery = active();
   if (recovery == nullptr) return situation_.has_destination;
   if (recovery->parked()) return false;
-  return situation_.has_destination || recovery->blocked() || !recovery->holding();
+  return situation_.has_destination || recovery->errand() || recovery->blocked();
 }
 
 template <class Output>

@@ -1,6 +1,7 @@
 // Two small plants with noise, latency and limits, to drive a safe controller in a closed loop.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <random>
@@ -34,6 +35,8 @@ class Noise {
     const double angle = scalar(3.14159265358979), radius = std::fabs(scalar(bound));
     return {radius * std::cos(angle), radius * std::sin(angle)};
   }
+
+  void seed(unsigned value) { engine_.seed(value); }
 
  private:
   std::mt19937_64 engine_{7};

@@ -1,6 +1,7 @@
 // A system with everything scripted: decision, planners, recoveries, tasks and a point-mass fleet.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>

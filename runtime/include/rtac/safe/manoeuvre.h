@@ -68,6 +68,7 @@ class RouteManoeuvre : public Manoeuvre {
 
  private:
   void look(const Observation& observation);
+  [[nodiscard]] bool meets_held(const Observation& observation) const;
 
   Vec2 site_;
   Path blocked_way_;
