@@ -227,7 +227,10 @@ class DecisionChecker {
     bool known = false;
     for (const MonitorId each : decision_.priority) {
       const auto& own = context_.spec[each].recover;
-      if (!own) continue;
+      if (!own) {  // a faulty recovery may be the one that is named
+        known = known || !context_.monitors[index_of(each)].node->recover.empty();
+        continue;
+      }
       const std::string& name = context_.spec[*own].name;
       if (std::find(recoveries.begin(), recoveries.end(), name) == recoveries.end()) {
         recoveries.push_back(name);

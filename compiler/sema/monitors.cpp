@@ -102,9 +102,9 @@ class MonitorChecker {
     only_one(written_.recover, "`recover`");
     const syntax::Name& name = written_.recover.front();
     monitor_.recover_range = name.range;
-    monitor_.recover = context_.resolve<ControllerId>(name, Sort::controller);
-    if (!monitor_.recover) return;
-    const Controller& controller = context_.spec[*monitor_.recover];
+    const auto id = context_.resolve<ControllerId>(name, Sort::controller);
+    if (!id) return;
+    const Controller& controller = context_.spec[*id];
     if (controller.advanced) {
       context_.report(Finding(Code::wrong_role, name.range,
                               "`" + controller.name + "` is advanced, so it cannot recover")
@@ -118,6 +118,8 @@ class MonitorChecker {
                           .label("of another kind")
                           .note(controller.name_range, "declared here")
                           .help("name a safe controller for `" + context_.spec[*kind_].name + "`"));
+    } else {
+      monitor_.recover = *id;
     }
   }
 

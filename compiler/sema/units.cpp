@@ -1,7 +1,6 @@
 #include "compiler/sema/units.h"
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 #include "compiler/sema/suggest.h"
@@ -87,17 +86,6 @@ struct Factor {
   int exponent = 1;  // negative behind a `/`
 };
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::string without_blanks(std::string_view text) {
-  std::string kept;
-  std::copy_if(text.begin(), text.end(), std::back_inserter(kept),
-               [](char c) { return !is_blank(c); });
-  return kept;
-}
-
 // One factor of a unit: "s^2" -> {s, 2}.
 std::optional<Factor> split_power(std::string_view text, bool below) {
   Factor factor{std::string(text), below ? -1 : 1};
@@ -114,14 +102,13 @@ std::optional<Factor> split_power(std::string_view text, bool below) {
   return factor;
 }
 
-std::optional<std::vector<Factor>> split(std::string_view written) {
-  const std::string text = without_blanks(written);
+std::optional<std::vector<Factor>> split(std::string_view text) {
   std::vector<Factor> factors;
   bool below = false;
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find_first_of("*/", begin), text.size());
-    const auto factor = split_power(std::string_view(text).substr(begin, end - begin), below);
+    const auto factor = split_power(text.substr(begin, end - begin), below);
     if (!factor || factor->symbol.empty()) return std::nullopt;
     factors.push_back(*factor);
     below = end < text.size() && text[end] == '/';
@@ -199,7 +186,7 @@ std::optional<UnitMeaning> parse_unit(std::string_view text) {
 
 std::optional<std::string> suggest_unit(std::string_view written,
                                         const std::optional<Dimension>& due) {
-  const std::string text = without_blanks(written);
+  const std::string text(written);
   const auto factors = split(text);
   if (!factors) return std::nullopt;
   std::vector<std::string> possible{text};

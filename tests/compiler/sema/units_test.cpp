@@ -107,7 +107,7 @@ TEST(Units, SuggestsWhatMayBeMeant) {
 
 // What is due decides between equally near units.
 TEST(Units, SuggestsAUnitOfTheDimensionThatIsDue) {
-  EXPECT_EQ(suggest_unit("sm", dims::time), "s");
+  EXPECT_EQ(suggest_unit("sm", dims::time), "ms");
   EXPECT_EQ(suggest_unit("sm", dims::length), "cm");
 }
 
