@@ -152,7 +152,7 @@ class GridFiller {
     const Square block = square(column, row, size);
     const Candidates near = narrow(block, edges_, candidates);
     // Without an edge in it, the block is all inside or all outside.
-    if (!near.meets_boundary && inside_[index(column, row)] == 0) return;
+    if (!near.meets_boundary() && inside_[index(column, row)] == 0) return;
     if (size == 1) {
       fill_cell(index(column, row), block, near);
       return;
@@ -176,9 +176,9 @@ class GridFiller {
   }
 
   void fill_cell(std::size_t at, const Square& cell, const Candidates& near) {
-    const bool crossed = std::any_of(near.edges.begin(), near.edges.end(), [&](std::uint32_t e) {
-      return meets_interior(cell, edges_[e]);
-    });
+    const auto is_crossed_by = [&](std::uint32_t e) { return meets_interior(cell, edges_[e]); };
+    const bool crossed =
+        near.meets_boundary() && std::any_of(near.edges.begin(), near.edges.end(), is_crossed_by);
     if (!crossed && inside_[at] == 0) {
       // Only its border can belong to the region, as boundary.
       grid_.clearance_mm_lo[at] = grid_.clearance_mm_hi[at] = 0;
@@ -186,11 +186,14 @@ class GridFiller {
     }
     std::int64_t lo = std::numeric_limits<std::int32_t>::max();
     std::int64_t hi = lo;
-    for (const std::uint32_t e : near.edges) {
-      if (lo > 0) lo = std::min(lo, nearest_floor(cell, edges_[e]));
-      // Rounding up costs less than 1 mm, so others cannot give the least value.
-      if (farthest(cell, edges_[e]) <= near.least_farthest + 2) {
-        hi = std::min(hi, farthest_ceil(cell, edges_[e]));
+    // Rounding keeps the order, so only the least values matter, with room for errors of doubles.
+    const double lo_limit = near.least_nearest * (1 + 1e-9) + 1e-6;
+    const double hi_limit = near.least_farthest * (1 + 1e-9) + 1e-6;
+    for (std::size_t i = 0; i < near.edges.size(); ++i) {
+      const PreparedEdge& edge = edges_[near.edges[i]];
+      if (near.nearest[i] <= lo_limit) lo = std::min(lo, nearest_floor(cell, edge));
+      if (near.nearest[i] <= hi_limit && farthest(cell, edge) <= hi_limit) {
+        hi = std::min(hi, farthest_ceil(cell, edge));
       }
     }
     grid_.clearance_mm_lo[at] = static_cast<std::int32_t>(lo);

@@ -52,14 +52,21 @@ Squared squared_distance(const PreparedEdge& e, const Corner& p) {
   return {squared_norm(cross(e, p), 0), static_cast<std::uint64_t>(e.squared_length)};
 }
 
-double approximate_distance(const PreparedEdge& e, const Corner& p) {
+double squared(std::int64_t x, std::int64_t y) {
+  const auto dx = static_cast<double>(x);
+  const auto dy = static_cast<double>(y);
+  return dx * dx + dy * dy;
+}
+
+double squared_from_line(const PreparedEdge& e, const Corner& p) {
+  const auto area = static_cast<double>(cross(e, p));
+  return area * area / static_cast<double>(e.squared_length);
+}
+
+double approximate_squared(const PreparedEdge& e, const Corner& p) {
   const int end = end_of(e, p);
-  if (end != 0) {
-    const auto x = static_cast<double>(p.x - (end < 0 ? e.ax : e.bx));
-    const auto y = static_cast<double>(p.y - (end < 0 ? e.ay : e.by));
-    return std::sqrt(x * x + y * y);
-  }
-  return std::abs(static_cast<double>(cross(e, p))) / e.length;
+  if (end == 0) return squared_from_line(e, p);
+  return end < 0 ? squared(p.x - e.ax, p.y - e.ay) : squared(p.x - e.bx, p.y - e.by);
 }
 
 std::int64_t gap(std::int64_t value, std::int64_t lo, std::int64_t hi) {
@@ -122,7 +129,6 @@ std::vector<PreparedEdge> prepare_edges(const SnappedZone& zone) {
       e.dx = e.bx - e.ax;
       e.dy = e.by - e.ay;
       e.squared_length = e.dx * e.dx + e.dy * e.dy;
-      e.length = std::sqrt(static_cast<double>(e.squared_length));
       edges.push_back(e);
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -148,25 +154,21 @@ bool meets_interior(const Square& s, const PreparedEdge& e) {
 
 double nearest(const Square& square, const PreparedEdge& edge) {
   if (meets_closed(square, edge)) return 0;
-  const auto to_end = [&](std::int64_t x, std::int64_t y) {
-    const Corner offset = offset_from(square, x, y);
-    const auto dx = static_cast<double>(offset.x);
-    const auto dy = static_cast<double>(offset.y);
-    return std::sqrt(dx * dx + dy * dy);
-  };
-  double least = std::min(to_end(edge.ax, edge.ay), to_end(edge.bx, edge.by));
+  const Corner to_a = offset_from(square, edge.ax, edge.ay);
+  const Corner to_b = offset_from(square, edge.bx, edge.by);
+  double least = std::min(squared(to_a.x, to_a.y), squared(to_b.x, to_b.y));
   for (const Corner& corner : corners(square)) {
-    least = std::min(least, approximate_distance(edge, corner));
+    if (end_of(edge, corner) == 0) least = std::min(least, squared_from_line(edge, corner));
   }
-  return least;
+  return std::sqrt(least);
 }
 
 double farthest(const Square& square, const PreparedEdge& edge) {
   double most = 0;
   for (const Corner& corner : corners(square)) {
-    most = std::max(most, approximate_distance(edge, corner));
+    most = std::max(most, approximate_squared(edge, corner));
   }
-  return most;
+  return std::sqrt(most);
 }
 
 std::int64_t nearest_floor(const Square& square, const PreparedEdge& edge) {
@@ -196,7 +198,7 @@ Candidates narrow(const Square& square, const std::vector<PreparedEdge>& edges,
   // its points p is at most as far from p as the edge with the least `farthest`, so its `nearest`
   // is at most that; the same holds for the edge with the least `farthest` of the smaller square.
   Candidates result;
-  result.least_farthest = std::numeric_limits<double>::infinity();
+  result.least_nearest = result.least_farthest = std::numeric_limits<double>::infinity();
   std::vector<double> distance;
   distance.reserve(candidates.size());
   for (const std::uint32_t index : candidates) {
@@ -208,7 +210,8 @@ Candidates narrow(const Square& square, const std::vector<PreparedEdge>& edges,
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (distance[i] > limit) continue;
     result.edges.push_back(candidates[i]);
-    result.meets_boundary = result.meets_boundary || distance[i] == 0;
+    result.nearest.push_back(distance[i]);
+    result.least_nearest = std::min(result.least_nearest, distance[i]);
   }
   return result;
 }

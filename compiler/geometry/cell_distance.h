@@ -18,7 +18,6 @@ struct PreparedEdge {
   std::int64_t ax, ay, bx, by;
   std::int64_t dx, dy;
   std::int64_t squared_length;
-  double length;
   // Whether the boundary turns to the right at either end: there the region's angle exceeds 180
   // degrees.
   bool reflex_at_a, reflex_at_b;
@@ -42,8 +41,10 @@ std::int64_t farthest_ceil(const Square& square, const PreparedEdge& edge);
 // the bound `least_farthest` included.
 struct Candidates {
   std::vector<std::uint32_t> edges;
-  double least_farthest = 0;  // min over edges of `farthest`: bounds the clearance in the square
-  bool meets_boundary = false;
+  std::vector<double> nearest;  // of each of them, to the square
+  double least_nearest = 0;
+  double least_farthest = 0;  // bounds the clearance in the square
+  [[nodiscard]] bool meets_boundary() const { return least_nearest == 0; }
 };
 Candidates narrow(const Square& square, const std::vector<PreparedEdge>& edges,
                   const std::vector<std::uint32_t>& candidates);

@@ -1,7 +1,9 @@
 // Vertices to the 1 mm grid, on the safe side: nothing is believed before Region::contains has
 // confirmed it exactly.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "compiler/geometry/bake.h"
 #include "compiler/geometry/ring.h"
@@ -10,7 +12,8 @@ namespace rtac::geometry {
 namespace {
 
 constexpr std::int32_t kLimitMm = 1 << 29;
-// A corner of less than about 15 degrees may have no grid point within this many millimetres.
+// How far around a vertex the nearest grid point is searched; only corners of less than about 20
+// degrees have none so near.
 constexpr int kSearchMm = 4;
 // Rounding moves an outline by at most 1/sqrt(2) mm, so that shrinking by 1 mm first makes it
 // safe; the further steps and rounds are for outlines that fold over themselves when rounded.
@@ -43,11 +46,48 @@ GridPoint nearest_grid_point(const Point& p_mm) {
   return {floor_mm(p_mm.x + half), floor_mm(p_mm.y + half)};
 }
 
-// The grid point to use for `at`: on the inner side of both its edges, so that every edge of the
-// rounded ring lies on the inner side of the edge that it replaces. Squares of growing size about
-// `at` are searched; where none has such a point, the nearest one is taken.
-GridPoint round_inwards(const Point& before, const Point& at, const Point& after) {
-  if (on_grid(at)) return nearest_grid_point(at);
+struct Direction {
+  double x, y;  // of length one, nearly
+};
+
+Direction direction(const Point& from, const Point& to) {
+  const double x = Rational(to.x - from.x).get_d();
+  const double y = Rational(to.y - from.y).get_d();
+  const double length = std::sqrt(x * x + y * y);
+  return {x / length, y / length};
+}
+
+GridPoint near(const Point& from, double x_mm, double y_mm) {
+  return nearest_grid_point({from.x + Rational(x_mm), from.y + Rational(y_mm)});
+}
+
+// Sharp corners have no grid point near that suits both edges. Every disc with a radius of
+// 1/sqrt(2) mm contains a grid point, so a disc of kReachMm that touches the edges will do. Doubles
+// find the points; whether they are safe is decided exactly, later.
+constexpr double kReachMm = 0.75;
+
+// A convex corner is cut off where it becomes as wide as the disc.
+GridPoint cut_tip(const Point& at, const Direction& incoming, const Direction& outgoing) {
+  const Direction sum{outgoing.x - incoming.x, outgoing.y - incoming.y};
+  const Direction difference{outgoing.x + incoming.x, outgoing.y + incoming.y};
+  const double twice_cosine = std::sqrt(sum.x * sum.x + sum.y * sum.y);  // of half the angle
+  const double twice_sine = std::sqrt(difference.x * difference.x + difference.y * difference.y);
+  constexpr double kDeepestMm = 1e6;
+  const double depth = 2 * kReachMm / twice_sine / twice_cosine;
+  if (!(depth < kDeepestMm)) return nearest_grid_point(at);
+  return near(at, depth * sum.x, depth * sum.y);
+}
+
+// In front of a reflex corner a second vertex makes a blunt end.
+void add_blunt_end(const Point& at, const Direction& in, const Direction& out,
+                   std::vector<GridPoint>& rounded) {
+  rounded.push_back(near(at, kReachMm * (in.x - in.y), kReachMm * (in.y + in.x)));
+  rounded.push_back(near(at, kReachMm * (-out.x - out.y), kReachMm * (-out.y + out.x)));
+}
+
+// The nearest grid point on the inner side of both edges at `at`, so that every edge of the
+// rounded ring lies on the inner side of the edge that it replaces.
+std::optional<GridPoint> inner_neighbour(const Point& before, const Point& at, const Point& after) {
   const std::int32_t x0 = floor_mm(at.x);
   const std::int32_t y0 = floor_mm(at.y);
   for (std::int32_t reach = 0; reach < kSearchMm; ++reach) {
@@ -63,20 +103,35 @@ GridPoint round_inwards(const Point& before, const Point& at, const Point& after
         best_distance = distance;
       }
     }
-    if (best) return *best;
+    if (best) return best;
   }
-  return nearest_grid_point(at);
+  return std::nullopt;
+}
+
+void round_vertex(const Point& before, const Point& at, const Point& after,
+                  std::vector<GridPoint>& rounded) {
+  if (on_grid(at)) {
+    rounded.push_back(nearest_grid_point(at));
+  } else if (const auto neighbour = inner_neighbour(before, at, after)) {
+    rounded.push_back(*neighbour);
+  } else if (orientation(before, at, after) > 0) {
+    rounded.push_back(cut_tip(at, direction(before, at), direction(at, after)));
+  } else {
+    add_blunt_end(at, direction(before, at), direction(at, after), rounded);
+  }
 }
 
 Ring round_ring(const Ring& ring) {
-  Ring mm;
-  std::transform(ring.begin(), ring.end(), std::back_inserter(mm), to_mm);
-  Ring rounded;
-  const std::size_t n = mm.size();
+  Ring exact_mm;
+  std::transform(ring.begin(), ring.end(), std::back_inserter(exact_mm), to_mm);
+  std::vector<GridPoint> rounded;
+  const std::size_t n = exact_mm.size();
   for (std::size_t i = 0; i < n; ++i) {
-    rounded.push_back(from_grid(round_inwards(mm[(i + n - 1) % n], mm[i], mm[(i + 1) % n])));
+    round_vertex(exact_mm[(i + n - 1) % n], exact_mm[i], exact_mm[(i + 1) % n], rounded);
   }
-  return rounded;
+  Ring result;
+  std::transform(rounded.begin(), rounded.end(), std::back_inserter(result), from_grid);
+  return result;
 }
 
 template <typename Visit>

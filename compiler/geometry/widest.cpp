@@ -100,7 +100,7 @@ class Search {
       best_mm_ = middle_mm;
       best_ = middle;
     }
-    if (!near.meets_boundary && middle_mm < 0) return;
+    if (!near.meets_boundary() && middle_mm < 0) return;
     queue_.push({near.least_farthest, squares_, square,
                  std::make_shared<const std::vector<std::uint32_t>>(std::move(near.edges))});
   }

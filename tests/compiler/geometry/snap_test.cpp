@@ -79,6 +79,20 @@ TEST(Snap, SliverLosesItsTipOnly) {
   EXPECT_GT(snapped.area(), sliver.area() * q(1, 2));
 }
 
+TEST(Snap, SharpReflexCornerGetsABluntEndAndTheRestStays) {
+  // A thin wedge cut into the square; its tip lies off the grid.
+  const Region region =
+      box(0, 0, 1000, 1000).subtract(polygon({{q(1, 3), q(1, 3)}, mm(1000, 495), mm(1000, 505)}));
+  const auto zone = snap_inside(region);
+  ASSERT_TRUE(zone);
+  const Region snapped = to_region(*zone);
+  EXPECT_TRUE(region.contains(snapped));
+  EXPECT_EQ(zone->rings[0][0], (GridPoint{0, 0}));
+  EXPECT_TRUE(snapped.contains(mm(1000, 495)));
+  // In front of the tip less than 3 mm are lost.
+  EXPECT_TRUE(snapped.contains(mm(331, 332)));
+}
+
 TEST(Snap, RandomRegionsAreSubsetsAndLoseLittle) {
   Random random(5);
   for (int i = 0; i < 60; ++i) {
