@@ -44,10 +44,12 @@ class Repairer {
     if (!doubtful && !follows_bad_token(error.index) && !is_left_over(error, edit)) {
       diagnostics_.report(describe_error(tokens_, error, edit, sources_));
     }
-    if (!is_misspelled(edit)) failed_before_ = true;
+    item_in_doubt_ = item_in_doubt_ || puts_item_in_doubt(error, edit);
     if (!edit || doubtful) return drop_clause(error.index);
     tokens_ = apply_edit(std::move(tokens_), error.index, *edit);
     edited_at_ = edit_index(error.index, *edit);
+    // What follows a `;` or `}` that was removed between clauses is whole.
+    if (edit->kind == EditKind::remove && error.expects(T::BAD_CLAUSE)) edited_at_.reset();
     return true;
   }
 
@@ -72,12 +74,21 @@ class Repairer {
     return edit && edit->reason == EditReason::misspelled;
   }
 
+  static bool is_brace(TokenKind kind) { return kind == T::LEFT_BRACE || kind == T::RIGHT_BRACE; }
+
+  // May this mistake have ended its item too early?
+  [[nodiscard]] bool puts_item_in_doubt(const SyntaxError& error,
+                                        const std::optional<Edit>& edit) const {
+    if (!edit || is_brace(edit->token) || is_brace(tokens_[error.index].kind)) return true;
+    return is_between_items(error) && !is_misspelled(edit);
+  }
+
   // What follows a dropped clause on its line, or an item that ended too early by an earlier
   // mistake, is a rest of it.
   [[nodiscard]] bool is_left_over(const SyntaxError& error, const std::optional<Edit>& edit) const {
     const bool after_drop = error.index > 0 && tokens_[error.index - 1].kind == T::BAD_CLAUSE;
     if (after_drop && !tokens_[error.index].first_on_line) return true;
-    return failed_before_ && is_between_items(error) && !is_misspelled(edit);
+    return item_in_doubt_ && is_between_items(error) && !is_misspelled(edit);
   }
 
   // Replaces the clause around `index`, or the item whose head it is, by BAD_CLAUSE. False when
@@ -130,7 +141,7 @@ class Repairer {
   const SourceManager& sources_;
   diag::Engine& diagnostics_;
   std::optional<std::size_t> edited_at_;
-  bool failed_before_ = false;  // an earlier mistake may have ended its item too early
+  bool item_in_doubt_ = false;  // an earlier mistake may have ended its item too early
 };
 
 }  // namespace
