@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+
+#include "rtac/sample.h"
 
 namespace rtac::safe {
 namespace {
@@ -10,6 +13,8 @@ namespace {
 constexpr double m_per_mm = 1e-3;
 // Clearance that a connector may seem to lose: the resolution of signed_clearance on a segment.
 constexpr double connector_loss_m = 2e-3;
+// Bounds the effort of looking for a cell in sight: a disc of about 2.5 m with 10 cm cells.
+constexpr int max_cell_tests = 2000;
 constexpr float unreached = std::numeric_limits<float>::infinity();
 
 }  // namespace
@@ -101,6 +106,41 @@ bool GridRoute::straight(const RouteQuery& query, Vec2 a, Vec2 b) const {
   return leg_allowed(query, a, b);
 }
 
+// The nearest cell centre that `accept` allows, ring by ring around the cell of `p` (or around the
+// point of the grid nearest to it), so that the costly test is asked near cells first. -1: none
+// within the bounded number of tests.
+template <class Accept>
+int GridRoute::nearest_cell(Vec2 p, const Accept& accept) const {
+  if (cost_.empty() || !is_finite(p)) return -1;
+  const double size = zone_.cell_mm * m_per_mm;
+  const auto clamped = [&](double x, double origin_mm, int count) {
+    const double cell = std::floor((x - origin_mm * m_per_mm) / size);
+    return static_cast<int>(std::clamp<double>(cell, 0, count - 1));
+  };
+  const int column = clamped(p.x, zone_.origin_x_mm, zone_.columns);
+  const int row = clamped(p.y, zone_.origin_y_mm, zone_.rows);
+  double best_m = std::numeric_limits<double>::infinity();
+  int best = -1, tests_left = max_cell_tests;
+  const auto visit = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= zone_.columns || y >= zone_.rows || tests_left == 0) return;
+    const int cell = y * zone_.columns + x;
+    const double distance_m = norm(centre(cell) - p);
+    if (distance_m >= best_m || zone_.clearance_mm_lo[cell] < 0) return;
+    --tests_left;
+    if (!accept(cell)) return;
+    best_m = distance_m;
+    best = cell;
+  };
+  for (int ring = 0; ring <= std::max(zone_.columns, zone_.rows); ++ring) {
+    if ((ring - 0.5) * size > best_m) break;  // no centre of this ring is nearer
+    for (int x = column - ring; x <= column + ring; ++x) {
+      const bool side = std::abs(x - column) == ring;
+      for (int y = row - ring; y <= row + ring; y += side || ring == 0 ? 1 : 2 * ring) visit(x, y);
+    }
+  }
+  return best;
+}
+
 // The cell at which a point joins the grid: its own, or the nearest admissible one that can be
 // reached straight without coming closer to the boundary than the point already is.
 int GridRoute::connect(const RouteQuery& query, Vec2 p, bool leaving) const {
@@ -110,19 +150,11 @@ int GridRoute::connect(const RouteQuery& query, Vec2 p, bool leaving) const {
   const int own = cell_of(p);
   if (own >= 0 && admissible(own, query.clearance_m) && allowed(centre(own))) return own;
   const double floor_m = std::min(signed_clearance(zone_, p), query.clearance_m);
-  double best_m = std::numeric_limits<double>::infinity();
-  int best = -1;
-  for (int cell = 0; cell < zone_.columns * zone_.rows; ++cell) {
-    if (!admissible(cell, query.clearance_m)) continue;
+  return nearest_cell(p, [&](int cell) {
     const Vec2 c = centre(cell);
-    const double distance_m = norm(c - p);
-    // Negated, so that a position that is not a number reaches nothing.
-    if (!(distance_m < best_m) || !allowed(c)) continue;
-    if (signed_clearance(zone_, p, c) < floor_m - connector_loss_m) continue;
-    best_m = distance_m;
-    best = cell;
-  }
-  return best;
+    return admissible(cell, query.clearance_m) && allowed(c) &&
+           signed_clearance(zone_, p, c) >= floor_m - connector_loss_m;
+  });
 }
 
 void GridRoute::sift_up(int at) {
@@ -266,22 +298,14 @@ bool GridRoute::to_place(const RouteQuery& query, const PlaceTest& test, Path& w
 
 bool GridRoute::straight_to_place(const RouteQuery& query, const PlaceTest& test, double floor_m,
                                   Path& way) const {
-  if (cost_.empty()) return false;
-  double best_m = std::numeric_limits<double>::infinity();
-  Vec2 best;
-  for (int cell = 0; cell < zone_.columns * zone_.rows; ++cell) {
-    const std::int32_t clearance_mm = zone_.clearance_mm_lo[cell];
-    const Vec2 c = centre(cell);
-    const double distance_m = norm(c - query.start);
-    if (clearance_mm < 0 || !(distance_m < best_m)) continue;
-    if (!test.accepts(c, clearance_mm * m_per_mm) || !leg_allowed(query, query.start, c)) continue;
-    if (signed_clearance(zone_, query.start, c) < floor_m) continue;
-    best_m = distance_m;
-    best = c;
-  }
+  const int cell = nearest_cell(query.start, [&](int at) {
+    const Vec2 c = centre(at);
+    return test.accepts(c, zone_.clearance_mm_lo[at] * m_per_mm) &&
+           leg_allowed(query, query.start, c) && signed_clearance(zone_, query.start, c) >= floor_m;
+  });
   way.points.clear();
   way.index = 0;
-  return std::isfinite(best_m) && way.points.push(best);
+  return cell >= 0 && way.points.push(centre(cell));
 }
 
 }  // namespace rtac::safe

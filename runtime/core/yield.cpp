@@ -63,6 +63,7 @@ void recede_from_held(const Observation& observation, RouteQuery& query) {
 
 void YieldManoeuvre::engage(const Observation&) {
   stay();
+  cornered_ = false;
   held_since_us_ = wanting_since_us_ = next_look_us_ = never_us;
 }
 
@@ -114,6 +115,7 @@ void YieldManoeuvre::update(const Observation& observation, Gate gate, bool at_r
   if (held_since_us_ == never_us) start_waiting(observation);
   if (now_us < next_look_us_) return;
   next_look_us_ = now_us + look_every_us;
+  cornered_ = false;
   if (const int asker = asking(observation); asker >= 0) {
     make_passage(observation, gate, asker);
   } else if (now_us - held_since_us_ >= patience_us && must_back_off(observation)) {
@@ -169,7 +171,9 @@ void YieldManoeuvre::back_off(const Observation& observation) {
   if (aside.good_enough(observation.position.value)) return;
   RouteQuery away = query(observation, false);
   recede_from_held(observation, away);
-  if (!route_.to_place(away, aside, way_)) stay();
+  if (route_.to_place(away, aside, way_)) return;
+  stay();
+  cornered_ = true;
 }
 
 }  // namespace rtac::safe

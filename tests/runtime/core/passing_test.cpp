@@ -89,6 +89,26 @@ TEST_P(Passing, TheBayLetsTheFirstRobotThrough) {
   EXPECT_GT(clearance, 0.2 - 0.07);
 }
 
+// The first of the order stands at the dead end of the corridor and cannot back off: it asks, and
+// the second one makes room.
+TEST_P(Passing, ACorneredRobotAsksTheOther) {
+  Yield<Twist> a(cart()), b(cart());
+  Member first{{test::cart_limits(), {0.3, 0.5}}, &a},
+      second{{test::cart_limits(), {0.75, 0.5}}, &b};
+  a.engage(first.plant.observe());
+  b.engage(second.plant.observe());
+  first.plant.noise.seed(GetParam());
+  second.plant.noise.seed(100 + GetParam());
+  double least = 9;
+  for (int i = 0; i < 300; ++i) {
+    first.tick(second, 1);
+    second.tick(first, 0);
+    least = std::min(least, norm(first.plant.p - second.plant.p));
+  }
+  EXPECT_GT(norm(first.plant.p - second.plant.p), 0.7);
+  EXPECT_GT(least, 0.45 - 0.02);
+}
+
 // Two robots that hold too close to each other get apart: only the first of the order moves.
 TEST_P(Passing, TwoHeldRobotsGetApart) {
   Yield<Twist> a(cart()), b(cart());

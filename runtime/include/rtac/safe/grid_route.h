@@ -62,6 +62,8 @@ class GridRoute {
   [[nodiscard]] Vec2 centre(int cell) const;
   [[nodiscard]] bool admissible(int cell, double clearance_m) const;
   [[nodiscard]] bool straight(const RouteQuery& query, Vec2 a, Vec2 b) const;
+  template <class Accept>
+  [[nodiscard]] int nearest_cell(Vec2 p, const Accept& accept) const;
   [[nodiscard]] int connect(const RouteQuery& query, Vec2 p, bool leaving) const;
   bool search(const RouteQuery& query, const Goal& goal, int first, int& last);
   void relax(const RouteQuery& query, const Goal& goal, int from);

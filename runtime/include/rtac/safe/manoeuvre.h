@@ -81,6 +81,8 @@ class YieldManoeuvre : public Manoeuvre {
   using Manoeuvre::Manoeuvre;
   void engage(const Observation& observation) override;
   void update(const Observation& observation, Gate gate, bool at_rest) override;
+  // It should back off and has no place to go: the others have to move.
+  [[nodiscard]] bool blocked() const override { return cornered_; }
 
  private:
   // The robot with the strongest claim that asks this one for passage; -1: none.
@@ -93,6 +95,7 @@ class YieldManoeuvre : public Manoeuvre {
   void reconsider(const Observation& observation, Gate gate);
   void start_waiting(const Observation& observation);
 
+  bool cornered_ = false;
   TimeUs held_since_us_ = never_us;     // at rest without a wish to move
   TimeUs wanting_since_us_ = never_us;  // at rest, wanting to move
   TimeUs next_look_us_ = never_us;
