@@ -167,8 +167,8 @@ class Deriver {
     d.body = body_of(kind, d.period_us);
     if (kind.energy) {
       const auto& e = *kind.energy;
-      d.hold_reserve_ppm = ceil_to_int(Rational(
-          (e.idle.value * e.held.value + e.drive.value * e.detour.value) * 1'000'000));
+      d.hold_reserve_ppm = ceil_to_int(
+          Rational((e.idle.value * e.held.value + e.drive.value * e.detour.value) * 1'000'000));
     }
     if (!from.on_plan) d.motions.push_back(any_control(kind));
     for (const sema::MonitorId id : from.priority) {
@@ -202,17 +202,20 @@ class Deriver {
     // theory, horizon: templates are computed every tick and issued in the failing one (k = 1);
     // an external recovery is asynchronous (k = 2)
     const std::int64_t k = from.recover && is_template(*from.recover) ? 1 : 2;
-    m.lookahead.duration_us = from.ahead.duration
-                                  ? ceil_to_int(from.ahead.duration->value * 1'000'000)
-                                  : k * d.period_us;
+    m.lookahead.duration_us =
+        from.ahead.duration ? ceil_to_int(from.ahead.duration->value * 1'000'000) : k * d.period_us;
     if (m.lookahead.duration && m.lookahead.duration_us < k * d.period_us &&
         !from.ahead.duration_unsound) {
       const std::string least = to_decimal(Rational(k * d.period_us, 1000)) + " ms";
-      diagnostics_.report({Code::lookahead_too_short, from.ahead.range,
-                           "`ahead` is shorter than the " + std::to_string(k) +
-                               " period(s) of " + to_decimal(Rational(d.period_us, 1000)) +
+      diagnostics_.report({Code::lookahead_too_short,
+                           from.ahead.range,
+                           "`ahead` is shorter than the " + std::to_string(k) + " period(s) of " +
+                               to_decimal(Rational(d.period_us, 1000)) +
                                " ms after which the recovery acts",
-                           "", {}, "`" + least + "` works, or `unsound \"why\"`", {}});
+                           "",
+                           {},
+                           "`" + least + "` works, or `unsound \"why\"`",
+                           {}});
     }
     m.lookahead.waypoints = from.ahead.waypoints;
     m.lookahead.points_only = from.ahead.points_only;
@@ -263,8 +266,8 @@ class Deriver {
     for (std::size_t k = 0; k < d.monitors.size(); ++k) {
       ir::Recovery& r = d.monitors[k].recovery;
       r.return_clearance_mm = return_clearance_mm(d, lookahead_us) + fence_standoff_mm(d);
-      r.route_clearance_mm = cruise_clearance_mm(d, d.motions[k + 1], lookahead_us) +
-                             fence_standoff_mm(d);
+      r.route_clearance_mm =
+          cruise_clearance_mm(d, d.motions[k + 1], lookahead_us) + fence_standoff_mm(d);
       r.pass_gap_mm = pass_gap_mm(d, lookahead_us, separation_mm(d));
     }
   }
@@ -305,23 +308,23 @@ class Deriver {
   }
   void price(ir::SiteTable& site, const ir::Recovery& route, const ir::Body& body,
              const sema::RobotKind& kind) {
-    const auto zone = std::find_if(
-        out_.tables.zones.begin(), out_.tables.zones.end(),
-        [&](const std::optional<ir::ZoneIndex>& z) { return z && *z == site.zone; });
+    const auto zone =
+        std::find_if(out_.tables.zones.begin(), out_.tables.zones.end(),
+                     [&](const std::optional<ir::ZoneIndex>& z) { return z && *z == site.zone; });
     const auto& baked = zones_[std::size_t(zone - out_.tables.zones.begin())]->baked;
     for (ir::SiteTable::Place& place : site.places) {
-      const auto distances = geometry::distances_to(
-          baked.cells, {place.x_mm, place.y_mm},
-          static_cast<std::int32_t>(route.route_clearance_mm),
-          static_cast<std::int32_t>(body.radius_mm), connector_mm);
+      const auto distances =
+          geometry::distances_to(baked.cells, {place.x_mm, place.y_mm},
+                                 static_cast<std::int32_t>(route.route_clearance_mm),
+                                 static_cast<std::int32_t>(body.radius_mm), connector_mm);
       place.cost_ppm.resize(distances.size());
       for (std::size_t c = 0; c < distances.size(); ++c) {
         place.cost_ppm[c] =
             baked.cells.clearance_mm_hi[c] < body.radius_mm ? ir::no_body
             : distances[c] < 0
                 ? ir::no_way
-                : static_cast<std::int32_t>(travel_cost_ppm(
-                      kind, Rational(route.speed_mmps, 1000), baked.cells.cell_mm, distances[c]));
+                : static_cast<std::int32_t>(travel_cost_ppm(kind, Rational(route.speed_mmps, 1000),
+                                                            baked.cells.cell_mm, distances[c]));
       }
     }
   }

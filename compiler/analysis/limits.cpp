@@ -93,8 +93,7 @@ ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
 }
 
 std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us) {
-  const std::int64_t t_us =
-      horizon_us_max(decision.body, lookahead_us) + decision.return_extra_us;
+  const std::int64_t t_us = horizon_us_max(decision.body, lookahead_us) + decision.return_extra_us;
   return disc_mm(decision.body, decision.motions[0], decision.body.velocity_error_mmps, t_us) +
          decision.body.position_error_mm;
 }
@@ -110,8 +109,7 @@ std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion&
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
                          std::int64_t standoff_mm) {
   const ir::Body& b = decision.body;
-  const std::int64_t t_us =
-      horizon_us_max(b, lookahead_us) + decision.return_extra_us;
+  const std::int64_t t_us = horizon_us_max(b, lookahead_us) + decision.return_extra_us;
   const std::int64_t mover =
       disc_mm(b, decision.motions[0], decision.motions[0].speed_mmps, t_us) + b.position_error_mm;
   const std::int64_t held = 2 * b.position_error_mm + 2 + b.hold_mm + b.radius_mm;

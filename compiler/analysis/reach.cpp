@@ -21,9 +21,8 @@ std::int64_t disc_mm(const ir::Body& body, const ir::Motion& motion, std::int64_
   const std::int64_t v_error = body.velocity_error_mmps + 2;
   const std::int64_t p_error = body.position_error_mm + 2;
   const std::int64_t t_ms = div_up(t_us, 1000);
-  const std::int64_t cap = motion.recovery
-                               ? std::max(motion.speed_mmps, measured_mmps + v_error)
-                               : motion.speed_mmps;
+  const std::int64_t cap =
+      motion.recovery ? std::max(motion.speed_mmps, measured_mmps + v_error) : motion.speed_mmps;
   const std::int64_t gain = div_up(motion.accel_mmps2 * t_ms, 1000);
   const std::int64_t s0 = std::min(cap, measured_mmps + v_error);
   const std::int64_t s1 = std::min(cap, s0 + gain);

@@ -147,8 +147,8 @@ class WellFormed {
 
 }  // namespace
 
-void check_well_formed(const sema::Spec& spec, const ir::Module& module,
-                       const ir::TableMap& tables, diag::Engine& diagnostics) {
+void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
+                       diag::Engine& diagnostics) {
   WellFormed(spec, module, tables, diagnostics).run();
 }
 
@@ -171,8 +171,8 @@ std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decisi
     if (m.lookahead.duration && !decision.on_plan) {
       s.lookahead_us = m.lookahead.duration_us;
       s.horizon_us = horizon_us_max(decision.body, s.lookahead_us);
-      s.stopping_mm = disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps,
-                              s.horizon_us);
+      s.stopping_mm =
+          disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps, s.horizon_us);
       s.return_clearance_mm = m.recovery.return_clearance_mm;
       if (m.recovery.kind == ir::RecoveryKind::retreat) {
         const std::int64_t standoff =

@@ -10,8 +10,8 @@ namespace rtac::analysis {
 
 // Every fence leaves a place where control can be given back; every site lies in its zone, can be
 // reached along the cells of its route, and is a place where control can be given back.
-void check_well_formed(const sema::Spec& spec, const ir::Module& module,
-                       const ir::TableMap& tables, diag::Engine& diagnostics);
+void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
+                       diag::Engine& diagnostics);
 
 // Longest look-ahead (us, whole ms) whose return clearance fits into `widest_mm`; 0: none.
 std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,

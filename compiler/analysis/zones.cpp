@@ -8,8 +8,8 @@ namespace {
 using diag::Code;
 using sema::ZoneId;
 
-constexpr std::int32_t cell_mm = 100;          // route and energy tables
-constexpr std::size_t edges_max = 256;         // a kernel without an index checks every edge
+constexpr std::int32_t cell_mm = 100;   // route and energy tables
+constexpr std::size_t edges_max = 256;  // a kernel without an index checks every edge
 
 std::string metres(const Rational& value) {
   return to_decimal(value) + " m";
@@ -21,7 +21,9 @@ std::string place(const geometry::Point& p) {
 class Evaluator {
  public:
   Evaluator(const sema::Spec& spec, diag::Engine& diagnostics)
-      : spec_(spec), diagnostics_(diagnostics), regions_(spec.zones.size()),
+      : spec_(spec),
+        diagnostics_(diagnostics),
+        regions_(spec.zones.size()),
         visited_(spec.zones.size(), false) {}
 
   // nullopt: faulty, and reported where the fault is.
@@ -53,9 +55,12 @@ class Evaluator {
     const Result right = expr(*node.right);
     if (!left || !right) return std::nullopt;
     switch (node.op) {
-      case sema::ZoneOp::unite: return left->unite(*right);
-      case sema::ZoneOp::intersect: return left->intersect(*right);
-      case sema::ZoneOp::subtract: return left->subtract(*right);
+      case sema::ZoneOp::unite:
+        return left->unite(*right);
+      case sema::ZoneOp::intersect:
+        return left->intersect(*right);
+      case sema::ZoneOp::subtract:
+        return left->subtract(*right);
     }
     return std::nullopt;
   }
@@ -101,7 +106,8 @@ class Evaluator {
         break;
       case geometry::Problem::Kind::repeats_vertex:
         d.code = Code::ring_repeats_vertex;
-        d.message = vertex + " of " + which + " repeats vertex " + std::to_string(problem.other + 1);
+        d.message =
+            vertex + " of " + which + " repeats vertex " + std::to_string(problem.other + 1);
         d.notes.push_back({at(problem.other), "the vertex was here first"});
         d.help = "remove one of the two; rings are closed by themselves";
         break;
@@ -175,18 +181,26 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
     const SourceRange range = zone.name.empty() ? zone.value->range : zone.name_range;
     auto snapped = geometry::snap_inside(*region);
     if (!snapped) {
-      diagnostics.report({Code::zone_vanishes_on_grid, range,
-                          "nothing of the zone is left on the grid of 1 mm within ±536 km", "", {},
-                          "make the zone wider than 2 mm and keep it near the origin", {}});
+      diagnostics.report({Code::zone_vanishes_on_grid,
+                          range,
+                          "nothing of the zone is left on the grid of 1 mm within ±536 km",
+                          "",
+                          {},
+                          "make the zone wider than 2 mm and keep it near the origin",
+                          {}});
       continue;
     }
     EvaluatedZone evaluated{std::move(*region), std::move(*snapped), {}};
     evaluated.baked = geometry::bake(evaluated.snapped, cell_mm);
     if (evaluated.baked.edges.size() > edges_max) {
-      diagnostics.report({Code::too_many_edges, range,
+      diagnostics.report({Code::too_many_edges,
+                          range,
                           "the zone has " + std::to_string(evaluated.baked.edges.size()) +
                               " edges, a decision checks at most " + std::to_string(edges_max),
-                          "", {}, "simplify the boundary from the safe side", {}});
+                          "",
+                          {},
+                          "simplify the boundary from the safe side",
+                          {}});
       continue;
     }
     result[i] = std::move(evaluated);

@@ -29,8 +29,8 @@ std::string BlockPrinter::use(const std::string& function, const std::string& ar
   return function + "(" + arguments + ")";
 }
 
-void BlockPrinter::function(const std::string& name, const std::string& comment,
-                            const Block& block, Code& out) {
+void BlockPrinter::function(const std::string& name, const std::string& comment, const Block& block,
+                            Code& out) {
   for (std::size_t i = 0; i < block.values.size(); ++i) {
     if (const auto* v = std::get_if<ForOthers>(&block.values[i].op)) {
       others(name + "_" + ref(ValueId(i)), *v->body, out);
@@ -128,12 +128,12 @@ std::string BlockPrinter::value(const Value& v, const Block& block) {
       return p.use("margin_or", ref(a.a) + ", " + ref(a.b));
     }
     std::string operator()(const HeldFor& h) const {
-      return p.use("held_for", ref(h.a) + ", &v->runs[" + num(h.slot) + "], " + num(h.ticks) +
-                                   ", v->new_tick");
+      return p.use("held_for",
+                   ref(h.a) + ", &v->runs[" + num(h.slot) + "], " + num(h.ticks) + ", v->new_tick");
     }
     std::string operator()(const ForOthers&) const { return ""; }  // printed as a loop
     std::string operator()(const ZoneReach& z) const {
-      return p.use("zone_reach", zone(z.zone) + ", &v->reach, " + num(z.least_mm));
+      return p.use("zone_reach", zone(z.zone) + ", &v->within, " + num(z.least_mm));
     }
     std::string operator()(const LegsInZone& z) const {
       return if_legs(p.use("legs_in_zone", zone(z.zone) + ", &v->self, &v->in->plan, " +
@@ -144,27 +144,24 @@ std::string BlockPrinter::value(const Value& v, const Block& block) {
                                                  ", " + num(z.need_mm)));
     }
     std::string operator()(const PairReach& r) const {
-      return p.use("pair_reach",
-                   "&v->reach, &v->others[j], &BODY, " + num(r.least_mm) + ", j");
+      return p.use("pair_reach", "&v->within, &v->others[j], &BODY, " + num(r.least_mm) + ", j");
     }
     std::string operator()(const LegsApart& l) const {
-      return if_legs(p.use(
-          "legs_apart", "&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, " +
-                            num(l.legs) + ", " + num(l.need_mm) + ", " +
-                            num(p.decision_.body.hold_mm) + ", " +
-                            num(p.decision_.body.tracking_mm) + ", " +
-                            (l.ranked ? "j < v->in->self" : "1") + ", j"));
+      return if_legs(
+          p.use("legs_apart", "&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, " +
+                                  num(l.legs) + ", " + num(l.need_mm) + ", " +
+                                  num(p.decision_.body.hold_mm) + ", " +
+                                  num(p.decision_.body.tracking_mm) + ", " +
+                                  (l.ranked ? "j < v->in->self" : "1") + ", j"));
     }
     std::string operator()(const EnergyReach& e) const {
-      return p.use("energy_reach", cells(e.site) + ", &v->reach, v->charge, " +
+      return p.use("energy_reach", cells(e.site) + ", &v->within, v->charge, " +
                                        num(e.reserve_ppm) + ", " +
-                                       num(p.decision_.body.drain_ppm_per_s) +
-                                       ", v->horizon_us");
+                                       num(p.decision_.body.drain_ppm_per_s) + ", v->horizon_us");
     }
     std::string operator()(const ChargeReach& c) const {
       return p.use("charge_reach", "v->charge, " + num(c.least_ppm) + ", " +
-                                       num(p.decision_.body.drain_ppm_per_s) +
-                                       ", v->horizon_us");
+                                       num(p.decision_.body.drain_ppm_per_s) + ", v->horizon_us");
     }
   };
   return std::visit(Visitor{*this, block, if_legs}, v.op);

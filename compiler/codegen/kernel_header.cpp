@@ -44,12 +44,15 @@ class Header {
     const auto list = [&](const char* family, const std::string& why,
                           const std::vector<const char*>& names) {
       code_.comment(why);
-      code_.block("enum", [&](Code& body) {
-        for (std::size_t i = 0; i < names.size(); ++i) {
-          body.line(up_ + "_" + family + "_" + names[i] + " = " + std::to_string(i) +
-                    (i + 1 < names.size() ? "," : ""));
-        }
-      }, "};");
+      code_.block(
+          "enum",
+          [&](Code& body) {
+            for (std::size_t i = 0; i < names.size(); ++i) {
+              body.line(up_ + "_" + family + "_" + names[i] + " = " + std::to_string(i) +
+                        (i + 1 < names.size() ? "," : ""));
+            }
+          },
+          "};");
       code_.blank();
     };
     list("VERDICT", "What is known of a property.", {"FALSE", "UNKNOWN", "TRUE"});
@@ -60,16 +63,22 @@ class Header {
          {"NONE", "POSITION", "VELOCITY", "HEADING", "BATTERY", "PLAN", "OTHER_ROBOT", "CLOCK"});
     list("GATE", "What the separation test allows a moving recovery.",
          {"FREE", "AWAY_ONLY", "HOLD"});
-    code_.block("enum", [&](Code& body) {
-      body.line(up_ + "_PLAN_CAPACITY = " + std::to_string(plan_capacity(module_)));
-    }, "};");
+    code_.block(
+        "enum",
+        [&](Code& body) {
+          body.line(up_ + "_PLAN_CAPACITY = " + std::to_string(plan_capacity(module_)));
+        },
+        "};");
     code_.blank();
   }
 
   Code& record(const std::string& name, const std::vector<std::string>& fields) {
-    code_.block("typedef struct " + p_ + "_" + name, [&](Code& body) {
-      for (const std::string& field : fields) body.line(field);
-    }, "} " + p_ + "_" + name + ";");
+    code_.block(
+        "typedef struct " + p_ + "_" + name,
+        [&](Code& body) {
+          for (const std::string& field : fields) body.line(field);
+        },
+        "} " + p_ + "_" + name + ";");
     return code_.blank();
   }
 
@@ -100,13 +109,16 @@ class Header {
     const std::string up = upper(name);
     code_.comment("Decision " + d.name + " for " + d.kind + ", every " +
                   std::to_string(d.period_us) + " us. Monitors, highest first:");
-    code_.block("enum", [&](Code& body) {
-      for (std::size_t k = 0; k < d.monitors.size(); ++k) {
-        body.line(up + "_" + upper(d.monitors[k].name) + " = " + std::to_string(k) + ",");
-      }
-      body.line(up + "_MONITORS = " + std::to_string(d.monitors.size()) + ",");
-      body.line(up + "_ROBOTS = " + std::to_string(d.robots));
-    }, "};");
+    code_.block(
+        "enum",
+        [&](Code& body) {
+          for (std::size_t k = 0; k < d.monitors.size(); ++k) {
+            body.line(up + "_" + upper(d.monitors[k].name) + " = " + std::to_string(k) + ",");
+          }
+          body.line(up + "_MONITORS = " + std::to_string(d.monitors.size()) + ",");
+          body.line(up + "_ROBOTS = " + std::to_string(d.robots));
+        },
+        "};");
     code_.blank();
     record(d.name + "_in",
            {"int32_t self; /* index of this robot in its fleet */",
@@ -115,12 +127,13 @@ class Header {
             p_ + "_point position, velocity;", p_ + "_scalar battery;", p_ + "_plan plan;",
             p_ + "_other others[" + up + "_ROBOTS];"});
     code_.comment("Opaque; start with _init.");
-    std::vector<std::string> fields = {p_ + "_clock clock;",
-                                       p_ + "_monitor monitors[" + up + "_MONITORS];",
-                                       "int32_t mode;",
-                                       "int64_t lease_end_us;",
-                                       "int64_t last_position_us, last_velocity_us, last_battery_us;",
-                                       "int64_t last_other_us[" + up + "_ROBOTS];"};
+    std::vector<std::string> fields = {
+        p_ + "_clock clock;",
+        p_ + "_monitor monitors[" + up + "_MONITORS];",
+        "int32_t mode;",
+        "int64_t lease_end_us;",
+        "int64_t last_position_us, last_velocity_us, last_battery_us;",
+        "int64_t last_other_us[" + up + "_ROBOTS];"};
     if (d.held_slots > 0) {
       fields.push_back("int32_t runs[" + std::to_string(d.held_slots) + "];");
     }
@@ -142,9 +155,12 @@ class Header {
     const std::string name = p_ + "_" + d.name;
     code_.comment("Decision " + d.name + " for " + d.kind +
                   ", on a proposed plan. mode 0: the plan is admissible; 1: use the safe planner.");
-    code_.block("enum", [&](Code& body) {
-      body.line(upper(name) + "_MONITORS = " + std::to_string(d.monitors.size()));
-    }, "};");
+    code_.block(
+        "enum",
+        [&](Code& body) {
+          body.line(upper(name) + "_MONITORS = " + std::to_string(d.monitors.size()));
+        },
+        "};");
     code_.blank();
     record(d.name + "_out", {"int32_t mode, monitor;", p_ + "_finding found;",
                              p_ + "_result monitors[" + upper(name) + "_MONITORS];"});

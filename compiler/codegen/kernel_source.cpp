@@ -48,8 +48,7 @@ class Source {
     head.line("#include \"" + stem_ + "_kernel.h\"").blank();
     constants(head);
     head.text(kernel_library(uses_, p_));
-    return head.print(Code::Style::c) + tables.print(Code::Style::c) +
-           body.print(Code::Style::c);
+    return head.print(Code::Style::c) + tables.print(Code::Style::c) + body.print(Code::Style::c);
   }
 
  private:
@@ -119,14 +118,17 @@ class Source {
       if (!used(ZoneIndex(i))) continue;
       out.comment("Zone " + z.name + ": " + num(std::int64_t(z.edges.size())) +
                   " edges ax, ay, bx, by (mm, the zone on the left), direction (Q30).");
-      out.block("static const edge " + zone_symbol(z) + "_edges[] =", [&](Code& body) {
-        std::vector<std::string> lines;
-        for (const Edge& e : z.edges) {
-          lines.push_back("{" + num(e.ax) + ", " + num(e.ay) + ", " + num(e.bx) + ", " +
-                          num(e.by) + ", " + num(e.ux_q30) + ", " + num(e.uy_q30) + "}");
-        }
-        rows(body, lines, 1);
-      }, "};");
+      out.block(
+          "static const edge " + zone_symbol(z) + "_edges[] =",
+          [&](Code& body) {
+            std::vector<std::string> lines;
+            for (const Edge& e : z.edges) {
+              lines.push_back("{" + num(e.ax) + ", " + num(e.ay) + ", " + num(e.bx) + ", " +
+                              num(e.by) + ", " + num(e.ux_q30) + ", " + num(e.uy_q30) + "}");
+            }
+            rows(body, lines, 1);
+          },
+          "};");
       out.line("static const zone " + zone_symbol(z) + " = {" + zone_symbol(z) + "_edges, " +
                num(std::int64_t(z.edges.size())) + "};");
       out.blank();
@@ -141,22 +143,28 @@ class Source {
       for (const auto& place : s.places) {
         out.comment("Charge in ppm that the way from each cell to " + s.name + "(" + place.robot +
                     ") takes at most; -1: no body fits, 2^30: no way.");
-        out.block("static const int32_t " + cost_symbol(s, place) + "[] =", [&](Code& body) {
-          std::vector<std::string> values;
-          for (const std::int32_t cost : place.cost_ppm) values.push_back(num(cost));
-          rows(body, values, 12);
-        }, "};");
+        out.block(
+            "static const int32_t " + cost_symbol(s, place) + "[] =",
+            [&](Code& body) {
+              std::vector<std::string> values;
+              for (const std::int32_t cost : place.cost_ppm) values.push_back(num(cost));
+              rows(body, values, 12);
+            },
+            "};");
       }
       const Cells& c = module_[s.zone].cells;
-      out.block("static const cells " + cells_symbol(s) + "[] =", [&](Code& body) {
-        std::vector<std::string> lines;
-        for (const auto& place : s.places) {
-          lines.push_back("{" + cost_symbol(s, place) + ", " + num(c.origin_x_mm) + ", " +
-                          num(c.origin_y_mm) + ", " + num(c.cell_mm) + ", " + num(c.columns) +
-                          ", " + num(c.rows) + "}");
-        }
-        rows(body, lines, 1);
-      }, "};");
+      out.block(
+          "static const cells " + cells_symbol(s) + "[] =",
+          [&](Code& body) {
+            std::vector<std::string> lines;
+            for (const auto& place : s.places) {
+              lines.push_back("{" + cost_symbol(s, place) + ", " + num(c.origin_x_mm) + ", " +
+                              num(c.origin_y_mm) + ", " + num(c.cell_mm) + ", " + num(c.columns) +
+                              ", " + num(c.rows) + "}");
+            }
+            rows(body, lines, 1);
+          },
+          "};");
       out.blank();
     }
   }

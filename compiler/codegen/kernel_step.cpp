@@ -19,8 +19,14 @@ class StepPrinter {
  public:
   StepPrinter(const Module& module, const Decision& decision, const std::string& prefix,
               std::set<std::string>& uses, Code& out)
-      : module_(module), d_(decision), p_(prefix), name_(prefix + "_" + decision.name),
-        up_(upper(prefix)), view_(decision.name + "_view"), uses_(uses), out_(out) {}
+      : module_(module),
+        d_(decision),
+        p_(prefix),
+        name_(prefix + "_" + decision.name),
+        up_(upper(prefix)),
+        view_(decision.name + "_view"),
+        uses_(uses),
+        out_(out) {}
 
   void print() {
     for (const Monitor& m : d_.monitors) {
@@ -73,33 +79,44 @@ class StepPrinter {
     define("HORIZONS", num(std::int64_t(horizons_.size())));
     out_.blank();
     const Body& b = d_.body;
-    out_.comment("radius mm, position error mm, velocity error mm/s, acceleration and brake "
-                 "mm/s^2, brake lag ms and permille, hold mm, largest ages us");
-    out_.block("static const body BODY =", [&](Code& to) {
-      to.line(num(b.radius_mm) + ", " + num(b.position_error_mm) + ", " +
-              num(b.velocity_error_mmps) + ", " + num(b.accel_mmps2) + ", " + num(b.brake_mmps2) +
-              ", " + num(b.brake_lag_ms) + ", " + num(b.brake_lag_permille) + ", " +
-              num(b.hold_mm) + ", " + num(b.position_age_us) + ", " + num(b.velocity_age_us));
-    }, "};");
+    out_.comment(
+        "radius mm, position error mm, velocity error mm/s, acceleration and brake "
+        "mm/s^2, brake lag ms and permille, hold mm, largest ages us");
+    out_.block(
+        "static const body BODY =",
+        [&](Code& to) {
+          to.line(num(b.radius_mm) + ", " + num(b.position_error_mm) + ", " +
+                  num(b.velocity_error_mmps) + ", " + num(b.accel_mmps2) + ", " +
+                  num(b.brake_mmps2) + ", " + num(b.brake_lag_ms) + ", " +
+                  num(b.brake_lag_permille) + ", " + num(b.hold_mm) + ", " +
+                  num(b.position_age_us) + ", " + num(b.velocity_age_us));
+        },
+        "};");
     if (pairs()) {
       out_.comment("The same of another robot, whose samples are as old as `hears` allows.");
-      out_.block("static const body " + d_.name + "_heard_body =", [&](Code& to) {
-        to.line(num(b.radius_mm) + ", " + num(b.position_error_mm) + ", " +
-                num(b.velocity_error_mmps) + ", " + num(b.accel_mmps2) + ", " +
-                num(b.brake_mmps2) + ", " + num(b.brake_lag_ms) + ", " +
-                num(b.brake_lag_permille) + ", " + num(b.hold_mm) + ", " + num(b.hears_age_us) +
-                ", " + num(b.hears_age_us));
-      }, "};");
+      out_.block(
+          "static const body " + d_.name + "_heard_body =",
+          [&](Code& to) {
+            to.line(num(b.radius_mm) + ", " + num(b.position_error_mm) + ", " +
+                    num(b.velocity_error_mmps) + ", " + num(b.accel_mmps2) + ", " +
+                    num(b.brake_mmps2) + ", " + num(b.brake_lag_ms) + ", " +
+                    num(b.brake_lag_permille) + ", " + num(b.hold_mm) + ", " + num(b.hears_age_us) +
+                    ", " + num(b.hears_age_us));
+          },
+          "};");
     }
     out_.comment("Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority.");
-    out_.block("static const motion MOTIONS[] =", [&](Code& to) {
-      for (std::size_t i = 0; i < d_.motions.size(); ++i) {
-        const Motion& m = d_.motions[i];
-        to.line("{" + num(m.speed_mmps) + ", " + num(m.accel_mmps2) + ", " +
-                (m.recovery ? "1" : "0") + "}" + (i + 1 < d_.motions.size() ? "," : "") + " /* " +
-                m.name + " */");
-      }
-    }, "};");
+    out_.block(
+        "static const motion MOTIONS[] =",
+        [&](Code& to) {
+          for (std::size_t i = 0; i < d_.motions.size(); ++i) {
+            const Motion& m = d_.motions[i];
+            to.line("{" + num(m.speed_mmps) + ", " + num(m.accel_mmps2) + ", " +
+                    (m.recovery ? "1" : "0") + "}" + (i + 1 < d_.motions.size() ? "," : "") +
+                    " /* " + m.name + " */");
+          }
+        },
+        "};");
     out_.comment("From the decision until its recovery acts: look-ahead and latency, us.");
     std::string list;
     for (const std::int64_t h : horizons_) list += (list.empty() ? "" : ", ") + num(h);
@@ -110,18 +127,21 @@ class StepPrinter {
     use({"estimate_type", "reach_type", "span_type"});
     if (pairs()) use({"other_type"});
     out_.comment("What a tick knows, seen with one horizon and the motion of one driver.");
-    out_.block("typedef struct " + view_, [&](Code& to) {
-      to.line("const " + name_ + "_in *in;");
-      to.line("const motion *m;");
-      to.line("int64_t now_us, horizon_us;");
-      to.line("int32_t legs; /* judge the plan too */");
-      to.line("int32_t new_tick;");
-      to.line("int32_t *runs; /* of `for` */");
-      to.line("estimate self;");
-      to.line("reach reach;");
-      to.line("span charge;");
-      if (pairs()) to.line("other others[ROBOTS];");
-    }, "} " + view_ + ";");
+    out_.block(
+        "typedef struct " + view_,
+        [&](Code& to) {
+          to.line("const " + name_ + "_in *in;");
+          to.line("const motion *m;");
+          to.line("int64_t now_us, horizon_us;");
+          to.line("int32_t legs; /* judge the plan too */");
+          to.line("int32_t new_tick;");
+          to.line("int32_t *runs; /* of `for` */");
+          to.line("estimate self;");
+          to.line("reach within;");
+          to.line("span charge;");
+          if (pairs()) to.line("other others[ROBOTS];");
+        },
+        "} " + view_ + ";");
     out_.blank();
   }
 
@@ -152,14 +172,16 @@ class StepPrinter {
       if (pairs()) to.line("int32_t j;");
       to.line("v->m = m;");
       to.line("v->horizon_us = horizon_us;");
-      to.line("v->reach = reach_of(&v->self, &BODY, m, horizon_us);");
+      to.line("v->within = reach_of(&v->self, &BODY, m, horizon_us);");
       if (pairs()) {
         use({"other_of"});
         to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
           each.line("const " + p_ + "_other *heard = &v->in->others[j];");
           each.line("const estimate s = v->others[j].s;");
-          each.line("v->others[j] = other_of(heard, &s, &BODY, &MOTIONS[0], horizon_us, v->now_us,");
-          each.line("                        any_promise || v->in->self < j || heard->claims == 0);");
+          each.line(
+              "v->others[j] = other_of(heard, &s, &BODY, &MOTIONS[0], horizon_us, v->now_us,");
+          each.line(
+              "                        any_promise || v->in->self < j || heard->claims == 0);");
         });
       }
     });
@@ -201,62 +223,62 @@ class StepPrinter {
     use({"estimate_of", "span_of", "in_order"});
     const bool battery = uses_battery();
     out_.comment("Estimates from the inputs; a stamp or a clock that goes backwards is a fault.");
-    out_.block("static void " + d_.name + "_measure(" + view_ + " *v, " + name_ +
-                   "_state *s, int64_t elapsed)",
-               [&](Code& to) {
-      to.line("const " + name_ + "_in *in = v->in;");
-      if (pairs()) to.line("int32_t j;");
-      to.line("v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);");
-      const auto order = [&](const std::string& input, const std::string& stamp,
-                             const std::string& last, const std::string& fault) {
-        to.block("if (" + input + " && !in_order(" + stamp + ", &s->" + last + "))",
-                 [&](Code& body) { body.line(fault); });
-      };
-      order("in->position.valid", "in->position.stamp_us", "last_position_us",
-            "v->self.input = " + up_ + "_INPUT_POSITION;");
-      order("in->velocity.valid", "in->velocity.stamp_us", "last_velocity_us",
-            "v->self.input = " + up_ + "_INPUT_VELOCITY;");
-      if (battery) {
-        use({"charge_now", "span_unknown"});
-        to.line("v->charge = charge_now(&in->battery, v->now_us, " +
-                num(d_.body.battery_age_us) + ", " + num(d_.body.battery_error_ppm) + ", " +
-                num(d_.body.drain_ppm_per_s) + ");");
-        order("in->battery.valid", "in->battery.stamp_us", "last_battery_us",
-              "v->charge = span_unknown(" + up_ + "_INPUT_BATTERY);");
-      } else {
-        to.line("v->charge = span_of(0, 0);");
-      }
-      if (pairs()) {
-        to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
-          each.line("const " + p_ + "_other *o = &in->others[j];");
-          each.line("v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, &" +
-                    d_.name + "_heard_body);");
-          each.block("if (o->position.valid && "
-                     "!in_order(o->position.stamp_us, &s->last_other_us[j]))",
-                     [&](Code& body) {
-                       body.line("v->others[j].s.input = " + up_ + "_INPUT_OTHER_ROBOT;");
-                     });
+    out_.block(
+        "static void " + d_.name + "_measure(" + view_ + " *v, " + name_ +
+            "_state *s, int64_t elapsed)",
+        [&](Code& to) {
+          to.line("const " + name_ + "_in *in = v->in;");
+          if (pairs()) to.line("int32_t j;");
+          to.line("v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);");
+          const auto order = [&](const std::string& input, const std::string& stamp,
+                                 const std::string& last, const std::string& fault) {
+            to.block("if (" + input + " && !in_order(" + stamp + ", &s->" + last + "))",
+                     [&](Code& body) { body.line(fault); });
+          };
+          order("in->position.valid", "in->position.stamp_us", "last_position_us",
+                "v->self.input = " + up_ + "_INPUT_POSITION;");
+          order("in->velocity.valid", "in->velocity.stamp_us", "last_velocity_us",
+                "v->self.input = " + up_ + "_INPUT_VELOCITY;");
+          if (battery) {
+            use({"charge_now", "span_unknown"});
+            to.line("v->charge = charge_now(&in->battery, v->now_us, " +
+                    num(d_.body.battery_age_us) + ", " + num(d_.body.battery_error_ppm) + ", " +
+                    num(d_.body.drain_ppm_per_s) + ");");
+            order("in->battery.valid", "in->battery.stamp_us", "last_battery_us",
+                  "v->charge = span_unknown(" + up_ + "_INPUT_BATTERY);");
+          } else {
+            to.line("v->charge = span_of(0, 0);");
+          }
+          if (pairs()) {
+            to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
+              each.line("const " + p_ + "_other *o = &in->others[j];");
+              each.line("v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, &" +
+                        d_.name + "_heard_body);");
+              each.block(
+                  "if (o->position.valid && "
+                  "!in_order(o->position.stamp_us, &s->last_other_us[j]))",
+                  [&](Code& body) {
+                    body.line("v->others[j].s.input = " + up_ + "_INPUT_OTHER_ROBOT;");
+                  });
+            });
+          }
+          to.block("if (elapsed < 0)",
+                   [&](Code& body) { body.line("v->self.input = " + up_ + "_INPUT_CLOCK;"); });
+          if (d_.held_slots > 0) {
+            to.block("if (elapsed != 0 && elapsed != 1)", [&](Code& body) {
+              body.comment("missed ticks are unknown: what must hold without a gap starts anew");
+              body.line("int32_t k;");
+              body.block("for (k = 0; k < " + num(d_.held_slots) + "; ++k)",
+                         [&](Code& each) { each.line("s->runs[k] = 0;"); });
+            });
+          }
         });
-      }
-      to.block("if (elapsed < 0)", [&](Code& body) {
-        body.line("v->self.input = " + up_ + "_INPUT_CLOCK;");
-      });
-      if (d_.held_slots > 0) {
-        to.block("if (elapsed != 0 && elapsed != 1)", [&](Code& body) {
-          body.comment("missed ticks are unknown: what must hold without a gap starts anew");
-          body.line("int32_t k;");
-          body.block("for (k = 0; k < " + num(d_.held_slots) + "; ++k)",
-                     [&](Code& each) { each.line("s->runs[k] = 0;"); });
-        });
-      }
-    });
     out_.blank();
   }
   bool uses_battery() const {
     const auto in = [](const Block& b) {
       return std::any_of(b.values.begin(), b.values.end(), [](const Value& v) {
-        return std::holds_alternative<Battery>(v.op) ||
-               std::holds_alternative<EnergyReach>(v.op) ||
+        return std::holds_alternative<Battery>(v.op) || std::holds_alternative<EnergyReach>(v.op) ||
                std::holds_alternative<ChargeReach>(v.op);
       });
     };
@@ -267,35 +289,40 @@ class StepPrinter {
 
   // Fills `checks`; leaves `v` with the last horizon under the motion of whoever drives.
   void judge_monitors() {
-    use({"check_type", "margin_true"});
-    out_.comment("What every monitor finds: now, ahead under the motion of whoever drives, and, "
-                 "when control might be given back, with the longer horizon under any control.");
+    use({"check_type", "margin_true", "margin_unknown"});
+    out_.comment(
+        "What every monitor finds: now, ahead under the motion of whoever drives, and, "
+        "when control might be given back, with the longer horizon under any control.");
     out_.block("static void " + d_.name + "_check(" + view_ +
                    " *v, int32_t mode, int32_t back, check *checks)",
                [&](Code& to) {
-      for (std::size_t h = 0; h < horizons_.size(); ++h) {
-        const std::string us = d_.name + "_horizons_us[" + num(std::int64_t(h)) + "]";
-        to.block("if (back)", [&](Code& body) {
-          body.line("v->legs = 1;");
-          body.line(d_.name + "_look(v, &MOTIONS[0], " + us + " + " + num(d_.return_extra_us) +
-                    (pairs() ? ", 0);" : ");"));
-          for_monitors(h, [&](const Monitor& m, const std::string& at) {
-            body.line(at + ".safer = " + function(m, "ahead") + "(v);");
-          });
-        });
-        to.line("v->legs = mode == 0;");
-        to.line(d_.name + "_look(v, &MOTIONS[mode], " + us + (pairs() ? ", 1);" : ");"));
-        for_monitors(h, [&](const Monitor& m, const std::string& at) {
-          to.line(at + ".now = " + function(m, "now") + "(v);");
-          to.line(at + ".ahead = " + function(m, "ahead") + "(v);");
-          if (!m.return_when) {
-            to.line(at + ".gives_back = margin_true();");
-          } else {
-            to.line(at + ".gives_back = " + function(m, "return") + "(v);");
-          }
-        });
-      }
-    });
+                 for (std::size_t h = 0; h < horizons_.size(); ++h) {
+                   const std::string us = d_.name + "_horizons_us[" + num(std::int64_t(h)) + "]";
+                   to.block(
+                       "if (back)",
+                       [&](Code& body) {
+                         body.line("v->legs = 1;");
+                         body.line(d_.name + "_look(v, &MOTIONS[0], " + us + " + " +
+                                   num(d_.return_extra_us) + (pairs() ? ", 0);" : ");"));
+                         for_monitors(h, [&](const Monitor& m, const std::string& at) {
+                           body.line(at + ".safer = " + function(m, "ahead") + "(v);");
+                         });
+                       },
+                       "} else {");
+                   for_monitors(h, [&](const Monitor&, const std::string& at) {
+                     to.line("  " + at + ".safer = margin_unknown(" + up_ + "_INPUT_NONE);");
+                   });
+                   to.line("}");
+                   to.line("v->legs = mode == 0;");
+                   to.line(d_.name + "_look(v, &MOTIONS[mode], " + us + (pairs() ? ", 1);" : ");"));
+                   for_monitors(h, [&](const Monitor& m, const std::string& at) {
+                     to.line(at + ".now = " + function(m, "now") + "(v);");
+                     to.line(at + ".ahead = " + function(m, "ahead") + "(v);");
+                     to.line(at + ".gives_back = " +
+                             (m.return_when ? function(m, "return") + "(v);" : "margin_true();"));
+                   });
+                 }
+               });
     out_.blank();
   }
   template <class Each>
@@ -312,38 +339,44 @@ class StepPrinter {
     out_.block("static void " + d_.name + "_report(const " + view_ + " *v, const " + name_ +
                    "_state *s, const check *checks, int32_t back, " + name_ + "_out *out)",
                [&](Code& to) {
-      to.line("const " + name_ + "_in *in = v->in;");
-      to.line("int32_t k;");
-      to.line("out->tick = s->clock.tick;");
-      to.line("out->time_us = v->now_us;");
-      to.line("out->lease_end_us = s->lease_end_us;");
-      for (const char* field : {"position", "velocity", "battery"}) {
-        const std::string f = field;
-        to.line("out->" + f + "_age_us = in->" + f + ".valid ? v->now_us - in->" + f +
-                ".stamp_us : -1;");
-      }
-      to.block("for (k = 0; k < MONITORS; ++k)", [&](Code& each) {
-        each.line("out->monitors[k].now = verdict_of(checks[k].now);");
-        each.line("out->monitors[k].ahead = verdict_of(checks[k].ahead);");
-        each.line("out->monitors[k].safer = back ? verdict_of(checks[k].safer) : " + up_ +
-                  "_VERDICT_UNKNOWN;");
-        each.line("out->monitors[k].engaged = s->monitors[k].engaged;");
-        each.line("out->monitors[k].margin = checks[k].ahead.lo;");
-      });
-      to.line("out->monitor = s->mode - 1;");
-      to.block("if (s->mode == 0)", [&](Code& body) {
-        body.line("out->found.reason = " + up_ + "_REASON_NONE;");
-        body.line("out->found.index = 0;");
-        body.line("out->found.input = " + up_ + "_INPUT_NONE;");
-        body.line("out->found.other = -1;");
-      }, "} else {");
-      to.line("  out->found = s->monitors[s->mode - 1].found;");
-      to.block("  if (s->monitors[s->mode - 1].engaged == 0)", [&](Code& body) {
-        body.line("  out->found.reason = in->surrender ? " + up_ + "_REASON_SURRENDERED : " + up_ +
-                  "_REASON_RETURNING;");
-      }, "  }");
-      to.line("}");
-    });
+                 to.line("const " + name_ + "_in *in = v->in;");
+                 to.line("int32_t k;");
+                 to.line("out->tick = s->clock.tick;");
+                 to.line("out->time_us = v->now_us;");
+                 to.line("out->lease_end_us = s->lease_end_us;");
+                 for (const char* field : {"position", "velocity", "battery"}) {
+                   const std::string f = field;
+                   to.line("out->" + f + "_age_us = in->" + f + ".valid ? v->now_us - in->" + f +
+                           ".stamp_us : -1;");
+                 }
+                 to.block("for (k = 0; k < MONITORS; ++k)", [&](Code& each) {
+                   each.line("out->monitors[k].now = verdict_of(checks[k].now);");
+                   each.line("out->monitors[k].ahead = verdict_of(checks[k].ahead);");
+                   each.line("out->monitors[k].safer = back ? verdict_of(checks[k].safer) : " +
+                             up_ + "_VERDICT_UNKNOWN;");
+                   each.line("out->monitors[k].engaged = s->monitors[k].engaged;");
+                   each.line("out->monitors[k].margin = checks[k].ahead.lo;");
+                 });
+                 to.line("out->monitor = s->mode - 1;");
+                 to.block(
+                     "if (s->mode == 0)",
+                     [&](Code& body) {
+                       body.line("out->found.reason = " + up_ + "_REASON_NONE;");
+                       body.line("out->found.index = 0;");
+                       body.line("out->found.input = " + up_ + "_INPUT_NONE;");
+                       body.line("out->found.other = -1;");
+                     },
+                     "} else {");
+                 to.line("  out->found = s->monitors[s->mode - 1].found;");
+                 to.block(
+                     "  if (s->monitors[s->mode - 1].engaged == 0)",
+                     [&](Code& body) {
+                       body.line("  out->found.reason = in->surrender ? " + up_ +
+                                 "_REASON_SURRENDERED : " + up_ + "_REASON_RETURNING;");
+                     },
+                     "  }");
+                 to.line("}");
+               });
     out_.blank();
   }
 
@@ -376,16 +409,16 @@ class StepPrinter {
         to.line("out->gate = " + up_ + "_GATE_FREE;");
         to.block("if (s->mode != 0)", [&](Code& body) {
           body.line(d_.name + "_look(&v, &MOTIONS[s->mode], " + d_.name + "_horizons_us[0], 1);");
-          body.line("out->gate = may_leave ? gate_of(&v.reach, v.others, ROBOTS, in->self, &BODY, " +
-                    num(*separation_) + ")");
+          body.line(
+              "out->gate = may_leave ? gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
+              num(*separation_) + ")");
           body.line("                      : " + up_ + "_GATE_HOLD;");
         });
-        to.block("if (s->mode != 0 && s->mode == before && in->holding &&\n      "
-                 "(in->surrender || first_engaged(s->monitors, MONITORS) >= 0 ||\n       "
-                 "first_not_safer(checks, MONITORS) >= 0))",
-                 [&](Code& body) {
-                   body.line("s->lease_end_us = now_us + " + num(d_.lease_us) + ";");
-                 });
+        to.block(
+            "if (s->mode != 0 && s->mode == before && in->holding &&\n      "
+            "(in->surrender || first_engaged(s->monitors, MONITORS) >= 0 ||\n       "
+            "first_not_safer(checks, MONITORS) >= 0))",
+            [&](Code& body) { body.line("s->lease_end_us = now_us + " + num(d_.lease_us) + ";"); });
       } else {
         to.line("out->gate = " + up_ + "_GATE_FREE;");
       }
@@ -424,38 +457,38 @@ void print_judge(const Module& module, const Decision& d, const std::string& pre
   out.comment("---- decision " + d.name + " for " + d.kind + ", on a plan ----");
   BlockPrinter blocks(module, d, prefix + "_plan", uses);
   for (const Monitor& m : d.monitors) {
-    blocks.function(d.name + "_" + m.name + "_now",
-                    m.requirement_id + ": " + m.requirement_text + " (" + m.file + ":" +
-                        num(m.line) + ")",
-                    m.property, out);
+    blocks.function(
+        d.name + "_" + m.name + "_now",
+        m.requirement_id + ": " + m.requirement_text + " (" + m.file + ":" + num(m.line) + ")",
+        m.property, out);
   }
   out.block("void " + name + "_judge(const " + prefix + "_plan *plan, " + name + "_out *out)",
             [&](Code& to) {
-    const std::string count = num(std::int64_t(d.monitors.size()));
-    to.line("margin found[" + count + "];");
-    to.line("int32_t k;");
-    for (std::size_t k = 0; k < d.monitors.size(); ++k) {
-      to.line("found[" + num(std::int64_t(k)) + "] = " + d.name + "_" + d.monitors[k].name +
-              "_now(plan);");
-    }
-    to.line("out->mode = 0;");
-    to.line("out->monitor = -1;");
-    to.line("out->found = finding_of(found[0]);");
-    to.line("out->found.reason = " + up + "_REASON_NONE;");
-    to.block("for (k = " + count + " - 1; k >= 0; --k)", [&](Code& each) {
-      each.line("const int32_t verdict = verdict_of(found[k]);");
-      each.line("out->monitors[k].now = verdict;");
-      each.line("out->monitors[k].ahead = verdict;");
-      each.line("out->monitors[k].safer = verdict;");
-      each.line("out->monitors[k].engaged = verdict != " + up + "_VERDICT_TRUE;");
-      each.line("out->monitors[k].margin = found[k].lo;");
-      each.block("if (verdict != " + up + "_VERDICT_TRUE)", [&](Code& body) {
-        body.line("out->mode = 1;");
-        body.line("out->monitor = k;");
-        body.line("out->found = finding_of(found[k]);");
-      });
-    });
-  });
+              const std::string count = num(std::int64_t(d.monitors.size()));
+              to.line("margin found[" + count + "];");
+              to.line("int32_t k;");
+              for (std::size_t k = 0; k < d.monitors.size(); ++k) {
+                to.line("found[" + num(std::int64_t(k)) + "] = " + d.name + "_" +
+                        d.monitors[k].name + "_now(plan);");
+              }
+              to.line("out->mode = 0;");
+              to.line("out->monitor = -1;");
+              to.line("out->found = finding_of(found[0]);");
+              to.line("out->found.reason = " + up + "_REASON_NONE;");
+              to.block("for (k = " + count + " - 1; k >= 0; --k)", [&](Code& each) {
+                each.line("const int32_t verdict = verdict_of(found[k]);");
+                each.line("out->monitors[k].now = verdict;");
+                each.line("out->monitors[k].ahead = verdict;");
+                each.line("out->monitors[k].safer = verdict;");
+                each.line("out->monitors[k].engaged = verdict != " + up + "_VERDICT_TRUE;");
+                each.line("out->monitors[k].margin = found[k].lo;");
+                each.block("if (verdict != " + up + "_VERDICT_TRUE)", [&](Code& body) {
+                  body.line("out->mode = 1;");
+                  body.line("out->monitor = k;");
+                  body.line("out->found = finding_of(found[k]);");
+                });
+              });
+            });
   out.blank();
 }
 

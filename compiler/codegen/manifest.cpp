@@ -19,8 +19,7 @@ Json monitor(const Monitor& m, const Decision& d) {
   j["recovery"] = m.recovery.name;
   if (m.lookahead.duration) {
     j["lookahead_us"] = m.lookahead.duration_us;
-    j["horizon_us"] =
-        m.lookahead.duration_us + d.body.latency_us + d.body.position_age_us;
+    j["horizon_us"] = m.lookahead.duration_us + d.body.latency_us + d.body.position_age_us;
   }
   if (m.lookahead.waypoints > 0) j["lookahead_waypoints"] = m.lookahead.waypoints;
   j["sound"] = m.lookahead.duration && !m.lookahead.points_only;
@@ -56,7 +55,9 @@ Json assumptions(const sema::RobotKind& k) {
   Json list = Json::array();
   const auto add = [&](const std::string& what, const Rational& si, const std::string& unit,
                        const char* checked_by) {
-    list.push_back({{"kind", k.name}, {"bound", what}, {"value", to_decimal(si) + " " + unit},
+    list.push_back({{"kind", k.name},
+                    {"bound", what},
+                    {"value", to_decimal(si) + " " + unit},
                     {"checked_by", checked_by}});
   };
   add("speed", k.motion.speed.value, "m/s", "UNCHECKED");
@@ -91,8 +92,8 @@ std::string manifest(const Module& module, const sema::Spec& spec, const Naming&
   for (const Decision& d : module.decisions) j["decisions"].push_back(decision(d));
   j["zones"] = Json::array();
   for (const ZoneTable& z : module.zones) {
-    j["zones"].push_back({{"name", z.name}, {"edges", z.edges.size()},
-                          {"bytes", z.edges.size() * sizeof(Edge)}});
+    j["zones"].push_back(
+        {{"name", z.name}, {"edges", z.edges.size()}, {"bytes", z.edges.size() * sizeof(Edge)}});
   }
   j["assumptions"] = Json::array();
   for (const sema::RobotKind& k : spec.kinds) {

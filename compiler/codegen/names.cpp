@@ -19,8 +19,8 @@ const std::set<std::string>& reserved() {
       "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "concept", "requires",
       "co_await", "co_return", "co_yield", "consteval", "constinit", "char8_t", "import", "module",
       // names of libraries, and macros of common headers
-      "std", "rtac", "main", "errno", "assert", "NULL", "EOF", "stdin", "stdout", "stderr",
-      "linux", "unix", "major", "minor", "signbit", "isnan", "isinf"};
+      "std", "rtac", "main", "errno", "assert", "NULL", "EOF", "stdin", "stdout", "stderr", "linux",
+      "unix", "major", "minor", "signbit", "isnan", "isinf"};
   return words;
 }
 

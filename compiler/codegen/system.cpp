@@ -27,22 +27,28 @@ struct Kind {
 class SystemPrinter {
  public:
   SystemPrinter(const Module& module, const Kind& kind, bool only, Code& out)
-      : module_(module), kind_(kind), name_(only ? "System" : kind.spec->name + "System"),
+      : module_(module),
+        kind_(kind),
+        name_(only ? "System" : kind.spec->name + "System"),
         output_(kind.spec->output == sema::OutputType::twist ? "rtac::Twist"
                                                              : "rtac::Acceleration"),
         out_(out) {}
 
   void print() {
     slots();
-    out_.comment("The fleet of " + kind_.spec->name + ": task planner, and per robot motion "
+    out_.comment("The fleet of " + kind_.spec->name +
+                 ": task planner, and per robot motion "
                  "planner, plan executor, decision modules and recoveries, wired. Fill the slots, "
                  "give the robots' SDK, and run.");
-    out_.block("class " + name_, [&](Code& body) {
-      body.line("public:");
-      interface(body);
-      body.blank().line("private:");
-      members(body);
-    }, "};");
+    out_.block(
+        "class " + name_,
+        [&](Code& body) {
+          body.line("public:");
+          interface(body);
+          body.blank().line("private:");
+          members(body);
+        },
+        "};");
     out_.blank();
   }
 
@@ -70,29 +76,37 @@ class SystemPrinter {
   void slots() {
     out_.comment("External controllers of one " + kind_.spec->name +
                  ". A slot that is left empty does not compile.");
-    out_.block("struct " + kind_.spec->name + "Controllers", [&](Code& body) {
-      for (const auto& [type, name] : slot_list()) body.line(type + " " + legal(name) + ";");
-    }, "};");
+    out_.block(
+        "struct " + kind_.spec->name + "Controllers",
+        [&](Code& body) {
+          for (const auto& [type, name] : slot_list()) body.line(type + " " + legal(name) + ";");
+        },
+        "};");
     out_.blank();
   }
 
   void interface(Code& body) {
     const std::size_t count = kind_.robots.size();
-    body.block("struct Controllers", [&](Code& c) {
-      for (const std::string& robot : kind_.robots) {
-        c.line(kind_.spec->name + "Controllers " + legal(robot) + ";");
-      }
-      c.line("rtac::TaskSource& tasks;");
-    }, "};");
+    body.block(
+        "struct Controllers",
+        [&](Code& c) {
+          for (const std::string& robot : kind_.robots) {
+            c.line(kind_.spec->name + "Controllers " + legal(robot) + ";");
+          }
+          c.line("rtac::TaskSource& tasks;");
+        },
+        "};");
     body.line("static constexpr int robots = " + std::to_string(count) + ";").blank();
-    body.comment("Clearances of the centre: where control can be given back, where a robot at "
-                 "full speed never fails a fence; and the distance at which robots pass.");
+    body.comment(
+        "Clearances of the centre: where control can be given back, where a robot at "
+        "full speed never fails a fence; and the distance at which robots pass.");
     body.line("static constexpr double return_clearance_m = " +
               metres(d().monitors[0].recovery.return_clearance_mm) + ";");
     body.line("static constexpr double cruise_clearance_m = " + metres(d().cruise_clearance_mm) +
               ";");
     body.line("static constexpr double pass_gap_m = " +
-              metres(d().monitors[0].recovery.pass_gap_mm) + ";").blank();
+              metres(d().monitors[0].recovery.pass_gap_mm) + ";")
+        .blank();
     body.block("static const char* robot_name(int robot)", [&](Code& f) {
       std::string names;
       for (const std::string& robot : kind_.robots) {
@@ -146,28 +160,31 @@ class SystemPrinter {
   }
 
   void members(Code& body) {
-    body.block("struct Robot", [&](Code& r) {
-      std::string inits;
-      const auto init = [&](const std::string& member, const std::string& arguments) {
-        inits += (inits.empty() ? "" : ", ") + member + "(" + arguments + ")";
-      };
-      init(legal(d().name), "self");
-      if (kind_.on_plan) init(legal(kind_.on_plan->name), "self");
-      for (const Monitor& m : d().monitors) {
-        if (m.recovery.kind == RecoveryKind::external) continue;
-        init(legal(m.recovery.name), arguments_of(m.recovery));
-      }
-      r.line("explicit Robot(int self)").line("    : " + inits + " {}");
-      r.line(camel(d().name) + " " + legal(d().name) + ";");
-      if (kind_.on_plan) {
-        r.line(camel(kind_.on_plan->name) + " " + legal(kind_.on_plan->name) + ";");
-      }
-      for (const Monitor& m : d().monitors) {
-        if (m.recovery.kind == RecoveryKind::external) continue;
-        r.line("rtac::safe::" + std::string(class_of(m.recovery.kind)) + "<" + output_ + "> " +
-               legal(m.recovery.name) + ";");
-      }
-    }, "};");
+    body.block(
+        "struct Robot",
+        [&](Code& r) {
+          std::string inits;
+          const auto init = [&](const std::string& member, const std::string& arguments) {
+            inits += (inits.empty() ? "" : ", ") + member + "(" + arguments + ")";
+          };
+          init(legal(d().name), "self");
+          if (kind_.on_plan) init(legal(kind_.on_plan->name), "self");
+          for (const Monitor& m : d().monitors) {
+            if (m.recovery.kind == RecoveryKind::external) continue;
+            init(legal(m.recovery.name), arguments_of(m.recovery));
+          }
+          r.line("explicit Robot(int self)").line("    : " + inits + " {}");
+          r.line(camel(d().name) + " " + legal(d().name) + ";");
+          if (kind_.on_plan) {
+            r.line(camel(kind_.on_plan->name) + " " + legal(kind_.on_plan->name) + ";");
+          }
+          for (const Monitor& m : d().monitors) {
+            if (m.recovery.kind == RecoveryKind::external) continue;
+            r.line("rtac::safe::" + std::string(class_of(m.recovery.kind)) + "<" + output_ + "> " +
+                   legal(m.recovery.name) + ";");
+          }
+        },
+        "};");
     setting(body);
     parts(body);
     body.blank();
@@ -177,17 +194,21 @@ class SystemPrinter {
   }
   static const char* class_of(RecoveryKind kind) {
     switch (kind) {
-      case RecoveryKind::retreat: return "Retreat";
-      case RecoveryKind::route: return "Route";
-      case RecoveryKind::yield: return "Yield";
-      case RecoveryKind::external: break;
+      case RecoveryKind::retreat:
+        return "Retreat";
+      case RecoveryKind::route:
+        return "Route";
+      case RecoveryKind::yield:
+        return "Yield";
+      case RecoveryKind::external:
+        break;
     }
     return "";
   }
   std::string arguments_of(const Recovery& r) const {
-    std::string text = "setting(" + metres(r.speed_mmps) + ", " +
-                       legal(module_[r.zone].name) + "_zone(), " + metres(r.route_clearance_mm) +
-                       ", " + metres(r.return_clearance_mm) + ", " + metres(r.pass_gap_mm) + ")";
+    std::string text = "setting(" + metres(r.speed_mmps) + ", " + legal(module_[r.zone].name) +
+                       "_zone(), " + metres(r.route_clearance_mm) + ", " +
+                       metres(r.return_clearance_mm) + ", " + metres(r.pass_gap_mm) + ")";
     if (r.kind == RecoveryKind::route) text += ", " + legal(module_[r.site].name) + "(self)";
     return text;
   }
@@ -207,29 +228,30 @@ class SystemPrinter {
     });
   }
   void parts(Code& body) {
-    body.block("static rtac::RobotParts<" + output_ + "> parts(const char* name, Robot& robot, " +
-                   "const " + kind_.spec->name + "Controllers& controllers)",
-               [&](Code& f) {
-      f.line("rtac::RobotParts<" + output_ + "> p;");
-      f.line("p.name = name;");
-      f.line("p.decision = &robot." + legal(d().name) + ";");
-      for (const Monitor& m : d().monitors) {
-        const std::string from =
-            m.recovery.kind == RecoveryKind::external ? "controllers." : "robot.";
-        f.line("(void)p.recoveries.push(&" + from + legal(m.recovery.name) + ");");
-      }
-      f.line("p.advanced = &controllers." + legal(d().advanced) + ";");
-      if (kind_.on_plan) {
-        f.line("p.plan_decision = &robot." + legal(kind_.on_plan->name) + ";");
-        f.line("p.advanced_planner = &controllers." + legal(kind_.on_plan->advanced) + ";");
-        f.line("p.safe_planner = &controllers." + legal(kind_.on_plan->safe) + ";");
-      } else {
-        f.line("p.advanced_planner = &controllers.planner;");
-      }
-      f.line("p.period_us = " + std::to_string(d().period_us) + ";");
-      f.line("p.limits = " + kind_.spec->name + "_limits();");
-      f.line("return p;");
-    });
+    body.block(
+        "static rtac::RobotParts<" + output_ + "> parts(const char* name, Robot& robot, " +
+            "const " + kind_.spec->name + "Controllers& controllers)",
+        [&](Code& f) {
+          f.line("rtac::RobotParts<" + output_ + "> p;");
+          f.line("p.name = name;");
+          f.line("p.decision = &robot." + legal(d().name) + ";");
+          for (const Monitor& m : d().monitors) {
+            const std::string from =
+                m.recovery.kind == RecoveryKind::external ? "controllers." : "robot.";
+            f.line("(void)p.recoveries.push(&" + from + legal(m.recovery.name) + ");");
+          }
+          f.line("p.advanced = &controllers." + legal(d().advanced) + ";");
+          if (kind_.on_plan) {
+            f.line("p.plan_decision = &robot." + legal(kind_.on_plan->name) + ";");
+            f.line("p.advanced_planner = &controllers." + legal(kind_.on_plan->advanced) + ";");
+            f.line("p.safe_planner = &controllers." + legal(kind_.on_plan->safe) + ";");
+          } else {
+            f.line("p.advanced_planner = &controllers.planner;");
+          }
+          f.line("p.period_us = " + std::to_string(d().period_us) + ";");
+          f.line("p.limits = " + kind_.spec->name + "_limits();");
+          f.line("return p;");
+        });
   }
 
   const Module& module_;

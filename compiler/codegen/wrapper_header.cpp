@@ -11,43 +11,51 @@ void periodic_class(const Decision& d, const std::string& prefix, Code& out) {
   const std::string kernel = prefix + "_" + d.name;
   const std::string name = camel(d.name);
   out.comment("Decision " + d.name + " for one " + d.kind + ": fill the inputs, then step.");
-  out.block("class " + name + " final : public rtac::DecisionModule", [&](Code& body) {
-    body.line("public:");
-    body.comment("`self`: index of the robot in its fleet, from 0.");
-    body.line("explicit " + name + "(int self = 0);").blank();
-    body.comment("Typed inputs; each keeps its value until the next one. Stamps in us.");
-    body.line(name + "& position(rtac::Position value, rtac::TimeUs stamp_us);");
-    body.line(name + "& velocity(rtac::Velocity value, rtac::TimeUs stamp_us);");
-    body.line(name + "& battery(rtac::Charge value, rtac::TimeUs stamp_us);");
-    body.line(name + "& plan(const rtac::Path& value);");
-    body.line(name + "& heard(int robot, const rtac::Announcement& value);");
-    body.line("const rtac::DecisionRecord& step(rtac::TimeUs now_us, bool holding = false,");
-    body.line("                                 bool surrender = false);").blank();
-    body.line("[[nodiscard]] const rtac::DecisionInfo& info() const override;");
-    body.line("const rtac::DecisionRecord& step(const rtac::Observation& observation, bool holding,");
-    body.line("                                 bool surrender) override;");
-    body.line("void reset() override;");
-    body.blank().line("private:");
-    body.line(kernel + "_state state_;");
-    body.line(kernel + "_in in_;");
-    body.line("rtac::DecisionRecord record_;");
-  }, "};");
+  out.block(
+      "class " + name + " final : public rtac::DecisionModule",
+      [&](Code& body) {
+        body.line("public:");
+        body.comment("`self`: index of the robot in its fleet, from 0.");
+        body.line("explicit " + name + "(int self = 0);").blank();
+        body.comment("Typed inputs; each keeps its value until the next one. Stamps in us.");
+        body.line(name + "& position(rtac::Position value, rtac::TimeUs stamp_us);");
+        body.line(name + "& velocity(rtac::Velocity value, rtac::TimeUs stamp_us);");
+        body.line(name + "& battery(rtac::Charge value, rtac::TimeUs stamp_us);");
+        body.line(name + "& plan(const rtac::Path& value);");
+        body.line(name + "& heard(int robot, const rtac::Announcement& value);");
+        body.line("const rtac::DecisionRecord& step(rtac::TimeUs now_us, bool holding = false,");
+        body.line("                                 bool surrender = false);").blank();
+        body.line("[[nodiscard]] const rtac::DecisionInfo& info() const override;");
+        body.line(
+            "const rtac::DecisionRecord& step(const rtac::Observation& observation, bool holding,");
+        body.line("                                 bool surrender) override;");
+        body.line("void reset() override;");
+        body.blank().line("private:");
+        body.line(kernel + "_state state_;");
+        body.line(kernel + "_in in_;");
+        body.line("rtac::DecisionRecord record_;");
+      },
+      "};");
   out.blank();
 }
 
 void plan_class(const Decision& d, const std::string& prefix, Code& out) {
   const std::string name = camel(d.name);
   out.comment("Decision " + d.name + " for " + d.kind + ": judges a proposed plan.");
-  out.block("class " + name + " final : public rtac::PlanDecision", [&](Code& body) {
-    body.line("public:");
-    body.line("explicit " + name + "(int self = 0);");
-    body.line("[[nodiscard]] const rtac::DecisionInfo& info() const override;");
-    body.line("const rtac::DecisionRecord& judge(const rtac::Path& plan, rtac::TimeUs now_us) "
-              "override;");
-    body.blank().line("private:");
-    body.line(prefix + "_plan plan_;");
-    body.line("rtac::DecisionRecord record_;");
-  }, "};");
+  out.block(
+      "class " + name + " final : public rtac::PlanDecision",
+      [&](Code& body) {
+        body.line("public:");
+        body.line("explicit " + name + "(int self = 0);");
+        body.line("[[nodiscard]] const rtac::DecisionInfo& info() const override;");
+        body.line(
+            "const rtac::DecisionRecord& judge(const rtac::Path& plan, rtac::TimeUs now_us) "
+            "override;");
+        body.blank().line("private:");
+        body.line(prefix + "_plan plan_;");
+        body.line("rtac::DecisionRecord record_;");
+      },
+      "};");
   out.blank();
 }
 

@@ -43,37 +43,46 @@ class WrapperSource {
 
  private:
   void info(const Decision& d) {
-    out_.block("const rtac::MonitorInfo " + d.name + "_monitors[] =", [&](Code& body) {
-      for (const Monitor& m : d.monitors) {
-        const std::string unit = m.unit == Unit::ppm ? "%" : "m";
-        body.line("{" + quoted(m.name) + ", " + quoted(m.requirement_id) + ",");
-        body.line(" " + quoted(m.requirement_text) + ",");
-        body.line(" " + quoted(m.file) + ", " + num(m.line) + ", " + quoted(m.recovery.name) +
-                  ", " + quoted(m.return_text) + ", " + quoted(unit) + ", " +
-                  (m.unit == Unit::ppm ? "10000.0" : "1000.0") + "},");
-      }
-    }, "};");
-    out_.block("const rtac::DecisionInfo " + d.name + "_info =", [&](Code& body) {
-      body.line(quoted(d.name) + ", " + quoted(d.kind) + ", " + quoted(d.advanced) + ", " +
-                quoted(d.safe) + ",");
-      body.line(d.name + "_monitors, " + num(std::int64_t(d.monitors.size())) + ", " +
-                num(d.period_us));
-    }, "};");
+    out_.block(
+        "const rtac::MonitorInfo " + d.name + "_monitors[] =",
+        [&](Code& body) {
+          for (const Monitor& m : d.monitors) {
+            const std::string unit = m.unit == Unit::ppm ? "%" : "m";
+            body.line("{" + quoted(m.name) + ", " + quoted(m.requirement_id) + ",");
+            body.line(" " + quoted(m.requirement_text) + ",");
+            body.line(" " + quoted(m.file) + ", " + num(m.line) + ", " + quoted(m.recovery.name) +
+                      ", " + quoted(m.return_text) + ", " + quoted(unit) + ", " +
+                      (m.unit == Unit::ppm ? "10000.0" : "1000.0") + "},");
+          }
+        },
+        "};");
+    out_.block(
+        "const rtac::DecisionInfo " + d.name + "_info =",
+        [&](Code& body) {
+          body.line(quoted(d.name) + ", " + quoted(d.kind) + ", " + quoted(d.advanced) + ", " +
+                    quoted(d.safe) + ",");
+          body.line(d.name + "_monitors, " + num(std::int64_t(d.monitors.size())) + ", " +
+                    num(d.period_us));
+        },
+        "};");
     out_.blank();
   }
 
   void numbers(const std::string& head, const std::vector<std::int64_t>& values) {
-    out_.block(head, [&](Code& body) {
-      constexpr std::size_t per_line = 16;
-      for (std::size_t i = 0; i < values.size(); i += per_line) {
-        std::string line;
-        for (std::size_t k = i; k < std::min(i + per_line, values.size()); ++k) {
-          line += num(values[k]) + (k + 1 < values.size() ? "," : "");
-          if (k + 1 < std::min(i + per_line, values.size())) line += " ";
-        }
-        body.line(line);
-      }
-    }, "};");
+    out_.block(
+        head,
+        [&](Code& body) {
+          constexpr std::size_t per_line = 16;
+          for (std::size_t i = 0; i < values.size(); i += per_line) {
+            std::string line;
+            for (std::size_t k = i; k < std::min(i + per_line, values.size()); ++k) {
+              line += num(values[k]) + (k + 1 < values.size() ? "," : "");
+              if (k + 1 < std::min(i + per_line, values.size())) line += " ";
+            }
+            body.line(line);
+          }
+        },
+        "};");
   }
 
   void zones() {
@@ -92,13 +101,16 @@ class WrapperSource {
     for (const ZoneTable& z : module_.zones) {
       const Cells& c = z.cells;
       out_.block("const rtac::ZoneView& " + legal(z.name) + "_zone()", [&](Code& body) {
-        body.block("static const rtac::ZoneView view =", [&](Code& v) {
-          v.line(quoted(z.name) + ", " + z.name + "_edges_mm, " +
-                 num(std::int64_t(z.edges.size())) + ", " + z.name + "_rings, " +
-                 num(std::int64_t(z.ring_starts.size())) + ",");
-          v.line(num(c.origin_x_mm) + ", " + num(c.origin_y_mm) + ", " + num(c.cell_mm) + ", " +
-                 num(c.columns) + ", " + num(c.rows) + ", " + z.name + "_clearance_mm");
-        }, "};");
+        body.block(
+            "static const rtac::ZoneView view =",
+            [&](Code& v) {
+              v.line(quoted(z.name) + ", " + z.name + "_edges_mm, " +
+                     num(std::int64_t(z.edges.size())) + ", " + z.name + "_rings, " +
+                     num(std::int64_t(z.ring_starts.size())) + ",");
+              v.line(num(c.origin_x_mm) + ", " + num(c.origin_y_mm) + ", " + num(c.cell_mm) + ", " +
+                     num(c.columns) + ", " + num(c.rows) + ", " + z.name + "_clearance_mm");
+            },
+            "};");
         body.line("return view;");
       });
       out_.blank();
@@ -171,19 +183,20 @@ class WrapperSource {
     setter("velocity", "rtac::Velocity" + stamped, "rtac::bridge::put(in_.velocity" + pair);
     setter("battery", "rtac::Charge" + stamped,
            "rtac::bridge::put_ratio(in_.battery, rtac::Sample<double>{value.si(), stamp_us});");
-    setter("plan", "const rtac::Path& value", "rtac::bridge::put(in_.plan, value, " +
-                                                   num(d.plan_capacity) + ");");
-    out_.block(name + "& " + name + "::heard(int robot, const rtac::Announcement& value)",
-               [&](Code& body) {
-      body.line("if (robot < 0 || robot >= " + upper(kernel) + "_ROBOTS) return *this;");
-      body.line("auto& other = in_.others[robot];");
-      body.line("rtac::bridge::put(other.position, value.position);");
-      body.line("rtac::bridge::put(other.velocity, value.velocity);");
-      body.line("other.lease_end_us = value.lease_end_us;");
-      body.line("other.claims = value.claims;");
-      body.line("rtac::bridge::put(other.plan, value.plan, " + num(d.plan_capacity) + ");");
-      body.line("return *this;");
-    });
+    setter("plan", "const rtac::Path& value",
+           "rtac::bridge::put(in_.plan, value, " + num(d.plan_capacity) + ");");
+    out_.block(
+        name + "& " + name + "::heard(int robot, const rtac::Announcement& value)",
+        [&](Code& body) {
+          body.line("if (robot < 0 || robot >= " + upper(kernel) + "_ROBOTS) return *this;");
+          body.line("auto& other = in_.others[robot];");
+          body.line("rtac::bridge::put(other.position, value.position);");
+          body.line("rtac::bridge::put(other.velocity, value.velocity);");
+          body.line("other.lease_end_us = value.lease_end_us;");
+          body.line("other.claims = value.claims;");
+          body.line("rtac::bridge::put(other.plan, value.plan, " + num(d.plan_capacity) + ");");
+          body.line("return *this;");
+        });
     out_.blank();
     out_.block("const rtac::DecisionInfo& " + name + "::info() const",
                [&](Code& body) { body.line("return " + d.name + "_info;"); });
@@ -194,38 +207,39 @@ class WrapperSource {
   void step(const Decision& d, const std::string& kernel, const std::string& name) {
     out_.line("const rtac::DecisionRecord& " + name +
               "::step(const rtac::Observation& observation,");
-    out_.block(std::string(31 + name.size() + 8, ' ') + "bool holding, bool surrender)",
-               [&](Code& body) {
-      body.line("rtac::bridge::put(in_.position, observation.position);");
-      body.line("rtac::bridge::put(in_.velocity, observation.velocity);");
-      body.line("rtac::bridge::put_ratio(in_.battery, observation.battery);");
-      body.line("plan(observation.plan);");
-      body.block("for (int j = 0; j < " + upper(kernel) + "_ROBOTS; ++j)", [&](Code& each) {
-        each.line("if (j != in_.self) heard(j, "
-                  "observation.others[static_cast<std::size_t>(j)]);");
-      });
-      body.line("return step(observation.now_us, holding, surrender);");
-    });
+    out_.block(
+        std::string(31 + name.size() + 8, ' ') + "bool holding, bool surrender)", [&](Code& body) {
+          body.line("rtac::bridge::put(in_.position, observation.position);");
+          body.line("rtac::bridge::put(in_.velocity, observation.velocity);");
+          body.line("rtac::bridge::put_ratio(in_.battery, observation.battery);");
+          body.line("plan(observation.plan);");
+          body.block("for (int j = 0; j < " + upper(kernel) + "_ROBOTS; ++j)", [&](Code& each) {
+            each.line(
+                "if (j != in_.self) heard(j, "
+                "observation.others[static_cast<std::size_t>(j)]);");
+          });
+          body.line("return step(observation.now_us, holding, surrender);");
+        });
     out_.blank();
     out_.block("const rtac::DecisionRecord& " + name +
                    "::step(rtac::TimeUs now_us, bool holding, bool surrender)",
                [&](Code& body) {
-      body.line(kernel + "_out out;");
-      body.line("in_.holding = holding;");
-      body.line("in_.surrender = surrender;");
-      body.line(kernel + "_step(&state_, &in_, now_us, &out);");
-      body.line("rtac::bridge::take_findings(out, " + num(std::int64_t(d.monitors.size())) +
-                ", record_);");
-      body.line("record_.previous_mode = out.previous_mode;");
-      body.line("record_.tick = static_cast<std::uint64_t>(out.tick);");
-      body.line("record_.time_us = out.time_us;");
-      body.line("record_.gate = static_cast<rtac::Gate>(out.gate);");
-      body.line("record_.lease_end_us = out.lease_end_us;");
-      body.line("record_.position_age_us = out.position_age_us;");
-      body.line("record_.velocity_age_us = out.velocity_age_us;");
-      body.line("record_.battery_age_us = out.battery_age_us;");
-      body.line("return record_;");
-    });
+                 body.line(kernel + "_out out;");
+                 body.line("in_.holding = holding;");
+                 body.line("in_.surrender = surrender;");
+                 body.line(kernel + "_step(&state_, &in_, now_us, &out);");
+                 body.line("rtac::bridge::take_findings(out, " +
+                           num(std::int64_t(d.monitors.size())) + ", record_);");
+                 body.line("record_.previous_mode = out.previous_mode;");
+                 body.line("record_.tick = static_cast<std::uint64_t>(out.tick);");
+                 body.line("record_.time_us = out.time_us;");
+                 body.line("record_.gate = static_cast<rtac::Gate>(out.gate);");
+                 body.line("record_.lease_end_us = out.lease_end_us;");
+                 body.line("record_.position_age_us = out.position_age_us;");
+                 body.line("record_.velocity_age_us = out.velocity_age_us;");
+                 body.line("record_.battery_age_us = out.battery_age_us;");
+                 body.line("return record_;");
+               });
     out_.blank();
   }
 
@@ -243,15 +257,15 @@ class WrapperSource {
     out_.block("const rtac::DecisionRecord& " + name +
                    "::judge(const rtac::Path& plan, rtac::TimeUs now_us)",
                [&](Code& body) {
-      body.line(kernel + "_out out;");
-      body.line("rtac::bridge::put(plan_, plan, " + num(d.plan_capacity) + ");");
-      body.line(kernel + "_judge(&plan_, &out);");
-      body.line("rtac::bridge::take_findings(out, " + num(std::int64_t(d.monitors.size())) +
-                ", record_);");
-      body.line("record_.tick += 1;");
-      body.line("record_.time_us = now_us;");
-      body.line("return record_;");
-    });
+                 body.line(kernel + "_out out;");
+                 body.line("rtac::bridge::put(plan_, plan, " + num(d.plan_capacity) + ");");
+                 body.line(kernel + "_judge(&plan_, &out);");
+                 body.line("rtac::bridge::take_findings(out, " +
+                           num(std::int64_t(d.monitors.size())) + ", record_);");
+                 body.line("record_.tick += 1;");
+                 body.line("record_.time_us = now_us;");
+                 body.line("return record_;");
+               });
     out_.blank();
   }
 
@@ -259,40 +273,42 @@ class WrapperSource {
     for (const sema::RobotKind& k : spec_.kinds) {
       const auto micros = [](const Rational& s) { return num(floor_to_int(s * 1'000'000)); };
       out_.block("const rtac::RobotLimits& " + k.name + "_limits()", [&](Code& body) {
-        body.block("static const rtac::RobotLimits limits = []", [&](Code& set) {
-          set.line("rtac::RobotLimits l;");
-          const auto field = [&](const std::string& f, const std::string& value) {
-            set.line("l." + f + " = " + value + ";");
-          };
-          field("radius_m", real(k.radius.value));
-          field("unicycle",
-                k.motion.model == sema::MotionModel::unicycle ? "true" : "false");
-          field("speed_mps", real(k.motion.speed.value));
-          field("accel_mps2", real(k.motion.accel.value));
-          field("brake_mps2", real(k.motion.brake.value));
-          if (k.motion.turn) field("turn_radps", real(k.motion.turn->value));
-          if (k.motion.turn_accel) field("turn_accel_radps2", real(k.motion.turn_accel->value));
-          const auto sense = [&](const std::string& name, const std::string& unit,
-                                 const std::optional<sema::Sense>& s) {
-            if (!s) return;
-            field(name + "_error" + unit, real(s->error.value));
-            field(name + "_age_us", micros(s->max_age.value));
-          };
-          sense("position", "_m", k.position);
-          sense("velocity", "_mps", k.velocity);
-          sense("heading", "_rad", k.heading);
-          sense("battery", "", k.battery);
-          if (k.hears_max_age) field("hears_age_us", micros(k.hears_max_age->value));
-          field("latency_us", micros(k.latency.value));
-          if (k.plan) field("tracking_m", real(k.plan->tracking.value));
-          if (k.energy) {
-            field("drive_per_m", real(k.energy->drive.value));
-            field("idle_per_s", real(k.energy->idle.value));
-            field("drain_per_s", real(k.energy->drain.value));
-            field("charge_per_s", real(k.energy->charge.value));
-          }
-          set.line("return l;");
-        }, "}();");
+        body.block(
+            "static const rtac::RobotLimits limits = []",
+            [&](Code& set) {
+              set.line("rtac::RobotLimits l;");
+              const auto field = [&](const std::string& f, const std::string& value) {
+                set.line("l." + f + " = " + value + ";");
+              };
+              field("radius_m", real(k.radius.value));
+              field("unicycle", k.motion.model == sema::MotionModel::unicycle ? "true" : "false");
+              field("speed_mps", real(k.motion.speed.value));
+              field("accel_mps2", real(k.motion.accel.value));
+              field("brake_mps2", real(k.motion.brake.value));
+              if (k.motion.turn) field("turn_radps", real(k.motion.turn->value));
+              if (k.motion.turn_accel) field("turn_accel_radps2", real(k.motion.turn_accel->value));
+              const auto sense = [&](const std::string& name, const std::string& unit,
+                                     const std::optional<sema::Sense>& s) {
+                if (!s) return;
+                field(name + "_error" + unit, real(s->error.value));
+                field(name + "_age_us", micros(s->max_age.value));
+              };
+              sense("position", "_m", k.position);
+              sense("velocity", "_mps", k.velocity);
+              sense("heading", "_rad", k.heading);
+              sense("battery", "", k.battery);
+              if (k.hears_max_age) field("hears_age_us", micros(k.hears_max_age->value));
+              field("latency_us", micros(k.latency.value));
+              if (k.plan) field("tracking_m", real(k.plan->tracking.value));
+              if (k.energy) {
+                field("drive_per_m", real(k.energy->drive.value));
+                field("idle_per_s", real(k.energy->idle.value));
+                field("drain_per_s", real(k.energy->drain.value));
+                field("charge_per_s", real(k.energy->charge.value));
+              }
+              set.line("return l;");
+            },
+            "}();");
         body.line("return limits;");
       });
       out_.blank();

@@ -22,9 +22,13 @@ std::optional<FileId> open(const Options& options, Compilation& c) {
   const auto file = c.sources.load(options.spec, why);
   if (!file) {
     c.unreadable = true;
-    c.diagnostics.report({diag::Code::cannot_read, std::nullopt,
-                          "cannot read `" + options.spec + "`: " + why, "", {},
-                          "give the path of a .rta file, or - for standard input", {}});
+    c.diagnostics.report({diag::Code::cannot_read,
+                          std::nullopt,
+                          "cannot read `" + options.spec + "`: " + why,
+                          "",
+                          {},
+                          "give the path of a .rta file, or - for standard input",
+                          {}});
   }
   return file;
 }

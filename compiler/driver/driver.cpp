@@ -70,8 +70,13 @@ int build(const Options& options, Compilation& c) {
   }
   const std::string problem = write_all(files);
   if (problem.empty()) return exit_clean;
-  c.diagnostics.report({diag::Code::cannot_write, std::nullopt, problem, "", {},
-                        "give a directory that can be written after `-o`", {}});
+  c.diagnostics.report({diag::Code::cannot_write,
+                        std::nullopt,
+                        problem,
+                        "",
+                        {},
+                        "give a directory that can be written after `-o`",
+                        {}});
   return exit_usage;
 }
 
@@ -93,8 +98,8 @@ int run(const Options& options, std::ostream& out, std::ostream& err) {
   }
   if (c.module && !(options.werror && has_warnings(c))) {
     status = options.command == Command::build ? build(options, c) : exit_clean;
-    const bool dumped = options.dump_ast || options.dump_spec || options.dump_ir ||
-                        !options.print_after.empty();
+    const bool dumped =
+        options.dump_ast || options.dump_spec || options.dump_ir || !options.print_after.empty();
     if (options.command == Command::check && !dumped) out << summary(*c.module);
   }
   show(options, c, err);
@@ -112,10 +117,15 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
   Options options = std::get<Options>(std::move(parsed));
   options.colour = wants_colour(err);
   switch (options.command) {
-    case Command::help: out << help_text(); return exit_clean;
-    case Command::version: out << "rtac " RTAC_VERSION "\n"; return exit_clean;
+    case Command::help:
+      out << help_text();
+      return exit_clean;
+    case Command::version:
+      out << "rtac " RTAC_VERSION "\n";
+      return exit_clean;
     case Command::check:
-    case Command::build: break;
+    case Command::build:
+      break;
   }
   return run(options, out, err);
 }

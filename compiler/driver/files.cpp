@@ -6,21 +6,12 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <sstream>
 #include <system_error>
 
 namespace rtac::driver {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool unchanged(const fs::path& path, const std::string& text) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return false;
-  std::ostringstream present;
-  present << in.rdbuf();
-  return present.str() == text;
-}
 
 // Removes what was written beside its place unless everything was renamed.
 class Staging {
@@ -69,7 +60,6 @@ class Staging {
 std::string write_all(const std::vector<OutputFile>& files) {
   Staging staging;
   for (const OutputFile& file : files) {
-    if (unchanged(file.path, file.text)) continue;
     if (std::string problem = staging.write(file.path, file.text); !problem.empty()) {
       return problem;
     }

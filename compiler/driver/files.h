@@ -11,9 +11,8 @@ struct OutputFile {
   std::string path, text;
 };
 
-// Creates the directories, writes every file beside its place, then renames all of them. A file
-// whose text is unchanged keeps its time stamp, so that builds do not start anew. Returns what
-// went wrong, empty when all is well; nothing half-written stays behind.
+// Creates the directories, writes every file beside its place, then renames all of them. Returns
+// what went wrong, empty when all is well; nothing half-written stays behind.
 std::string write_all(const std::vector<OutputFile>& files);
 
 // The whole of standard input.

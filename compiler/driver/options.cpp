@@ -128,7 +128,8 @@ std::vector<std::string> split_equals(const std::vector<std::string>& arguments)
 std::variant<Options, std::string> parse_options(const std::vector<std::string>& arguments) {
   const std::vector<std::string> words = split_equals(arguments);
   Parser parser;
-  if (words.empty()) return "say what to do: `rtac check SPEC`, `rtac build SPEC -o DIR`, `rtac help`";
+  if (words.empty())
+    return "say what to do: `rtac check SPEC`, `rtac build SPEC -o DIR`, `rtac help`";
   if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") return parser.options;
   if (words[0] == "--version" || words[0] == "version") {
     parser.options.command = Command::version;
@@ -161,7 +162,8 @@ std::string help_text() {
          "  --depfile FILE               write the dependencies for make or ninja\n"
          "  -Werror                      warnings count as errors\n"
          "  --dump-ast --dump-spec --dump-ir\n"
-         "                               print the tree, the checked specification, the decision IR\n"
+         "                               print the tree, the checked specification, the decision "
+         "IR\n"
          "  --print-after PASS           print the IR after that pass\n"
          "\n"
          "Exit codes: 0 clean, 1 the specification has errors, 2 usage, 70 internal error.\n";

@@ -13,10 +13,10 @@ enum class Format { text, json };
 
 struct Options {
   Command command = Command::help;
-  std::string spec;       // path, or "-" for standard input
-  std::string output;     // directory of `build`
-  std::string depfile;    // may be empty
-  std::string name_space; // may be empty: the name of the specification
+  std::string spec;        // path, or "-" for standard input
+  std::string output;      // directory of `build`
+  std::string depfile;     // may be empty
+  std::string name_space;  // may be empty: the name of the specification
   Format format = Format::text;
   bool colour = false;
   bool dump_ast = false, dump_spec = false, dump_ir = false;

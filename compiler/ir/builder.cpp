@@ -64,12 +64,18 @@ class BlockBuilder {
     if (v.op == sema::LogicOp::logical_not) return negated(a);
     const ValueId b = margin(*v.operands[1]);
     switch (v.op) {
-      case sema::LogicOp::logical_not: break;
-      case sema::LogicOp::logical_and: return both(a, b);
-      case sema::LogicOp::logical_or: return either(a, b);
-      case sema::LogicOp::implies: return either(negated(a), b);
-      case sema::LogicOp::iff: return both(either(negated(a), b), either(negated(b), a));
-      case sema::LogicOp::logical_xor: return either(both(a, negated(b)), both(b, negated(a)));
+      case sema::LogicOp::logical_not:
+        break;
+      case sema::LogicOp::logical_and:
+        return both(a, b);
+      case sema::LogicOp::logical_or:
+        return either(a, b);
+      case sema::LogicOp::implies:
+        return either(negated(a), b);
+      case sema::LogicOp::iff:
+        return both(either(negated(a), b), either(negated(b), a));
+      case sema::LogicOp::logical_xor:
+        return either(both(a, negated(b)), both(b, negated(a)));
     }
     return a;
   }
@@ -90,9 +96,7 @@ class BlockBuilder {
 
   // ---- quantities ----
 
-  static Unit unit_of(const sema::Expr& e) {
-    return e.dimension == ratio ? Unit::ppm : Unit::mm;
-  }
+  static Unit unit_of(const sema::Expr& e) { return e.dimension == ratio ? Unit::ppm : Unit::mm; }
   ValueId quantity(const sema::Expr& e) {
     if (e.dimension != length && e.dimension != ratio) {
       refuse(e, "the kernel compares lengths and ratios only");
@@ -114,8 +118,8 @@ class BlockBuilder {
     return add(Distance{}, Unit::mm, e.range);
   }
   ValueId quantity(const sema::EnergyTo& v, const sema::Expr& e) {
-    const auto& slot = tables_.sites[static_cast<std::uint32_t>(kind_)]
-                                    [static_cast<std::uint32_t>(v.site)];
+    const auto& slot =
+        tables_.sites[static_cast<std::uint32_t>(kind_)][static_cast<std::uint32_t>(v.site)];
     if (!slot) {
       refuse(e, "no recovery of this kind of robot routes to this site, so its way has no price");
       return add(Const{0}, Unit::ppm, e.range);
@@ -178,12 +182,16 @@ class BlockBuilder {
     const auto right = fold(*a->operands[1]);
     if (!left || !right) return std::nullopt;
     switch (a->op) {
-      case sema::ArithmeticOp::add: return Rational(*left + *right);
-      case sema::ArithmeticOp::subtract: return Rational(*left - *right);
-      case sema::ArithmeticOp::multiply: return Rational(*left * *right);
+      case sema::ArithmeticOp::add:
+        return Rational(*left + *right);
+      case sema::ArithmeticOp::subtract:
+        return Rational(*left - *right);
+      case sema::ArithmeticOp::multiply:
+        return Rational(*left * *right);
       case sema::ArithmeticOp::divide:
         return sgn(*right) == 0 ? std::nullopt : std::optional<Rational>(*left / *right);
-      case sema::ArithmeticOp::negate: break;
+      case sema::ArithmeticOp::negate:
+        break;
     }
     return std::nullopt;
   }
@@ -195,17 +203,25 @@ class BlockBuilder {
         return is_ratio ? to_decimal(steps / 10'000) + " %" : to_decimal(steps / 1000) + " m";
       };
       const Rational below(floor_to_int(grid));
-      diagnostics_.report({Code::constant_off_grid, e.range,
-                           "this constant does not lie on the grid of " +
-                               std::string(is_ratio ? "1 ppm" : "1 mm"),
-                           "", {}, "`" + show(below) + "` and `" + show(below + 1) + "` do", {}});
+      diagnostics_.report(
+          {Code::constant_off_grid,
+           e.range,
+           "this constant does not lie on the grid of " + std::string(is_ratio ? "1 ppm" : "1 mm"),
+           "",
+           {},
+           "`" + show(below) + "` and `" + show(below + 1) + "` do",
+           {}});
       return add(Const{0}, unit_of(e), e.range);
     }
     return add(Const{floor_to_int(grid)}, unit_of(e), e.range);
   }
 
   void refuse(const sema::Expr& e, const std::string& what) {
-    diagnostics_.report({Code::expression_not_supported, e.range, what, "", {},
+    diagnostics_.report({Code::expression_not_supported,
+                         e.range,
+                         what,
+                         "",
+                         {},
                          "compute it outside and pass it in, or compare clearance, distance or "
                          "battery with a constant",
                          {}});

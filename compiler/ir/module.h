@@ -35,8 +35,8 @@ struct ZoneTable {
   Cells cells;
   std::int32_t widest_mm = 0, widest_x_mm = 0, widest_y_mm = 0;
 };
-inline constexpr std::int32_t no_body = -1;        // no body fits into the cell
-inline constexpr std::int32_t no_way = 1 << 30;    // no way from the cell to the site
+inline constexpr std::int32_t no_body = -1;      // no body fits into the cell
+inline constexpr std::int32_t no_way = 1 << 30;  // no way from the cell to the site
 struct SiteTable {
   std::string name;
   ZoneIndex zone{};  // whose cells index `cost_ppm`
@@ -173,9 +173,9 @@ struct Block {
 // ---- decisions ----------------------------------------------------------------------------------
 
 struct Lookahead {
-  bool duration = true;           // false: way-points only
-  std::int64_t duration_us = 0;   // D
-  std::int64_t waypoints = 0;     // n, 0: the plan is not looked at
+  bool duration = true;          // false: way-points only
+  std::int64_t duration_us = 0;  // D
+  std::int64_t waypoints = 0;    // n, 0: the plan is not looked at
   bool points_only = false;
 };
 enum class RecoveryKind { external, retreat, route, yield };
@@ -192,7 +192,7 @@ struct Monitor {
   std::string name, requirement_id, requirement_text;
   std::string file;  // base name of the source file
   std::uint32_t line = 0;
-  std::string return_text;  // as written
+  std::string return_text;   // as written
   std::optional<Unit> unit;  // of the reported margin
   Lookahead lookahead;
   SourceRange source, lookahead_source;
@@ -215,9 +215,9 @@ struct Decision {
   Body body;
   // Clearance of the centre at which a robot at full speed never fails a fence: for planners.
   std::int64_t cruise_clearance_mm = 0;
-  std::int64_t hold_reserve_ppm = 0;   // charge that held time and detours may take
-  std::vector<Motion> motions;         // 0: any control, k + 1: recovery of monitor k
-  std::vector<Monitor> monitors;       // by priority
+  std::int64_t hold_reserve_ppm = 0;  // charge that held time and detours may take
+  std::vector<Motion> motions;        // 0: any control, k + 1: recovery of monitor k
+  std::vector<Monitor> monitors;      // by priority
   std::uint32_t held_slots = 0;
   std::vector<Acknowledgement> acknowledgements;
 };

@@ -114,8 +114,7 @@ class Printer {
       block(*m.return_when, "      ");
     }
     line("    recovery " + m.recovery.name + " route " + num(m.recovery.route_clearance_mm) +
-         " return " + num(m.recovery.return_clearance_mm) + " pass " +
-         num(m.recovery.pass_gap_mm));
+         " return " + num(m.recovery.return_clearance_mm) + " pass " + num(m.recovery.pass_gap_mm));
   }
   void decision(const Decision& d) {
     const Body& b = d.body;

@@ -63,10 +63,14 @@ class Ranges {
   Range checked(const Rational& lo, const Rational& hi, const Value& value) {
     const Rational limit = exact(quantity_limit);
     if (lo < -limit || hi > limit) {
-      diagnostics_.report({diag::Code::value_out_of_range, value.source,
+      diagnostics_.report({diag::Code::value_out_of_range,
+                           value.source,
                            "this value ranges over [" + to_decimal(lo) + ", " + to_decimal(hi) +
                                "] grid units, the kernel holds ±2^48",
-                           "", {}, "use smaller factors or compare in other units", {}});
+                           "",
+                           {},
+                           "use smaller factors or compare in other units",
+                           {}});
       return {-quantity_limit, quantity_limit};
     }
     return {floor_to_int(lo), ceil_to_int(hi)};
@@ -79,10 +83,14 @@ class Ranges {
 void check_limit(const SourceRange& source, const std::string& what, std::int64_t value,
                  std::int64_t limit, const std::string& unit, diag::Engine& diagnostics) {
   if (value <= limit) return;
-  diagnostics.report({diag::Code::value_out_of_range, source,
-                      what + " of " + std::to_string(value) + " " + unit +
-                          " exceeds what the kernel can multiply",
-                      "", {}, "at most " + std::to_string(limit) + " " + unit + " works", {}});
+  diagnostics.report(
+      {diag::Code::value_out_of_range,
+       source,
+       what + " of " + std::to_string(value) + " " + unit + " exceeds what the kernel can multiply",
+       "",
+       {},
+       "at most " + std::to_string(limit) + " " + unit + " works",
+       {}});
 }
 
 }  // namespace

@@ -177,7 +177,11 @@ class Expander {
   }
 
   ValueId refuse(const SourceRange& source, const std::string& what, Block& to) {
-    diagnostics_.report({diag::Code::atom_without_transformer, source, what, "", {},
+    diagnostics_.report({diag::Code::atom_without_transformer,
+                         source,
+                         what,
+                         "",
+                         {},
                          "`inside`, `clearance(r, zone) >= c`, `distance(r, q) >= c`, "
                          "`r.battery >= c` and `r.battery >= energy_to(site) + c` work",
                          {}});

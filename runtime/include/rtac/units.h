@@ -14,10 +14,10 @@ class Quantity {
  private:
   double si_;
 };
-using Length = Quantity<struct LengthTag>;    // m
-using Speed = Quantity<struct SpeedTag>;      // m/s
-using Angle = Quantity<struct AngleTag>;      // rad
-using Charge = Quantity<struct ChargeTag>;    // ratio of a full battery
+using Length = Quantity<struct LengthTag>;  // m
+using Speed = Quantity<struct SpeedTag>;    // m/s
+using Angle = Quantity<struct AngleTag>;    // rad
+using Charge = Quantity<struct ChargeTag>;  // ratio of a full battery
 
 struct Position {  // map frame
   Length x, y;
@@ -27,13 +27,27 @@ struct Velocity {  // map frame
 };
 
 namespace literals {
-constexpr Length operator""_m(long double v) { return Length(static_cast<double>(v)); }
-constexpr Length operator""_m(unsigned long long v) { return Length(static_cast<double>(v)); }
-constexpr Speed operator""_mps(long double v) { return Speed(static_cast<double>(v)); }
-constexpr Speed operator""_mps(unsigned long long v) { return Speed(static_cast<double>(v)); }
-constexpr Angle operator""_rad(long double v) { return Angle(static_cast<double>(v)); }
-constexpr Charge operator""_pct(long double v) { return Charge(static_cast<double>(v) / 100); }
-constexpr Charge operator""_pct(unsigned long long v) { return Charge(static_cast<double>(v) / 100); }
+constexpr Length operator""_m(long double v) {
+  return Length(static_cast<double>(v));
+}
+constexpr Length operator""_m(unsigned long long v) {
+  return Length(static_cast<double>(v));
+}
+constexpr Speed operator""_mps(long double v) {
+  return Speed(static_cast<double>(v));
+}
+constexpr Speed operator""_mps(unsigned long long v) {
+  return Speed(static_cast<double>(v));
+}
+constexpr Angle operator""_rad(long double v) {
+  return Angle(static_cast<double>(v));
+}
+constexpr Charge operator""_pct(long double v) {
+  return Charge(static_cast<double>(v) / 100);
+}
+constexpr Charge operator""_pct(unsigned long long v) {
+  return Charge(static_cast<double>(v) / 100);
+}
 }  // namespace literals
 
 }  // namespace rtac
