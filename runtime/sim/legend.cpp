@@ -148,7 +148,7 @@ void write_switches(Legend& legend, const PinBoard& board) {
   }
   if (board.returns == 0) return;
   if (legend.svg() != nullptr) {
-    legend.svg()->circle(legend.symbol() - Vec2{8, 0}, 2.2,
+    legend.svg()->circle(legend.symbol() - Vec2{22, 0}, 2.2,
                          "fill=\"#ffffff\" stroke=\"#0072B2\" stroke-width=\"1.2\"");
   }
   legend.count(board.returns, board.returns == 1 ? "return to the advanced controller"

@@ -308,7 +308,7 @@ void World<Output>::inject(const Fault& fault) {
 
 template <class Output>
 void World<Output>::on_step(std::function<void(TimeUs)> callback) {
-  impl_->on_step = std::move(callback);
+  impl_->on_step.swap(callback);
 }
 
 template <class Output>

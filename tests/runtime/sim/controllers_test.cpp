@@ -144,7 +144,7 @@ TEST(Lapses, AreAsFrequentAndAsLongAsAskedFor) {
   int faulty = 0;
   const int ticks = 100'000;
   for (int i = 0; i < ticks; ++i) {
-    observation.now_us = i * 100 * ms;
+    observation.now_us = 100 * ms * i;
     const bool is_faulty = lapses.command(observation).speed_mps < 0;
     EXPECT_EQ(is_faulty, lapses.lapsing());
     faulty += is_faulty ? 1 : 0;

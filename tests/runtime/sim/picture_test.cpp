@@ -25,10 +25,11 @@ std::vector<TruthState> two_at(Vec2 a, Vec2 b) {
 // Two robots; the first meets the pillar and is turned back, the second drives undisturbed.
 Recorder small_run() {
   Recorder recorder(2);
-  for (int i = 0; i <= 60; ++i) {
+  for (TimeUs i = 0; i <= 60; ++i) {
     const TimeUs t = i * 50 * ms;
-    const double x = 0.5 + (i <= 30 ? 0.045 * i : 1.35 - 0.02 * (i - 30));
-    recorder.observe(t, two_at({x, 2.5}, {3.5, 0.5 + 0.05 * i}));
+    const auto k = static_cast<double>(i);
+    const double x = 0.5 + (i <= 30 ? 0.045 * k : 1.35 - 0.02 * (k - 30));
+    recorder.observe(t, two_at({x, 2.5}, {3.5, 0.5 + 0.05 * k}));
     const bool safe = i >= 28 && i < 50;
     recorder.mode(0, t, safe ? 1 : 0, safe ? "turn_back" : "follow_plan",
                   safe ? "geofence: leg 0 < margin" : "");
@@ -84,7 +85,7 @@ TEST(Recorder, KeepsSwitchesWithTimePlaceAndReason) {
   const Recorder recorder = small_run();
   ASSERT_EQ(recorder.switches().size(), 2u);
   const SwitchEvent& event = recorder.switches()[0];
-  EXPECT_EQ(event.time_us, 28 * 50 * ms);
+  EXPECT_EQ(event.time_us, 1400 * ms);
   EXPECT_NEAR(event.place.x, 0.5 + 0.045 * 28, 1e-12);
   EXPECT_EQ(event.mode, 1);
   EXPECT_EQ(event.controller, "turn_back");
@@ -145,7 +146,7 @@ Recorder busy_run(int switches) {
   Recorder recorder(2);
   Random random(8);
   for (int i = 0; i < switches; ++i) {
-    const TimeUs t = i * 1 * s;
+    const TimeUs t = i * s;
     recorder.observe(t, two_at({random.uniform(0, 4), random.uniform(0, 4)}, {1, 1}));
     const std::string reason = "reason " + std::to_string(random.below(5));
     recorder.mode(0, t, i % 2, i % 2 == 1 ? "turn_back" : "follow_plan", reason);
