@@ -250,8 +250,8 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
                          : "`distance` needs another robot, bound by `forall` or `exists`")
           .label(quantified ? "not these two" : "outside `forall` and `exists`")
           .help(quantified ? "write `distance(" + self + ", " + other_->text + ")`"
-                           : "write `forall q : Kind, q != " + self + " : distance(" + self +
-                                 ", q) >= ...`"));
+                           : "write `forall q : " + kind_name() + ", q != " + self +
+                                 " : distance(" + self + ", q) >= ...`"));
   return nullptr;
 }
 

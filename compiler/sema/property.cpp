@@ -169,10 +169,11 @@ ExprPtr PropertyChecker::comparison(const syntax::Expr& expr, const syntax::Bina
 ExprPtr PropertyChecker::equality(const syntax::Expr& expr, const syntax::Binary& binary) {
   const std::string written = binary.op == BinaryOp::equal ? "==" : "!=";
   if (subject(*binary.left) || subject(*binary.right)) {
-    context_.report(Finding(Code::equality_not_allowed, expr.range,
-                            "robots are compared only in the guard of `forall` and `exists`")
-                        .label("not a condition on its own")
-                        .help("write `forall q : Kind, q != " + scope_.self.text + " : ...`"));
+    context_.report(
+        Finding(Code::equality_not_allowed, expr.range,
+                "robots are compared only in the guard of `forall` and `exists`")
+            .label("not a condition on its own")
+            .help("write `forall q : " + kind_name() + ", q != " + scope_.self.text + " : ...`"));
     return nullptr;
   }
   ExprPtr left = infer(*binary.left);

@@ -60,6 +60,10 @@ class PropertyChecker {
   std::optional<SiteId> place_of_self(const syntax::Expr& place);
   bool place_belongs_to_self(const syntax::Expr& robot, const std::string& site);
 
+  // The kind of the monitored robot, for examples in messages.
+  [[nodiscard]] std::string kind_name() const {
+    return scope_.kind ? context_.spec[*scope_.kind].name : "Kind";
+  }
   // The robot that an expression names, if it is a variable of this property.
   [[nodiscard]] std::optional<Subject> subject(const syntax::Expr& expr) const;
   // True when `expr` is the monitored robot; else reports.

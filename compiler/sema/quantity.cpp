@@ -130,21 +130,22 @@ std::optional<Dimension> combine(Context& context, BinaryOp op, const Operand& l
     return std::nullopt;
   }
   if (left.dimension == right.dimension) return left.dimension;
-  const std::string action = is_sum(op) ? "added to or taken from" : "compared with";
+  const std::string action =
+      op == BinaryOp::add ? "added" : (op == BinaryOp::subtract ? "subtracted" : "compared");
   for (const auto& [bare, other] : {std::pair(left, right), std::pair(right, left)}) {
     const syntax::Expr* number = bare_number(*bare.expr);
     if (number == nullptr || bare.dimension != dims::number) continue;
     report_unit_missing(context, *number, other.dimension,
-                        "it is " + action + " " + describe(other.dimension));
+                        "the other side is " + describe(other.dimension));
     return std::nullopt;
   }
-  context.report(
-      Finding(Code::dimensions_differ, op_range,
-              describe(left.dimension) + " cannot be " + action + " " + describe(right.dimension))
-          .label("the two sides differ")
-          .note(left.expr->range, "this is " + describe(left.dimension))
-          .note(right.expr->range, "this is " + describe(right.dimension))
-          .help("bring both sides to one dimension"));
+  context.report(Finding(Code::dimensions_differ, op_range,
+                         describe(left.dimension) + " and " + describe(right.dimension) +
+                             " cannot be " + action)
+                     .label("the two sides differ")
+                     .note(left.expr->range, "this is " + describe(left.dimension))
+                     .note(right.expr->range, "this is " + describe(right.dimension))
+                     .help("bring both sides to one dimension"));
   return std::nullopt;
 }
 

@@ -25,7 +25,8 @@ class KindChecker {
     }
     demand("body", "body radius 11 cm;");
     demand("motion", "motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }");
-    demand("output", "output drive : twist;");
+    const bool unicycle = kind_.motion.model == MotionModel::unicycle;
+    demand("output", unicycle ? "output drive : twist;" : "output thrust : acceleration;");
     demand("latency", "latency 40 ms;");
     check_output();
   }

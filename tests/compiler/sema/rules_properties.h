@@ -14,7 +14,7 @@ inline std::vector<Rule> rules_of_properties() {
        Code::distance_needs_other,
        "distance(r, c2)",
        "needs another robot, bound by `forall`",
-       "forall q : Kind, q != r"},
+       "forall q : Cart, q != r"},
       {"a_distance_is_between_the_two_robots",
        {{"distance(r, q)", "distance(q, q)"}},
        Code::distance_needs_other,

@@ -44,7 +44,7 @@ inline std::vector<Rule> rules_of_clauses() {
        Code::clause_missing,
        "Drone",
        "`Drone` has no `output`",
-       "output"},
+       "output thrust : acceleration;"},
       {"a_robot_has_a_latency",
        {{"latency 20 ms;", ""}},
        Code::clause_missing,
