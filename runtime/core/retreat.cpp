@@ -67,7 +67,9 @@ bool RetreatManoeuvre::find(const RouteQuery& from_here, double now_m, double wa
   return route_.to_place(along, test, way_);
 }
 
-// Straight away from the nearest point of the boundary, or straight in through it.
+// Straight away from the nearest point of the boundary, or straight in through it. Clearance cannot
+// fall on that leg: t after p it is at least `wanted` less what is left of the leg, which is the
+// clearance at p plus t.
 bool RetreatManoeuvre::find_straight(const RouteQuery& from_here, double now_m, double wanted_m) {
   const ZoneView& zone = *setting_.zone;
   const Vec2 p = from_here.start, boundary = nearest_boundary(zone, p);
@@ -76,7 +78,6 @@ bool RetreatManoeuvre::find_straight(const RouteQuery& from_here, double now_m, 
   const Vec2 inward = ((now_m < 0 ? -1.0 : 1.0) / distance_m) * (p - boundary);
   const Vec2 q = boundary + wanted_m * inward;
   if (signed_clearance(zone, q) < wanted_m - 1e-6) return false;
-  if (signed_clearance(zone, p, q) < now_m - loss_m) return false;
   if (!route_.leg_allowed(from_here, p, q)) return false;
   stay();
   return way_.points.push(q);

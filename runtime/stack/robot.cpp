@@ -22,25 +22,30 @@ void Robot::on(const Report& report) {
     }
     return;
   }
+  if (report.errand) return wait_for_errand();
   if (stalled(report)) return skip(SkipReason::stalled, report.now_us);
-  if (!situation_.blocked) {
-    if (report.mode == 0 && !report.has_plan) want_plan();
-    return;
-  }
-  if (report.now_us - blocked_since_us_ >= options_.blocked_skip_us) {
+  if (situation_.blocked && report.now_us - blocked_since_us_ >= options_.blocked_skip_us) {
     return skip(SkipReason::blocked, report.now_us);
   }
-  if (report.now_us >= retry_at_us_) want_plan();
+  // After an opening it goes on looking until the advanced controller drives again: the way may
+  // have closed since, and then the others have to hear it.
+  const bool probing = blocked_since_us_ != never_us && report.now_us >= retry_at_us_;
+  const bool ready = !situation_.blocked && report.mode == 0 && !report.has_plan;
+  if (ready || probing) want_plan();
 }
 
-// The destination waits while the robot is away on an errand (charging), and the way back from
-// there may be longer than any before; both start the count again.
+// The destination waits while the robot is away (charging): neither stalled nor blocked, and the
+// way back may be longer than any before.
+void Robot::wait_for_errand() {
+  best_to_go_m_ = std::numeric_limits<double>::infinity();
+  progress_us_ = last_.now_us;
+  blocked_since_us_ = never_us;
+  if (!situation_.blocked) return;
+  situation_.blocked = situation_.surrender = false;
+  tell_executor();
+}
+
 bool Robot::stalled(const Report& report) {
-  if (report.errand) {
-    best_to_go_m_ = std::numeric_limits<double>::infinity();
-    progress_us_ = report.now_us;
-    return false;
-  }
   if (report.has_plan && report.has_position && report.remaining_m < best_to_go_m_ - progress_m) {
     best_to_go_m_ = report.remaining_m;
     progress_us_ = report.now_us;
@@ -92,10 +97,11 @@ void Robot::on(const PlanLost& event) {
   if (rejections_ >= limit) skip(SkipReason::rejected, event.now_us);
 }
 
-void Robot::on(const PlanReady&) {
+void Robot::on(const PlanReady& event) {
   // While a recovery holds the robot the plan only shows that the way is free again; the next one
   // is made when the advanced controller drives.
   if (last_.mode == 0) blocked_since_us_ = never_us;
+  retry_at_us_ = event.now_us + options_.blocked_retry_us;
   if (!situation_.blocked) return;
   situation_.blocked = situation_.surrender = false;
   tell_executor();

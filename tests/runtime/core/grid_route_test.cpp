@@ -129,6 +129,21 @@ TEST(GridRoute, FindsTheNearestPlace) {
   EXPECT_GE(clearance({1, 2.5}, way), 0.3 - 1e-9);
 }
 
+// A diagonal step needs both cells beside it, as in the baked table of distances.
+TEST(GridRoute, CutsNoCorners) {
+  const std::int32_t edges[] = {0, 0, 200, 0, 200, 0, 200, 200, 200, 200, 0, 200, 0, 200, 0, 0};
+  std::int32_t cells[] = {500, 0, 500, 500};
+  ZoneView zone;
+  zone.edges_mm = edges, zone.edge_count = 4, zone.columns = zone.rows = 2;
+  zone.clearance_mm_lo = cells;
+  GridRoute route(zone);
+  Path way;
+  ASSERT_TRUE(route.to_point({0.3, {0.05, 0.05}, {}, {}}, {0.15, 0.15}, way));
+  EXPECT_NEAR(route.length_m(), 0.2, 1e-6);
+  cells[2] = 0;
+  EXPECT_FALSE(route.to_point({0.3, {0.05, 0.05}, {}, {}}, {0.15, 0.15}, way));
+}
+
 // A start outside the grid, or not a number, is a refusal and nothing worse.
 TEST(GridRoute, SurvivesBadStarts) {
   GridRoute route(room().view());

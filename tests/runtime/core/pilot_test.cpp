@@ -77,6 +77,7 @@ TEST(UnicyclePilot, BrakesAtOnce) {
 TEST(PointPilot, BrakeDoesNotCreep) {
   Plant<Acceleration> plant(test::drone_limits(), {0, 0});
   plant.v = {0.8, 0.6};
+  plant.noisy = 0.5, plant.velocity_bias = {0.01, 0};
   Pilot<Acceleration> pilot(drone());
   pilot.engage(plant.observe());
   const double eta = 0.02 + 0.07;  // eps_v + b (h + l)

@@ -267,6 +267,16 @@ TEST(Yield, FirstInOrderBacksOff) {
   EXPECT_TRUE(a.holding());
 }
 
+// A lease that has run out promises nothing any more.
+TEST(Yield, KeepsHoldingWhenTheLeaseRanOut) {
+  Plant<Twist> plant(test::cart_limits(), {2.5, 2.5});
+  place_other(plant.seen, 1, {2.9, 2.5}, 1'000'000);
+  Yield<Twist> yield(cart(room().view()));
+  yield.engage(plant.observe());
+  for (int i = 0; i < 100; ++i) tick(yield, plant, Gate::free, 100'000);
+  EXPECT_TRUE(yield.holding());
+}
+
 // A robot nearby that is not held may move any time: nothing but holding is safe to assume.
 TEST(Yield, KeepsHoldingBesideAMovingRobot) {
   Plant<Twist> plant(test::cart_limits(), {2.5, 2.5});

@@ -53,7 +53,7 @@ class Plant {
   const Observation& observe() {
     seen.now_us = now_us;
     seen.position = {p + noise.disc(noisy * limits.position_error_m), now_us};
-    seen.velocity = {v + noise.disc(noisy * limits.velocity_error_mps), now_us};
+    seen.velocity = {v + velocity_bias + noise.disc(noisy * limits.velocity_error_mps), now_us};
     seen.heading = {heading + noise.scalar(noisy * limits.heading_error_rad), now_us};
     return seen;
   }
@@ -73,6 +73,7 @@ class Plant {
   Vec2 p, v;
   double heading = 0, speed = 0, turn = 0;
   double noisy = 1;
+  Vec2 velocity_bias;  // an error need not have a mean of zero
   Observation seen;
   Noise noise;
 

@@ -147,6 +147,36 @@ TEST(Robot, SkipsWhenBlockedForLong) {
   EXPECT_EQ(bench.log.delivered, 1);
 }
 
+// A way that opens now and then, never long enough to go on, does not start the 20 s again.
+TEST(Robot, CountsTheTimeBlockedAcrossOpenings) {
+  Bench bench(2);
+  stand_in_the_way(bench);
+  bench.decision[0].script = [&](const Observation& seen, DecisionRecord& record) {
+    if (seen.now_us > 0) record.mode = 1;
+    const bool open = seen.now_us / 1'000'000 % 4 == 3 && seen.now_us < 19'000'000;
+    bench.fleet.points[1].p = {1.5, open ? 3.0 : 0.0};
+  };
+  ASSERT_EQ(bench.run(29), Status::ok);
+  ASSERT_EQ(bench.log.skip_count, 1u);
+  EXPECT_EQ(bench.log.skips[0], SkipReason::blocked);
+}
+
+// On the way to the charger nobody is asked for passage on behalf of the destination.
+TEST(Robot, IsNotBlockedWhileCharging) {
+  Bench bench(2);
+  stand_in_the_way(bench);
+  bench.go_charge[0].on_errand = true;
+  bench.decision[0].script = [](const Observation& seen, DecisionRecord& record) {
+    if (seen.now_us >= 2'000'000) record.mode = 2;
+  };
+  ASSERT_EQ(bench.run(1.9), Status::ok);
+  EXPECT_TRUE(bench.fleet.points[0].said.blocked);
+  ASSERT_EQ(bench.run(40), Status::ok);
+  EXPECT_FALSE(bench.fleet.points[0].said.blocked);
+  EXPECT_FALSE(bench.decision[0].last_surrender);
+  EXPECT_EQ(bench.log.skip_count, 0u);
+}
+
 // With nothing left to do the robot gives control up and makes no claim.
 TEST(Robot, ParksWithoutTasks) {
   Bench bench;

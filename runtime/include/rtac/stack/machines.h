@@ -92,6 +92,7 @@ class Robot final : public RobotMachine {
   void on(const Unreachable& event);
 
   bool stalled(const Report& report);
+  void wait_for_errand();
   void want_plan();
   void skip(SkipReason reason, TimeUs now_us);
   void forget_destination();
