@@ -275,6 +275,7 @@ TEST(Yield, KeepsHoldingWhenTheLeaseRanOut) {
   yield.engage(plant.observe());
   for (int i = 0; i < 100; ++i) tick(yield, plant, Gate::free, 100'000);
   EXPECT_TRUE(yield.holding());
+  EXPECT_LT(norm(plant.p - Vec2{2.5, 2.5}), 0.01);
 }
 
 // A robot nearby that is not held may move any time: nothing but holding is safe to assume.

@@ -159,6 +159,7 @@ TEST(Robot, CountsTheTimeBlockedAcrossOpenings) {
   ASSERT_EQ(bench.run(29), Status::ok);
   ASSERT_EQ(bench.log.skip_count, 1u);
   EXPECT_EQ(bench.log.skips[0], SkipReason::blocked);
+  EXPECT_EQ(bench.log.plans, 0);  // a probe is not a plan to drive while a recovery holds
 }
 
 // On the way to the charger nobody is asked for passage on behalf of the destination.
