@@ -141,5 +141,14 @@ TABLE
   fi
 }
 
+# The build gives its number to generated code; the runtime states the one that it serves.
+check_abi() {
+  local build runtime header=runtime/include/rtac/kernel_bridge.h
+  build=$(sed -n 's/^set(RTAC_ABI \([0-9]*\))$/\1/p' CMakeLists.txt)
+  runtime=$(sed -n 's/^inline constexpr int abi = \([0-9]*\);$/\1/p' $header)
+  [[ -n $build && $build == "$runtime" ]] ||
+    breach "$header: abi is \`$runtime\`, RTAC_ABI in CMakeLists.txt is \`$build\`"
+}
+
 "check_$check"
 ((breaches == 0))

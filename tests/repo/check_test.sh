@@ -18,6 +18,9 @@ good_tree() {
   printf '#include "rtac/sim/world.h"\n#include "one_system.h"\n' >"$tree/examples/one/main.cpp"
   printf 'see [the code](compiler/support/a.cpp), ./dev demo, ./dev test\n' >"$tree/README.md"
   printf '  demo) ;;\n  test) ;;\n' >"$tree/dev"
+  mkdir -p "$tree/runtime/include/rtac"
+  printf 'set(RTAC_ABI 7)\n' >"$tree/CMakeLists.txt"
+  printf 'inline constexpr int abi = 7;\n' >"$tree/runtime/include/rtac/kernel_bridge.h"
   local block phase
   for phase in 1:syntax 2:names 3:types 4:geometry 5:timing 6:arbitration 7:codegen 9:driver; do
     block=${phase%%:*} phase=${phase##*:}
@@ -46,7 +49,7 @@ refuses() { # CHECK EXPECTED_TEXT
 }
 
 good_tree
-for check in includes examples length layout paths leftovers readme links codes; do
+for check in includes examples length layout paths leftovers readme links codes abi; do
   accepts "$check"
 done
 
@@ -94,5 +97,7 @@ printf 'RTAC_DIAGNOSTIC(3002, stray, error, "text")\n' >>"$tree/compiler/diagnos
 refuses codes '3002 is outside the block'
 sed -i '/syntax/d' "$tree/compiler/diagnostics/codes.def"
 refuses codes 'does not include'
+printf 'set(RTAC_ABI 8)\n' >"$tree/CMakeLists.txt"
+refuses abi 'abi is '
 
 ((failures == 0)) && printf 'every check can fail\n'
