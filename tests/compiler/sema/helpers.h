@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -179,5 +180,7 @@ struct Rule {
   std::string help;     // a part of it
   bool fix = false;     // its fix-it gives a specification without errors
 };
+
+inline void PrintTo(const Rule& rule, std::ostream* out) { *out << rule.name; }
 
 }  // namespace rtac::sema::test
