@@ -52,8 +52,9 @@ struct CellGrid {
 struct BakedZone {
   std::vector<EdgeRow> edges;
   CellGrid cells;
-  // Place of largest clearance (pole of inaccessibility, within 1 mm) and that clearance, rounded
-  // down: what `the return set is empty` reports.
+  // Place of largest clearance (pole of inaccessibility, within 1 mm; of corridors that are equally
+  // wide over hundreds of metres, within a few) and that clearance, rounded down: what `the return
+  // set is empty` reports.
   GridPoint widest_at;
   std::int32_t widest_mm = 0;
 };

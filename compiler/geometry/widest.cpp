@@ -11,8 +11,8 @@
 namespace rtac::geometry {
 namespace {
 
-// A square that promises less than this above the best place is not looked at: together with the
-// distance from a best place to the grid, 1/sqrt(2) mm, and the rounding of it, within 1.5 mm.
+// A square that promises less than this above the best place is not looked at. The grid point next
+// to the true place has at most 1/sqrt(2) mm less, so the two losses stay below 1 mm together.
 constexpr double kGoodEnoughMm = 0.25;
 constexpr int kMostSquares = 400'000;
 

@@ -108,6 +108,20 @@ TEST(Snap, RandomRegionsAreSubsetsAndLoseLittle) {
   }
 }
 
+TEST(Snap, RegionsOfTheSizeOfTheGridAreSubsetsOrNothing) {
+  // Vertices jump across opposite edges here: only the final exact test keeps the result inside.
+  Random random(14);
+  int found = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Region region = random_triangle(random, 4, 97).unite(random_triangle(random, 4, 97));
+    const auto zone = snap_inside(region);
+    if (!zone) continue;
+    EXPECT_TRUE(region.contains(to_region(*zone))) << i;
+    ++found;
+  }
+  EXPECT_GT(found, 20);
+}
+
 TEST(Snap, ShrunkRegionsWithRoundCornersSnap) {
   const Region shrunk = delivery_free().shrink(q(26, 100));
   const auto zone = snap_inside(shrunk);
