@@ -36,7 +36,8 @@ struct EdgeRow {
 };
 
 // Square cells over the bounding box, row by row from the south-west. Values are one-sided over
-// the whole closed cell.
+// the whole closed cell. A cell of which only border points can belong to the region, as boundary,
+// has 0 for both bounds.
 struct CellGrid {
   GridPoint origin;  // south-west corner
   std::int32_t cell_mm = 100;

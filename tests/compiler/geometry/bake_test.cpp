@@ -41,7 +41,8 @@ void check_point(const BakedZone& baked, const Region& region, const std::vector
   const CellGrid& grid = baked.cells;
   const Rational squared = squared_distance(p, edges);
   const bool inside = region.contains(p);
-  EXPECT_TRUE(!inside || squared <= (baked.widest_mm + 2) * (baked.widest_mm + 2));
+  const Rational most = q(baked.widest_mm) + 2;
+  EXPECT_TRUE(!inside || squared <= most * most);
   // All closed cells that contain the point.
   const Rational column = (p.x - grid.origin.x_mm) / grid.cell_mm;
   const Rational row = (p.y - grid.origin.y_mm) / grid.cell_mm;
@@ -178,6 +179,20 @@ TEST(Bake, CellsAreExactlyTheSmallestDistance) {
             polygon({pt(x, y), pt(x + size, y), pt(x + size, y + size), pt(x, y + size)});
         const Rational least = squared_distance(boundary(cell), edges);
         const long lo = grid.clearance_mm_lo[index(grid, c, r)];
+        // The upper bound: the least over edges of the largest distance of a corner, rounded up.
+        const long hi = grid.clearance_mm_hi[index(grid, c, r)];
+        if (hi > 0) {
+          std::optional<Rational> bound;
+          for (const Segment& e : edges) {
+            Rational most = 0;
+            for (const Segment& side : boundary(cell)) {
+              most = std::max(most, squared_distance(side.a, e));
+            }
+            if (!bound || most < *bound) bound = most;
+          }
+          EXPECT_GE(Rational(hi * hi), *bound);
+          EXPECT_LT(Rational((hi - 1) * (hi - 1)), *bound);
+        }
         if (lo > 0) {
           EXPECT_LE(Rational(lo * lo), least);
           EXPECT_GT(Rational((lo + 1) * (lo + 1)), least);
