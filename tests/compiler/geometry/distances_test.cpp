@@ -79,6 +79,11 @@ TEST(Distances, ConnectorGoesToTheNearestCellWithAValue) {
   EXPECT_EQ(distances({"..++"}, {50, 50}, 0)[2], -1);
 }
 
+TEST(Distances, ConnectorPrefersTheNearestCellToTheSmallestValue) {
+  // Above: value 483 at one cell; to the left: value 242 at two cells.
+  EXPECT_EQ(distances({".....", "..++."}, {50, 50}, 300)[3], 483 + 100 + 71);
+}
+
 TEST(Distances, ConnectorDoesNotCrossWhereNoBodyCanBe) {
   EXPECT_EQ(distances({"..#+"}, {50, 50}, 500)[3], -1);
   EXPECT_EQ(distances({"..-+"}, {50, 50}, 500)[3], -1);
