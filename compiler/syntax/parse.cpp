@@ -154,17 +154,18 @@ class ProgramParser {
   }
 
   void report_cycle(const Text& import, const std::string& id) {
-    std::string chain;
-    bool in_cycle = false;
-    for (const Opened& file : open_) {
-      in_cycle = in_cycle || file.identity == id;
-      if (in_cycle) chain += quote(file.path) + " imports ";
+    const auto first = std::find_if(open_.begin(), open_.end(),
+                                    [&](const Opened& file) { return file.identity == id; });
+    std::string chain = quote(first->path);
+    for (auto file = first + 1; file != open_.end(); ++file) {
+      chain += (file == first + 1 ? " imports " : ", which imports ") + quote(file->path);
     }
+    chain += (first + 1 == open_.end() ? " imports " : ", which imports ") + quote(first->path);
     diagnostics_.report({Code::import_cycle,
                          import.range,
                          "files import each other in a circle",
                          "this file is still being read",
-                         {{std::nullopt, chain + "the first again"}},
+                         {{std::nullopt, std::move(chain)}},
                          "move what both need into a third file",
                          {}});
   }
