@@ -71,13 +71,13 @@ INQUOTES   ([^\n\xE2]|\xE2[^\x80\n]|\xE2\x80[^\x9C\x9D\n])*
 "."{DIGIT}+               { yyextra->malformed_number(MATCH); BEGIN(UNIT); }
 {DIGIT}+(_{DIGIT}+)+      { yyextra->malformed_number(MATCH); BEGIN(UNIT); }
 
+{OPENQUOTE}{INQUOTES}{CLOSEQUOTE}  { yyextra->foreign_quotes(MATCH, 3); }
 {WORD}                    { yyextra->word(MATCH); }
 ({WORD}|{HIGH})[A-Za-z0-9_\x80-\xFF]*  { KEEP(yyextra->foreign_run(MATCH)); }
 
 \"([^"\\\n]|\\.)*\"       { yyextra->string(MATCH); }
 \"([^"\\\n]|\\.)*\\?      { yyextra->unterminated_string(MATCH); }
 "'"[^'\n]*"'"             { yyextra->foreign_quotes(MATCH, 1); }
-{OPENQUOTE}{INQUOTES}{CLOSEQUOTE}  { yyextra->foreign_quotes(MATCH, 3); }
 "#"[^\n]*                 { yyextra->hash_comment(); }
 
 ";"                       { yyextra->punctuation(T::SEMICOLON); }

@@ -7,8 +7,6 @@
 namespace rtac::syntax {
 namespace {
 
-constexpr std::size_t kQuoteBytesMax = 40;
-
 const Lookalike kOperators[] = {
     {"\u2264", "<=", T::LESS_EQUAL},     // less-than or equal
     {"\u2265", ">=", T::GREATER_EQUAL},  // greater-than or equal
@@ -87,10 +85,10 @@ UnitReading read_unit(std::string_view text) {
   return result;
 }
 
-std::string quote(std::string_view text) {
-  const bool cut = text.size() > kQuoteBytesMax;
+std::string quote(std::string_view text, std::size_t bytes_max) {
+  const bool cut = text.size() > bytes_max;
   if (cut) {
-    std::size_t length = kQuoteBytesMax;
+    std::size_t length = bytes_max;
     while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
     text = text.substr(0, length);
   }

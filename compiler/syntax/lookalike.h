@@ -25,6 +25,6 @@ struct UnitReading {
 UnitReading read_unit(std::string_view text);
 
 // Source text for a message: in back-ticks, control characters escaped, cut when long.
-std::string quote(std::string_view text);
+std::string quote(std::string_view text, std::size_t bytes_max = 40);
 
 }  // namespace rtac::syntax

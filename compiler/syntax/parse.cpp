@@ -15,6 +15,8 @@ namespace {
 
 using diag::Code;
 
+constexpr std::size_t kPathBytesMax = 4096;  // paths in messages are not cut
+
 // Words that start items are reserved: one at the start of a line starts an item whatever is still
 // open. So a missing `}` costs no more than its own item.
 bool starts_stretch(const std::vector<Token>& tokens, std::size_t index) {
@@ -142,7 +144,7 @@ class ProgramParser {
     if (!loaded) {
       diagnostics_.report({Code::import_not_found,
                            import.range,
-                           "cannot read the imported file " + quote(path),
+                           "cannot read the imported file " + quote(path, kPathBytesMax),
                            why,
                            {},
                            "the path is relative to the directory of the importing file",
@@ -156,11 +158,13 @@ class ProgramParser {
   void report_cycle(const Text& import, const std::string& id) {
     const auto first = std::find_if(open_.begin(), open_.end(),
                                     [&](const Opened& file) { return file.identity == id; });
-    std::string chain = quote(first->path);
+    std::string chain = quote(first->path, kPathBytesMax);
     for (auto file = first + 1; file != open_.end(); ++file) {
-      chain += (file == first + 1 ? " imports " : ", which imports ") + quote(file->path);
+      chain +=
+          (file == first + 1 ? " imports " : ", which imports ") + quote(file->path, kPathBytesMax);
     }
-    chain += (first + 1 == open_.end() ? " imports " : ", which imports ") + quote(first->path);
+    chain += (first + 1 == open_.end() ? " imports " : ", which imports ") +
+             quote(first->path, kPathBytesMax);
     diagnostics_.report({Code::import_cycle,
                          import.range,
                          "files import each other in a circle",

@@ -13,6 +13,10 @@
 namespace rtac::syntax {
 namespace {
 
+// Parses of one stretch. Each repairs one mistake; those that may follow from others are not
+// reported, so the limit of errors alone would not end a flood of them.
+constexpr int kRoundsMax = 100;
+
 bool ends_clause(TokenKind kind) {
   return kind == T::SEMICOLON || kind == T::LEFT_BRACE || kind == T::RIGHT_BRACE ||
          kind == T::BAD_CLAUSE;
@@ -24,13 +28,14 @@ class Repairer {
       : tokens_(std::move(tokens)), sources_(sources), diagnostics_(diagnostics) {}
 
   Attempt run() {
-    while (true) {
+    for (int round = 0;; ++round) {
       Attempt attempt = attempt_parse(tokens_, sources_);
       if (!attempt.error) {
         report_height(attempt);
         return attempt;
       }
-      if (diagnostics_.error_count() > kErrorsMax || !handle(*attempt.error)) {
+      const bool flooded = round >= kRoundsMax || diagnostics_.error_count() > kErrorsMax;
+      if (flooded || !handle(*attempt.error)) {
         return attempt;
       }
     }
