@@ -10,6 +10,7 @@
 #include "rtac/planning/ompl_planner.h"
 #include "rtac/sim/adversary.h"
 #include "rtac/sim/controllers.h"
+#include "rtac/sim/distance_field.h"
 #include "rtac/sim/judge.h"
 #include "rtac/sim/picture.h"
 #include "rtac/sim/progress.h"
@@ -25,6 +26,7 @@ namespace sim = rtac::sim;
 using rtac::Twist;
 using rtac::Vec2;
 
+constexpr std::size_t battery = 2;  // index of the monitor, by priority
 constexpr double arena_m = 5;
 constexpr double standoff_m = 0.08;       // SR-3
 constexpr double battery_reserve = 0.05;  // SR-2
@@ -64,6 +66,9 @@ class Watch : public rtac::SystemObserver {
     judge_.watch_battery([](int robot, const sim::TruthState& truth) {
       return truth.battery - rta::energy_to_dock(robot, truth.position) - battery_reserve;
     });
+    progress_.measure_by([this](int robot, Vec2 from, Vec2) {
+      return fields_[static_cast<std::size_t>(robot)]->distance_m(from);
+    });
     world_.on_step([this](rtac::TimeUs now_us) {
       judge_.observe(now_us, world_.truths());
       recorder_.observe(now_us, world_.truths());
@@ -86,12 +91,17 @@ class Watch : public rtac::SystemObserver {
     count(record, result);
     char reason[200];
     rtac::reason_text(record, reason, sizeof reason);
+    if (record.monitors[battery].engaged != charging_[static_cast<std::size_t>(record.robot)]) {
+      charging_[static_cast<std::size_t>(record.robot)] = record.monitors[battery].engaged;
+      set_goal(record.robot);
+    }
     recorder_.mode(record.robot, record.time_us, record.mode, rtac::mode_name(record), reason);
     auto& log = logs_[static_cast<std::size_t>(record.robot)];
     if (wants_logs_) logged_ = log.write(record) == rtac::Status::ok && logged_;
   }
   void on_task(int robot, Vec2 destination, rtac::TimeUs) override {
-    progress_.set_goal(robot, destination);
+    destination_[static_cast<std::size_t>(robot)] = destination;
+    set_goal(robot);
   }
   void on_delivered(int robot, Vec2 place, rtac::TimeUs now_us) override {
     progress_.delivered(robot, now_us);
@@ -139,6 +149,14 @@ class Watch : public rtac::SystemObserver {
   }
 
  private:
+  // The dock while the battery monitor is engaged, else the destination.
+  void set_goal(int robot) {
+    const auto r = static_cast<std::size_t>(robot);
+    const Vec2 goal = charging_[r] ? rta::System::dock(robot) : destination_[r];
+    fields_[r] = std::make_unique<sim::DistanceField>(rta::free_zone(), goal,
+                                                      rta::TurtleBot3_limits().radius_m);
+    progress_.set_goal(robot, goal);
+  }
   void count(const rtac::DecisionRecord& record, RobotResult& result) {
     auto& before = engaged_[static_cast<std::size_t>(record.robot)];
     int now = 0;
@@ -159,6 +177,9 @@ class Watch : public rtac::SystemObserver {
   sim::SafetyJudge judge_;
   std::array<rtac::CsvLog, robots> logs_;
   std::array<std::array<bool, monitors>, robots> engaged_{};
+  std::array<bool, robots> charging_{};
+  std::array<Vec2, robots> destination_{};
+  std::array<std::unique_ptr<sim::DistanceField>, robots> fields_;
   std::vector<sim::NamedPlace> places_;
   ShiftResult result_;
   bool wants_logs_ = false, logged_ = true;

@@ -1,4 +1,5 @@
 #include "rtac/safe/manoeuvre.h"
+#include "rtac/sample.h"
 
 namespace rtac::safe {
 namespace {
@@ -7,15 +8,37 @@ constexpr TimeUs look_every_us = 1'000'000;
 // Parked within the first distance; no longer beyond the second (noise must not unpark it).
 constexpr double parked_m = 0.05, left_m = 0.10;
 
+double length_m(Vec2 from, const Path& way) {
+  double sum = 0;
+  for (const Vec2 point : way.points) {
+    sum += norm(point - from);
+    from = point;
+  }
+  return sum;
+}
+
 }  // namespace
 
 void RouteManoeuvre::engage(const Observation&) {
   stay();
   blocked_ = parked_ = false;
   next_look_us_ = never_us;
+  direct_m_ = -1;
+  driven_m_ = 0;
+  driven_until_us_ = never_us;
+}
+
+// By measured speed; below a few velocity errors the robot may as well stand.
+void RouteManoeuvre::count_driven(const Observation& observation) {
+  const double speed_mps = norm(observation.velocity.value);
+  if (driven_until_us_ != never_us && speed_mps > 3 * setting_.limits.velocity_error_mps) {
+    driven_m_ += speed_mps * static_cast<double>(observation.now_us - driven_until_us_) * 1e-6;
+  }
+  driven_until_us_ = observation.now_us;
 }
 
 void RouteManoeuvre::update(const Observation& observation, Gate, bool at_rest) {
+  count_driven(observation);
   const double distance_m = norm(observation.position.value - site_);
   if (parked_ && distance_m > left_m) parked_ = false;
   if (!at_rest) {
@@ -48,13 +71,35 @@ bool RouteManoeuvre::meets_held(const Observation& observation) const {
   return false;
 }
 
+// Robots that are close stand in the way even while they are not HELD: one that makes room lets its
+// lease lapse first, and must find this robot still holding.
+RouteQuery RouteManoeuvre::around_robots(const Observation& observation) const {
+  RouteQuery around = query(observation, true);
+  for (int j = 0; j < observation.robots; ++j) {
+    const Announcement& other = observation.others[static_cast<std::size_t>(j)];
+    if (j == observation.self || is_held(other, observation.now_us)) continue;
+    if (other.position.stamp_us == never_us || !is_finite(other.position.value)) continue;
+    if (norm(other.position.value - around.start) > 2 * setting_.pass_gap_m) continue;
+    (void)around.avoid.push({other.position.value, setting_.pass_gap_m});  // never more than robots
+  }
+  return around;
+}
+
 void RouteManoeuvre::look(const Observation& observation) {
-  const RouteQuery around = query(observation, true);
+  const RouteQuery around = around_robots(observation);
   blocked_ = false;
-  if (route_.to_point(around, site_, way_)) return;
+  if (!route_.to_point(query(observation, false), site_, blocked_way_)) {
+    stay();  // nobody to ask: the zone itself has no way
+    return;
+  }
+  if (direct_m_ < 0) direct_m_ = length_m(around.start, blocked_way_);
+  const double left_m = direct_m_ + setting_.detour_m - driven_m_;
+  if (route_.to_point(around, site_, way_) &&
+      (around.avoid.empty() || length_m(around.start, way_) <= left_m)) {
+    return;
+  }
   stay();
-  if (around.avoid.empty()) return;  // nobody to ask: the zone itself has no way
-  blocked_ = route_.to_point(query(observation, false), site_, blocked_way_);
+  blocked_ = true;
 }
 
 }  // namespace rtac::safe

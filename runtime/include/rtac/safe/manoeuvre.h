@@ -68,12 +68,18 @@ class RouteManoeuvre : public Manoeuvre {
 
  private:
   void look(const Observation& observation);
+  void count_driven(const Observation& observation);
+  [[nodiscard]] RouteQuery around_robots(const Observation& observation) const;
   [[nodiscard]] bool meets_held(const Observation& observation) const;
 
   Vec2 site_;
   Path blocked_way_;
   bool blocked_ = false, parked_ = false;
   TimeUs next_look_us_ = never_us;
+  // The direct way when it first looked, and what it has driven since: a way around robots must fit
+  // into the rest of the allowed detour.
+  double direct_m_ = -1, driven_m_ = 0;
+  TimeUs driven_until_us_ = never_us;
 };
 
 class YieldManoeuvre : public Manoeuvre {

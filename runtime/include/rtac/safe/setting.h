@@ -1,6 +1,8 @@
 // What every safe-controller template is told at construction.
 #pragma once
 
+#include <limits>
+
 #include "rtac/types.h"
 #include "rtac/zone.h"
 
@@ -18,6 +20,9 @@ struct Setting {
   double return_clearance_m = 0;
   // Distance between CENTRES at which another robot can pass a held one.
   double pass_gap_m = 0;
+  // How much longer than the direct way to its site a recovery may drive in all: what the reserve
+  // of the energy monitor covers. Beyond it, it waits for the others to make room.
+  double detour_m = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace rtac::safe
