@@ -41,6 +41,17 @@ std::uint32_t index(auto id) {
   return static_cast<std::uint32_t>(id);
 }
 
+// Runs of blanks and line breaks as one blank.
+std::string one_line(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!blank) line += c;
+    if (blank && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  return line;
+}
+
 class Deriver {
  public:
   Deriver(const sema::Spec& spec, const SourceManager& sources, diag::Engine& diagnostics)
@@ -85,10 +96,19 @@ class Deriver {
     return wanted;
   }
 
+  // A zone written inside a property is named by its line; names of tables differ.
   std::string table_name(const sema::Zone& zone) const {
     if (!zone.name.empty()) return zone.name;
     const LineColumn at = sources_.position(zone.value->range.file, zone.value->range.begin);
-    return "zone_of_line_" + std::to_string(at.line);
+    const std::string base = "zone_of_line_" + std::to_string(at.line);
+    std::string name = base;
+    const auto taken = [&](const auto& other) { return other.name == name; };
+    for (int n = 2; std::any_of(spec_.zones.begin(), spec_.zones.end(), taken) ||
+                    std::any_of(out_.module.zones.begin(), out_.module.zones.end(), taken);
+         ++n) {
+      name = base + "_" + std::to_string(n);
+    }
+    return name;
   }
 
   void number_zones() {
@@ -135,6 +155,10 @@ class Deriver {
   ir::SiteTable site(sema::KindId kind, sema::SiteId id, ir::ZoneIndex zone) const {
     ir::SiteTable t;
     t.name = spec_[id].name;
+    for (const ir::SiteTable& other : out_.module.sites) {
+      // two kinds of robots go there, each on its own table
+      if (other.name == t.name) t.name += "_of_" + spec_[kind].name;
+    }
     t.zone = zone;
     for (std::uint32_t r = 0; r < spec_.robots.size(); ++r) {
       if (spec_.robots[r].kind != kind) continue;
@@ -195,7 +219,7 @@ class Deriver {
     const std::string& path = sources_.path(from.name_range.file);
     m.file = path.substr(path.find_last_of('/') + 1);
     m.line = sources_.position(from.name_range.file, from.name_range.begin).line;
-    if (from.return_when) m.return_text = std::string(sources_.text(from.return_when->range));
+    if (from.return_when) m.return_text = one_line(sources_.text(from.return_when->range));
     m.source = from.always_range;
     m.lookahead_source = from.ahead.range;
     m.lookahead.duration = !from.ahead.waypoints_only && !d.on_plan;

@@ -7,6 +7,17 @@ namespace {
 
 constexpr std::size_t width = 100;
 
+// A text of the author must neither end our comment nor seem to start another one, and what ends a
+// line must not join it with the next.
+void tame(std::string& word) {
+  for (const char* const mark : {"*/", "/*"}) {
+    for (std::size_t at; (at = word.find(mark)) != std::string::npos;) word.insert(at + 1, 1, ' ');
+  }
+  const bool joins =
+      word.back() == '\\' || (word.size() >= 3 && word.compare(word.size() - 3, 3, "?\?/") == 0);
+  if (joins) word += '.';
+}
+
 void print_comment(const std::string& text, Code::Style style, const std::string& indent,
                    std::string& out) {
   const std::string open = style == Code::Style::c ? "/* " : "// ";
@@ -15,8 +26,7 @@ void print_comment(const std::string& text, Code::Style style, const std::string
   std::string line = indent + open, word;
   bool first = true;
   while (words >> word) {
-    // a comment of the author must not end ours
-    for (std::size_t at; (at = word.find("*/")) != std::string::npos;) word.replace(at, 2, "* /");
+    tame(word);
     if (!first && line.size() + 1 + word.size() + 3 > width) {
       out += line + "\n";
       line = indent + next;
@@ -86,7 +96,8 @@ std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
+    // two question marks could start a trigraph
+    if (c == '"' || c == '\\' || (c == '?' && out.back() == '?')) {
       out += std::string("\\") + c;
     } else if (byte < 32 || byte == 127) {
       out += std::string("\\") + digits[byte >> 6] + digits[(byte >> 3) & 7] + digits[byte & 7];

@@ -17,11 +17,11 @@ const char* weight(Unit unit) {
 
 }  // namespace
 
-std::string zone_symbol(const ZoneTable& zone) {
-  return "zone_" + zone.name;
+std::string zone_symbol(const ZoneTable& zone, const Names& names) {
+  return "zone_" + names(zone.name);
 }
-std::string cells_symbol(const SiteTable& site) {
-  return "cells_to_" + site.name;
+std::string cells_symbol(const SiteTable& site, const Names& names) {
+  return "cells_to_" + names(site.name);
 }
 
 std::string BlockPrinter::use(const std::string& function, const std::string& arguments) {
@@ -55,11 +55,8 @@ void BlockPrinter::body(const std::string& name, const Block& block, Code& out) 
     if (const auto* loop = std::get_if<ForOthers>(&v.op)) {
       const std::string join = loop->universal ? "margin_and" : "margin_or";
       uses_.insert(join);
-      uses_.insert("margin_of");
       out.line("margin " + target + " = " +
-               (loop->universal ? use("margin_true", "")
-                                : use("margin_of", "-MARGIN_MAX, -MARGIN_MAX, REASON_MARGIN")) +
-               ";");
+               (loop->universal ? use("margin_true", "") : use("margin_false", "")) + ";");
       out.line("int32_t j;");
       out.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
         each.block("if (j != v->in->self)", [&](Code& other) {
@@ -85,9 +82,9 @@ std::string BlockPrinter::value(const Value& v, const Block& block) {
     const Block& block;
     const std::function<std::string(const std::string&)> if_legs;
 
-    std::string zone(ZoneIndex z) const { return "&" + zone_symbol(p.module_[z]); }
+    std::string zone(ZoneIndex z) const { return "&" + zone_symbol(p.module_[z], p.names_); }
     std::string cells(SiteIndex s) const {
-      return "&" + cells_symbol(p.module_[s]) + "[v->in->self]";
+      return "&" + cells_symbol(p.module_[s], p.names_) + "[v->in->self]";
     }
     std::string operator()(const Const& c) const {
       return p.use("span_of", num(c.value) + ", " + num(c.value));
@@ -117,8 +114,7 @@ std::string BlockPrinter::value(const Value& v, const Block& block) {
       return p.use("plan_in_zone", zone(z.zone) + ", v, 0");
     }
     std::string operator()(const Truth& t) const {
-      return t.value ? p.use("margin_true", "")
-                     : p.use("margin_of", "-MARGIN_MAX, -MARGIN_MAX, REASON_MARGIN");
+      return t.value ? p.use("margin_true", "") : p.use("margin_false", "");
     }
     std::string operator()(const Not& n) const { return p.use("margin_not", ref(n.a)); }
     std::string operator()(const And& a) const {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "compiler/codegen/code.h"
+#include "compiler/codegen/names.h"
 #include "compiler/ir/module.h"
 
 namespace rtac::codegen {
@@ -12,9 +13,9 @@ namespace rtac::codegen {
 class BlockPrinter {
  public:
   // `view`: type of the parameter of the functions; `uses` collects library functions.
-  BlockPrinter(const ir::Module& module, const ir::Decision& decision, std::string view,
-               std::set<std::string>& uses)
-      : module_(module), decision_(decision), view_(std::move(view)), uses_(uses) {}
+  BlockPrinter(const ir::Module& module, const ir::Decision& decision, const Names& names,
+               std::string view, std::set<std::string>& uses)
+      : module_(module), decision_(decision), names_(names), view_(std::move(view)), uses_(uses) {}
 
   // static margin NAME(const VIEW *v)
   void function(const std::string& name, const std::string& comment, const ir::Block& block,
@@ -28,12 +29,13 @@ class BlockPrinter {
 
   const ir::Module& module_;
   const ir::Decision& decision_;
+  const Names& names_;
   const std::string view_;
   std::set<std::string>& uses_;
 };
 
 // Names of the constant tables.
-std::string zone_symbol(const ir::ZoneTable& zone);
-std::string cells_symbol(const ir::SiteTable& site);
+std::string zone_symbol(const ir::ZoneTable& zone, const Names& names);
+std::string cells_symbol(const ir::SiteTable& site, const Names& names);
 
 }  // namespace rtac::codegen

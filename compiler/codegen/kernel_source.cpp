@@ -31,14 +31,14 @@ void rows(Code& out, const std::vector<std::string>& values, std::size_t per_lin
 
 class Source {
  public:
-  Source(const Module& module, const std::string& stem)
-      : module_(module), p_(legal(module.name)), stem_(stem) {}
+  Source(const Module& module, const Names& names, const std::string& stem)
+      : module_(module), names_(names), p_(module.name), stem_(stem) {}
 
   std::string build(const std::string& source) {
     Code body;
     for (const Decision& d : module_.decisions) {
-      d.on_plan ? print_judge(module_, d, p_, uses_, body)
-                : print_step(module_, d, p_, uses_, body);
+      d.on_plan ? print_judge(module_, d, names_, uses_, body)
+                : print_step(module_, d, names_, uses_, body);
     }
     Code tables;
     zones(tables);
@@ -119,7 +119,7 @@ class Source {
       out.comment("Zone " + z.name + ": " + num(std::int64_t(z.edges.size())) +
                   " edges ax, ay, bx, by (mm, the zone on the left), direction (Q30).");
       out.block(
-          "static const edge " + zone_symbol(z) + "_edges[] =",
+          "static const edge " + zone_symbol(z, names_) + "_edges[] =",
           [&](Code& body) {
             std::vector<std::string> lines;
             for (const Edge& e : z.edges) {
@@ -129,8 +129,8 @@ class Source {
             rows(body, lines, 1);
           },
           "};");
-      out.line("static const zone " + zone_symbol(z) + " = {" + zone_symbol(z) + "_edges, " +
-               num(std::int64_t(z.edges.size())) + "};");
+      out.line("static const zone " + zone_symbol(z, names_) + " = {" + zone_symbol(z, names_) +
+               "_edges, " + num(std::int64_t(z.edges.size())) + "};");
       out.blank();
     }
   }
@@ -154,7 +154,7 @@ class Source {
       }
       const Cells& c = module_[s.zone].cells;
       out.block(
-          "static const cells " + cells_symbol(s) + "[] =",
+          "static const cells " + cells_symbol(s, names_) + "[] =",
           [&](Code& body) {
             std::vector<std::string> lines;
             for (const auto& place : s.places) {
@@ -168,20 +168,21 @@ class Source {
       out.blank();
     }
   }
-  static std::string cost_symbol(const SiteTable& s, const SiteTable::Place& place) {
-    return "cost_to_" + s.name + "_" + place.robot;
+  std::string cost_symbol(const SiteTable& s, const SiteTable::Place& place) const {
+    return "cost_to_" + names_(s.name) + "_" + names_(place.robot);
   }
 
   const Module& module_;
+  const Names& names_;
   const std::string p_, stem_;
   std::set<std::string> uses_;
 };
 
 }  // namespace
 
-std::string kernel_source(const Module& module, const std::string& stem,
+std::string kernel_source(const Module& module, const Names& names, const std::string& stem,
                           const std::string& source) {
-  return Source(module, stem).build(source);
+  return Source(module, names, stem).build(source);
 }
 
 }  // namespace rtac::codegen

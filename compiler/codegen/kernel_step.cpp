@@ -17,14 +17,16 @@ std::string num(std::int64_t value) {
 
 class StepPrinter {
  public:
-  StepPrinter(const Module& module, const Decision& decision, const std::string& prefix,
+  StepPrinter(const Module& module, const Decision& decision, const Names& names,
               std::set<std::string>& uses, Code& out)
       : module_(module),
         d_(decision),
-        p_(prefix),
-        name_(prefix + "_" + decision.name),
-        up_(upper(prefix)),
-        view_(decision.name + "_view"),
+        names_(names),
+        id_(names(decision.name)),
+        p_(module.name),
+        name_(p_ + "_" + id_),
+        up_(upper(p_)),
+        view_(id_ + "_view"),
         uses_(uses),
         out_(out) {}
 
@@ -35,7 +37,7 @@ class StepPrinter {
     collect_horizons();
     constants();
     view_type();
-    BlockPrinter blocks(module_, d_, view_, uses_);
+    BlockPrinter blocks(module_, d_, names_, view_, uses_);
     for (const Monitor& m : d_.monitors) monitor(m, blocks);
     look();
     init();
@@ -72,8 +74,8 @@ class StepPrinter {
       out_.line("#define " + key + " " + value);
       defined_.push_back(key);
     };
-    define("BODY", d_.name + "_body");
-    define("MOTIONS", d_.name + "_motions");
+    define("BODY", id_ + "_body");
+    define("MOTIONS", id_ + "_motions");
     define("MONITORS", upper(name_) + "_MONITORS");
     define("ROBOTS", upper(name_) + "_ROBOTS");
     define("HORIZONS", num(std::int64_t(horizons_.size())));
@@ -95,7 +97,7 @@ class StepPrinter {
     if (pairs()) {
       out_.comment("The same of another robot, whose samples are as old as `hears` allows.");
       out_.block(
-          "static const body " + d_.name + "_heard_body =",
+          "static const body " + id_ + "_heard_body =",
           [&](Code& to) {
             to.line(num(b.radius_mm) + ", " + num(b.position_error_mm) + ", " +
                     num(b.velocity_error_mmps) + ", " + num(b.accel_mmps2) + ", " +
@@ -120,7 +122,7 @@ class StepPrinter {
     out_.comment("From the decision until its recovery acts: look-ahead and latency, us.");
     std::string list;
     for (const std::int64_t h : horizons_) list += (list.empty() ? "" : ", ") + num(h);
-    out_.line("static const int64_t " + d_.name + "_horizons_us[] = {" + list + "};").blank();
+    out_.line("static const int64_t " + id_ + "_horizons_us[] = {" + list + "};").blank();
   }
 
   void view_type() {
@@ -146,7 +148,7 @@ class StepPrinter {
   }
 
   std::string function(const Monitor& m, const char* what) const {
-    return d_.name + "_" + m.name + "_" + what;
+    return id_ + "_" + names_(m.name) + "_" + what;
   }
   void monitor(const Monitor& m, BlockPrinter& blocks) {
     out_.comment(m.requirement_id + (m.requirement_id.empty() ? "" : ": ") + m.requirement_text +
@@ -161,7 +163,7 @@ class StepPrinter {
 
   void look() {
     use({"reach_of"});
-    const std::string head = "static void " + d_.name + "_look(" + view_ +
+    const std::string head = "static void " + id_ + "_look(" + view_ +
                              " *v, const motion *m, int64_t horizon_us" +
                              (pairs() ? ", int32_t any_promise)" : ")");
     out_.comment(std::string("Sets what is within reach.") +
@@ -224,7 +226,7 @@ class StepPrinter {
     const bool battery = uses_battery();
     out_.comment("Estimates from the inputs; a stamp or a clock that goes backwards is a fault.");
     out_.block(
-        "static void " + d_.name + "_measure(" + view_ + " *v, " + name_ +
+        "static void " + id_ + "_measure(" + view_ + " *v, " + name_ +
             "_state *s, int64_t elapsed)",
         [&](Code& to) {
           to.line("const " + name_ + "_in *in = v->in;");
@@ -253,7 +255,7 @@ class StepPrinter {
             to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
               each.line("const " + p_ + "_other *o = &in->others[j];");
               each.line("v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, &" +
-                        d_.name + "_heard_body);");
+                        id_ + "_heard_body);");
               each.block(
                   "if (o->position.valid && "
                   "!in_order(o->position.stamp_us, &s->last_other_us[j]))",
@@ -289,20 +291,23 @@ class StepPrinter {
 
   // Fills `checks`; leaves `v` with the last horizon under the motion of whoever drives.
   void judge_monitors() {
-    use({"check_type", "margin_true", "margin_unknown"});
+    use({"check_type", "margin_unknown"});
+    for (const Monitor& m : d_.monitors) {
+      if (!m.return_when) use({"margin_true"});
+    }
     out_.comment(
         "What every monitor finds: now, ahead under the motion of whoever drives, and, "
         "when control might be given back, with the longer horizon under any control.");
-    out_.block("static void " + d_.name + "_check(" + view_ +
+    out_.block("static void " + id_ + "_check(" + view_ +
                    " *v, int32_t mode, int32_t back, check *checks)",
                [&](Code& to) {
                  for (std::size_t h = 0; h < horizons_.size(); ++h) {
-                   const std::string us = d_.name + "_horizons_us[" + num(std::int64_t(h)) + "]";
+                   const std::string us = id_ + "_horizons_us[" + num(std::int64_t(h)) + "]";
                    to.block(
                        "if (back)",
                        [&](Code& body) {
                          body.line("v->legs = 1;");
-                         body.line(d_.name + "_look(v, &MOTIONS[0], " + us + " + " +
+                         body.line(id_ + "_look(v, &MOTIONS[0], " + us + " + " +
                                    num(d_.return_extra_us) + (pairs() ? ", 0);" : ");"));
                          for_monitors(h, [&](const Monitor& m, const std::string& at) {
                            body.line(at + ".safer = " + function(m, "ahead") + "(v);");
@@ -314,7 +319,7 @@ class StepPrinter {
                    });
                    to.line("}");
                    to.line("v->legs = mode == 0;");
-                   to.line(d_.name + "_look(v, &MOTIONS[mode], " + us + (pairs() ? ", 1);" : ");"));
+                   to.line(id_ + "_look(v, &MOTIONS[mode], " + us + (pairs() ? ", 1);" : ");"));
                    for_monitors(h, [&](const Monitor& m, const std::string& at) {
                      to.line(at + ".now = " + function(m, "now") + "(v);");
                      to.line(at + ".ahead = " + function(m, "ahead") + "(v);");
@@ -336,7 +341,7 @@ class StepPrinter {
 
   void report() {
     use({"verdict_of"});
-    out_.block("static void " + d_.name + "_report(const " + view_ + " *v, const " + name_ +
+    out_.block("static void " + id_ + "_report(const " + view_ + " *v, const " + name_ +
                    "_state *s, const check *checks, int32_t back, " + name_ + "_out *out)",
                [&](Code& to) {
                  to.line("const " + name_ + "_in *in = v->in;");
@@ -396,8 +401,8 @@ class StepPrinter {
       to.line("v.now_us = now_us;");
       to.line("v.new_tick = elapsed > 0;");
       to.line(d_.held_slots > 0 ? "v.runs = s->runs;" : "v.runs = 0;");
-      to.line(d_.name + "_measure(&v, s, elapsed);");
-      to.line(d_.name + "_check(&v, s->mode, back, checks);");
+      to.line(id_ + "_measure(&v, s, elapsed);");
+      to.line(id_ + "_check(&v, s->mode, back, checks);");
       to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, v.new_tick, " +
               num(d_.dwell_ticks) + ",");
       to.line("                    in->surrender, may_leave);");
@@ -408,7 +413,7 @@ class StepPrinter {
         to.comment("a promise to stay binds; whoever moves is gated by the separation test");
         to.line("out->gate = " + up_ + "_GATE_FREE;");
         to.block("if (s->mode != 0)", [&](Code& body) {
-          body.line(d_.name + "_look(&v, &MOTIONS[s->mode], " + d_.name + "_horizons_us[0], 1);");
+          body.line(id_ + "_look(&v, &MOTIONS[s->mode], " + id_ + "_horizons_us[0], 1);");
           body.line(
               "out->gate = may_leave ? gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
               num(*separation_) + ")");
@@ -422,7 +427,7 @@ class StepPrinter {
       } else {
         to.line("out->gate = " + up_ + "_GATE_FREE;");
       }
-      to.line(d_.name + "_report(&v, s, checks, back, out);");
+      to.line(id_ + "_report(&v, s, checks, back, out);");
     });
     out_.blank();
   }
@@ -434,7 +439,8 @@ class StepPrinter {
 
   const Module& module_;
   const Decision& d_;
-  const std::string p_, name_, up_, view_;
+  const Names& names_;
+  const std::string id_, p_, name_, up_, view_;
   std::set<std::string>& uses_;
   Code& out_;
   std::vector<std::string> defined_;
@@ -444,21 +450,23 @@ class StepPrinter {
 
 }  // namespace
 
-void print_step(const Module& module, const Decision& decision, const std::string& prefix,
+void print_step(const Module& module, const Decision& decision, const Names& names,
                 std::set<std::string>& uses, Code& out) {
-  StepPrinter(module, decision, prefix, uses, out).print();
+  StepPrinter(module, decision, names, uses, out).print();
 }
 
-void print_judge(const Module& module, const Decision& d, const std::string& prefix,
+void print_judge(const Module& module, const Decision& d, const Names& names,
                  std::set<std::string>& uses, Code& out) {
-  const std::string name = prefix + "_" + d.name;
+  const std::string& prefix = module.name;
+  const std::string& id = names(d.name);
+  const std::string name = prefix + "_" + id;
   const std::string up = upper(prefix);
   uses.insert({"verdict_of", "finding_of"});
   out.comment("---- decision " + d.name + " for " + d.kind + ", on a plan ----");
-  BlockPrinter blocks(module, d, prefix + "_plan", uses);
+  BlockPrinter blocks(module, d, names, prefix + "_plan", uses);
   for (const Monitor& m : d.monitors) {
     blocks.function(
-        d.name + "_" + m.name + "_now",
+        id + "_" + names(m.name) + "_now",
         m.requirement_id + ": " + m.requirement_text + " (" + m.file + ":" + num(m.line) + ")",
         m.property, out);
   }
@@ -468,8 +476,8 @@ void print_judge(const Module& module, const Decision& d, const std::string& pre
               to.line("margin found[" + count + "];");
               to.line("int32_t k;");
               for (std::size_t k = 0; k < d.monitors.size(); ++k) {
-                to.line("found[" + num(std::int64_t(k)) + "] = " + d.name + "_" +
-                        d.monitors[k].name + "_now(plan);");
+                to.line("found[" + num(std::int64_t(k)) + "] = " + id + "_" +
+                        names(d.monitors[k].name) + "_now(plan);");
               }
               to.line("out->mode = 0;");
               to.line("out->monitor = -1;");

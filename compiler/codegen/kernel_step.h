@@ -5,13 +5,14 @@
 #include <string>
 
 #include "compiler/codegen/code.h"
+#include "compiler/codegen/names.h"
 #include "compiler/ir/module.h"
 
 namespace rtac::codegen {
 
-void print_step(const ir::Module& module, const ir::Decision& decision, const std::string& prefix,
+void print_step(const ir::Module& module, const ir::Decision& decision, const Names& names,
                 std::set<std::string>& uses, Code& out);
-void print_judge(const ir::Module& module, const ir::Decision& decision, const std::string& prefix,
+void print_judge(const ir::Module& module, const ir::Decision& decision, const Names& names,
                  std::set<std::string>& uses, Code& out);
 
 }  // namespace rtac::codegen

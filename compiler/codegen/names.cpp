@@ -1,6 +1,9 @@
 #include "compiler/codegen/names.h"
 
+#include <algorithm>
 #include <cctype>
+
+#include "compiler/codegen/kernel_library.h"
 
 namespace rtac::codegen {
 namespace {
@@ -21,6 +24,20 @@ const std::set<std::string>& reserved() {
       // names of libraries, and macros of common headers
       "std", "rtac", "main", "errno", "assert", "NULL", "EOF", "stdin", "stdout", "stderr", "linux",
       "unix", "major", "minor", "signbit", "isnan", "isinf"};
+  return words;
+}
+
+std::set<std::string> words_of(const std::string& text) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : text + " ") {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      word += c;
+    } else if (!word.empty()) {
+      words.insert(std::move(word));
+      word.clear();
+    }
+  }
   return words;
 }
 
@@ -53,10 +70,146 @@ std::string upper(const std::string& name) {
   return out;
 }
 
-std::string NameScope::claim(const std::string& name) {
-  std::string candidate = legal(name);
-  while (!taken_.insert(candidate).second) candidate += "_";
-  return candidate;
+std::string word_of(const std::string& text) {
+  std::string word;
+  for (const char c : text) word += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  if (word.empty() || std::isdigit(static_cast<unsigned char>(word[0])) != 0) word.insert(0, "_");
+  return legal(word);
+}
+
+// Scopes: k file of the kernel, h its header, w namespace of the wrapper, s system class, c its
+// slots of robots, e slots of controllers, r its struct of one robot; H first words of enumerators,
+// E whole enumerators.
+Names::Names(const ir::Module& module, const sema::Spec& spec) {
+  for (const char* const text : kernel_texts()) {
+    for (const std::string& word : words_of(text)) taken_.insert("k:" + word);
+  }
+  taken_.insert({"w:System",
+                 "s:Controllers",
+                 "s:Robot",
+                 "s:robots",
+                 "s:return_clearance_m",
+                 "s:cruise_clearance_m",
+                 "s:pass_gap_m",
+                 "s:robot_name",
+                 "s:default_options",
+                 "s:run",
+                 "s:setting",
+                 "s:parts",
+                 "s:parts_",
+                 "s:system_",
+                 "s:controllers",
+                 "s:options",
+                 "s:observer",
+                 "c:tasks",
+                 "r:Robot",
+                 "r:self",
+                 "e:planner",
+                 "H:VERDICT",
+                 "H:REASON",
+                 "H:INPUT",
+                 "H:GATE",
+                 "H:PLAN"});
+  for (const sema::RobotKind& kind : spec.kinds) {
+    claim(kind.name, [&](const std::string& id) {
+      return std::vector<std::string>{"w:" + id + "_limits", "w:limits_of_" + id,
+                                      "w:" + id + "Controllers", "w:" + id + "System"};
+    });
+  }
+  claim_tables(module);
+  claim_robots(spec);
+  claim_controllers(spec);
+  claim_decisions(module);
+  claim_monitors(module);
+}
+
+std::string Names::operator()(const std::string& name) const {
+  const auto known = identifiers_.find(name);
+  return known == identifiers_.end() ? legal(name) : known->second;
+}
+
+template <class Derived>
+void Names::claim(const std::string& name, const Derived& derived) {
+  std::string id = legal(name);
+  const auto clashes = [&] {
+    const std::vector<std::string> all = derived(id);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const std::string& each) { return taken_.count(each) > 0; });
+  };
+  while (clashes()) id += "_";
+  for (const std::string& each : derived(id)) taken_.insert(each);
+  identifiers_.emplace(name, id);
+}
+
+void Names::claim_tables(const ir::Module& module) {
+  for (const ir::ZoneTable& zone : module.zones) {
+    claim(zone.name, [&](const std::string& id) {
+      return std::vector<std::string>{"k:zone_" + id,       "k:zone_" + id + "_edges",
+                                      "w:" + id + "_zone",  "w:" + id + "_edges_mm",
+                                      "w:" + id + "_rings", "w:" + id + "_clearance_mm"};
+    });
+  }
+  for (const ir::SiteTable& site : module.sites) {
+    claim(site.name, [&](const std::string& id) {
+      std::vector<std::string> all{"k:cells_to_" + id, "w:cost_to_" + id + "_ppm",
+                                   "w:energy_to_" + id, "s:" + id};
+      for (const auto& place : site.places) {
+        all.push_back("k:cost_to_" + id + "_" + legal(place.robot));
+      }
+      return all;
+    });
+  }
+}
+
+void Names::claim_robots(const sema::Spec& spec) {
+  for (const sema::Robot& robot : spec.robots) {
+    claim(robot.name, [&](const std::string& id) {
+      return std::vector<std::string>{"c:" + id, "s:" + id + "_"};
+    });
+  }
+}
+
+void Names::claim_controllers(const sema::Spec& spec) {
+  for (const sema::Controller& controller : spec.controllers) {
+    claim(controller.name, [&](const std::string& id) {
+      return std::vector<std::string>{"e:" + id, "r:" + id};
+    });
+  }
+}
+
+void Names::claim_decisions(const ir::Module& module) {
+  for (const ir::Decision& decision : module.decisions) {
+    claim(decision.name, [&](const std::string& id) {
+      std::vector<std::string> all{"r:" + id, "w:" + id + "_monitors", "w:" + id + "_info",
+                                   "w:" + camel(id), "r:" + camel(id)};
+      for (const char* const part : {"_body", "_heard_body", "_motions", "_horizons_us", "_view",
+                                     "_look", "_measure", "_check", "_report"}) {
+        all.push_back("k:" + id + part);
+      }
+      for (const char* const part : {"_in", "_state", "_out", "_init", "_step", "_judge"}) {
+        all.push_back("h:" + id + part);
+      }
+      all.insert(all.end(),
+                 {"H:" + upper(id), "E:" + upper(id) + "_MONITORS", "E:" + upper(id) + "_ROBOTS"});
+      return all;
+    });
+  }
+}
+
+void Names::claim_monitors(const ir::Module& module) {
+  for (const ir::Decision& decision : module.decisions) {
+    const std::string owner = (*this)(decision.name);
+    for (const ir::Monitor& monitor : decision.monitors) {
+      if (identifiers_.count(monitor.name) > 0) continue;  // in two decisions of one kind
+      claim(monitor.name, [&](const std::string& id) {
+        std::vector<std::string> all{"E:" + upper(owner + "_" + id)};
+        for (const char* const part : {"_now", "_ahead", "_return"}) {
+          all.push_back("k:" + owner + "_" + id + part);
+        }
+        return all;
+      });
+    }
+  }
 }
 
 }  // namespace rtac::codegen

@@ -1,8 +1,13 @@
 // The author's names in generated code: kept as they are, changed only where C or C++ requires it.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
+
+#include "compiler/ir/module.h"
+#include "compiler/sema/spec.h"
 
 namespace rtac::codegen {
 
@@ -11,14 +16,29 @@ namespace rtac::codegen {
 std::string legal(const std::string& name);
 std::string camel(const std::string& name);  // plan_executor -> PlanExecutor
 std::string upper(const std::string& name);  // plan_executor -> PLAN_EXECUTOR
+// Any text, such as the name of a file, as an identifier: `_` for what no identifier has.
+std::string word_of(const std::string& text);
 
-// Hands out names that differ from each other; a clash gets a trailing `_`.
-class NameScope {
+// One identifier per name of a specification, with trailing `_` where it would clash: everything
+// that is derived from the identifiers (`zone_NAME`, `NAME_limits`, ...) differs from each other
+// and from what the kernel library and the generated classes declare themselves.
+class Names {
  public:
-  std::string claim(const std::string& name);
+  Names(const ir::Module& module, const sema::Spec& spec);
+  // A name that the specification does not declare is only made legal.
+  std::string operator()(const std::string& name) const;
 
  private:
-  std::set<std::string> taken_;
+  template <class Derived>
+  void claim(const std::string& name, const Derived& derived);
+  void claim_tables(const ir::Module& module);
+  void claim_robots(const sema::Spec& spec);
+  void claim_controllers(const sema::Spec& spec);
+  void claim_decisions(const ir::Module& module);
+  void claim_monitors(const ir::Module& module);
+
+  std::map<std::string, std::string> identifiers_;
+  std::set<std::string> taken_;  // "scope:identifier"
 };
 
 }  // namespace rtac::codegen

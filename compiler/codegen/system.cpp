@@ -11,9 +11,12 @@ namespace {
 
 using namespace ir;
 
+std::string real(const Rational& value) {
+  std::string text = to_decimal(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
 std::string metres(std::int64_t mm) {
-  std::string text = to_decimal(Rational(static_cast<long>(mm), 1000));
-  return text.find('.') == std::string::npos ? text + ".0" : text;
+  return real(Rational(static_cast<long>(mm), 1000));
 }
 
 // One kind of robot with its decisions.
@@ -26,13 +29,22 @@ struct Kind {
 
 class SystemPrinter {
  public:
-  SystemPrinter(const Module& module, const Kind& kind, bool only, Code& out)
+  SystemPrinter(const Module& module, const Names& names, const Kind& kind, bool only, Code& out)
       : module_(module),
+        names_(names),
         kind_(kind),
-        name_(only ? "System" : kind.spec->name + "System"),
+        kind_name_(names(kind.spec->name)),
+        name_(only ? "System" : kind_name_ + "System"),
         output_(kind.spec->output == sema::OutputType::twist ? "rtac::Twist"
                                                              : "rtac::Acceleration"),
-        out_(out) {}
+        out_(out) {
+    for (const Monitor& m : d().monitors) {
+      const auto same = [&](const Recovery* r) { return r->name == m.recovery.name; };
+      if (std::none_of(recoveries_.begin(), recoveries_.end(), same)) {
+        recoveries_.push_back(&m.recovery);
+      }
+    }
+  }
 
   void print() {
     slots();
@@ -55,31 +67,38 @@ class SystemPrinter {
  private:
   const Decision& d() const { return *kind_.periodic; }
 
-  // Slot types in the order of the constructor.
+  // Slot types in the order of the constructor. A controller may plan and drive: it fills a slot
+  // for each.
   std::vector<std::pair<std::string, std::string>> slot_list() const {
     std::vector<std::pair<std::string, std::string>> slots;
-    slots.push_back({"rtac::Controller<" + output_ + ">&", d().advanced});
-    for (const Monitor& m : d().monitors) {
-      if (m.recovery.kind == RecoveryKind::external) {
-        slots.push_back({"rtac::SafeController<" + output_ + ">&", m.recovery.name});
+    slots.push_back({"rtac::Controller<" + output_ + ">&", names_(d().advanced)});
+    for (const Recovery* r : recoveries_) {
+      if (r->kind == RecoveryKind::external) {
+        slots.push_back({"rtac::SafeController<" + output_ + ">&", names_(r->name)});
       }
     }
-    if (kind_.on_plan) {
-      slots.push_back({"rtac::Planner&", kind_.on_plan->advanced});
-      slots.push_back({"rtac::Planner&", kind_.on_plan->safe});
-    } else {
-      slots.push_back({"rtac::Planner&", "planner"});
-    }
+    slots.push_back({"rtac::Planner&", advanced_planner()});
+    if (kind_.on_plan) slots.push_back({"rtac::Planner&", planner_slot(kind_.on_plan->safe)});
     return slots;
+  }
+  std::string advanced_planner() const {
+    return kind_.on_plan ? planner_slot(kind_.on_plan->advanced) : "planner";
+  }
+  std::string planner_slot(const std::string& name) const {
+    const bool drives = name == d().advanced ||
+                        std::any_of(recoveries_.begin(), recoveries_.end(), [&](const Recovery* r) {
+                          return r->kind == RecoveryKind::external && r->name == name;
+                        });
+    return names_(name) + (drives ? "_as_planner" : "");
   }
 
   void slots() {
     out_.comment("External controllers of one " + kind_.spec->name +
                  ". A slot that is left empty does not compile.");
     out_.block(
-        "struct " + kind_.spec->name + "Controllers",
+        "struct " + kind_name_ + "Controllers",
         [&](Code& body) {
-          for (const auto& [type, name] : slot_list()) body.line(type + " " + legal(name) + ";");
+          for (const auto& [type, name] : slot_list()) body.line(type + " " + name + ";");
         },
         "};");
     out_.blank();
@@ -91,7 +110,7 @@ class SystemPrinter {
         "struct Controllers",
         [&](Code& c) {
           for (const std::string& robot : kind_.robots) {
-            c.line(kind_.spec->name + "Controllers " + legal(robot) + ";");
+            c.line(kind_name_ + "Controllers " + names_(robot) + ";");
           }
           c.line("rtac::TaskSource& tasks;");
         },
@@ -117,7 +136,7 @@ class SystemPrinter {
     });
     for (const SiteTable& s : module_.sites) {
       if (s.places.size() != count || s.places[0].robot != kind_.robots[0]) continue;
-      body.block("static rtac::Vec2 " + legal(s.name) + "(int robot)", [&](Code& f) {
+      body.block("static rtac::Vec2 " + names_(s.name) + "(int robot)", [&](Code& f) {
         std::string places;
         for (const auto& p : s.places) {
           places += (places.empty() ? "{" : ", {") + metres(p.x_mm) + ", " + metres(p.y_mm) + "}";
@@ -147,7 +166,7 @@ class SystemPrinter {
     body.line(pad + "rtac::SystemObserver* observer = nullptr)");
     std::string robots, parts;
     for (std::size_t i = 0; i < kind_.robots.size(); ++i) {
-      const std::string robot = legal(kind_.robots[i]);
+      const std::string robot = names_(kind_.robots[i]);
       robots += (i ? ", " : "") + robot + "_(" + std::to_string(i) + ")";
       parts += (i ? ", " : "") + ("parts(" + quoted(kind_.robots[i])) + ", " + robot +
                "_, controllers." + robot + ")";
@@ -167,28 +186,28 @@ class SystemPrinter {
           const auto init = [&](const std::string& member, const std::string& arguments) {
             inits += (inits.empty() ? "" : ", ") + member + "(" + arguments + ")";
           };
-          init(legal(d().name), "self");
-          if (kind_.on_plan) init(legal(kind_.on_plan->name), "self");
-          for (const Monitor& m : d().monitors) {
-            if (m.recovery.kind == RecoveryKind::external) continue;
-            init(legal(m.recovery.name), arguments_of(m.recovery));
+          init(names_(d().name), "self");
+          if (kind_.on_plan) init(names_(kind_.on_plan->name), "self");
+          for (const Recovery* recovery : recoveries_) {
+            if (recovery->kind == RecoveryKind::external) continue;
+            init(names_(recovery->name), arguments_of(*recovery));
           }
           r.line("explicit Robot(int self)").line("    : " + inits + " {}");
-          r.line(camel(d().name) + " " + legal(d().name) + ";");
+          r.line(camel(names_(d().name)) + " " + names_(d().name) + ";");
           if (kind_.on_plan) {
-            r.line(camel(kind_.on_plan->name) + " " + legal(kind_.on_plan->name) + ";");
+            r.line(camel(names_(kind_.on_plan->name)) + " " + names_(kind_.on_plan->name) + ";");
           }
-          for (const Monitor& m : d().monitors) {
-            if (m.recovery.kind == RecoveryKind::external) continue;
-            r.line("rtac::safe::" + std::string(class_of(m.recovery.kind)) + "<" + output_ + "> " +
-                   legal(m.recovery.name) + ";");
+          for (const Recovery* recovery : recoveries_) {
+            if (recovery->kind == RecoveryKind::external) continue;
+            r.line("rtac::safe::" + std::string(class_of(recovery->kind)) + "<" + output_ + "> " +
+                   names_(recovery->name) + ";");
           }
         },
         "};");
     setting(body);
     parts(body);
     body.blank();
-    for (const std::string& robot : kind_.robots) body.line("Robot " + legal(robot) + "_;");
+    for (const std::string& robot : kind_.robots) body.line("Robot " + names_(robot) + "_;");
     body.line("std::array<rtac::RobotParts<" + output_ + ">, robots> parts_;");
     body.line("rtac::System<" + output_ + "> system_;");
   }
@@ -206,10 +225,10 @@ class SystemPrinter {
     return "";
   }
   std::string arguments_of(const Recovery& r) const {
-    std::string text = "setting(" + metres(r.speed_mmps) + ", " + legal(module_[r.zone].name) +
+    std::string text = "setting(" + metres(r.speed_mmps) + ", " + names_(module_[r.zone].name) +
                        "_zone(), " + metres(r.route_clearance_mm) + ", " +
                        metres(r.return_clearance_mm) + ", " + metres(r.pass_gap_mm) + ")";
-    if (r.kind == RecoveryKind::route) text += ", " + legal(module_[r.site].name) + "(self)";
+    if (r.kind == RecoveryKind::route) text += ", " + names_(module_[r.site].name) + "(self)";
     return text;
   }
   void setting(Code& body) {
@@ -217,46 +236,51 @@ class SystemPrinter {
     body.line("                                   double route_clearance_m, double give_back_m,");
     body.block("                                   double pass_m)", [&](Code& f) {
       f.line("rtac::safe::Setting s;");
-      f.line("s.limits = " + kind_.spec->name + "_limits();");
+      f.line("s.limits = " + kind_name_ + "_limits();");
       f.line("s.period_us = " + std::to_string(d().period_us) + ";");
       f.line("s.speed_mps = speed_mps;");
       f.line("s.zone = &zone;");
       f.line("s.route_clearance_m = route_clearance_m;");
       f.line("s.return_clearance_m = give_back_m;");
       f.line("s.pass_gap_m = pass_m;");
+      if (kind_.spec->energy) {
+        f.line("s.detour_m = " + real(kind_.spec->energy->detour.value) + ";");
+      }
       f.line("return s;");
     });
   }
   void parts(Code& body) {
     body.block(
         "static rtac::RobotParts<" + output_ + "> parts(const char* name, Robot& robot, " +
-            "const " + kind_.spec->name + "Controllers& controllers)",
+            "const " + kind_name_ + "Controllers& controllers)",
         [&](Code& f) {
           f.line("rtac::RobotParts<" + output_ + "> p;");
           f.line("p.name = name;");
-          f.line("p.decision = &robot." + legal(d().name) + ";");
+          f.line("p.decision = &robot." + names_(d().name) + ";");
           for (const Monitor& m : d().monitors) {
             const std::string from =
                 m.recovery.kind == RecoveryKind::external ? "controllers." : "robot.";
-            f.line("(void)p.recoveries.push(&" + from + legal(m.recovery.name) + ");");
+            f.line("(void)p.recoveries.push(&" + from + names_(m.recovery.name) + ");");
           }
-          f.line("p.advanced = &controllers." + legal(d().advanced) + ";");
+          f.line("p.advanced = &controllers." + names_(d().advanced) + ";");
           if (kind_.on_plan) {
-            f.line("p.plan_decision = &robot." + legal(kind_.on_plan->name) + ";");
-            f.line("p.advanced_planner = &controllers." + legal(kind_.on_plan->advanced) + ";");
-            f.line("p.safe_planner = &controllers." + legal(kind_.on_plan->safe) + ";");
+            f.line("p.plan_decision = &robot." + names_(kind_.on_plan->name) + ";");
+            f.line("p.advanced_planner = &controllers." + advanced_planner() + ";");
+            f.line("p.safe_planner = &controllers." + planner_slot(kind_.on_plan->safe) + ";");
           } else {
             f.line("p.advanced_planner = &controllers.planner;");
           }
           f.line("p.period_us = " + std::to_string(d().period_us) + ";");
-          f.line("p.limits = " + kind_.spec->name + "_limits();");
+          f.line("p.limits = " + kind_name_ + "_limits();");
           f.line("return p;");
         });
   }
 
   const Module& module_;
+  const Names& names_;
   const Kind& kind_;
-  const std::string name_, output_;
+  const std::string kind_name_, name_, output_;
+  std::vector<const Recovery*> recoveries_;  // each once, by priority
   Code& out_;
 };
 
@@ -278,7 +302,8 @@ std::vector<Kind> kinds_of(const Module& module, const sema::Spec& spec) {
 
 }  // namespace
 
-std::string system_header(const Module& module, const sema::Spec& spec, const Naming& naming) {
+std::string system_header(const Module& module, const sema::Spec& spec, const Names& names,
+                          const Naming& naming) {
   Code out;
   out.comment("Generated by rtac " RTAC_VERSION " from " + naming.source + ". Do not edit.");
   out.line("#pragma once").blank();
@@ -287,7 +312,9 @@ std::string system_header(const Module& module, const sema::Spec& spec, const Na
   out.line("#include \"" + naming.stem + ".h\"").blank();
   out.line("namespace " + naming.space + " {").blank();
   const std::vector<Kind> kinds = kinds_of(module, spec);
-  for (const Kind& kind : kinds) SystemPrinter(module, kind, kinds.size() == 1, out).print();
+  for (const Kind& kind : kinds) {
+    SystemPrinter(module, names, kind, kinds.size() == 1, out).print();
+  }
   out.line("}  // namespace " + naming.space);
   return out.print(Code::Style::cpp);
 }

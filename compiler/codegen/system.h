@@ -4,12 +4,14 @@
 
 #include <string>
 
+#include "compiler/codegen/names.h"
 #include "compiler/codegen/wrapper.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::codegen {
 
-std::string system_header(const ir::Module& module, const sema::Spec& spec, const Naming& naming);
+std::string system_header(const ir::Module& module, const sema::Spec& spec, const Names& names,
+                          const Naming& naming);
 
 }  // namespace rtac::codegen

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "compiler/codegen/names.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
 
@@ -15,7 +16,9 @@ struct Naming {
   std::string space;   // C++ namespace
 };
 
-std::string wrapper_header(const ir::Module& module, const sema::Spec& spec, const Naming& naming);
-std::string wrapper_source(const ir::Module& module, const sema::Spec& spec, const Naming& naming);
+std::string wrapper_header(const ir::Module& module, const sema::Spec& spec, const Names& names,
+                           const Naming& naming);
+std::string wrapper_source(const ir::Module& module, const sema::Spec& spec, const Names& names,
+                           const Naming& naming);
 
 }  // namespace rtac::codegen

@@ -1,5 +1,7 @@
 #include "compiler/ir/verifier.h"
 
+#include <set>
+
 namespace rtac::ir {
 namespace {
 
@@ -115,6 +117,17 @@ class Checker {
 }  // namespace
 
 std::optional<std::string> verify(const Module& module) {
+  // passes compare values by their canonical text, which names tables
+  std::set<std::string> names;
+  for (const ZoneTable& zone : module.zones) {
+    if (!names.insert("zone " + zone.name).second) return "two zones named " + zone.name;
+  }
+  for (const SiteTable& site : module.sites) {
+    if (!names.insert("site " + site.name).second) return "two sites named " + site.name;
+    if (static_cast<std::uint32_t>(site.zone) >= module.zones.size()) {
+      return "site " + site.name + ": no such zone";
+    }
+  }
   for (const Decision& decision : module.decisions) {
     Checker checker(module, decision);
     for (const Monitor& monitor : decision.monitors) {

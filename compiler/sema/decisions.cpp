@@ -303,9 +303,13 @@ void warn_unused(Context& context) {
   for (const auto& decision : context.decisions) {
     for (const auto& list : decision.node->priority) {
       for (const syntax::Name& name : list) {
-        // A misspelt monitor is used, too: its name was reported.
-        const auto meant = nearest(name.text, context.symbols.names_of(Sort::monitor));
-        if (meant) used.insert(context.symbols.find(*meant)->index);
+        const Symbol* listed = context.symbols.find(name.text);
+        if (listed == nullptr) {
+          // A misspelt monitor is used, too: its name was reported.
+          const auto meant = nearest(name.text, context.symbols.names_of(Sort::monitor));
+          if (meant) listed = context.symbols.find(*meant);
+        }
+        if (listed != nullptr && listed->sort == Sort::monitor) used.insert(listed->index);
       }
     }
   }

@@ -24,6 +24,10 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
 static margin margin_true(void) {
   return margin_of(MARGIN_MAX, MARGIN_MAX, REASON_NONE);
 }
+/*= margin_false : margin_of */
+static margin margin_false(void) {
+  return margin_of(-MARGIN_MAX, -MARGIN_MAX, REASON_MARGIN);
+}
 /*= margin_unknown : margin_of */
 static margin margin_unknown(int32_t input) {
   margin m = margin_of(-MARGIN_MAX, MARGIN_MAX, REASON_INPUT);
