@@ -84,7 +84,7 @@ std::string BlockPrinter::value(const Value& v, const Block& block) {
 
     std::string zone(ZoneIndex z) const { return "&" + zone_symbol(p.module_[z], p.names_); }
     std::string cells(SiteIndex s) const {
-      return "&" + cells_symbol(p.module_[s], p.names_) + "[v->in->self]";
+      return "&" + cells_symbol(p.module_[s], p.names_) + "[v->me]";
     }
     std::string operator()(const Const& c) const {
       return p.use("span_of", num(c.value) + ", " + num(c.value));
@@ -111,7 +111,8 @@ std::string BlockPrinter::value(const Value& v, const Block& block) {
                                           (a.strict ? ", 1" : ", 0"));
     }
     std::string operator()(const PlanInZone& z) const {
-      return p.use("plan_in_zone", zone(z.zone) + ", v, 0");
+      // 1 mm: way-points are rounded to the nearest grid point
+      return p.use("plan_in_zone", zone(z.zone) + ", v, 1");
     }
     std::string operator()(const Truth& t) const {
       return t.value ? p.use("margin_true", "") : p.use("margin_false", "");
@@ -125,7 +126,7 @@ std::string BlockPrinter::value(const Value& v, const Block& block) {
     }
     std::string operator()(const HeldFor& h) const {
       return p.use("held_for",
-                   ref(h.a) + ", &v->runs[" + num(h.slot) + "], " + num(h.ticks) + ", v->new_tick");
+                   ref(h.a) + ", &v->runs[" + num(2 * h.slot) + "], " + num(h.ticks) + ", v->new_tick");
     }
     std::string operator()(const ForOthers&) const { return ""; }  // printed as a loop
     std::string operator()(const ZoneReach& z) const {

@@ -97,7 +97,9 @@ class Header {
   }
 
   void state() {
-    record("clock", {"int32_t started;", "int64_t origin_us, tick;"});
+    record("clock", {"int32_t started;", "int64_t origin_us, last_us, tick;"});
+    code_.comment("When the present driver took over, and the fastest one that drove before it.");
+    record("takeover", {"int64_t time_us;", "int32_t before;"});
     record("finding", {"int32_t reason, index, input, other;"});
     record("monitor", {"int32_t engaged, dwell;", p_ + "_finding found;"});
     code_.comment("One monitor in the record of a tick; margin in millionths of 1 m or of 1 %.");
@@ -133,11 +135,12 @@ class Header {
         p_ + "_clock clock;",
         p_ + "_monitor monitors[" + up + "_MONITORS];",
         "int32_t mode;",
+        p_ + "_takeover takeover;",
         "int64_t lease_end_us;",
         "int64_t last_position_us, last_velocity_us, last_battery_us;",
         "int64_t last_other_us[" + up + "_ROBOTS];"};
     if (d.held_slots > 0) {
-      fields.push_back("int32_t runs[" + std::to_string(d.held_slots) + "];");
+      fields.push_back("int32_t runs[" + std::to_string(2 * d.held_slots) + "];");
     }
     record(id + "_state", fields);
     code_.comment("mode 0: the advanced controller; k + 1: the recovery of monitor k.");

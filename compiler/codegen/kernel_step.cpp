@@ -135,9 +135,11 @@ class StepPrinter {
           to.line("const " + name_ + "_in *in;");
           to.line("const motion *m;");
           to.line("int64_t now_us, horizon_us;");
-          to.line("int32_t legs; /* judge the plan too */");
+          to.line("int32_t me;     /* index of this robot, in range */");
+          to.line("int32_t driver; /* whose motion bounds what is within reach */");
+          to.line("int32_t legs;   /* judge the plan too */");
           to.line("int32_t new_tick;");
-          to.line("int32_t *runs; /* of `for` */");
+          to.line("int32_t *runs; /* of `for`, two each */");
           to.line("estimate self;");
           to.line("reach within;");
           to.line("span charge;");
@@ -195,6 +197,7 @@ class StepPrinter {
       to.line(std::string("int32_t k;"));
       to.line("s->clock.started = 0;");
       to.line("s->clock.origin_us = 0;");
+      to.line("s->clock.last_us = 0;");
       to.line("s->clock.tick = 0;");
       to.block("for (k = 0; k < MONITORS; ++k)", [&](Code& each) {
         each.line("s->monitors[k].engaged = 0;");
@@ -206,6 +209,8 @@ class StepPrinter {
       });
       to.comment("until the first step has found that control may be given");
       to.line("s->mode = 1;");
+      to.line("s->takeover.time_us = INT64_MAX;");
+      to.line("s->takeover.before = 0;");
       to.line("s->lease_end_us = INT64_MIN;");
       to.line("s->last_position_us = INT64_MIN;");
       to.line("s->last_velocity_us = INT64_MIN;");
@@ -213,7 +218,7 @@ class StepPrinter {
       to.block("for (k = 0; k < ROBOTS; ++k)",
                [&](Code& each) { each.line("s->last_other_us[k] = INT64_MIN;"); });
       if (d_.held_slots > 0) {
-        to.block("for (k = 0; k < " + num(d_.held_slots) + "; ++k)",
+        to.block("for (k = 0; k < " + num(2 * d_.held_slots) + "; ++k)",
                  [&](Code& each) { each.line("s->runs[k] = 0;"); });
       }
     });
@@ -234,7 +239,7 @@ class StepPrinter {
           to.line("v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);");
           const auto order = [&](const std::string& input, const std::string& stamp,
                                  const std::string& last, const std::string& fault) {
-            to.block("if (" + input + " && !in_order(" + stamp + ", &s->" + last + "))",
+            to.block("if (" + input + " && !in_order(" + stamp + ", v->now_us, &s->" + last + "))",
                      [&](Code& body) { body.line(fault); });
           };
           order("in->position.valid", "in->position.stamp_us", "last_position_us",
@@ -257,21 +262,26 @@ class StepPrinter {
               each.line("v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, &" +
                         id_ + "_heard_body);");
               each.block(
-                  "if (o->position.valid && "
-                  "!in_order(o->position.stamp_us, &s->last_other_us[j]))",
+                  "if (o->position.valid &&\n          "
+                  "!in_order(o->position.stamp_us, v->now_us, &s->last_other_us[j]))",
                   [&](Code& body) {
                     body.line("v->others[j].s.input = " + up_ + "_INPUT_OTHER_ROBOT;");
                   });
             });
           }
-          to.block("if (elapsed < 0)",
-                   [&](Code& body) { body.line("v->self.input = " + up_ + "_INPUT_CLOCK;"); });
+          to.block("if (in->self < 0 || in->self >= ROBOTS)", [&](Code& body) {
+            body.line("v->self.input = " + up_ + "_INPUT_OTHER_ROBOT; /* nobody of the fleet */");
+          });
+          to.block("if (elapsed < 0)", [&](Code& body) {
+            body.line("v->self.input = " + up_ + "_INPUT_CLOCK;");
+            if (battery) body.line("v->charge = span_unknown(" + up_ + "_INPUT_CLOCK);");
+          });
           if (d_.held_slots > 0) {
             to.block("if (elapsed != 0 && elapsed != 1)", [&](Code& body) {
               body.comment("missed ticks are unknown: what must hold without a gap starts anew");
               body.line("int32_t k;");
               body.block("for (k = 0; k < " + num(d_.held_slots) + "; ++k)",
-                         [&](Code& each) { each.line("s->runs[k] = 0;"); });
+                         [&](Code& each) { each.line("s->runs[2 * k] = 0;"); });
             });
           }
         });
@@ -298,37 +308,48 @@ class StepPrinter {
     out_.comment(
         "What every monitor finds: now, ahead under the motion of whoever drives, and, "
         "when control might be given back, with the longer horizon under any control.");
-    out_.block("static void " + id_ + "_check(" + view_ +
-                   " *v, int32_t mode, int32_t back, check *checks)",
-               [&](Code& to) {
-                 for (std::size_t h = 0; h < horizons_.size(); ++h) {
-                   const std::string us = id_ + "_horizons_us[" + num(std::int64_t(h)) + "]";
-                   to.block(
-                       "if (back)",
-                       [&](Code& body) {
-                         body.line("v->legs = 1;");
-                         body.line(id_ + "_look(v, &MOTIONS[0], " + us + " + " +
-                                   num(d_.return_extra_us) + (pairs() ? ", 0);" : ");"));
-                         for_monitors(h, [&](const Monitor& m, const std::string& at) {
-                           body.line(at + ".safer = " + function(m, "ahead") + "(v);");
-                         });
-                       },
-                       "} else {");
-                   for_monitors(h, [&](const Monitor&, const std::string& at) {
-                     to.line("  " + at + ".safer = margin_unknown(" + up_ + "_INPUT_NONE);");
-                   });
-                   to.line("}");
-                   to.line("v->legs = mode == 0;");
-                   to.line(id_ + "_look(v, &MOTIONS[mode], " + us + (pairs() ? ", 1);" : ");"));
-                   for_monitors(h, [&](const Monitor& m, const std::string& at) {
-                     to.line(at + ".now = " + function(m, "now") + "(v);");
-                     to.line(at + ".ahead = " + function(m, "ahead") + "(v);");
-                     to.line(at + ".gives_back = " +
-                             (m.return_when ? function(m, "return") + "(v);" : "margin_true();"));
-                   });
-                 }
-               });
+    out_.block(
+        "static void " + id_ + "_check(" + view_ +
+            " *v, int32_t mode, int32_t back, check *checks)",
+        [&](Code& to) {
+          for (std::size_t h = 0; h < horizons_.size(); ++h) {
+            const std::string us = id_ + "_horizons_us[" + num(std::int64_t(h)) + "]";
+            to.block(
+                "if (back)",
+                [&](Code& body) {
+                  body.line("v->legs = 1;");
+                  body.line(id_ + "_look(v, &MOTIONS[0], " + us + " + " + num(d_.return_extra_us) +
+                            (pairs() ? ", 0);" : ");"));
+                  for_monitors(h, [&](const Monitor& m, const std::string& at) {
+                    body.line(at + ".safer = " + function(m, "ahead") + "(v);");
+                  });
+                },
+                "} else {");
+            for_monitors(h, [&](const Monitor&, const std::string& at) {
+              to.line("  " + at + ".safer = margin_unknown(" + up_ + "_INPUT_NONE);");
+            });
+            to.line("}");
+            to.line("v->legs = mode == 0;");
+            to.line(id_ + "_look(v, &MOTIONS[v->driver], " + us + (pairs() ? ", 1);" : ");"));
+            for_monitors(h, [&](const Monitor& m, const std::string& at) {
+              to.line(at + ".now = " + function(m, "now") + "(v);");
+              to.line(at + ".ahead = " + function(m, "ahead") + "(v);");
+              to.line(at + ".gives_back = " +
+                      (m.return_when ? function(m, "return") + "(v);" : "margin_true();"));
+            });
+          }
+        });
     out_.blank();
+  }
+  // Of the separation monitor that looks furthest.
+  std::size_t separation_horizon() const {
+    std::optional<std::size_t> best;
+    for (const Monitor& m : d_.monitors) {
+      if (!m.separation_mm) continue;
+      const std::size_t h = horizon_of(m);
+      if (!best || horizons_[h] > horizons_[*best]) best = h;
+    }
+    return best.value_or(0);
   }
   template <class Each>
   void for_monitors(std::size_t horizon, const Each& each) const {
@@ -340,7 +361,7 @@ class StepPrinter {
   }
 
   void report() {
-    use({"verdict_of"});
+    use({"verdict_of", "age_of"});
     out_.block("static void " + id_ + "_report(const " + view_ + " *v, const " + name_ +
                    "_state *s, const check *checks, int32_t back, " + name_ + "_out *out)",
                [&](Code& to) {
@@ -351,8 +372,8 @@ class StepPrinter {
                  to.line("out->lease_end_us = s->lease_end_us;");
                  for (const char* field : {"position", "velocity", "battery"}) {
                    const std::string f = field;
-                   to.line("out->" + f + "_age_us = in->" + f + ".valid ? v->now_us - in->" + f +
-                           ".stamp_us : -1;");
+                   to.line("out->" + f + "_age_us = age_of(in->" + f + ".valid, in->" + f +
+                           ".stamp_us, v->now_us);");
                  }
                  to.block("for (k = 0; k < MONITORS; ++k)", [&](Code& each) {
                    each.line("out->monitors[k].now = verdict_of(checks[k].now);");
@@ -386,7 +407,11 @@ class StepPrinter {
   }
 
   void step() {
-    use({"next_tick", "mode_step", "first_engaged", "first_not_safer"});
+    use({"next_tick", "mode_step", "first_engaged", "first_not_safer", "driver_of", "later"});
+    const auto driver = [&](const char* mode) {
+      return "driver_of(&s->takeover, MOTIONS, " + std::string(mode) + ", seen_us, " +
+             num(d_.body.latency_us) + ");";
+    };
     const std::string pad(name_.size() + 11, ' ');
     out_.line("void " + name_ + "_step(" + name_ + "_state *s, const " + name_ + "_in *in,");
     out_.block(pad + "int64_t now_us, " + name_ + "_out *out)", [&](Code& to) {
@@ -395,17 +420,26 @@ class StepPrinter {
       to.line("const int32_t may_leave = now_us >= s->lease_end_us;");
       to.line("const int32_t back = first || s->mode != 0;");
       to.line("const int32_t before = s->mode;");
+      to.line("int64_t seen_us; /* when the robot was where it was seen */");
       to.line("check checks[MONITORS];");
       to.line(view_ + " v;");
       to.line("v.in = in;");
       to.line("v.now_us = now_us;");
+      to.line("v.me = in->self > 0 && in->self < ROBOTS ? in->self : 0;");
       to.line("v.new_tick = elapsed > 0;");
       to.line(d_.held_slots > 0 ? "v.runs = s->runs;" : "v.runs = 0;");
       to.line(id_ + "_measure(&v, s, elapsed);");
-      to.line(id_ + "_check(&v, s->mode, back, checks);");
-      to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, v.new_tick, " +
+      to.line("seen_us = v.self.input == " + up_ +
+              "_INPUT_NONE ? in->position.stamp_us : INT64_MIN;");
+      to.line("v.driver = " + driver("before"));
+      to.line(id_ + "_check(&v, before, back, checks);");
+      to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, " +
               num(d_.dwell_ticks) + ",");
       to.line("                    in->surrender, may_leave);");
+      to.block("if (first || s->mode != before)", [&](Code& body) {
+        body.line("s->takeover.before = first ? 0 : v.driver;");
+        body.line("s->takeover.time_us = now_us;");
+      });
       to.line("out->previous_mode = first ? s->mode : before;");
       to.line("out->mode = s->mode;");
       if (pairs()) {
@@ -413,7 +447,9 @@ class StepPrinter {
         to.comment("a promise to stay binds; whoever moves is gated by the separation test");
         to.line("out->gate = " + up_ + "_GATE_FREE;");
         to.block("if (s->mode != 0)", [&](Code& body) {
-          body.line(id_ + "_look(&v, &MOTIONS[s->mode], " + id_ + "_horizons_us[0], 1);");
+          body.line("v.driver = " + driver("s->mode"));
+          body.line(id_ + "_look(&v, &MOTIONS[v.driver], " + id_ + "_horizons_us[" +
+                    num(std::int64_t(separation_horizon())) + "], 1);");
           body.line(
               "out->gate = may_leave ? gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
               num(*separation_) + ")");
@@ -423,7 +459,9 @@ class StepPrinter {
             "if (s->mode != 0 && s->mode == before && in->holding &&\n      "
             "(in->surrender || first_engaged(s->monitors, MONITORS) >= 0 ||\n       "
             "first_not_safer(checks, MONITORS) >= 0))",
-            [&](Code& body) { body.line("s->lease_end_us = now_us + " + num(d_.lease_us) + ";"); });
+            [&](Code& body) {
+              body.line("s->lease_end_us = later(now_us, " + num(d_.lease_us) + ");");
+            });
       } else {
         to.line("out->gate = " + up_ + "_GATE_FREE;");
       }

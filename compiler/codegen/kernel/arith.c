@@ -20,6 +20,22 @@ static int64_t clamp_of(int64_t a, int64_t low, int64_t high) {
 static int64_t magnitude(int64_t a) {
   return a < 0 ? -a : a;
 }
+/*= elapsed_us */
+/* Time from `from` to a later `to`, at most INT64_MAX: stamps may be anything. */
+static int64_t elapsed_us(int64_t from, int64_t to) {
+  const uint64_t us = (uint64_t)to - (uint64_t)from;
+  return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
+}
+/*= age_of : elapsed_us */
+/* For the record; -1: there is nothing, or it is from the future. */
+static int64_t age_of(int32_t valid, int64_t stamp_us, int64_t now_us) {
+  return valid != 0 && stamp_us <= now_us ? elapsed_us(stamp_us, now_us) : -1;
+}
+/*= later */
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
+}
 /*= root_down */
 /* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round. */
 static int64_t root_down(int64_t a) {

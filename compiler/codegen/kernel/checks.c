@@ -45,10 +45,9 @@ static margin plan_unknown(const KERNEL_plan *plan) {
   m.reason = plan->count > PLAN_CAPACITY ? REASON_OVER_CAPACITY : REASON_INPUT;
   return m;
 }
-/*= waypoint_of : vec_of clamp_of */
+/*= waypoint_of : vec_of on_map */
 static vec waypoint_of(const KERNEL_plan *plan, int32_t i) {
-  return vec_of(clamp_of(plan->x[i], -EXTENT_MM, EXTENT_MM),
-                clamp_of(plan->y[i], -EXTENT_MM, EXTENT_MM));
+  return vec_of(on_map(plan->x[i]), on_map(plan->y[i]));
 }
 /*= leg_margin : margin_of */
 static margin leg_margin(int64_t spare_mm, int32_t reason, int32_t index) {
@@ -56,7 +55,14 @@ static margin leg_margin(int64_t spare_mm, int32_t reason, int32_t index) {
   m.index = index;
   return m;
 }
-/*= legs_in_zone : zone_type estimate_type plan_fault plan_unknown waypoint_of leg_margin margin_and margin_true margin_unknown inside_zone segment_boundary_lo */
+/*= leg_gap : zone_type segment_boundary_lo inside_zone */
+/* Lower bound of the clearance of a leg; below 0 when it leaves the zone. A leg that keeps away
+ * from the boundary is inside as soon as one of its points is. */
+static int64_t leg_gap(const zone *z, vec from, vec to) {
+  const int64_t gap = segment_boundary_lo(z, from, to);
+  return gap >= 0 && (!inside_zone(z, from) || !inside_zone(z, to)) ? -1 - gap : gap;
+}
+/*= legs_in_zone : zone_type estimate_type plan_fault plan_unknown waypoint_of leg_margin leg_gap margin_and margin_true margin_unknown */
 /* The leg from here to the next way-point and the next `legs` legs keep `need_mm` + errors. */
 static margin legs_in_zone(const zone *z, const estimate *s, const KERNEL_plan *plan, int32_t legs,
                            int64_t need_mm) {
@@ -74,10 +80,7 @@ static margin legs_in_zone(const zone *z, const estimate *s, const KERNEL_plan *
   }
   for (k = 0; k <= legs && plan->index + k < plan->count; ++k) {
     const vec to = waypoint_of(plan, plan->index + k);
-    int64_t gap = segment_boundary_lo(z, from, to);
-    if (!inside_zone(z, from) || !inside_zone(z, to)) {
-      gap = -gap;
-    }
+    const int64_t gap = leg_gap(z, from, to);
     worst = margin_and(worst, leg_margin(gap - need_mm - s->p_error_mm, REASON_LEG, k));
     from = to;
   }
@@ -100,8 +103,9 @@ static margin points_in_zone(const zone *z, const KERNEL_plan *plan, int32_t poi
   }
   return worst;
 }
-/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin margin_and margin_true inside_zone segment_boundary_lo */
-/* Every way-point and every leg of a proposed plan lies in the zone. */
+/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin leg_gap margin_and margin_true */
+/* Every way-point and every leg of a proposed plan lies in the zone. `need_mm` covers the rounding
+ * of the way-points; `leg_gap` is within 3 mm. */
 static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_mm) {
   margin worst = margin_true();
   int32_t k;
@@ -111,11 +115,12 @@ static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_
   for (k = 0; k < plan->count; ++k) {
     const vec to = waypoint_of(plan, k);
     const vec from = k > 0 ? waypoint_of(plan, k - 1) : to;
-    int64_t gap = segment_boundary_lo(z, from, to);
-    if (!inside_zone(z, from) || !inside_zone(z, to)) {
-      gap = -gap;
+    const int64_t gap = leg_gap(z, from, to);
+    margin leg = leg_margin(gap - need_mm, REASON_LEG, k);
+    if (gap >= 0) {
+      leg.hi = (gap + 3 + need_mm) * WEIGHT_MM;
     }
-    worst = margin_and(worst, leg_margin(gap - need_mm, REASON_LEG, k));
+    worst = margin_and(worst, leg);
   }
   return worst;
 }
@@ -253,12 +258,12 @@ static span cells_span(const cells *c, vec p, int64_t radius_mm) {
   }
   return hi < 0 ? span_of(NO_WAY, NO_WAY) : span_of(lo, hi);
 }
-/*= charge_now : span_of span_unknown div_up */
+/*= charge_now : span_of span_unknown div_up elapsed_us */
 /* Charge left now, in ppm: a sample of some age, drained since. The upper end leaves charging out:
  * it only decides between `violated` and `within error`. */
 static span charge_now(const KERNEL_scalar *battery, int64_t now_us, int64_t max_age_us,
                        int64_t error_ppm, int64_t drain_ppm_per_s) {
-  const int64_t age_us = now_us - battery->stamp_us;
+  const int64_t age_us = elapsed_us(battery->stamp_us, now_us);
   if (battery->valid == 0 || battery->stamp_us > now_us || age_us > max_age_us ||
       battery->lo > battery->hi || battery->lo < -1000000 || battery->hi > 2000000) {
     return span_unknown(INPUT_BATTERY);
@@ -300,16 +305,19 @@ static margin charge_reach(span charge, int64_t least_ppm, int64_t drain_ppm_per
   }
 }
 /*= held_for : margin_type margin_of */
-/* `operand for n ticks`: a run of ticks on which it was true, the present one included. */
+/* `operand for n ticks`: runs of ticks, the present one included, on which it was true (run[0]) and
+ * on which it was not false (run[1]). Nothing is granted before n ticks have passed. */
 static margin held_for(margin operand, int32_t *run, int32_t ticks, int32_t new_tick) {
-  if (operand.lo < 0) {
-    *run = 0;
-  } else if (new_tick != 0 && *run <= ticks) {
-    *run += 1;
+  margin m = operand;
+  int32_t i;
+  for (i = 0; i < 2; ++i) {
+    if ((i == 0 ? operand.lo : operand.hi) < 0) {
+      run[i] = 0;
+    } else if (new_tick != 0 && run[i] <= ticks) {
+      run[i] += 1;
+    }
   }
-  if (*run > ticks) {
-    return operand;
-  }
-  return margin_of(-1, operand.hi < 0 ? operand.hi : (operand.lo >= 0 ? -1 : operand.hi),
-                   operand.reason);
+  m.lo = run[0] > ticks || operand.lo < 0 ? operand.lo : -1;
+  m.hi = run[1] > ticks || operand.hi < 0 ? operand.hi : -1;
+  return m;
 }

@@ -5,7 +5,20 @@ static int64_t point_gap_lo(vec a, vec b) {
   const vec d = minus(a, b);
   return root_down(dot(d, d));
 }
-/*= point_segment_lo : point_gap_lo minus dot cross magnitude root_up */
+/*= quotient_lo : root_up */
+/* Lower bound of a / sqrt(square), at most 2 below it while the quotient is below 2^31: both are
+ * scaled up first, so that rounding the root costs little even for short segments. */
+static int64_t quotient_lo(int64_t a, int64_t square) {
+  int32_t bits;
+  for (bits = 16; bits > 0; bits /= 2) {
+    if (square < (INT64_C(1) << (62 - 2 * bits))) {
+      square <<= 2 * bits;
+      a <<= bits;
+    }
+  }
+  return a / root_up(square);
+}
+/*= point_segment_lo : point_gap_lo minus dot cross magnitude quotient_lo */
 static int64_t point_segment_lo(vec p, vec a, vec b) {
   const vec d = minus(b, a);
   const vec q = minus(p, a);
@@ -16,7 +29,7 @@ static int64_t point_segment_lo(vec p, vec a, vec b) {
   if (along >= dot(d, d)) {
     return point_gap_lo(p, b);
   }
-  return magnitude(cross(d, q)) / root_up(dot(d, d));
+  return quotient_lo(magnitude(cross(d, q)), dot(d, d));
 }
 /*= side_of : minus cross */
 /* 1 left of a-b, -1 right of it, 0 on its line. Exact. */
@@ -105,7 +118,7 @@ static int64_t boundary_gap_lo(const zone *z, vec p) {
   return best;
 }
 /*= segment_boundary_lo : zone_type vec_of box_gap cross_each_other point_edge_lo point_segment_lo min_of */
-/* Lower bound of the distance from the segment p-e to the boundary; 0 when they cross. */
+/* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. */
 static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
   int64_t best = SPAN_MAX;
   int32_t i;
@@ -115,7 +128,7 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
     const vec b = vec_of(k->bx, k->by);
     if (box_gap(a, b, p, e) < best) {
       if (cross_each_other(p, e, a, b)) {
-        return 0;
+        return -1;
       }
       best = min_of(best, min_of(point_edge_lo(k, p), point_edge_lo(k, e)));
       best = min_of(best, min_of(point_segment_lo(a, p, e), point_segment_lo(b, p, e)));

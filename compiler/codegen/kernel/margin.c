@@ -94,6 +94,7 @@ static span span_add(span a, span b) {
   span s = a.input != INPUT_NONE ? a : b;
   s.lo = a.lo + b.lo;
   s.hi = a.hi + b.hi;
+  s.other = a.other >= 0 ? a.other : b.other;
   return s;
 }
 /*= span_negate : span_type */
@@ -104,13 +105,16 @@ static span span_negate(span a) {
   return s;
 }
 /*= span_scale : span_type min_of max_of */
-/* a * num / den with outward rounding, den > 0. */
+/* a * num / den with outward rounding, den > 0. An unknown stays what it is: its ends are no
+ * measurements, and need not fit the product. */
 static span span_scale(span a, int64_t num, int64_t den) {
-  const int64_t p = a.lo * num;
-  const int64_t q = a.hi * num;
   span s = a;
-  s.lo = min_of(p, q) / den - 1;
-  s.hi = max_of(p, q) / den + 1;
+  if (a.input == INPUT_NONE) {
+    const int64_t p = min_of(a.lo * num, a.hi * num);
+    const int64_t q = max_of(a.lo * num, a.hi * num);
+    s.lo = p / den - (p % den < 0 ? 1 : 0);
+    s.hi = q / den + (q % den > 0 ? 1 : 0);
+  }
   return s;
 }
 /*= margin_at_least : span_type margin_of margin_unknown */

@@ -9,28 +9,37 @@ typedef struct check {
   margin gives_back; /* the author's return condition */
 } check;
 /*= in_order */
-/* Stamps must not go backwards. */
-static int32_t in_order(int64_t stamp_us, int64_t *last_us) {
-  const int32_t good = stamp_us >= *last_us;
-  if (good) {
+/* Stamps must not go backwards. One from the future is refused by its age; it is not remembered,
+ * lest a single one shuts out every later sample. */
+static int32_t in_order(int64_t stamp_us, int64_t now_us, int64_t *last_us) {
+  if (stamp_us < *last_us) {
+    return 0;
+  }
+  if (stamp_us <= now_us) {
     *last_us = stamp_us;
   }
-  return good;
+  return 1;
 }
-/*= next_tick */
-/* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. */
+/*= next_tick : elapsed_us */
+/* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. Ticks are
+ * counted from the first step, to the nearest, so that a timer may jitter by half a period. */
 static int64_t next_tick(KERNEL_clock *clock, int64_t now_us, int64_t period_us) {
   int64_t tick, elapsed;
   if (clock->started == 0) {
     clock->started = 1;
     clock->origin_us = now_us;
+    clock->last_us = now_us;
     clock->tick = 0;
     return 1;
   }
-  if (now_us < clock->origin_us + clock->tick * period_us) {
+  if (now_us < clock->last_us) {
     return -1;
   }
-  tick = (now_us - clock->origin_us) / period_us;
+  clock->last_us = now_us;
+  tick = elapsed_us(clock->origin_us, now_us) / period_us;
+  if (elapsed_us(clock->origin_us, now_us) % period_us > period_us / 2) {
+    tick += 1;
+  }
   elapsed = tick - clock->tick;
   clock->tick = tick;
   return elapsed;
@@ -51,16 +60,34 @@ static KERNEL_finding finding_of(margin m) {
   f.other = m.other;
   return f;
 }
-/*= monitor_step : check_type engage finding_of verdict_of */
-/* Engages when the look-ahead fails or the property is false; disengages when the derived and the
- * author's return conditions have held for `dwell` ticks. */
-static void monitor_step(KERNEL_monitor *m, const check *c, int32_t first, int32_t new_tick,
+/*= engaging_reason : check_type finding_of verdict_of reason_of */
+static int32_t engaging_reason(const check *c, int32_t missed) {
+  const int32_t now = verdict_of(c->now);
+  const int32_t reason = reason_of(c->ahead);
+  if (now == VERDICT_FALSE) {
+    return REASON_VIOLATED;
+  }
+  if (missed || reason == REASON_INPUT) {
+    return REASON_INPUT;
+  }
+  return now == VERDICT_UNKNOWN && reason_of(c->now) == REASON_WITHIN_ERROR ? REASON_WITHIN_ERROR
+                                                                            : reason;
+}
+/*= monitor_step : check_type engage engaging_reason finding_of verdict_of */
+/* Engages when the look-ahead fails or the property is false, and for ticks that were missed: they
+ * count as unknown. Disengages when the derived and the author's return conditions have held for
+ * `dwell` ticks. `elapsed`: ticks since the last step. */
+static void monitor_step(KERNEL_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
   const int32_t back = verdict_of(c->safer) == VERDICT_TRUE &&
                        verdict_of(c->gives_back) == VERDICT_TRUE;
   const int32_t violated = verdict_of(c->now) == VERDICT_FALSE;
-  const KERNEL_finding ahead = finding_of(c->ahead);
+  const int32_t missed = elapsed > 1;
+  KERNEL_finding ahead = finding_of(c->ahead);
   const KERNEL_finding safer = finding_of(c->safer);
+  if (missed && ahead.input == INPUT_NONE) {
+    ahead.input = INPUT_CLOCK;
+  }
   if (first) {
     m->engaged = 0;
     if (verdict_of(c->safer) != VERDICT_TRUE) {
@@ -69,18 +96,18 @@ static void monitor_step(KERNEL_monitor *m, const check *c, int32_t first, int32
              &safer);
     }
   } else if (m->engaged == 0) {
-    if (violated || verdict_of(c->ahead) != VERDICT_TRUE) {
-      engage(m, violated ? REASON_VIOLATED : ahead.reason, &ahead);
+    if (violated || missed || verdict_of(c->ahead) != VERDICT_TRUE) {
+      engage(m, engaging_reason(c, missed), &ahead);
     }
   } else if (violated) {
     m->dwell = 0;
     m->found = ahead;
     m->found.reason = REASON_VIOLATED;
-  } else if (!back) {
+  } else if (!back || missed) {
     m->dwell = 0;
     m->found = safer;
     m->found.reason = safer.reason == REASON_INPUT ? REASON_INPUT : REASON_RETURNING;
-  } else if (new_tick) {
+  } else if (elapsed > 0) {
     m->dwell += 1;
     m->found.reason = REASON_RETURNING;
     if (m->dwell > dwell) {
@@ -113,11 +140,11 @@ static int32_t first_not_safer(const check *checks, int32_t count) {
 /* The mode of this tick. `may_leave`: no lease promises that the robot stays. When no monitor is
  * engaged but one could not yet hand over, that one takes over, so that somebody works on it. */
 static int32_t mode_step(KERNEL_monitor *monitors, const check *checks, int32_t count,
-                         int32_t mode, int32_t first, int32_t new_tick, int32_t dwell,
+                         int32_t mode, int32_t first, int64_t elapsed, int32_t dwell,
                          int32_t surrender, int32_t may_leave) {
   int32_t k, open;
   for (k = 0; k < count; ++k) {
-    monitor_step(&monitors[k], &checks[k], first, new_tick, dwell);
+    monitor_step(&monitors[k], &checks[k], first, elapsed, dwell);
   }
   k = first_engaged(monitors, count);
   if (k >= 0) {
@@ -134,13 +161,28 @@ static int32_t mode_step(KERNEL_monitor *monitors, const check *checks, int32_t 
   }
   return surrender != 0 || !may_leave ? mode : 0;
 }
-/*= other_of : other_type body_type motion_type reach_of */
+/*= faster_of : motion_type */
+/* The driver of two that may move faster; any control before every recovery. */
+static int32_t faster_of(const motion *motions, int32_t a, int32_t b) {
+  if (motions[a].recovery != motions[b].recovery) {
+    return motions[a].recovery == 0 ? a : b;
+  }
+  return motions[a].speed_mmps >= motions[b].speed_mmps ? a : b;
+}
+/*= driver_of : motion_type faster_of later */
+/* Whose motion bounds what happened since a sample and will happen: an older sample may show the
+ * robot before the present driver took over, and the driver before it may have sped up since. */
+static int32_t driver_of(const KERNEL_takeover *t, const motion *motions, int32_t mode,
+                         int64_t stamp_us, int64_t latency_us) {
+  return stamp_us >= later(t->time_us, latency_us) ? mode : faster_of(motions, mode, t->before);
+}
+/*= other_of : other_type body_type motion_type reach_of later */
 /* `may_use`: a promise of this robot may be relied upon. */
 static other other_of(const KERNEL_other *in, const estimate *s, const body *b, const motion *any,
                       int64_t horizon_us, int64_t now_us, int32_t may_use) {
   other o;
   o.s = *s;
-  o.held = may_use && in->lease_end_us >= now_us + horizon_us;
+  o.held = may_use && in->lease_end_us >= later(now_us, horizon_us);
   o.r = reach_of(s, b, any, horizon_us);
   return o;
 }

@@ -49,19 +49,31 @@ typedef struct estimate {
   int64_t speed_mmps; /* of the measured velocity, rounded up */
   int64_t age_us;     /* of the position */
 } estimate;
-/*= usable */
+/*= usable : elapsed_us */
 /* Present, finite, neither from the future nor too old. */
 static int32_t usable(const KERNEL_point *s, int64_t now_us, int64_t max_age_us) {
-  return s->valid != 0 && s->stamp_us <= now_us && now_us - s->stamp_us <= max_age_us &&
-         s->x_lo <= s->x_hi && s->y_lo <= s->y_hi;
+  return s->valid != 0 && s->stamp_us <= now_us &&
+         elapsed_us(s->stamp_us, now_us) <= max_age_us && s->x_lo <= s->x_hi &&
+         s->y_lo <= s->y_hi;
 }
-/*= estimate_of : estimate_type body_type usable vec_of dot root_up div_up magnitude clamp_of */
+/*= within_speeds */
+/* A velocity in its range; another one is unknown. */
+static int32_t within_speeds(const KERNEL_point *v) {
+  return v->x_lo >= -SPEED_MAX_MMPS && v->x_hi <= SPEED_MAX_MMPS && v->y_lo >= -SPEED_MAX_MMPS &&
+         v->y_hi <= SPEED_MAX_MMPS;
+}
+/*= on_map : clamp_of */
+/* A coordinate beyond the extent saturates; it counts as outside every zone there as well. */
+static int64_t on_map(int64_t mm) {
+  return clamp_of(mm, -EXTENT_MM, EXTENT_MM);
+}
+/*= estimate_of : estimate_type body_type usable within_speeds on_map vec_of dot root_up div_up magnitude min_of elapsed_us */
 /* Velocity and position of unequal stamps: the velocity may have changed in between. */
 static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *velocity,
                             int64_t now_us, const body *b) {
   estimate s;
   s.input = INPUT_NONE;
-  if (!usable(velocity, now_us, b->velocity_age_us)) {
+  if (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity)) {
     s.input = INPUT_VELOCITY;
   }
   if (!usable(position, now_us, b->position_age_us)) {
@@ -75,20 +87,15 @@ static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *ve
   s.age_us = 0;
   if (s.input == INPUT_NONE) {
     const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
-    s.p = vec_of(clamp_of(position->x_lo, -EXTENT_MM, EXTENT_MM),
-                 clamp_of(position->y_lo, -EXTENT_MM, EXTENT_MM));
+    s.p = vec_of(on_map(position->x_lo), on_map(position->y_lo));
     s.v = vec_of(velocity->x_lo, velocity->y_lo);
-    if (magnitude(s.v.x) > SPEED_MAX_MMPS || magnitude(s.v.y) > SPEED_MAX_MMPS) {
-      s.input = INPUT_VELOCITY; /* outside its range: unknown */
-      s.v = vec_of(0, 0);
-    }
-    s.p_error_mm = b->position_error_mm + (position->x_hi - position->x_lo) +
-                   (position->y_hi - position->y_lo);
+    s.p_error_mm = b->position_error_mm + (on_map(position->x_hi) - s.p.x) +
+                   (on_map(position->y_hi) - s.p.y);
     s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
                      (velocity->y_hi - velocity->y_lo) +
-                     div_up(b->accel_mmps2 * apart_ms, 1000);
+                     min_of(div_up(b->accel_mmps2 * apart_ms, 1000), 2 * SPEED_MAX_MMPS);
     s.speed_mmps = root_up(dot(s.v, s.v));
-    s.age_us = now_us - position->stamp_us;
+    s.age_us = elapsed_us(position->stamp_us, now_us);
   }
   return s;
 }
@@ -105,7 +112,7 @@ typedef struct reach {
 /*= travel_of : motion_type div_up */
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
 static int64_t travel_of(int64_t s0, int64_t t_ms, int64_t cap, const motion *m) {
-  if (s0 + div_up(m->accel_mmps2 * t_ms, 1000) <= cap) {
+  if (m->accel_mmps2 * t_ms <= (cap - s0) * 1000) {
     return div_up(s0 * t_ms, 1000) + div_up(m->accel_mmps2 * t_ms * t_ms, 2000000);
   }
   return div_up(cap * t_ms, 1000) - (cap - s0) * (cap - s0) / (2 * m->accel_mmps2);
@@ -121,7 +128,7 @@ static int64_t moved_of(const estimate *s, const motion *m) {
   const int64_t cap = speed_cap(s, m);
   return travel_of(min_of(cap, s->speed_mmps + s->v_error_mmps), div_up(s->age_us, 1000), cap, m);
 }
-/*= reach_of : reach_type estimate_type body_type motion_type speed_cap travel_of div_up min_of vec_of */
+/*= reach_of : reach_type estimate_type body_type motion_type speed_cap travel_of div_up min_of vec_of on_map */
 static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t horizon_us) {
   reach r;
   const int64_t t_us = s->age_us + horizon_us;
@@ -135,6 +142,7 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
   /* the tube around the ideal stopping path, see the brake of the theory */
   const int64_t tube = b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
                        div_up(stop * b->brake_lag_permille, 1000) + b->hold_mm;
+  const int64_t centre = s->p_error_mm + travel_of(s0, t_ms, cap, m) + stop + tube - b->radius_mm;
   const int64_t along_us = t_us + div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
   r.input = s->input;
   r.p = s->p;
@@ -143,8 +151,12 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
   r.capsule_mm = s->p_error_mm + div_up(s->v_error_mmps * t_ms, 1000) +
                  div_up(m->accel_mmps2 * t_ms * t_ms, 2000000) +
                  div_up((s->speed_mmps + s1) * drift, 2 * b->brake_mmps2) + 2 + tube;
-  r.centre_mm = s->p_error_mm + travel_of(s0, t_ms, cap, m) + stop + tube - b->radius_mm;
-  r.disc_mm = r.centre_mm + b->radius_mm;
+  r.centre_mm = centre;
+  r.disc_mm = centre + b->radius_mm;
+  if (r.e.x != on_map(r.e.x) || r.e.y != on_map(r.e.y)) {
+    r.e = r.p; /* off the map, where products do not fit: the disc has to do */
+    r.capsule_mm = r.disc_mm;
+  }
   r.time_ms = t_ms;
   return r;
 }

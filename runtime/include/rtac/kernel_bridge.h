@@ -3,6 +3,7 @@
 // that is better than the real one.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -29,12 +30,20 @@ inline bool grid_pair(double si, double per_unit, std::int64_t& lo, std::int64_t
   return true;
 }
 
+// The same for a coordinate: what is finite and too far saturates; the kernel knows it as outside.
+inline bool grid_coordinate(double si, std::int64_t& lo, std::int64_t& hi) {
+  if (grid_pair(si, 1000, lo, hi)) return true;
+  lo = hi = static_cast<std::int64_t>(si < 0 ? -grid_limit : grid_limit);
+  return std::isfinite(si);
+}
+
 // KernelPoint { x_lo, x_hi, y_lo, y_hi, stamp_us, valid }
 template <class KernelPoint>
 void put(KernelPoint& to, const Sample<Vec2>& from) {
+  const bool x = grid_coordinate(from.value.x, to.x_lo, to.x_hi);
+  const bool y = grid_coordinate(from.value.y, to.y_lo, to.y_hi);
   to.stamp_us = from.stamp_us;
-  to.valid = from.stamp_us != never_us && grid_pair(from.value.x, 1000, to.x_lo, to.x_hi) &&
-             grid_pair(from.value.y, 1000, to.y_lo, to.y_hi);
+  to.valid = from.stamp_us != never_us && x && y;
 }
 // KernelScalar { lo, hi, stamp_us, valid }, in ppm
 template <class KernelScalar>
@@ -46,14 +55,14 @@ void put_ratio(KernelScalar& to, const Sample<double>& from) {
 template <class KernelPlan>
 void put(KernelPlan& to, const Path& from, std::size_t capacity) {
   to.count = static_cast<std::int32_t>(from.points.size());
-  to.index = static_cast<std::int32_t>(from.index);
+  to.index = static_cast<std::int32_t>(std::min(from.index, from.points.size() + 1));
   to.valid = from.points.size() <= capacity;
   for (std::size_t i = 0; i < from.points.size() && to.valid != 0; ++i) {
     const Vec2 p = from.points[i];
-    to.valid = std::fabs(p.x) < grid_limit / 1000 && std::fabs(p.y) < grid_limit / 1000;
+    to.valid = std::isfinite(p.x) && std::isfinite(p.y);
     if (to.valid != 0) {
-      to.x[i] = std::llround(p.x * 1000);
-      to.y[i] = std::llround(p.y * 1000);
+      to.x[i] = std::llround(std::clamp(p.x * 1000, -grid_limit, grid_limit));
+      to.y[i] = std::llround(std::clamp(p.y * 1000, -grid_limit, grid_limit));
     }
   }
 }
