@@ -148,7 +148,9 @@ TourResult fly(const TourOptions& options) {
   sim::World<Acceleration> world({drone}, world_options);
   Watch watch(world, options.out);
   Tour tour(options.seed, world);
-  sim::FollowPlan<Acceleration> honest(limits());
+  sim::FollowOptions hasty;
+  hasty.brake_share = 1;  // counts on the whole brake, and overshoots with every bit of latency
+  sim::FollowPlan<Acceleration> honest(limits(), hasty);
   sim::PushAtNearest<Acceleration> adversary(limits(), &room());
   rtac::Controller<Acceleration>& fly_plan =
       options.adversary ? static_cast<rtac::Controller<Acceleration>&>(adversary) : honest;
@@ -156,6 +158,7 @@ TourResult fly(const TourOptions& options) {
 
   rtac::SystemOptions system_options = System::default_options();
   system_options.protect = options.protect;
+  system_options.reach_m = 0.05;
   System system({Controllers{fly_plan, planner}, tour}, system_options, &watch);
   const rtac::Status status =
       system.run(world, static_cast<rtac::TimeUs>(options.seconds * 1e6));

@@ -7,7 +7,7 @@
 
 namespace surveillance {
 
-inline constexpr int destinations = 20;
+inline constexpr int destinations = 30;
 
 enum class Variant { sound_2, sound_1, paper_1, paper_2 };
 inline constexpr Variant variants[] = {Variant::sound_2, Variant::sound_1, Variant::paper_1,
