@@ -110,8 +110,11 @@ int run(const Options& options, std::ostream& out, std::ostream& err) {
 
 int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   auto parsed = parse_options(arguments);
-  if (const auto* problem = std::get_if<std::string>(&parsed)) {
-    err << "rtac: " << *problem << "\n";
+  if (const auto* problem = std::get_if<UsageError>(&parsed)) {
+    Compilation none;
+    none.diagnostics.report(
+        {diag::Code::usage, std::nullopt, problem->message, "", {}, problem->help, {}});
+    err << diag::render_text(none.diagnostics, none.sources, wants_colour(err));
     return exit_usage;
   }
   Options options = std::get<Options>(std::move(parsed));

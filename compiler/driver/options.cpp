@@ -4,13 +4,15 @@
 #include <cstdlib>
 #include <map>
 
+#include "compiler/codegen/names.h"
 #include "compiler/passes/pipeline.h"
 
 namespace rtac::driver {
 namespace {
 
-bool is_identifier(const std::string& text) {
-  if (text.empty() || std::isdigit(static_cast<unsigned char>(text[0]))) return false;
+bool is_namespace(const std::string& text) {
+  if (text.empty() || codegen::legal(text) != text) return false;
+  if (std::isdigit(static_cast<unsigned char>(text[0]))) return false;
   for (const char c : text) {
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_') return false;
   }
@@ -28,7 +30,7 @@ std::string pass_names() {
 // Flags that take the next word.
 struct Parser {
   Options options;
-  std::string problem;
+  UsageError problem;
 
   std::map<std::string, std::string*> with_value() {
     return {{"-o", &options.output},
@@ -48,7 +50,7 @@ struct Parser {
     const auto values = with_value();
     const auto flags = switches();
     bool only_operands = false;
-    for (std::size_t i = 1; i < words.size() && problem.empty(); ++i) {
+    for (std::size_t i = 1; i < words.size() && problem.message.empty(); ++i) {
       const std::string& word = words[i];
       if (only_operands || word == "-" || word[0] != '-') {
         operand(word);
@@ -56,24 +58,25 @@ struct Parser {
         only_operands = true;
       } else if (const auto value = values.find(word); value != values.end()) {
         if (i + 1 == words.size()) {
-          problem = "`" + word + "` needs a value after it";
+          problem = {"`" + word + "` needs a value after it", "`" + word + " VALUE`"};
         } else {
           *value->second = words[++i];
         }
       } else if (const auto flag = flags.find(word); flag != flags.end()) {
         *flag->second = true;
-      } else if (word == "--format" && i + 1 < words.size()) {
-        format(words[++i]);
+      } else if (word == "--format") {
+        format(i + 1 < words.size() ? words[++i] : "");
       } else {
-        problem = "unknown flag `" + word + "`; `rtac help` lists the flags";
+        problem = {"unknown flag `" + word + "`", "`rtac help` lists the flags"};
       }
     }
   }
   void operand(const std::string& word) {
     if (word.empty()) {
-      problem = "the name of the specification is empty";
+      problem = {"the name of the specification is empty", "give the path of a .rta file"};
     } else if (!options.spec.empty()) {
-      problem = "one specification at a time: `" + options.spec + "` or `" + word + "`";
+      problem = {"more than one specification: `" + options.spec + "` and `" + word + "`",
+                 "run `rtac` once for each"};
     } else {
       options.spec = word;
     }
@@ -84,26 +87,33 @@ struct Parser {
     } else if (name == "json") {
       options.format = Format::json;
     } else {
-      problem = "unknown format `" + name + "`; `text` and `json` exist";
+      problem = {
+          name.empty() ? "`--format` needs a value after it" : "unknown format `" + name + "`",
+          "`text` and `json` exist"};
     }
   }
   void finish() {
-    if (!problem.empty()) return;
-    if (options.spec.empty()) problem = "which specification? give the path of a .rta file";
+    if (!problem.message.empty()) return;
+    if (options.spec.empty()) {
+      problem = {"no specification is given",
+                 "give the path of a .rta file, or - for standard input"};
+    }
     if (options.command == Command::build && options.output.empty()) {
-      problem = "`rtac build` needs `-o DIR` for the generated files";
+      problem = {"`rtac build` needs a place for the generated files", "add `-o DIR`"};
     }
-    if (options.command == Command::check && !options.output.empty()) {
-      problem = "`rtac check` writes no files; `-o` belongs to `rtac build`";
+    if (options.command == Command::check && !(options.output + options.depfile).empty()) {
+      problem = {"`rtac check` writes no files",
+                 "leave out `-o` and `--depfile`, or use `rtac build`"};
     }
-    if (!options.name_space.empty() && !is_identifier(options.name_space)) {
-      problem = "`" + options.name_space + "` is not a C++ namespace; letters, digits and `_` are";
+    if (!options.name_space.empty() && !is_namespace(options.name_space)) {
+      problem = {"`" + options.name_space + "` is not a name of a C++ namespace",
+                 "letters, digits and `_` make one, and it is no keyword"};
     }
     if (!options.print_after.empty()) {
       bool known = false;
       for (const auto& pass : passes::pipeline()) known = known || options.print_after == pass.name;
       if (!known) {
-        problem = "no pass is called `" + options.print_after + "`; there are " + pass_names();
+        problem = {"no pass is called `" + options.print_after + "`", "there are " + pass_names()};
       }
     }
   }
@@ -125,11 +135,13 @@ std::vector<std::string> split_equals(const std::vector<std::string>& arguments)
 
 }  // namespace
 
-std::variant<Options, std::string> parse_options(const std::vector<std::string>& arguments) {
+std::variant<Options, UsageError> parse_options(const std::vector<std::string>& arguments) {
   const std::vector<std::string> words = split_equals(arguments);
   Parser parser;
-  if (words.empty())
-    return "say what to do: `rtac check SPEC`, `rtac build SPEC -o DIR`, `rtac help`";
+  if (words.empty()) {
+    return UsageError{"no command is given",
+                      "`rtac check SPEC`, `rtac build SPEC -o DIR`, `rtac help`"};
+  }
   if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") return parser.options;
   if (words[0] == "--version" || words[0] == "version") {
     parser.options.command = Command::version;
@@ -140,11 +152,12 @@ std::variant<Options, std::string> parse_options(const std::vector<std::string>&
   } else if (words[0] == "build") {
     parser.options.command = Command::build;
   } else {
-    return "unknown command `" + words[0] + "`; there are `check`, `build`, `help`, `version`";
+    return UsageError{"unknown command `" + words[0] + "`",
+                      "there are `check`, `build`, `help` and `version`"};
   }
   parser.parse(words);
   parser.finish();
-  if (!parser.problem.empty()) return parser.problem;
+  if (!parser.problem.message.empty()) return parser.problem;
   return parser.options;
 }
 

@@ -24,8 +24,10 @@ struct Options {
   bool werror = false;
 };
 
-// A text: the usage error, in one line, with what would work.
-std::variant<Options, std::string> parse_options(const std::vector<std::string>& arguments);
+struct UsageError {
+  std::string message, help;  // what is wrong, what would work
+};
+std::variant<Options, UsageError> parse_options(const std::vector<std::string>& arguments);
 
 std::string help_text();
 

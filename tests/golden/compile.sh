@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# compile.sh INCLUDE CHUNK CHUNKS: all generated golden files compile without a warning, with GCC
+# and Clang: kernels as C99 and as C++17, wrappers and systems as C++17. CHUNK (from 0) of CHUNKS
+# takes every CHUNKS-th case, so that several run beside each other. Both compilers must be there.
+set -euo pipefail
+
+include=$1 chunk=$2 chunks=$3
+here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+strict=(-Wall -Wextra -Wpedantic -Wconversion -Werror)
+failures=0
+
+# Some warnings need the optimiser; the first case of each chunk is compiled with it.
+work=$(mktemp -d)
+trap 'rm -rf -- "$work"' EXIT
+
+try() { # COMMAND...; prints it when it fails
+  if ! "$@"; then
+    printf 'failed: %s\n' "$*"
+    failures=$((failures + 1))
+  fi
+}
+
+compile_case() { # FOLDER MODE...; MODE: how far to compile
+  local folder=$1 kernel stem
+  shift
+  kernel=$(find "$folder" -name '*_kernel.c')
+  stem=${kernel%_kernel.c}
+  printf '#include "%s_system.h"\n' "$(basename -- "$stem")" >"$work/system.cpp"
+  try gcc -std=c99 "${strict[@]}" "$@" "$kernel"
+  try clang -std=c99 "${strict[@]}" "$@" "$kernel"
+  local compiler
+  for compiler in g++ clang++; do
+    local cpp=("$compiler" -std=c++17 "${strict[@]}" -I "$include" -I "$folder" "$@")
+    try "${cpp[@]}" -x c++ "$kernel"
+    try "${cpp[@]}" "$stem.cpp"
+    try "${cpp[@]}" "$work/system.cpp"
+  done
+}
+
+number=0 compiled=0
+for folder in "$here"/*/expected/generated; do
+  if ((number % chunks == chunk)); then
+    mode=(-fsyntax-only)
+    if ((compiled == 0)); then mode=(-O2 -c -o "$work/object.o"); fi
+    compile_case "$folder" "${mode[@]}"
+    compiled=$((compiled + 1))
+  fi
+  number=$((number + 1))
+done
+
+printf '%d of %d cases\n' "$compiled" "$number"
+((compiled > 0 && failures == 0))
