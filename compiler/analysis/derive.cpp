@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/magnitudes.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/well_formed.h"
 #include "compiler/analysis/zones.h"
@@ -59,6 +60,7 @@ class Deriver {
 
   std::optional<Derived> run() {
     out_.module.name = spec_.name;
+    check_magnitudes(spec_, diagnostics_);
     zones_ = evaluate_zones(spec_, wanted_zones(), diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
     number_zones();
@@ -230,13 +232,15 @@ class Deriver {
         from.ahead.duration ? ceil_to_int(from.ahead.duration->value * 1'000'000) : k * d.period_us;
     if (m.lookahead.duration && m.lookahead.duration_us < k * d.period_us &&
         !from.ahead.duration_unsound) {
-      const std::string least = to_decimal(Rational(k * d.period_us, 1000)) + " ms";
+      const auto millis = [](std::int64_t us) { return to_decimal(Rational(us, 1000)) + " ms"; };
+      const std::string least = millis(k * d.period_us);
       diagnostics_.report({Code::lookahead_too_short,
                            from.ahead.range,
-                           "`ahead` is shorter than the " + std::to_string(k) + " period(s) of " +
-                               to_decimal(Rational(d.period_us, 1000)) +
-                               " ms after which the recovery acts",
-                           "",
+                           "`ahead` of " + millis(m.lookahead.duration_us) + " is shorter than " +
+                               (k == 1 ? "one period of " : "two periods of ") +
+                               millis(d.period_us),
+                           k == 1 ? "a template acts within one period"
+                                  : "an external recovery acts within two periods",
                            {},
                            "`" + least + "` works, or `unsound \"why\"`",
                            {}});
@@ -347,8 +351,10 @@ class Deriver {
             baked.cells.clearance_mm_hi[c] < body.radius_mm ? ir::no_body
             : distances[c] < 0
                 ? ir::no_way
-                : static_cast<std::int32_t>(travel_cost_ppm(kind, Rational(route.speed_mmps, 1000),
-                                                            baked.cells.cell_mm, distances[c]));
+                // above a thousand batteries there is no way either
+                : static_cast<std::int32_t>(std::min<std::int64_t>(
+                      ir::no_way, travel_cost_ppm(kind, Rational(route.speed_mmps, 1000),
+                                                  baked.cells.cell_mm, distances[c])));
       }
     }
   }

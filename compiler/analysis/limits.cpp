@@ -83,13 +83,14 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us) {
 
 ir::Motion any_control(const sema::RobotKind& kind) {
   const std::int64_t speed = up(kind.motion.speed.value, 1000);
-  return {"any", speed, planar_accel(kind, speed), false};
+  return {"any", speed, planar_accel(kind, speed), false, kind.motion.range};
 }
 
 ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
                            const Rational& speed) {
   // while it brakes, the recovery may still turn at the speed that it found
-  return {name, up(speed, 1000), planar_accel(kind, up(kind.motion.speed.value, 1000)), true};
+  return {name, up(speed, 1000), planar_accel(kind, up(kind.motion.speed.value, 1000)), true,
+          kind.motion.range};
 }
 
 std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us) {

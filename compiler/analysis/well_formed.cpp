@@ -1,6 +1,7 @@
 #include "compiler/analysis/well_formed.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "compiler/analysis/derive.h"
@@ -88,38 +89,82 @@ class WellFormed {
       const std::int64_t give_back = monitor.recovery.return_clearance_mm;
       if (clearance < 0) {
         report(Code::site_outside_zone, range, what + " lies outside `" + zone.name + "`",
-               "move it to a place with a clearance of " + metres(std::max(route, give_back)));
+               nearest_place(zone, place, std::max(route, give_back)));
       } else if (clearance < route) {
         report(Code::site_unreachable, range,
                what + " has a clearance of about " + metres(clearance) + ", `" +
                    monitor.recovery.name + "` keeps " + metres(route),
-               "move it further from the boundary of `" + zone.name + "`");
+               nearest_place(zone, place, std::max(route, give_back)));
       } else if (clearance < give_back) {
         report(Code::site_not_returnable, range,
                "control cannot be handed back at " + what + ": its clearance is about " +
                    metres(clearance) + ", " + metres(give_back) + " is needed",
-               "move it further from the boundary of `" + zone.name + "`");
+               nearest_place(zone, place, std::max(route, give_back)));
       } else if (!place.cost_ppm.empty()) {
-        affordable(decision, monitor, place, range, what);
+        affordable(spec_[kind], decision, monitor, place, range, what, zone.cells.cell_mm);
       }
     }
   }
 
+  // The centre of the nearest cell that would do.
+  static std::string nearest_place(const ir::ZoneTable& zone, const ir::SiteTable::Place& from,
+                                   std::int64_t clearance_mm) {
+    const ir::Cells& cells = zone.cells;
+    std::int64_t best = std::numeric_limits<std::int64_t>::max();
+    std::string where;
+    for (std::int64_t i = 0; i < std::int64_t{cells.columns} * cells.rows; ++i) {
+      if (cells.clearance_mm_lo[static_cast<std::size_t>(i)] < clearance_mm) continue;
+      const std::int64_t half = cells.cell_mm / 2;
+      const std::int64_t x = cells.origin_x_mm + i % cells.columns * cells.cell_mm + half;
+      const std::int64_t y = cells.origin_y_mm + i / cells.columns * cells.cell_mm + half;
+      const std::int64_t dx = x - from.x_mm, dy = y - from.y_mm;
+      if (dx * dx + dy * dy >= best) continue;
+      best = dx * dx + dy * dy;
+      where = place(x, y);
+    }
+    if (where.empty()) {
+      return "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm) +
+             ": widen it, or lower `speed` or `ahead`";
+    }
+    return "the nearest place with a clearance of " + metres(clearance_mm) + " is " + where;
+  }
+
   // A full battery must bring the robot home from the farthest connected place.
-  void affordable(const ir::Decision& decision, const ir::Monitor& monitor,
-                  const ir::SiteTable::Place& place, const SourceRange& range,
-                  const std::string& what) {
+  void affordable(const sema::RobotKind& kind, const ir::Decision& decision,
+                  const ir::Monitor& monitor, const ir::SiteTable::Place& place,
+                  const SourceRange& range, const std::string& what, std::int32_t cell_mm) {
     std::int64_t most = 0;
     for (const std::int32_t cost : place.cost_ppm) {
       if (cost != ir::no_way) most = std::max<std::int64_t>(most, cost);
     }
     const std::int64_t full = 1'000'000 - decision.body.battery_error_ppm;
     if (most + decision.hold_reserve_ppm < full) return;
+    const std::string other = "a faster `" + monitor.recovery.name + "` or a nearer site";
+    const std::string drive =
+        drive_that_works(kind, Rational(monitor.recovery.speed_mmps, 1000), cell_mm, most, full);
     report(Code::site_unreachable, range,
            "the way to " + what + " takes up to " +
                to_decimal(Rational(most + decision.hold_reserve_ppm, 10'000)) +
                " % of a full battery, `held` and `detour` included",
-           "a faster `" + monitor.recovery.name + "`, a lower `drive`, or a nearer site");
+           drive.empty() ? other + " is needed"
+                         : "`drive` of at most " + drive + " %/m works; or " + other);
+  }
+  // Largest `drive`, in %/m with two digits behind the point, with which the way of price `most`
+  // fits into a battery; empty when the time alone takes too much.
+  static std::string drive_that_works(const sema::RobotKind& kind, const Rational& speed,
+                                      std::int32_t cell_mm, std::int64_t most, std::int64_t full) {
+    std::int64_t near_mm = 0, far_mm = std::int64_t{1} << 31;  // the price grows with the way
+    while (far_mm - near_mm > 1) {
+      const std::int64_t middle = (near_mm + far_mm) / 2;
+      (travel_cost_ppm(kind, speed, cell_mm, middle) < most ? near_mm : far_mm) = middle;
+    }
+    const sema::Energy& e = *kind.energy;
+    const Rational metres_driven = Rational(far_mm, 1000) + e.detour.value;
+    const Rational taken = Rational(travel_cost_ppm(kind, speed, cell_mm, far_mm), 1'000'000) +
+                           e.idle.value * e.held.value - e.drive.value * Rational(far_mm, 1000);
+    const Rational left = Rational(full - 3, 1'000'000) - taken;  // 3: each sum is rounded up
+    const std::int64_t hundredths = floor_to_int(Rational(left / metres_driven * 10'000));
+    return hundredths > 0 ? to_decimal(Rational(hundredths, 100)) : "";
   }
 
   void report(Code code, const SourceRange& range, std::string message, std::string help) {

@@ -1,5 +1,6 @@
 #include "compiler/analysis/zones.h"
 
+#include <algorithm>
 #include <string>
 
 namespace rtac::analysis {
@@ -18,20 +19,40 @@ std::string place(const geometry::Point& p) {
   return "(" + metres(p.x) + ", " + metres(p.y) + ")";
 }
 
+bool fits_grid(const geometry::Region& region) {
+  const Rational limit(536'870'911, 1000);  // 2^29 mm
+  const auto beyond = [&](const geometry::Point& p) {
+    return abs(p.x) > limit || abs(p.y) > limit;
+  };
+  for (const geometry::PolygonWithHoles& part : region.polygons()) {
+    if (std::any_of(part.outer.begin(), part.outer.end(), beyond)) return false;
+  }
+  return true;
+}
+
 class Evaluator {
  public:
   Evaluator(const sema::Spec& spec, diag::Engine& diagnostics)
       : spec_(spec),
         diagnostics_(diagnostics),
-        regions_(spec.zones.size()),
-        visited_(spec.zones.size(), false) {}
+        regions_(2 * spec.zones.size()),
+        visited_(2 * spec.zones.size(), false) {}
 
-  // nullopt: faulty, and reported where the fault is.
-  std::optional<geometry::Region> zone(ZoneId id) {
-    const auto i = static_cast<std::uint32_t>(id);
+  // The zone as a keep-in: never larger than the exact one. nullopt: faulty, and reported where
+  // the fault is.
+  std::optional<geometry::Region> zone(ZoneId id) { return zone(id, Side::inner); }
+
+ private:
+  using Result = std::optional<geometry::Region>;
+  // Curves are approximated from within, or from without where the zone is subtracted.
+  enum class Side { inner, outer };
+  static Side other(Side side) { return side == Side::inner ? Side::outer : Side::inner; }
+
+  Result zone(ZoneId id, Side side) {
+    const auto i = 2 * static_cast<std::uint32_t>(id) + (side == Side::inner ? 0 : 1);
     if (!visited_[i]) {
       visited_[i] = true;
-      regions_[i] = expr(*spec_[id].value);
+      regions_[i] = expr(*spec_[id].value, side);
       if (regions_[i] && regions_[i]->empty()) {
         report_empty(spec_[id]);
         regions_[i].reset();
@@ -40,19 +61,19 @@ class Evaluator {
     return regions_[i];
   }
 
- private:
-  using Result = std::optional<geometry::Region>;
-
-  Result expr(const sema::ZoneExpr& e) {
-    return std::visit([&](const auto& node) { return eval(node, e.range); }, e.node);
+  Result expr(const sema::ZoneExpr& e, Side side) {
+    return std::visit([&](const auto& node) { return eval(node, e.range, side); }, e.node);
   }
-  Result eval(const sema::ZoneRef& ref, const SourceRange&) { return zone(ref.zone); }
-  Result eval(const sema::ZoneCircle& circle, const SourceRange&) {
-    return geometry::Region::circle({circle.centre.x, circle.centre.y}, circle.radius, true);
+  Result eval(const sema::ZoneRef& ref, const SourceRange&, Side side) {
+    return zone(ref.zone, side);
   }
-  Result eval(const sema::ZoneBinary& node, const SourceRange&) {
-    const Result left = expr(*node.left);
-    const Result right = expr(*node.right);
+  Result eval(const sema::ZoneCircle& circle, const SourceRange&, Side side) {
+    return geometry::Region::circle({circle.centre.x, circle.centre.y}, circle.radius,
+                                    side == Side::inner);
+  }
+  Result eval(const sema::ZoneBinary& node, const SourceRange&, Side side) {
+    const Result left = expr(*node.left, side);
+    const Result right = expr(*node.right, node.op == sema::ZoneOp::subtract ? other(side) : side);
     if (!left || !right) return std::nullopt;
     switch (node.op) {
       case sema::ZoneOp::unite:
@@ -64,13 +85,19 @@ class Evaluator {
     }
     return std::nullopt;
   }
-  Result eval(const sema::ZoneOffset& node, const SourceRange&) {
-    const Result operand = expr(*node.operand);
+  // Offsets are exact within 2 mm, and err to the side that `shrink` and `grow` are usually wanted
+  // on; on the other side the distance makes up for it.
+  Result eval(const sema::ZoneOffset& node, const SourceRange&, Side side) {
+    static const Rational slack_m(2, 1000);
+    const Result operand = expr(*node.operand, side);
     if (!operand) return std::nullopt;
-    return sgn(node.distance) < 0 ? operand->shrink(Rational(-node.distance))
-                                  : operand->grow(node.distance);
+    if (sgn(node.distance) < 0) {
+      const Rational by = -node.distance;
+      return operand->shrink(side == Side::inner ? by : Rational(by - slack_m));
+    }
+    return operand->grow(side == Side::outer ? node.distance : Rational(node.distance - slack_m));
   }
-  Result eval(const sema::ZonePolygon& polygon, const SourceRange& range) {
+  Result eval(const sema::ZonePolygon& polygon, const SourceRange& range, Side) {
     const auto ring = [](const sema::ZonePolygon::Ring& from) {
       geometry::Ring to;
       for (const sema::Point& p : from.points) to.push_back({p.x, p.y});
@@ -144,10 +171,13 @@ class Evaluator {
     d.range = zone.name.empty() ? zone.value->range : zone.name_range;
     d.message = zone.name.empty() ? "this zone is empty" : "zone `" + zone.name + "` is empty";
     if (const auto* offset = std::get_if<sema::ZoneOffset>(&zone.value->node)) {
-      const Result operand = expr(*offset->operand);
+      const Result operand = expr(*offset->operand, Side::inner);
       if (operand) d.help = largest_shrink(*operand);
     } else {
-      d.help = "check that the operands of its operations overlap";
+      const auto* binary = std::get_if<sema::ZoneBinary>(&zone.value->node);
+      d.help = binary && binary->op == sema::ZoneOp::subtract
+                   ? "what is subtracted must leave a part of the zone"
+                   : "the operands of `&` must overlap";
     }
     diagnostics_.report(std::move(d));
   }
@@ -179,14 +209,24 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
     auto region = evaluator.zone(ZoneId(i));  // unused zones are validated too
     if (!region || !wanted[i]) continue;
     const SourceRange range = zone.name.empty() ? zone.value->range : zone.name_range;
+    if (!fits_grid(*region)) {
+      diagnostics.report({Code::zone_too_large,
+                          range,
+                          "the zone reaches beyond the grid of 1 mm",
+                          "",
+                          {},
+                          "coordinates of at most 536.8 km from the origin work",
+                          {}});
+      continue;
+    }
     auto snapped = geometry::snap_inside(*region);
     if (!snapped) {
       diagnostics.report({Code::zone_vanishes_on_grid,
                           range,
-                          "nothing of the zone is left on the grid of 1 mm within ±536 km",
+                          "nothing of the zone is left on the grid of 1 mm",
                           "",
                           {},
-                          "make the zone wider than 2 mm and keep it near the origin",
+                          "a zone of more than 2 mm in both directions works",
                           {}});
       continue;
     }

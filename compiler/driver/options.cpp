@@ -22,7 +22,7 @@ bool is_namespace(const std::string& text) {
 std::string pass_names() {
   std::string names;
   for (const auto& pass : passes::pipeline()) {
-    names += std::string(names.empty() ? "" : ", ") + pass.name;
+    names += std::string(names.empty() ? "`" : ", `") + pass.name + "`";
   }
   return names;
 }

@@ -51,6 +51,10 @@ class BlockBuilder {
   ValueId margin(const sema::Compare& v, const sema::Expr& e) {
     const bool flipped = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
     const bool strict = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
+    if (v.left->dimension != length && v.left->dimension != ratio) {
+      refuse(e, "the kernel compares lengths and ratios only");
+      return add(Truth{false}, std::nullopt, e.range);
+    }
     const ValueId left = quantity(*v.left);
     const ValueId right = quantity(*v.right);
     return add(AtLeast{flipped ? right : left, flipped ? left : right, strict}, std::nullopt,

@@ -63,6 +63,7 @@ struct Motion {
   std::string name;  // "any" or the name of the recovery
   std::int64_t speed_mmps = 0, accel_mmps2 = 0;
   bool recovery = false;
+  SourceRange source;  // where the speed is declared
 };
 
 // ---- values -------------------------------------------------------------------------------------

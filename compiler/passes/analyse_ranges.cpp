@@ -1,6 +1,7 @@
 #include "compiler/passes/analyse_ranges.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "compiler/support/rational.h"
 
@@ -53,11 +54,24 @@ class Ranges {
       const Range a = of(v->a);
       const Rational k = exact(v->num) / exact(v->den);
       // the kernel multiplies before it divides
-      checked(exact(a.lo) * exact(v->num), exact(a.hi) * exact(v->num), value);
+      if (!factor_fits(a, v->num, value)) return {-quantity_limit, quantity_limit};
       const Rational p = exact(a.lo) * k, q = exact(a.hi) * k;
       return checked(std::min(p, q) - 1, std::max(p, q) + 1, value);
     }
     return {-gap_mm, gap_mm};  // clearance, distance
+  }
+  bool factor_fits(const Range& a, std::int64_t factor, const Value& value) {
+    const Rational most = exact(std::max(std::abs(a.lo), std::abs(a.hi)));
+    if (abs(exact(factor)) * most <= exact(quantity_limit)) return true;
+    diagnostics_.report({diag::Code::value_out_of_range,
+                         value.source,
+                         "the factor " + to_decimal(exact(factor)) + " does not fit the kernel",
+                         "",
+                         {},
+                         "a factor whose numerator is at most " +
+                             std::to_string(floor_to_int(exact(quantity_limit) / most)) + " works",
+                         {}});
+    return false;
   }
   Range checked(const Rational& only, const Value& value) { return checked(only, only, value); }
   Range checked(const Rational& lo, const Rational& hi, const Value& value) {
@@ -80,17 +94,19 @@ class Ranges {
   diag::Engine& diagnostics_;
 };
 
+// `step`: grid steps in one `unit`.
 void check_limit(const SourceRange& source, const std::string& what, std::int64_t value,
-                 std::int64_t limit, const std::string& unit, diag::Engine& diagnostics) {
+                 std::int64_t limit, std::int64_t step, const std::string& unit,
+                 diag::Engine& diagnostics) {
   if (value <= limit) return;
-  diagnostics.report(
-      {diag::Code::value_out_of_range,
-       source,
-       what + " of " + std::to_string(value) + " " + unit + " exceeds what the kernel can multiply",
-       "",
-       {},
-       "at most " + std::to_string(limit) + " " + unit + " works",
-       {}});
+  const auto show = [&](std::int64_t v) { return to_decimal(exact(v) / exact(step)) + " " + unit; };
+  diagnostics.report({diag::Code::value_out_of_range,
+                      source,
+                      what + " of " + show(value) + " exceeds what the kernel can multiply",
+                      "",
+                      {},
+                      "at most " + show(limit) + " works",
+                      {}});
 }
 
 }  // namespace
@@ -102,15 +118,15 @@ void analyse_ranges(ir::Module& module, diag::Engine& diagnostics) {
       ranges.block(monitor.property);
       if (monitor.ahead) ranges.block(*monitor.ahead);
       if (monitor.return_when) ranges.block(*monitor.return_when);
-      check_limit(monitor.lookahead_source, "a horizon",
+      check_limit(monitor.lookahead_source, "a horizon (look-ahead, sample age, latency, period)",
                   monitor.lookahead.duration_us + d.body.position_age_us + d.body.latency_us +
                       d.return_extra_us,
-                  horizon_limit_us, "us", diagnostics);
+                  horizon_limit_us, 1'000'000, "s", diagnostics);
     }
     for (const Motion& m : d.motions) {
-      const SourceRange& at = d.monitors.front().source;
-      check_limit(at, "a speed", m.speed_mmps, speed_limit_mmps, "mm/s", diagnostics);
-      check_limit(at, "an acceleration", m.accel_mmps2, accel_limit_mmps2, "mm/s^2", diagnostics);
+      check_limit(m.source, "a speed", m.speed_mmps, speed_limit_mmps, 1000, "m/s", diagnostics);
+      check_limit(m.source, "an acceleration, turning included,", m.accel_mmps2, accel_limit_mmps2,
+                  1000, "m/s^2", diagnostics);
     }
   }
   static_assert(extent_mm * 2 * extent_mm * 2 * 2 > 0, "products of differences fit int64");

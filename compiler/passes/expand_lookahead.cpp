@@ -104,7 +104,7 @@ class Expander {
     if (const auto* v = std::get_if<Truth>(&value.op)) return add(to, *v, value.source);
     if (const auto* v = std::get_if<PlanInZone>(&value.op)) return add(to, *v, value.source);
     if (const auto* v = std::get_if<AtLeast>(&value.op)) return atom(from, *v, value.source, to);
-    return refuse(value.source, "a negated or temporal property cannot be looked ahead", to);
+    return refuse(value.source, negation_text(), to);
   }
 
   // The registry of transformers, by the linear form a - b of the atom a >= b.
@@ -176,14 +176,21 @@ class Expander {
     return result;
   }
 
+  std::string negation_text() const {
+    return decision_.on_plan ? "a negated property of a plan cannot be judged"
+                             : "a negated or temporal property cannot be looked ahead";
+  }
   ValueId refuse(const SourceRange& source, const std::string& what, Block& to) {
     diagnostics_.report({diag::Code::atom_without_transformer,
                          source,
                          what,
                          "",
                          {},
-                         "`inside`, `clearance(r, zone) >= c`, `distance(r, q) >= c`, "
-                         "`r.battery >= c` and `r.battery >= energy_to(site) + c` work",
+                         decision_.on_plan
+                             ? "`r.plan inside zone` works, also with a zone `a - b`"
+                             : "`inside`, `clearance(r, zone) >= c`, `distance(r, q) >= c`, "
+                               "`r.battery >= c` and `r.battery >= energy_to(site) + c` work, "
+                               "joined by `and` and `or`",
                          {}});
     return add(to, Truth{false}, source);
   }
@@ -200,6 +207,8 @@ void expand_lookahead(ir::Module& module, diag::Engine& diagnostics) {
     for (Monitor& monitor : decision.monitors) {
       if (decision.on_plan) {
         monitor.unit = Unit::mm;
+        // nothing to look ahead, but the same forms can be judged: margins of legs are lower bounds
+        Expander(decision, monitor, diagnostics).expand(monitor.property);
         continue;
       }
       monitor.ahead = Expander(decision, monitor, diagnostics).expand(monitor.property);

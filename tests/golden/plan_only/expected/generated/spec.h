@@ -29,6 +29,7 @@ class RouteCheck final : public rtac::PlanDecision {
 const rtac::ZoneView& room_zone();
 const rtac::ZoneView& zone_of_line_11_zone();
 const rtac::ZoneView& zone_of_line_11_2_zone();
+const rtac::ZoneView& zone_of_line_11_3_zone();
 
 // Limits of the robots, as declared.
 const rtac::RobotLimits& Drone_limits();

@@ -1,0 +1,110 @@
+#include "compiler/analysis/magnitudes.h"
+
+#include <string>
+
+namespace rtac::analysis {
+namespace {
+
+using diag::Code;
+
+// Far above any robot, and small enough that products of three of them fit int64 on the grid.
+const Rational length_max_m = 1000, speed_max_mps = 100, accel_max_mps2 = 1000, time_max_s = 60,
+               turn_max = 1000, energy_max = 1000, hold_max_s = 1'000'000;
+// A brake is rounded down to the grid and then divides.
+const Rational least_accel_mps2(1, 1000);
+const Rational extent_m(536'870'912, 1000);
+
+class Checker {
+ public:
+  Checker(const sema::Spec& spec, diag::Engine& diagnostics)
+      : spec_(spec), diagnostics_(diagnostics) {}
+
+  void run() {
+    for (const sema::RobotKind& kind : spec_.kinds) check(kind);
+    for (const sema::Decision& d : spec_.decisions) {
+      if (d.period) most("the period", *d.period, time_max_s, "s");
+    }
+    for (const sema::Monitor& m : spec_.monitors) {
+      if (m.ahead.duration) most("the look-ahead", *m.ahead.duration, time_max_s, "s");
+    }
+    for (const sema::Site& site : spec_.sites) {
+      for (const sema::Site::Place& place : site.places) check(site, place);
+    }
+  }
+
+ private:
+  void check(const sema::RobotKind& k) {
+    most("the radius", k.radius, length_max_m, "m");
+    most("the speed", k.motion.speed, speed_max_mps, "m/s");
+    most("the acceleration", k.motion.accel, accel_max_mps2, "m/s^2");
+    least("the acceleration", k.motion.accel, least_accel_mps2, "m/s^2");
+    most("the brake", k.motion.brake, accel_max_mps2, "m/s^2");
+    least("the brake", k.motion.brake, least_accel_mps2, "m/s^2");
+    if (k.motion.turn) {
+      most("the turn rate", *k.motion.turn, turn_max, "rad/s");
+      // a millionth: the time of a turn stays below a year
+      least("the turn rate", *k.motion.turn, Rational(1, 1'000'000), "rad/s");
+    }
+    if (k.motion.turn_accel) {
+      least("the turn acceleration", *k.motion.turn_accel, Rational(1, 1'000'000), "rad/s^2");
+    }
+    sense(k.position, length_max_m, "m");
+    sense(k.velocity, speed_max_mps, "m/s");
+    sense(k.heading, turn_max, "rad");
+    sense(k.battery, Rational(1), "of a full battery");
+    if (k.hears_max_age) most("the age", *k.hears_max_age, time_max_s, "s");
+    if (k.plan) most("the tracking", k.plan->tracking, length_max_m, "m");
+    most("the latency", k.latency, time_max_s, "s");
+    if (k.energy) energy(*k.energy);
+  }
+  void energy(const sema::Energy& e) {
+    most("`drive`", e.drive, energy_max, "of a full battery per m");
+    most("`idle`", e.idle, energy_max, "of a full battery per s");
+    most("`drain`", e.drain, energy_max, "of a full battery per s");
+    most("`held`", e.held, hold_max_s, "s");
+    most("`detour`", e.detour, hold_max_s, "m");
+  }
+  void sense(const std::optional<sema::Sense>& s, const Rational& error, const char* unit) {
+    if (!s) return;
+    most("the error", s->error, error, unit);
+    // a battery is slow: its samples may be older than those of a motion
+    most("the age", s->max_age, 60 * time_max_s, "s");
+  }
+  void check(const sema::Site& site, const sema::Site::Place& place) {
+    if (abs(place.position.x) <= extent_m && abs(place.position.y) <= extent_m) return;
+    diagnostics_.report({Code::site_outside_zone,
+                         place.range,
+                         "the place of `" + site.name + "` lies beyond the grid",
+                         "",
+                         {},
+                         "coordinates of at most 536 km work",
+                         {}});
+  }
+
+  void most(const char* what, const sema::Quantity& q, const Rational& limit, const char* unit) {
+    if (q.value > limit) report(what, q, "at most " + to_decimal(limit) + " " + unit + " works");
+  }
+  void least(const char* what, const sema::Quantity& q, const Rational& limit, const char* unit) {
+    if (q.value < limit) report(what, q, "at least " + to_decimal(limit) + " " + unit + " works");
+  }
+  void report(const char* what, const sema::Quantity& q, std::string help) {
+    diagnostics_.report({Code::value_out_of_range,
+                         q.range,
+                         std::string(what) + " does not fit the integer kernel",
+                         "",
+                         {},
+                         std::move(help),
+                         {}});
+  }
+
+  const sema::Spec& spec_;
+  diag::Engine& diagnostics_;
+};
+
+}  // namespace
+
+void check_magnitudes(const sema::Spec& spec, diag::Engine& diagnostics) {
+  Checker(spec, diagnostics).run();
+}
+
+}  // namespace rtac::analysis
