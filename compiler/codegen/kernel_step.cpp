@@ -114,9 +114,10 @@ class StepPrinter {
           for (std::size_t i = 0; i < d_.motions.size(); ++i) {
             const Motion& m = d_.motions[i];
             to.line("{" + num(m.speed_mmps) + ", " + num(m.accel_mmps2) + ", " +
-                    (m.recovery ? "1" : "0") + "}" + (i + 1 < d_.motions.size() ? "," : "") +
-                    " /* " + m.name + " */");
+                    (m.recovery ? "1" : "0") + "}" +
+                    (pairs() || i + 1 < d_.motions.size() ? "," : "") + " /* " + m.name + " */");
           }
+          if (pairs()) to.line("{0, 1, 1} /* holding, and bound by its promise to stay */");
         },
         "};");
     out_.comment("From the decision until its recovery acts: look-ahead and latency, us.");
@@ -432,6 +433,12 @@ class StepPrinter {
       to.line("seen_us = v.self.input == " + up_ +
               "_INPUT_NONE ? in->position.stamp_us : INT64_MIN;");
       to.line("v.driver = " + driver("before"));
+      if (pairs()) {
+        // its own promise binds: it moves under nobody's control, and need not fear who passes
+        to.block("if (before != 0 && in->holding && s->lease_end_us >= later(now_us, " +
+                     num(*std::max_element(horizons_.begin(), horizons_.end())) + "))",
+                 [&](Code& body) { body.line("v.driver = MONITORS + 1; /* holding */"); });
+      }
       to.line(id_ + "_check(&v, before, back, checks);");
       to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, " +
               num(d_.dwell_ticks) + ",");

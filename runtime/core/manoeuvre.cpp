@@ -1,5 +1,7 @@
 #include "rtac/safe/manoeuvre.h"
 
+#include <algorithm>
+
 #include "rtac/sample.h"
 
 namespace rtac::safe {
@@ -7,6 +9,31 @@ namespace rtac::safe {
 bool is_held(const Announcement& other, TimeUs now_us) {
   return other.lease_end_us != never_us && other.lease_end_us >= now_us &&
          other.position.stamp_us != never_us && is_finite(other.position.value);
+}
+
+bool outranks(const Observation& observation, int other) {
+  const bool claims = observation.others[static_cast<std::size_t>(other)].claims;
+  if (observation.claims != claims) return observation.claims;
+  return observation.self < other;
+}
+
+int asks_for_passage(const Observation& observation) {
+  for (int j = 0; j < observation.robots; ++j) {
+    const Announcement& other = observation.others[static_cast<std::size_t>(j)];
+    if (j == observation.self || !other.blocked || !is_held(other, observation.now_us)) continue;
+    if (!outranks(observation, j)) return j;
+  }
+  return -1;
+}
+
+double distance_to_way(Vec2 place, const Announcement& other) {
+  Vec2 from = other.position.value;
+  double nearest_m = norm(place - from);
+  for (std::size_t i = other.plan.index; i < other.plan.points.size(); ++i) {
+    nearest_m = std::min(nearest_m, distance_to_segment(place, from, other.plan.points[i]));
+    from = other.plan.points[i];
+  }
+  return nearest_m;
 }
 
 RouteQuery Manoeuvre::query(const Observation& observation, bool around_held) const {

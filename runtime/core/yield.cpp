@@ -67,21 +67,6 @@ void YieldManoeuvre::engage(const Observation&) {
   held_since_us_ = wanting_since_us_ = next_look_us_ = never_us;
 }
 
-bool YieldManoeuvre::outranks(const Observation& observation, int other) const {
-  const bool claims = observation.others[static_cast<std::size_t>(other)].claims;
-  if (observation.claims != claims) return observation.claims;
-  return observation.self < other;
-}
-
-int YieldManoeuvre::asking(const Observation& observation) const {
-  for (int j = 0; j < observation.robots; ++j) {
-    const Announcement& other = observation.others[static_cast<std::size_t>(j)];
-    if (j == observation.self || !other.blocked || !is_held(other, observation.now_us)) continue;
-    if (!outranks(observation, j)) return j;
-  }
-  return -1;
-}
-
 bool YieldManoeuvre::must_back_off(const Observation& observation) const {
   bool somebody = false;
   for (int j = 0; j < observation.robots; ++j) {
@@ -116,7 +101,7 @@ void YieldManoeuvre::update(const Observation& observation, Gate gate, bool at_r
   if (now_us < next_look_us_) return;
   next_look_us_ = now_us + look_every_us;
   cornered_ = false;
-  if (const int asker = asking(observation); asker >= 0) {
+  if (const int asker = asks_for_passage(observation); asker >= 0) {
     make_passage(observation, gate, asker);
   } else if (now_us - held_since_us_ >= patience_us && must_back_off(observation)) {
     back_off(observation);
@@ -128,7 +113,7 @@ void YieldManoeuvre::update(const Observation& observation, Gate gate, bool at_r
 void YieldManoeuvre::reconsider(const Observation& observation, Gate gate) {
   const TimeUs now_us = observation.now_us;
   next_look_us_ = now_us + look_every_us;
-  const int asker = asking(observation);
+  const int asker = asks_for_passage(observation);
   const bool reason_left = asker >= 0 || must_back_off(observation);
   if (!reason_left || now_us - wanting_since_us_ > wanting_us_max) {
     start_waiting(observation);

@@ -97,13 +97,24 @@ void PlanExecutor<Output>::follow_progress() {
   robot_->post(PathCompleted{observation_.now_us});
 }
 
+// A robot that comes first asks for passage, and this one is on its way: the advanced controller
+// gives up control, so that the first monitor's recovery can make room.
+template <class Output>
+bool PlanExecutor<Output>::in_the_way() const {
+  const int asker = safe::asks_for_passage(observation_);
+  return asker >= 0 && has_position_ &&
+         safe::distance_to_way(observation_.position.value,
+                               observation_.others[static_cast<std::size_t>(asker)]) <
+             2 * options_.pass_gap_m;
+}
+
 template <class Output>
 void PlanExecutor<Output>::decide() {
   using Clock = std::chrono::steady_clock;
   const SafeController<Output>* recovery = active();
   const bool holding = recovery != nullptr && recovery->holding();
   const auto begin = options_.measure_decisions ? Clock::now() : Clock::time_point{};
-  record_ = parts_.decision->step(observation_, holding, situation_.surrender);
+  record_ = parts_.decision->step(observation_, holding, situation_.surrender || in_the_way());
   record_.robot = index_;
   if (options_.measure_decisions) {
     record_.decision_ns =

@@ -159,7 +159,10 @@ static int32_t mode_step(KERNEL_monitor *monitors, const check *checks, int32_t 
     engage(&monitors[open], REASON_RETURNING, &found);
     return open + 1;
   }
-  return surrender != 0 || !may_leave ? mode : 0;
+  if (surrender != 0) {
+    return 1;
+  }
+  return may_leave ? 0 : mode;
 }
 /*= faster_of : motion_type */
 /* The driver of two that may move faster; any control before every recovery. */

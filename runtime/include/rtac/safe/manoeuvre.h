@@ -12,6 +12,13 @@ namespace rtac::safe {
 // The other robot promised not to leave its hold before now, and says where that is.
 bool is_held(const Announcement& other, TimeUs now_us);
 
+// Order of the robots: who waits to go on comes before who does not, then the smaller index.
+bool outranks(const Observation& observation, int other);
+// A robot that outranks this one, is HELD and found no way past the others; -1: none.
+int asks_for_passage(const Observation& observation);
+// Distance from `place` to the rest of a robot's announced way, its position included.
+double distance_to_way(Vec2 place, const Announcement& other);
+
 class Manoeuvre {
  public:
   explicit Manoeuvre(const Setting& setting) : setting_(setting), route_(*setting.zone) {}
@@ -91,11 +98,8 @@ class YieldManoeuvre : public Manoeuvre {
   [[nodiscard]] bool blocked() const override { return cornered_; }
 
  private:
-  // The robot with the strongest claim that asks this one for passage; -1: none.
-  [[nodiscard]] int asking(const Observation& observation) const;
   // This robot has to make the room: all close robots are HELD, and it outranks them.
   [[nodiscard]] bool must_back_off(const Observation& observation) const;
-  [[nodiscard]] bool outranks(const Observation& observation, int other) const;
   void make_passage(const Observation& observation, Gate gate, int asker);
   void back_off(const Observation& observation);
   void reconsider(const Observation& observation, Gate gate);

@@ -42,6 +42,7 @@ class PlanExecutor final : public ExecutorMachine {
   [[nodiscard]] SafeController<Output>* active() const;  // null: the advanced controller
   void sense(TimeUs now_us);
   void follow_progress();
+  [[nodiscard]] bool in_the_way() const;
   void decide();
   void switch_to(int mode);
   Output command(bool late);
