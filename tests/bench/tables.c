@@ -1,0 +1,31 @@
+/* The kernel keeps its tables to itself. A second copy of its source, with the entry points
+ * renamed, gives access to them without changing what is measured. */
+#define robot_delivery_plan_executor_init bench_copy_init
+#define robot_delivery_plan_executor_step bench_copy_step
+#define robot_delivery_motion_planner_judge bench_copy_judge
+#include "robot_delivery_kernel.c"
+
+#include "tests/bench/tables.h"
+
+void bench_tables_init(hand_tables* t) {
+  int32_t edges_mm[4 * HAND_EDGES];
+  int32_t i, j;
+  for (i = 0; i < zone_free.count && i < HAND_EDGES; ++i) {
+    const edge* e = &zone_free.edges[i];
+    edges_mm[4 * i] = e->ax;
+    edges_mm[4 * i + 1] = e->ay;
+    edges_mm[4 * i + 2] = e->bx;
+    edges_mm[4 * i + 3] = e->by;
+  }
+  hand_zone_init(&t->zone, edges_mm, zone_free.count);
+  for (j = 0; j < HAND_ROBOTS; ++j) {
+    const cells* from = &cells_to_dock[j];
+    hand_cells* to = &t->to_dock[j];
+    to->ppm = from->value;
+    to->origin_x = from->origin_x * 1e-3;
+    to->origin_y = from->origin_y * 1e-3;
+    to->cells_per_m = 1e3 / from->cell_mm;
+    to->columns = from->columns;
+    to->rows = from->rows;
+  }
+}
