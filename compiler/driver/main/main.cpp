@@ -7,7 +7,11 @@
 
 int main(int argc, char** argv) {
   try {
-    return rtac::driver::run(std::vector<std::string>(argv + 1, argv + argc), std::cout, std::cerr);
+    const int status =
+        rtac::driver::run(std::vector<std::string>(argv + 1, argv + argc), std::cout, std::cerr);
+    if (std::cout.flush()) return status;
+    std::cerr << "error[9003]: cannot write to standard output\n";  // a full disk, a closed pipe
+    return rtac::driver::exit_usage;
   } catch (const std::exception& error) {
     // nothing is thrown across folders, so this is a bug of the compiler or an exhausted machine
     std::cerr << "internal error: " << error.what() << "\n";
