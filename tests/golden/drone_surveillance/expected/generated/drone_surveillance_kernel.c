@@ -701,7 +701,10 @@ static int32_t mode_step(drone_surveillance_monitor *monitors, const check *chec
     engage(&monitors[open], DRONE_SURVEILLANCE_REASON_RETURNING, &found);
     return open + 1;
   }
-  return surrender != 0 || !may_leave ? mode : 0;
+  if (surrender != 0) {
+    return 1;
+  }
+  return may_leave ? 0 : mode;
 }
 
 /* The driver of two that may move faster; any control before every recovery. */

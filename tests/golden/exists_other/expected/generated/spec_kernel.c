@@ -605,7 +605,10 @@ static int32_t mode_step(exists_other_monitor *monitors, const check *checks, in
     engage(&monitors[open], EXISTS_OTHER_REASON_RETURNING, &found);
     return open + 1;
   }
-  return surrender != 0 || !may_leave ? mode : 0;
+  if (surrender != 0) {
+    return 1;
+  }
+  return may_leave ? 0 : mode;
 }
 
 /* The driver of two that may move faster; any control before every recovery. */
@@ -674,7 +677,8 @@ static const body fly_heard_body = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 2000, 0}, /* any */
-  {300, 2000, 1} /* inwards */
+  {300, 2000, 1}, /* inwards */
+  {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */
 static const int64_t fly_horizons_us[] = {60000};
@@ -893,6 +897,9 @@ void exists_other_fly_step(exists_other_fly_state *s, const exists_other_fly_in 
   fly_measure(&v, s, elapsed);
   seen_us = v.self.input == EXISTS_OTHER_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 20000);
+  if (before != 0 && in->holding && s->lease_end_us >= later(now_us, 60000)) {
+    v.driver = MONITORS + 1; /* holding */
+  }
   fly_check(&v, before, back, checks);
   s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
                       in->surrender, may_leave);

@@ -809,7 +809,10 @@ static int32_t mode_step(fleet_of_three_monitor *monitors, const check *checks, 
     engage(&monitors[open], FLEET_OF_THREE_REASON_RETURNING, &found);
     return open + 1;
   }
-  return surrender != 0 || !may_leave ? mode : 0;
+  if (surrender != 0) {
+    return 1;
+  }
+  return may_leave ? 0 : mode;
 }
 
 /* The driver of two that may move faster; any control before every recovery. */
@@ -888,7 +891,8 @@ static const body drive_heard_body = {
 static const motion MOTIONS[] = {
   {500, 1415, 0}, /* any */
   {200, 1415, 1}, /* give_way */
-  {200, 1415, 1} /* inwards */
+  {200, 1415, 1}, /* inwards */
+  {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */
 static const int64_t drive_horizons_us[] = {140000};
@@ -1103,6 +1107,9 @@ void fleet_of_three_drive_step(fleet_of_three_drive_state *s, const fleet_of_thr
   drive_measure(&v, s, elapsed);
   seen_us = v.self.input == FLEET_OF_THREE_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 40000);
+  if (before != 0 && in->holding && s->lease_end_us >= later(now_us, 140000)) {
+    v.driver = MONITORS + 1; /* holding */
+  }
   drive_check(&v, before, back, checks);
   s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
                       in->surrender, may_leave);

@@ -923,7 +923,10 @@ static int32_t mode_step(robot_delivery_monitor *monitors, const check *checks, 
     engage(&monitors[open], ROBOT_DELIVERY_REASON_RETURNING, &found);
     return open + 1;
   }
-  return surrender != 0 || !may_leave ? mode : 0;
+  if (surrender != 0) {
+    return 1;
+  }
+  return may_leave ? 0 : mode;
 }
 
 /* The driver of two that may move faster; any control before every recovery. */
@@ -1539,7 +1542,8 @@ static const motion MOTIONS[] = {
   {220, 1180, 0}, /* any */
   {100, 1180, 1}, /* give_way */
   {100, 1180, 1}, /* turn_back */
-  {150, 1180, 1} /* go_charge */
+  {150, 1180, 1}, /* go_charge */
+  {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */
 static const int64_t plan_executor_horizons_us[] = {240000};
@@ -1806,6 +1810,9 @@ void robot_delivery_plan_executor_step(robot_delivery_plan_executor_state *s, co
   plan_executor_measure(&v, s, elapsed);
   seen_us = v.self.input == ROBOT_DELIVERY_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 40000);
+  if (before != 0 && in->holding && s->lease_end_us >= later(now_us, 240000)) {
+    v.driver = MONITORS + 1; /* holding */
+  }
   plan_executor_check(&v, before, back, checks);
   s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
                       in->surrender, may_leave);

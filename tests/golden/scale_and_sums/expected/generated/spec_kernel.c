@@ -729,7 +729,10 @@ static int32_t mode_step(scale_and_sums_monitor *monitors, const check *checks, 
     engage(&monitors[open], SCALE_AND_SUMS_REASON_RETURNING, &found);
     return open + 1;
   }
-  return surrender != 0 || !may_leave ? mode : 0;
+  if (surrender != 0) {
+    return 1;
+  }
+  return may_leave ? 0 : mode;
 }
 
 /* The driver of two that may move faster; any control before every recovery. */

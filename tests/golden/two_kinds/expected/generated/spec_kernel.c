@@ -722,7 +722,10 @@ static int32_t mode_step(two_kinds_monitor *monitors, const check *checks, int32
     engage(&monitors[open], TWO_KINDS_REASON_RETURNING, &found);
     return open + 1;
   }
-  return surrender != 0 || !may_leave ? mode : 0;
+  if (surrender != 0) {
+    return 1;
+  }
+  return may_leave ? 0 : mode;
 }
 
 /* The driver of two that may move faster; any control before every recovery. */
