@@ -1,0 +1,304 @@
+// When control is taken and when it is given back.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/kernel/scenes.h"
+
+namespace rtac::kernel_test {
+namespace {
+
+TEST(Rule10, AtStartTheAdvancedControllerDrivesWhenEveryReturnSetHolds) {
+  GuardScene s;
+  EXPECT_TRUE(s.tick().advanced());
+}
+
+TEST(Rule10, AtStartAMonitorOutsideItsReturnSetIsEngaged) {
+  // Any control keeps the fence from 50 cm, but not with the longer horizon.
+  GuardScene s;
+  s.at = {0.5, 5};
+  const DecisionRecord& r = s.tick();
+  EXPECT_EQ(r.mode, fence + 1);
+  EXPECT_EQ(r.reason, Reason::starting);
+  EXPECT_FALSE(r.monitors[separation].engaged);
+}
+
+TEST(Rule9, AFailingLookAheadEngagesBeforeAnythingIsViolated) {
+  GuardScene s;
+  ASSERT_TRUE(s.tick().advanced());
+  s.at = {1.0, 5};
+  s.v = {-1, 0};
+  const DecisionRecord& r = s.tick();
+  EXPECT_EQ(r.mode, fence + 1);
+  EXPECT_EQ(r.deciding_monitor, fence);
+  EXPECT_EQ(r.reason, Reason::margin);
+  EXPECT_EQ(r.monitors[fence].now, Verdict::is_true);
+  EXPECT_LT(r.monitors[fence].margin, 0);
+}
+
+TEST(Rule9, DrivingAwayFromTheWallIsAdmissibleWhereDrivingAtItIsNot) {
+  // The capsule knows the direction of 0.6 m/s, the disc does not.
+  for (const double v : {0.6, -0.6}) {
+    GuardScene s;
+    ASSERT_TRUE(s.tick().advanced());
+    s.at = {0.9, 5};
+    s.v = {v, 0};
+    EXPECT_EQ(s.tick().monitors[fence].ahead, v > 0 ? Verdict::is_true : Verdict::is_false);
+  }
+}
+
+TEST(Rule9, AnOlderSampleReachesFurther) {
+  // The horizon starts at the stamp of the sample, not at the decision.
+  for (const TimeUs age_us : {TimeUs{0}, TimeUs{90'000}}) {
+    GuardScene s;
+    s.position_age_us = s.velocity_age_us = age_us;
+    ASSERT_TRUE(s.tick().advanced());
+    s.at = {1.05, 5};
+    s.v = {-1, 0};
+    EXPECT_EQ(s.tick().advanced(), age_us == 0);
+  }
+}
+
+TEST(Rule11, OutsideIsViolated) {
+  GuardScene s;
+  ASSERT_TRUE(s.tick().advanced());
+  s.at = {-1, 5};
+  const DecisionRecord& r = s.tick();
+  EXPECT_EQ(r.mode, fence + 1);
+  EXPECT_EQ(r.reason, Reason::violated);
+  EXPECT_EQ(r.monitors[fence].now, Verdict::is_false);
+}
+
+TEST(Rule4, UndecidedWithinTheDeclaredErrorsHasItsOwnReason) {
+  // The body has 5 cm to spare exactly on the boundary of the property; the position errs by 1 cm.
+  GuardScene s;
+  ASSERT_TRUE(s.tick().advanced());
+  s.at = {0.15, 5};
+  const DecisionRecord& r = s.tick();
+  EXPECT_EQ(r.mode, fence + 1);
+  EXPECT_EQ(r.monitors[fence].now, Verdict::is_unknown);
+  EXPECT_EQ(r.reason, Reason::within_error);
+}
+
+TEST(Rule10, TheHighestPriorityThatIsEngagedDrives) {
+  GuardScene s;
+  ASSERT_TRUE(s.tick().advanced());
+  s.at = {0.3, 5};
+  s.battery = 0.03;
+  const DecisionRecord& r = s.tick();
+  EXPECT_EQ(r.mode, fence + 1);
+  EXPECT_TRUE(r.monitors[charge].engaged);
+}
+
+TEST(Rule10, AHigherMonitorPreempts) {
+  GuardScene s;
+  s.battery = 0.03;
+  ASSERT_EQ(s.tick().mode, charge + 1);
+  s.at = {0.2, 5};
+  ASSERT_EQ(s.tick().mode, fence + 1);
+  s.other[1] = {0.5, 5};
+  const DecisionRecord& r = s.tick();
+  EXPECT_EQ(r.mode, separation + 1);
+  EXPECT_EQ(r.previous_mode, fence + 1);
+  EXPECT_EQ(r.reason_other, 1);
+}
+
+TEST(Rule10, ALowerMonitorEngagesWhileAHigherOneDrives) {
+  GuardScene s;
+  s.at = {0.5, 5};
+  ASSERT_EQ(s.tick().mode, fence + 1);
+  s.battery = 0.03;
+  const DecisionRecord& r = s.tick();
+  EXPECT_EQ(r.mode, fence + 1);
+  EXPECT_TRUE(r.monitors[charge].engaged);
+}
+
+TEST(Rule10, WhileARecoveryDrivesOthersAreJudgedUnderItsOwnMotion) {
+  // At 35 cm from the wall any control fails the fence; the slow way to the dock does not.
+  GuardScene any;
+  ASSERT_TRUE(any.tick().advanced());
+  any.at = {5, 0.35};
+  EXPECT_TRUE(any.tick().monitors[fence].engaged);
+  GuardScene slow;
+  slow.battery = 0.03;
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(slow.tick().mode, charge + 1);
+  slow.at = {5, 0.35};
+  const DecisionRecord& r = slow.tick();
+  EXPECT_EQ(r.mode, charge + 1);
+  EXPECT_FALSE(r.monitors[fence].engaged);
+}
+
+TEST(Rule9, ASampleFromBeforeTheTakeoverMayShowTheDriverBefore) {
+  // It was taken while any control drove: the limits of the recovery do not bound what came since.
+  GuardScene s;
+  s.position_age_us = s.velocity_age_us = 100'000;
+  ASSERT_TRUE(s.tick().advanced());
+  s.battery = 0.03;
+  ASSERT_EQ(s.tick().mode, charge + 1);
+  s.at = {5, 0.35};
+  EXPECT_TRUE(s.tick().monitors[fence].engaged);
+}
+
+TEST(Rule10, ReturnTakesTheAuthorsConditionForItsTimeAndTheDwell) {
+  // `return when ... for 1 s` is ten ticks after the first good one; then six in a row give back.
+  GuardScene s;
+  s.at = {0.3, 5};
+  ASSERT_EQ(s.tick().mode, fence + 1);
+  s.at = {5, 5};
+  EXPECT_EQ(s.ticks_to_advanced(), 11 + 5);
+}
+
+TEST(Rule10, WithoutAnAuthorsConditionTheDwellAloneCounts) {
+  GuardScene s;
+  s.other[1] = {5.5, 5};
+  ASSERT_EQ(s.tick().mode, separation + 1);
+  s.other[1] = {17, 2};
+  EXPECT_EQ(s.ticks_to_advanced(), 6);
+}
+
+TEST(Rule10, TheAuthorsConditionAloneDoesNotGiveBack) {
+  // 40 cm of clearance satisfy `return when`, and are far too little for the longer horizon.
+  GuardScene s;
+  s.at = {0.5, 5};
+  ASSERT_EQ(s.tick().mode, fence + 1);
+  for (int i = 0; i < 60; ++i) ASSERT_EQ(s.tick().mode, fence + 1);
+  EXPECT_EQ(s.tick().reason, Reason::returning);
+}
+
+TEST(Rule10, OneBadTickStartsTheReturnAnew) {
+  GuardScene s;
+  s.at = {0.3, 5};
+  s.tick();
+  s.at = {5, 5};
+  for (int i = 0; i < 14; ++i) ASSERT_EQ(s.tick().mode, fence + 1);
+  s.at = {0.3, 5};
+  ASSERT_EQ(s.tick().mode, fence + 1);
+  s.at = {5, 5};
+  EXPECT_EQ(s.ticks_to_advanced(), 16);
+}
+
+TEST(Rule10, AReturnConditionOfAMonitorThatNeverEngagedPlaysNoPart) {
+  // The charge is below the 90 % at which its recovery would give back.
+  GuardScene s;
+  s.battery = 0.6;
+  s.plan = path({{13, 5}});  // through the pool
+  ASSERT_EQ(s.tick().mode, fence + 1);
+  s.plan = {};
+  EXPECT_EQ(s.ticks_to_advanced(), 15);
+}
+
+TEST(Rule10, AReturnConditionOfAMonitorThatEngagedCounts) {
+  GuardScene s;
+  s.battery = 0.03;
+  ASSERT_EQ(s.tick().mode, charge + 1);
+  s.battery = 0.6;
+  EXPECT_EQ(s.ticks_to_advanced(), 100);
+  s.battery = 0.95;
+  EXPECT_EQ(s.ticks_to_advanced(), 6);
+}
+
+TEST(Rule10, NothingIsGivenBackWhileAnotherReturnSetDoesNotHold) {
+  GuardScene s;
+  // Any control keeps the other cart away, but not with the longer horizon.
+  s.at = {0.3, 5};
+  ASSERT_EQ(s.tick().mode, fence + 1);
+  s.at = {5, 5};
+  s.other[1] = {6.0, 5};
+  EXPECT_EQ(s.ticks_to_advanced(), 100);
+}
+
+// Switches in a minute at a place `x` from the wall, with noise at its bound.
+int switches_at(double x) {
+  GuardScene s;
+  std::mt19937_64 engine(7);
+  std::uniform_real_distribution<double> noise(-0.01, 0.01);
+  s.tick();
+  int switches = 0, mode = 0;
+  for (int i = 0; i < 600; ++i) {
+    s.at = {x + noise(engine), 5};
+    s.v = {0.7 * noise(engine), 0.7 * noise(engine)};
+    const int now = s.tick().mode;
+    switches += now != mode;
+    mode = now;
+  }
+  return switches;
+}
+
+TEST(Rule10, NoPlaceFlapsUnderNoise) {
+  bool stays = false, leaves = false;
+  for (double x = 0.3; x < 1.6; x += 0.01) {
+    const int switches = switches_at(x);
+    ASSERT_LE(switches, 2) << x;
+    stays = stays || switches == 0;
+    leaves = leaves || switches == 1;
+  }
+  EXPECT_TRUE(stays);
+  EXPECT_TRUE(leaves);
+}
+
+TEST(Rule1, AMissedTickCountsAsUnknown) {
+  GuardScene s;
+  ASSERT_TRUE(s.tick().advanced());
+  s.now_us += GuardScene::period_us;
+  const DecisionRecord& r = s.tick();
+  EXPECT_FALSE(r.advanced());
+  EXPECT_EQ(r.reason, Reason::input);
+  EXPECT_EQ(r.reason_input, InputField::clock);
+}
+
+TEST(Rule1, AMissedTickResetsWhatMustHoldWithoutAGap) {
+  GuardScene s;
+  s.at = {0.3, 5};
+  s.tick();
+  s.at = {5, 5};
+  for (int i = 0; i < 13; ++i) ASSERT_FALSE(s.tick().advanced());
+  s.now_us += 2 * GuardScene::period_us;
+  EXPECT_EQ(s.ticks_to_advanced(), 16);
+}
+
+TEST(Rule1, ATimerThatJittersMissesNothing) {
+  GuardScene s;
+  ASSERT_TRUE(s.tick().advanced());
+  const TimeUs start_us = s.now_us;
+  for (int i = 0; i < 50; ++i) {
+    s.now_us = start_us + i * GuardScene::period_us + (i % 2 == 0 ? -40'000 : 40'000);
+    ASSERT_TRUE(s.tick().advanced());
+  }
+}
+
+TEST(Rule1, StepsWithinATickDoNotSpeedUpTheReturn) {
+  GuardScene s;
+  s.other[1] = {5.5, 5};
+  s.tick();
+  s.other[1] = {17, 2};
+  int n = 0;
+  while (!s.tick().advanced() && n < 1'000) {
+    s.now_us -= GuardScene::period_us - 10'000;
+    ++n;
+  }
+  EXPECT_GT(n, 45);
+}
+
+TEST(Rule6, AClockThatGoesBackwardsIsUnknown) {
+  GuardScene s;
+  s.tick();
+  ASSERT_TRUE(s.tick().advanced());
+  s.now_us -= 3 * GuardScene::period_us;
+  const DecisionRecord& r = s.tick();
+  EXPECT_FALSE(r.advanced());
+  EXPECT_EQ(r.reason, Reason::input);
+  EXPECT_EQ(r.reason_input, InputField::clock);
+}
+
+TEST(Surrender, TheFirstRecoveryHoldsTheRobotUntilControlIsTakenUpAgain) {
+  GuardScene s;
+  ASSERT_TRUE(s.tick().advanced());
+  const DecisionRecord& r = s.tick(false, true);
+  EXPECT_EQ(r.mode, 1);
+  EXPECT_EQ(r.reason, Reason::surrendered);
+  EXPECT_FALSE(r.monitors[separation].engaged);
+  EXPECT_TRUE(s.tick().advanced());
+}
+
+}  // namespace
+}  // namespace rtac::kernel_test
