@@ -17,7 +17,8 @@ namespace {
 
 namespace rta = robot_delivery;
 
-constexpr int robots = rta::System::robots;
+constexpr int robots = robot_count;
+static_assert(robots == rta::System::robots);
 constexpr double arena_m = 5;
 constexpr TimeUs period_us = 100'000;
 constexpr double charge_at_start[robots] = {0.55, 0.65};  // both have to recharge

@@ -25,6 +25,8 @@ class Listener {
   virtual void on_decision(const Decision& decision) = 0;
 };
 
+inline constexpr int robot_count = 2;
+
 // `listener` may be null. False: the shift did not run to its end, or the kernel of the listener
 // and the module disagreed.
 bool run_shift(std::uint64_t seed, double minutes, Listener* listener);

@@ -1,0 +1,20 @@
+// The three groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
+// on the error stream.
+#pragma once
+
+#include "tests/bench/report.h"
+
+namespace rtac::bench {
+
+struct Effort {
+  int step_rounds = 9;  // of the whole recorded stream
+  int shift_repetitions = 3;
+  double shift_minutes = 12;
+  int compile_repetitions = 5;
+};
+
+bool measure_steps(const Effort& effort, Report& report);
+bool measure_simulation(const Effort& effort, Report& report);
+bool measure_compiler(const Effort& effort, Report& report);
+
+}  // namespace rtac::bench

@@ -1,0 +1,67 @@
+#include "tests/bench/report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "rtac/sim/table.h"
+
+namespace rtac::bench {
+
+Spread spread_of(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  const double median =
+      values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+  return {median, values.front(), values.back()};
+}
+
+void Report::section(const std::string& title) {
+  section_ = title;
+}
+
+void Report::add(const std::string& key, const std::string& what, const Spread& value,
+                 const std::string& unit, int decimals) {
+  rows_.push_back({section_, key, what, unit, value, decimals});
+}
+
+void Report::add(const std::string& key, const std::string& what, double value,
+                 const std::string& unit, int decimals) {
+  add(key, what, Spread{value, value, value}, unit, decimals);
+}
+
+std::string Report::text() const {
+  std::string all, section;
+  sim::Table table({""});
+  const auto flush = [&] {
+    if (!section.empty()) all += section + "\n" + table.text() + "\n";
+  };
+  for (const Row& row : rows_) {
+    if (row.section != section) {
+      flush();
+      section = row.section;
+      table = sim::Table({"measured", "median", "unit", "lowest", "highest"});
+    }
+    const bool spread = row.value.low < row.value.high;
+    table.row({row.what, sim::fixed(row.value.median, row.decimals), row.unit,
+               spread ? sim::fixed(row.value.low, row.decimals) : "",
+               spread ? sim::fixed(row.value.high, row.decimals) : ""});
+  }
+  flush();
+  return all;
+}
+
+std::string Report::json() const {
+  std::string all;
+  for (const Row& row : rows_) {
+    char line[400];
+    std::snprintf(line, sizeof line,
+                  "%s  \"%s\": {\"median\": %.6g, \"low\": %.6g, \"high\": %.6g, \"unit\": \"%s\"}",
+                  all.empty() ? "" : ",\n", row.key.c_str(), row.value.median, row.value.low,
+                  row.value.high, row.unit.c_str());
+    all += line;
+  }
+  return "{\n" + all + "\n}\n";
+}
+
+}  // namespace rtac::bench

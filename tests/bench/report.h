@@ -1,0 +1,36 @@
+// What was measured, as a table for people and as JSON for machines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rtac::bench {
+
+// Median of repeated measurements, and their range.
+struct Spread {
+  double median = 0, low = 0, high = 0;
+};
+Spread spread_of(std::vector<double> values);
+
+class Report {
+ public:
+  void section(const std::string& title);
+  // `key` names the value in the JSON file and is unique; `decimals` are those of the table.
+  void add(const std::string& key, const std::string& what, const Spread& value,
+           const std::string& unit, int decimals);
+  void add(const std::string& key, const std::string& what, double value, const std::string& unit,
+           int decimals);
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string json() const;
+
+ private:
+  struct Row {
+    std::string section, key, what, unit;
+    Spread value;
+    int decimals = 0;
+  };
+  std::vector<Row> rows_;
+  std::string section_;
+};
+
+}  // namespace rtac::bench
