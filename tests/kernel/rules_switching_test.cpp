@@ -165,6 +165,15 @@ TEST(Rule10, TheAuthorsConditionAloneDoesNotGiveBack) {
   EXPECT_EQ(s.tick().reason, Reason::returning);
 }
 
+TEST(Rule10, TheReturnSetMustHoldForTheDwell) {
+  // The author's condition has held for long when the derived one begins to.
+  GuardScene s;
+  s.at = {0.5, 5};
+  for (int i = 0; i < 30; ++i) ASSERT_EQ(s.tick().mode, fence + 1);
+  s.at = {5, 5};
+  EXPECT_EQ(s.ticks_to_advanced(), 6);
+}
+
 TEST(Rule10, OneBadTickStartsTheReturnAnew) {
   GuardScene s;
   s.at = {0.3, 5};
