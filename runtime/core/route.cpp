@@ -7,6 +7,8 @@ namespace {
 constexpr TimeUs look_every_us = 1'000'000;
 // Parked within the first distance; no longer beyond the second (noise must not unpark it).
 constexpr double parked_m = 0.05, left_m = 0.10;
+// Other robots matter within this many pass gaps.
+constexpr double near_gaps = 2;
 
 double length_m(Vec2 from, const Path& way) {
   double sum = 0;
@@ -37,7 +39,7 @@ void RouteManoeuvre::count_driven(const Observation& observation) {
   driven_until_us_ = observation.now_us;
 }
 
-void RouteManoeuvre::update(const Observation& observation, Gate, bool at_rest) {
+void RouteManoeuvre::update(const Observation& observation, Gate gate, bool at_rest) {
   count_driven(observation);
   const double distance_m = norm(observation.position.value - site_);
   if (parked_ && distance_m > left_m) parked_ = false;
@@ -53,12 +55,20 @@ void RouteManoeuvre::update(const Observation& observation, Gate, bool at_rest) 
   }
   if (observation.now_us < next_look_us_) return;
   next_look_us_ = observation.now_us + look_every_us;
+  // Two errands must not wait for each other: the one that comes second makes room first.
+  if (const int asker = asks_for_passage(observation);
+      asker >= 0 && distance_to_way(observation.position.value,
+                                    observation.others[static_cast<std::size_t>(asker)]) <
+                        2 * setting_.pass_gap_m) {
+    make_passage(observation, gate, asker);
+    return;
+  }
   look(observation);
 }
 
 // A robot that came to its hold after the way was found stands too close to what is left of it.
 bool RouteManoeuvre::meets_held(const Observation& observation) const {
-  RouteQuery around = query(observation, true);
+  RouteQuery around = around_robots(observation, true);
   for (Circle& circle : around.avoid) {
     // Position errors alone must not stop a robot that passes at the gap.
     circle.radius_m -= 3 * setting_.limits.position_error_m;
@@ -71,22 +81,24 @@ bool RouteManoeuvre::meets_held(const Observation& observation) const {
   return false;
 }
 
-// Robots that are close stand in the way even while they are not HELD: one that makes room lets its
-// lease lapse first, and must find this robot still holding.
-RouteQuery RouteManoeuvre::around_robots(const Observation& observation) const {
-  RouteQuery around = query(observation, true);
+// Robots that are close; one that is far away may be gone when this one gets there. At rest, those
+// count that are not HELD too: one that makes room lets its lease lapse first, and must find this
+// robot still holding.
+RouteQuery RouteManoeuvre::around_robots(const Observation& observation, bool held_only) const {
+  RouteQuery around = query(observation, false);
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
-    if (j == observation.self || is_held(other, observation.now_us)) continue;
-    if (other.position.stamp_us == never_us || !is_finite(other.position.value)) continue;
-    if (norm(other.position.value - around.start) > 2 * setting_.pass_gap_m) continue;
+    if (j == observation.self || other.position.stamp_us == never_us) continue;
+    if (!is_finite(other.position.value)) continue;
+    if (held_only && !is_held(other, observation.now_us)) continue;
+    if (norm(other.position.value - around.start) > near_gaps * setting_.pass_gap_m) continue;
     (void)around.avoid.push({other.position.value, setting_.pass_gap_m});  // never more than robots
   }
   return around;
 }
 
 void RouteManoeuvre::look(const Observation& observation) {
-  const RouteQuery around = around_robots(observation);
+  const RouteQuery around = around_robots(observation, false);
   blocked_ = false;
   if (!route_.to_point(query(observation, false), site_, blocked_way_)) {
     stay();  // nobody to ask: the zone itself has no way

@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "passage.h"
 #include "rtac/safe/manoeuvre.h"
 
 namespace rtac::safe {
@@ -11,53 +10,6 @@ constexpr TimeUs patience_us = 2'000'000;
 // Longest time without a lease: after it the wish is given up, so that the others may rely on the
 // hold again.
 constexpr TimeUs wanting_us_max = 10'000'000;
-
-// Far enough from given robots and from the way of one of them.
-class Aside : public PlaceTest {
- public:
-  explicit Aside(const Setting& setting)
-      : gap_m_(setting.pass_gap_m), error_m_(setting.limits.position_error_m) {}
-  void keep_from(Vec2 robot) { (void)robots_.push(robot); }
-  void keep_from_way(Vec2 from, const Path& plan) {
-    keep_from(from);
-    for (std::size_t i = plan.index; i < plan.points.size(); ++i) {
-      (void)way_.push({from, plan.points[i]});
-      from = plan.points[i];
-    }
-  }
-  // A place to go to has room for the position errors of either robot and of the arrival; a place
-  // to stay at, for the other's view of this one, so that the passing robot sees the gap too.
-  [[nodiscard]] bool accepts(Vec2 place, double) const override {
-    return clear(place, gap_m_ + 3 * error_m_);
-  }
-  [[nodiscard]] bool good_enough(Vec2 place) const { return clear(place, gap_m_ + error_m_); }
-
- private:
-  struct Leg {
-    Vec2 a, b;
-  };
-  [[nodiscard]] bool clear(Vec2 place, double gap_m) const {
-    for (const Vec2 robot : robots_) {
-      if (norm(place - robot) < gap_m) return false;
-    }
-    for (const Leg& leg : way_) {
-      if (distance_to_segment(place, leg.a, leg.b) < gap_m) return false;
-    }
-    return true;
-  }
-
-  double gap_m_, error_m_;
-  FixedList<Vec2, max_robots> robots_;
-  FixedList<Leg, max_waypoints> way_;
-};
-
-void recede_from_held(const Observation& observation, RouteQuery& query) {
-  for (int j = 0; j < observation.robots; ++j) {
-    const Announcement& other = observation.others[static_cast<std::size_t>(j)];
-    if (j == observation.self || !is_held(other, observation.now_us)) continue;
-    (void)query.recede_from.push(other.position.value);  // never more than robots
-  }
-}
 
 }  // namespace
 
@@ -128,20 +80,6 @@ void YieldManoeuvre::reconsider(const Observation& observation, Gate gate) {
     back_off(observation);
   }
   if (!wants_motion()) start_waiting(observation);
-}
-
-void YieldManoeuvre::make_passage(const Observation& observation, Gate gate, int asker) {
-  const Announcement& other = observation.others[static_cast<std::size_t>(asker)];
-  Aside aside(setting_);
-  aside.keep_from_way(other.position.value, other.plan);
-  stay();
-  if (aside.good_enough(observation.position.value)) return;  // already out of the way
-  RouteQuery away = query(observation, false);
-  recede_from_held(observation, away);
-  if (route_.to_place(away, aside, way_)) return;
-  // With a free gate the separation test itself watches the way.
-  if (gate == Gate::free && route_.to_place(query(observation, false), aside, way_)) return;
-  stay();
 }
 
 void YieldManoeuvre::back_off(const Observation& observation) {

@@ -98,14 +98,18 @@ void PlanExecutor<Output>::follow_progress() {
 }
 
 // A robot that comes first asks for passage, and this one is on its way: the advanced controller
-// gives up control, so that the first monitor's recovery can make room.
+// gives up control, so that the first monitor's recovery can make room. The asker may stop asking
+// while it moves on, so the way stays free for a while.
 template <class Output>
-bool PlanExecutor<Output>::in_the_way() const {
+bool PlanExecutor<Output>::in_the_way() {
   const int asker = safe::asks_for_passage(observation_);
-  return asker >= 0 && has_position_ &&
-         safe::distance_to_way(observation_.position.value,
-                               observation_.others[static_cast<std::size_t>(asker)]) <
-             2 * options_.pass_gap_m;
+  if (asker >= 0 && has_position_ &&
+      safe::distance_to_way(observation_.position.value,
+                            observation_.others[static_cast<std::size_t>(asker)]) <
+          2 * options_.pass_gap_m) {
+    aside_until_us_ = observation_.now_us + options_.aside_us;
+  }
+  return observation_.now_us < aside_until_us_;
 }
 
 template <class Output>
@@ -133,12 +137,13 @@ void PlanExecutor<Output>::switch_to(int mode) {
   mode_ = mode;
   if (mode_ != 0) active()->engage(observation_);
   if (!leaves_advanced) return;
-  const bool rejected = !plan_.points.empty() &&
-                        (record_.reason == Reason::waypoint || record_.reason == Reason::leg ||
-                         record_.reason == Reason::over_capacity);
+  const bool of_plan = record_.reason == Reason::waypoint || record_.reason == Reason::leg ||
+                       record_.reason == Reason::over_capacity;
+  const bool waits = record_.reason_other >= 0;
+  const bool rejected = of_plan && !waits && !plan_.points.empty();
   drop_plan();
   observation_.plan = plan_;
-  robot_->post(PlanLost{observation_.now_us, rejected});
+  robot_->post(PlanLost{observation_.now_us, rejected, waits});
 }
 
 template <class Output>

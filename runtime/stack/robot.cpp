@@ -89,6 +89,8 @@ void Robot::on(const PathCompleted& event) {
 }
 
 void Robot::on(const PlanLost& event) {
+  // The other robot needs a moment to get on; a plan at once would only meet it again.
+  if (event.waits) next_plan_us_ = event.now_us + options_.blocked_retry_us;
   if (!event.rejected || !situation_.has_destination) return;
   prefer_safe_ = true;
   ++rejections_;

@@ -43,6 +43,9 @@ class Manoeuvre {
   }
   // A query from the present position; HELD robots as circles of the pass gap, if wanted.
   [[nodiscard]] RouteQuery query(const Observation& observation, bool around_held) const;
+  // Heads for the nearest place out of the way of a robot that asks for passage; stays when this is
+  // one already, or when there is none.
+  void make_passage(const Observation& observation, Gate gate, int asker);
 
   Setting setting_;
   GridRoute route_;
@@ -76,7 +79,7 @@ class RouteManoeuvre : public Manoeuvre {
  private:
   void look(const Observation& observation);
   void count_driven(const Observation& observation);
-  [[nodiscard]] RouteQuery around_robots(const Observation& observation) const;
+  [[nodiscard]] RouteQuery around_robots(const Observation& observation, bool held_only) const;
   [[nodiscard]] bool meets_held(const Observation& observation) const;
 
   Vec2 site_;
@@ -100,7 +103,6 @@ class YieldManoeuvre : public Manoeuvre {
  private:
   // This robot has to make the room: all close robots are HELD, and it outranks them.
   [[nodiscard]] bool must_back_off(const Observation& observation) const;
-  void make_passage(const Observation& observation, Gate gate, int asker);
   void back_off(const Observation& observation);
   void reconsider(const Observation& observation, Gate gate);
   void start_waiting(const Observation& observation);

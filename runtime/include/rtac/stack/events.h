@@ -48,6 +48,7 @@ struct PathCompleted {
 struct PlanLost {  // a recovery took over
   TimeUs now_us = 0;
   bool rejected = false;  // because of the plan itself
+  bool waits = false;     // because of another robot that goes first
 };
 struct PlanReady {
   TimeUs now_us = 0;

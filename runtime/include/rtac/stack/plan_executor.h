@@ -42,7 +42,7 @@ class PlanExecutor final : public ExecutorMachine {
   [[nodiscard]] SafeController<Output>* active() const;  // null: the advanced controller
   void sense(TimeUs now_us);
   void follow_progress();
-  [[nodiscard]] bool in_the_way() const;
+  bool in_the_way();
   void decide();
   void switch_to(int mode);
   Output command(bool late);
@@ -58,6 +58,7 @@ class PlanExecutor final : public ExecutorMachine {
   SystemObserver& observer_;
   RobotMachine* robot_ = nullptr;
   RobotSdk<Output>* sdk_ = nullptr;
+  TimeUs aside_until_us_ = never_us;
   Watchdog watchdog_;
 
   Observation observation_;
