@@ -127,9 +127,12 @@ std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
   const Rational quarter_turn_rate =
       kind.motion.turn ? Rational(kind.motion.turn->value / turn_share) : Rational(1'000);
   const Rational turning = eighths * Rational(7854, 10000) / quarter_turn_rate;
-  const Rational seconds =
-      metres / speed + turning + 2 * kind.motion.speed.value / kind.motion.brake.value;
-  return up(Rational(energy.drive.value * metres + energy.idle.value * seconds), 1'000'000);
+  const Rational& v = kind.motion.speed.value;
+  const Rational& b = kind.motion.brake.value;
+  const Rational seconds = metres / speed + turning + 2 * v / b;
+  const Rational stop = v * v / (2 * b);  // the way starts where the brake has stopped the robot
+  return up(Rational(energy.drive.value * (metres + stop) + energy.idle.value * seconds),
+            1'000'000);
 }
 
 }  // namespace rtac::analysis
