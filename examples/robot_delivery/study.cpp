@@ -200,8 +200,8 @@ struct Pilots {
   static sim::LapseOptions lapses(std::uint64_t seed, int robot) {
     sim::LapseOptions options;
     options.seed = 1000 * seed + static_cast<std::uint64_t>(robot);
-    options.mean_interval_us = 60'000'000;
-    options.mean_duration_us = 6'000'000;
+    options.mean_interval_us = 90'000'000;
+    options.mean_duration_us = 4'000'000;
     return options;
   }
   static rtac::OmplOptions advanced(std::uint64_t seed, int robot) {

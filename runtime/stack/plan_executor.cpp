@@ -227,8 +227,10 @@ void PlanExecutor<Output>::report() {
     const bool stands = safe::is_held(other, observation_.now_us) ||
                         norm(other.velocity.value) < options_.standing_mps;
     if (!stands || !has_position_) continue;
-    // Standing closer than the gap already, it may still drive away.
     const double distance_m = norm(other.position.value - out.position);
+    // Who stands far away will have moved on before this robot gets there.
+    if (distance_m > options_.near_gaps * options_.pass_gap_m) continue;
+    // Standing closer than the gap already, it may still drive away.
     const double radius_m = std::min(options_.pass_gap_m, distance_m - 0.01);
     if (radius_m > 0) (void)out.standing.push({other.position.value, radius_m});
   }

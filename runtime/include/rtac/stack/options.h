@@ -10,12 +10,13 @@ struct SystemOptions {
   bool protect = true;
   double reach_m = 0.1;        // a way-point counts as reached within this distance
   double pass_gap_m = 0.5;     // plans keep this distance (centres) from robots that stand
+  double near_gaps = 3;        // ... within this many such gaps
   double standing_mps = 0.02;  // a robot slower than this stands
   TimeUs blocked_retry_us = 1'000'000;
   TimeUs blocked_skip_us = 20'000'000;  // standing robots: then the next destination
   TimeUs aside_us = 4'000'000;          // a robot that was asked for passage stays aside this long
   int rejections_to_skip = 3;           // of plans to one destination, with a safe planner
-  TimeUs stall_skip_us = 30'000'000;    // no progress: then the next destination
+  TimeUs stall_skip_us = 25'000'000;    // no progress: then the next destination
   int late_periods = 3;  // a decision not stepped for longer is late, and the executor brakes
   // Wall-clock time of each decision into DecisionRecord::decision_ns. Off by default, so that the
   // log of a simulated run is the same bit for bit every time.
