@@ -18,6 +18,11 @@ void bench_tables_init(hand_tables* t) {
     edges_mm[4 * i + 3] = e->by;
   }
   hand_zone_init(&t->zone, edges_mm, zone_free.count);
+  for (j = 0; j < HAND_MONITORS + 2; ++j) {
+    t->motions[j].speed = (double)plan_executor_motions[j].speed_mmps * 1e-3;
+    t->motions[j].accel = (double)plan_executor_motions[j].accel_mmps2 * 1e-3;
+    t->motions[j].recovery = plan_executor_motions[j].recovery;
+  }
   for (j = 0; j < HAND_ROBOTS; ++j) {
     const cells* from = &cells_to_dock[j];
     hand_cells* to = &t->to_dock[j];

@@ -8,8 +8,8 @@
 /* The declarations of the specification, SI. The acceleration is that of any control, turning
  * included: sqrt(1.0^2 + (0.22 * 2.84)^2). A turn of 10 rad/s^2 bends this share of the stop away.
  */
-static const double radius = 0.11, position_error = 0.02, velocity_error = 0.01, brake = 1.0,
-                    brake_bend = 0.807, hold = 0.01, standoff = 0.08, tracking = 0.1,
+static const double radius = 0.11, position_error = 0.02, velocity_error = 0.01, any_accel = 1.18,
+                    brake = 1.0, brake_bend = 0.807, hold = 0.01, standoff = 0.08, tracking = 0.1,
                     speed_max = 100;
 static const double battery_error = 0.005, drain_per_s = 0.004, reserve_now = 0.05,
                     reserve_ahead = 0.104, give_back_charge = 0.9;
@@ -18,10 +18,7 @@ enum { HORIZON_US = 240000 };
 static const double horizon = HORIZON_US * 1e-6, return_extra = 0.1, give_back_clearance = 0.05;
 enum { PERIOD_US = 100000, LATENCY_US = 40000, LEASE_US = 1000000, LEGS = 2, HELD_TICKS = 10 };
 enum { MOTION_AGE_US = 200000, BATTERY_AGE_US = 5000000 };
-/* Any control, the recoveries by priority, and a robot that is bound by its promise to stay. */
-enum { ANY = 0, HOLDING = HAND_MONITORS + 1 };
-static const double speeds[] = {0.22, 0.1, 0.1, 0.15, 0};
-static const double accels[] = {1.18, 1.18, 1.18, 1.18, 0.001};
+enum { ANY = 0, HOLDING = HAND_MONITORS + 1 }; /* of the motions */
 
 typedef struct estimate {
   int32_t input; /* that is missing */
@@ -94,14 +91,14 @@ static estimate estimate_of(const hand_point* position, const hand_point* veloci
     const double apart = fabs((double)(position->stamp_us - velocity->stamp_us)) * 1e-6;
     s.p = position->value;
     s.v = velocity->value;
-    s.v_error = velocity_error + smaller(accels[ANY] * apart, 2 * speed_max);
+    s.v_error = velocity_error + smaller(any_accel * apart, 2 * speed_max);
     s.speed = sqrt(dot(s.v, s.v));
     s.age = (double)(now_us - position->stamp_us) * 1e-6;
   }
   return s;
 }
-static double speed_cap(const estimate* s, int driver) {
-  return driver == ANY ? speeds[ANY] : larger(speeds[driver], s->speed + s->v_error);
+static double speed_cap(const estimate* s, const hand_motion* m) {
+  return m->recovery ? larger(m->speed, s->speed + s->v_error) : m->speed;
 }
 /* Longest way in `time` from `speed` with `cap`. */
 static double travel(double speed, double time, double cap, double accel) {
@@ -110,15 +107,15 @@ static double travel(double speed, double time, double cap, double accel) {
   }
   return cap * time - (cap - speed) * (cap - speed) / (2 * accel);
 }
-static double moved_since(const estimate* s, int driver) {
-  const double cap = speed_cap(s, driver);
-  return travel(smaller(cap, s->speed + s->v_error), s->age, cap, accels[driver]);
+static double moved_since(const estimate* s, const hand_motion* m) {
+  const double cap = speed_cap(s, m);
+  return travel(smaller(cap, s->speed + s->v_error), s->age, cap, m->accel);
 }
 /* The bounds "capsule" and "disc" on everything within reach until the recovery has stopped. */
-static reach reach_of(const estimate* s, int driver, double horizon_s) {
+static reach reach_of(const estimate* s, const hand_motion* m, double horizon_s) {
   const double t = s->age + horizon_s;
-  const double accel = accels[driver];
-  const double cap = speed_cap(s, driver);
+  const double accel = m->accel;
+  const double cap = speed_cap(s, m);
   const double s0 = smaller(cap, s->speed + s->v_error);
   const double s1 = smaller(cap, s0 + accel * t);
   const double stop = s1 * s1 / (2 * brake);
@@ -237,7 +234,7 @@ static margin distance_now(const tick* v, int j) {
   if (v->me.input != INPUT_NONE || o->s.input != INPUT_NONE) {
     return unknown(v->me.input != INPUT_NONE ? v->me.input : INPUT_OTHER_ROBOT, j);
   } else {
-    const double theirs = o->held ? hold : moved_since(&o->s, ANY);
+    const double theirs = o->held ? hold : moved_since(&o->s, &v->t->motions[ANY]);
     const double error = 2 * position_error + v->moved + theirs;
     const double gap = distance(v->me.p, o->s.p) - 2 * radius - standoff;
     margin m = margin_of(gap - error, gap + error, REASON_MARGIN);
@@ -419,14 +416,14 @@ static void look(tick* v, int driver, double horizon_s, int any_promise) {
   const int64_t horizon_us = (int64_t)(horizon_s * 1e6 + 0.5);
   int j;
   v->horizon_s = horizon_s;
-  v->within = reach_of(&v->me, driver, horizon_s);
-  v->moved = moved_since(&v->me, driver);
+  v->within = reach_of(&v->me, &v->t->motions[driver], horizon_s);
+  v->moved = moved_since(&v->me, &v->t->motions[driver]);
   for (j = 0; j < HAND_ROBOTS; ++j) {
     if (j != v->self) {
       const hand_other* o = &v->in->others[j];
       v->others[j].held =
           o->lease_end_us >= v->now_us + horizon_us && (any_promise || v->self < j || !o->claims);
-      v->others[j].r = reach_of(&v->others[j].s, ANY, horizon_s);
+      v->others[j].r = reach_of(&v->others[j].s, &v->t->motions[ANY], horizon_s);
     }
   }
 }
@@ -529,15 +526,15 @@ static void check_all(tick* v, hand_state* s, int driver, int back, check* check
   checks[HAND_BATTERY].gives_back = battery_gives_back(v);
 }
 /* Whose motion bounds what happened since the position was measured and will happen. */
-static int driver_of(const hand_state* s, int mode, int64_t seen_us) {
+static int driver_of(const hand_tables* t, const hand_state* s, int mode, int64_t seen_us) {
   const int before = s->takeover_before;
   if (seen_us >= s->takeover_us + LATENCY_US || mode == before) {
     return mode;
   }
-  if (mode == ANY || before == ANY) {
-    return ANY;
+  if (t->motions[mode].recovery != t->motions[before].recovery) {
+    return t->motions[mode].recovery ? before : mode;
   }
-  return speeds[mode] >= speeds[before] ? mode : before;
+  return t->motions[mode].speed >= t->motions[before].speed ? mode : before;
 }
 static int64_t age_of(int32_t valid, int64_t stamp_us, int64_t now_us) {
   return valid && stamp_us <= now_us ? now_us - stamp_us : -1;
@@ -587,7 +584,7 @@ void hand_step(const hand_tables* t, hand_state* s, const hand_in* in, int64_t n
   v.new_tick = elapsed > 0;
   measure(&v, s, elapsed);
   seen_us = v.me.input == INPUT_NONE ? in->position.stamp_us : INT64_MIN;
-  driver = driver_of(s, before, seen_us);
+  driver = driver_of(t, s, before, seen_us);
   if (before != 0 && in->holding && s->lease_end_us >= now_us + HORIZON_US) {
     driver = HOLDING;
   }
@@ -602,7 +599,7 @@ void hand_step(const hand_tables* t, hand_state* s, const hand_in* in, int64_t n
   if (s->mode != 0 && !may_leave) {
     out->gate = HAND_HOLD;
   } else if (s->mode != 0) {
-    gating = driver_of(s, s->mode, seen_us);
+    gating = driver_of(t, s, s->mode, seen_us);
     if (gating != driver) { /* else what is within reach is known already */
       look(&v, gating, horizon, 1);
     }

@@ -37,7 +37,14 @@ typedef struct hand_cells {
   double origin_x, origin_y, cells_per_m;
   int32_t columns, rows;
 } hand_cells;
+/* Limits of whoever drives: any control, the recoveries by priority, and at last a robot that is
+ * bound by its promise to stay. A recovery starts at the speed it finds. */
+typedef struct hand_motion {
+  double speed, accel;
+  int32_t recovery;
+} hand_motion;
 typedef struct hand_tables {
+  hand_motion motions[HAND_MONITORS + 2];
   hand_zone zone;
   hand_cells to_dock[HAND_ROBOTS];
 } hand_tables;

@@ -145,13 +145,13 @@ static inline int32_t next_mode(hand_state* s, const check* checks, int first, i
   if (s->mode == 0) {
     return surrender ? 1 : 0;
   }
+  if (surrender) {
+    return 1;
+  }
   open = first_not_safer(checks);
   if (open >= 0) {
     engage(&s->monitors[open], REASON_RETURNING, finding_of(&checks[open].safer));
     return open + 1;
-  }
-  if (surrender) {
-    return 1;
   }
   return may_leave ? 0 : s->mode;
 }
