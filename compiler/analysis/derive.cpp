@@ -312,7 +312,11 @@ class Deriver {
           const bool asked = distance
                                  ? std::holds_alternative<sema::Distance>(compare->left->node)
                                  : std::holds_alternative<sema::Clearance>(compare->left->node);
-          if (constant && asked) most = std::max(most, ceil_to_int(constant->value * 1000));
+          if (constant && asked) {
+            // beyond the grid nothing is clear any more
+            const Rational mm = std::min(Rational(constant->value * 1000), Rational(1 << 30));
+            most = std::max(most, ceil_to_int(mm));
+          }
         });
       }
     }

@@ -199,13 +199,16 @@ void check_well_formed(const sema::Spec& spec, const ir::Module& module, const i
 
 std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,
                               std::int64_t standoff_mm) {
-  std::int64_t low = 0, high = 60'000'000;  // no robot looks further ahead than a minute
-  if (return_clearance_mm(decision, 0) + standoff_mm > widest_mm) return 0;
-  while (high - low > 1000) {
+  const auto fits = [&](std::int64_t ms) {
+    return return_clearance_mm(decision, 1000 * ms) + standoff_mm <= widest_mm;
+  };
+  if (!fits(0)) return 0;
+  std::int64_t low = 0, high = 60'000;  // no robot looks further ahead than a minute
+  while (high - low > 1) {
     const std::int64_t middle = (low + high) / 2;
-    (return_clearance_mm(decision, middle) + standoff_mm <= widest_mm ? low : high) = middle;
+    (fits(middle) ? low : high) = middle;
   }
-  return low / 1000 * 1000;
+  return 1000 * low;
 }
 
 std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision) {

@@ -48,9 +48,11 @@ std::string legal(const std::string& name) {
 }
 
 std::string camel(const std::string& name) {
+  // trailing `_` stay: they are what keeps names apart
+  const std::size_t end = name.find_last_not_of('_') + 1;
   std::string out;
   bool start = true;
-  for (const char c : name) {
+  for (const char c : name.substr(0, end)) {
     if (c == '_') {
       start = true;
       continue;
@@ -58,8 +60,8 @@ std::string camel(const std::string& name) {
     out += start ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
     start = false;
   }
-  if (out.empty() || std::isdigit(static_cast<unsigned char>(out[0]))) out.insert(0, "_");
-  return legal(out);
+  if (out.empty() || std::isdigit(static_cast<unsigned char>(out[0])) != 0) out.insert(0, "_");
+  return legal(out + name.substr(end));
 }
 
 std::string upper(const std::string& name) {

@@ -14,7 +14,7 @@ namespace rtac::codegen {
 // An identifier that is neither a keyword nor reserved in C99 or C++17, nor a name that a standard
 // header may define as a macro; a trailing `_` is added when it was.
 std::string legal(const std::string& name);
-std::string camel(const std::string& name);  // plan_executor -> PlanExecutor
+std::string camel(const std::string& name);  // plan_executor -> PlanExecutor, a_ -> A_
 std::string upper(const std::string& name);  // plan_executor -> PLAN_EXECUTOR
 // Any text, such as the name of a file, as an identifier: `_` for what no identifier has.
 std::string word_of(const std::string& text);

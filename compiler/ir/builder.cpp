@@ -217,6 +217,16 @@ class BlockBuilder {
            {}});
       return add(Const{0}, unit_of(e), e.range);
     }
+    if (!fits_int64(grid)) {
+      diagnostics_.report({Code::value_out_of_range,
+                           e.range,
+                           "this constant does not fit the integer kernel",
+                           "",
+                           {},
+                           "a constant below 2^48 grid steps of 1 mm or 1 ppm works",
+                           {}});
+      return add(Const{0}, unit_of(e), e.range);
+    }
     return add(Const{floor_to_int(grid)}, unit_of(e), e.range);
   }
 

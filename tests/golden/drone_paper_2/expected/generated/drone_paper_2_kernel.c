@@ -613,14 +613,14 @@ static int32_t mode_step(drone_paper_2_monitor *monitors, const check *checks, i
   if (mode == 0) {
     return surrender != 0 ? 1 : 0;
   }
+  if (surrender != 0) {
+    return 1;
+  }
   open = first_not_safer(checks, count);
   if (open >= 0) {
     const drone_paper_2_finding found = finding_of(checks[open].safer);
     engage(&monitors[open], DRONE_PAPER_2_REASON_RETURNING, &found);
     return open + 1;
-  }
-  if (surrender != 0) {
-    return 1;
   }
   return may_leave ? 0 : mode;
 }

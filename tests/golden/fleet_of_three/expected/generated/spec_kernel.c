@@ -803,14 +803,14 @@ static int32_t mode_step(fleet_of_three_monitor *monitors, const check *checks, 
   if (mode == 0) {
     return surrender != 0 ? 1 : 0;
   }
+  if (surrender != 0) {
+    return 1;
+  }
   open = first_not_safer(checks, count);
   if (open >= 0) {
     const fleet_of_three_finding found = finding_of(checks[open].safer);
     engage(&monitors[open], FLEET_OF_THREE_REASON_RETURNING, &found);
     return open + 1;
-  }
-  if (surrender != 0) {
-    return 1;
   }
   return may_leave ? 0 : mode;
 }

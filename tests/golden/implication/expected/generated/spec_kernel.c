@@ -708,14 +708,14 @@ static int32_t mode_step(implication_monitor *monitors, const check *checks, int
   if (mode == 0) {
     return surrender != 0 ? 1 : 0;
   }
+  if (surrender != 0) {
+    return 1;
+  }
   open = first_not_safer(checks, count);
   if (open >= 0) {
     const implication_finding found = finding_of(checks[open].safer);
     engage(&monitors[open], IMPLICATION_REASON_RETURNING, &found);
     return open + 1;
-  }
-  if (surrender != 0) {
-    return 1;
   }
   return may_leave ? 0 : mode;
 }

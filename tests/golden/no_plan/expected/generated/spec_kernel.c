@@ -633,14 +633,14 @@ static int32_t mode_step(no_plan_monitor *monitors, const check *checks, int32_t
   if (mode == 0) {
     return surrender != 0 ? 1 : 0;
   }
+  if (surrender != 0) {
+    return 1;
+  }
   open = first_not_safer(checks, count);
   if (open >= 0) {
     const no_plan_finding found = finding_of(checks[open].safer);
     engage(&monitors[open], NO_PLAN_REASON_RETURNING, &found);
     return open + 1;
-  }
-  if (surrender != 0) {
-    return 1;
   }
   return may_leave ? 0 : mode;
 }

@@ -587,14 +587,14 @@ static int32_t mode_step(point_fleet_yield_monitor *monitors, const check *check
   if (mode == 0) {
     return surrender != 0 ? 1 : 0;
   }
+  if (surrender != 0) {
+    return 1;
+  }
   open = first_not_safer(checks, count);
   if (open >= 0) {
     const point_fleet_yield_finding found = finding_of(checks[open].safer);
     engage(&monitors[open], POINT_FLEET_YIELD_REASON_RETURNING, &found);
     return open + 1;
-  }
-  if (surrender != 0) {
-    return 1;
   }
   return may_leave ? 0 : mode;
 }

@@ -64,7 +64,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : plan_executor(self), motion_planner(self), give_way(setting(0.1, free_zone(), 0.281, 0.311, 0.619)), turn_back(setting(0.1, free_zone(), 0.281, 0.311, 0.619)), go_charge(setting(0.15, free_zone(), 0.316, 0.311, 0.619), dock(self)) {}
+        : plan_executor(self), motion_planner(self), give_way(setting(0.15, free_zone(), 0.316, 0.311, 0.619)), turn_back(setting(0.15, free_zone(), 0.316, 0.311, 0.619)), go_charge(setting(0.2, free_zone(), 0.356, 0.311, 0.619), dock(self)) {}
     PlanExecutor plan_executor;
     MotionPlanner motion_planner;
     rtac::safe::Yield<rtac::Twist> give_way;

@@ -723,14 +723,14 @@ static int32_t mode_step(scale_and_sums_monitor *monitors, const check *checks, 
   if (mode == 0) {
     return surrender != 0 ? 1 : 0;
   }
+  if (surrender != 0) {
+    return 1;
+  }
   open = first_not_safer(checks, count);
   if (open >= 0) {
     const scale_and_sums_finding found = finding_of(checks[open].safer);
     engage(&monitors[open], SCALE_AND_SUMS_REASON_RETURNING, &found);
     return open + 1;
-  }
-  if (surrender != 0) {
-    return 1;
   }
   return may_leave ? 0 : mode;
 }

@@ -640,14 +640,14 @@ static int32_t mode_step(strict_monitor *monitors, const check *checks, int32_t 
   if (mode == 0) {
     return surrender != 0 ? 1 : 0;
   }
+  if (surrender != 0) {
+    return 1;
+  }
   open = first_not_safer(checks, count);
   if (open >= 0) {
     const strict_finding found = finding_of(checks[open].safer);
     engage(&monitors[open], STRICT_REASON_RETURNING, &found);
     return open + 1;
-  }
-  if (surrender != 0) {
-    return 1;
   }
   return may_leave ? 0 : mode;
 }

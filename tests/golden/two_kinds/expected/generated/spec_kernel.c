@@ -716,14 +716,14 @@ static int32_t mode_step(two_kinds_monitor *monitors, const check *checks, int32
   if (mode == 0) {
     return surrender != 0 ? 1 : 0;
   }
+  if (surrender != 0) {
+    return 1;
+  }
   open = first_not_safer(checks, count);
   if (open >= 0) {
     const two_kinds_finding found = finding_of(checks[open].safer);
     engage(&monitors[open], TWO_KINDS_REASON_RETURNING, &found);
     return open + 1;
-  }
-  if (surrender != 0) {
-    return 1;
   }
   return may_leave ? 0 : mode;
 }

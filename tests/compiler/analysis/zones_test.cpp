@@ -1,0 +1,91 @@
+// Zones of a specification become tables on the safe side.
+#include "tests/compiler/analysis/testing.h"
+
+namespace rtac::analysis::test {
+namespace {
+
+const ir::ZoneTable& room_of(const driver::Compilation& c) {
+  return c.module->zones[0];
+}
+
+// Distance from the centre of a hole that is a circle, as far as its edges go.
+std::int64_t nearest_edge_squared(const ir::ZoneTable& zone, std::int64_t x, std::int64_t y) {
+  std::int64_t best = std::int64_t{1} << 60;
+  for (const ir::Edge& e : zone.edges) {
+    for (int step = 0; step <= 16; ++step) {
+      const std::int64_t px = e.ax + (e.bx - e.ax) * step / 16;
+      const std::int64_t py = e.ay + (e.by - e.ay) * step / 16;
+      best = std::min(best, (px - x) * (px - x) + (py - y) * (py - y));
+    }
+  }
+  return best;
+}
+
+TEST(Zones, ACircleThatIsTakenAwayIsNotCutShort) {
+  const auto c = compiled(
+      edited(drone_spec(), "to (5 m, 5 m);", "to (5 m, 5 m) - circle (2.5 m, 2.5 m) radius 1 m;"));
+  ASSERT_TRUE(c->module) << reports(*c);
+  // 1 mm: the points between vertices are rounded above
+  EXPECT_GE(nearest_edge_squared(room_of(*c), 2500, 2500), 999 * 999);
+}
+
+TEST(Zones, ACircleThatIsKeptIsNotExceeded) {
+  const auto c = compiled(
+      edited(drone_spec(), "rectangle (0 m, 0 m) to (5 m, 5 m)", "circle (0 m, 0 m) radius 3 m"));
+  ASSERT_TRUE(c->module) << reports(*c);
+  for (const ir::Edge& e : room_of(*c).edges) {
+    EXPECT_LE(std::int64_t{e.ax} * e.ax + std::int64_t{e.ay} * e.ay, 3000 * 3000);
+  }
+}
+
+TEST(Zones, ASideTakenAwayTwiceIsKept) {
+  // a - (b - circle): the circle counts as kept again
+  const auto c = compiled(edited(
+      drone_spec(), "to (5 m, 5 m);",
+      "to (9 m, 5 m) - (rectangle (4 m, -1 m) to (10 m, 6 m) - circle (6 m, 2.5 m) radius 1 m);"));
+  ASSERT_TRUE(c->module) << reports(*c);
+  for (const ir::Edge& e : room_of(*c).edges) {
+    if (e.ax <= 4000) continue;
+    const std::int64_t dx = e.ax - 6000, dy = e.ay - 2500;
+    EXPECT_LE(dx * dx + dy * dy, 1000 * 1000);
+  }
+}
+
+TEST(Zones, OffsetsErrToTheSafeSideOnBothSides) {
+  // round corners: grown zones are kept from within, shrunk ones taken away from without
+  const auto grown = compiled(edited(drone_spec(), "rectangle (0 m, 0 m) to (5 m, 5 m)",
+                                     "grow(rectangle (1 m, 1 m) to (4 m, 4 m), 1 m)"));
+  ASSERT_TRUE(grown->module) << reports(*grown);
+  for (const ir::Edge& e : room_of(*grown).edges) {
+    const std::int64_t dx = std::max({1000 - e.ax, e.ax - 4000, 0});
+    const std::int64_t dy = std::max({1000 - e.ay, e.ay - 4000, 0});
+    EXPECT_LE(dx * dx + dy * dy, 1000 * 1000) << e.ax << ", " << e.ay;
+  }
+}
+
+TEST(Zones, TwoZonesWrittenOnOneLineHaveTablesOfTheirOwn) {
+  const auto c = compiled(edited(drone_spec(), "clearance(d, room) >= 10 cm",
+                                 "d inside shrink(room, 20 cm) and d inside shrink(room, 10 cm)"));
+  ASSERT_TRUE(c->module) << reports(*c);
+  ASSERT_EQ(c->module->zones.size(), 3u);
+  EXPECT_NE(c->module->zones[1].name, c->module->zones[2].name);
+  EXPECT_EQ(c->module->decisions[0].monitors[0].property.values.size(), 6u);  // not merged
+}
+
+TEST(Zones, BeyondTheGridIsNotTheSameAsTooThin) {
+  EXPECT_TRUE(has(*compiled(edited(drone_spec(), "to (5 m, 5 m)", "to (600 km, 5 m)")),
+                  diag::Code::zone_too_large));
+  EXPECT_TRUE(has(*compiled(edited(drone_spec(), "to (5 m, 5 m)", "to (5 m, 0.5 mm)")),
+                  diag::Code::zone_vanishes_on_grid));
+  const auto widest = compiled(edited(drone_spec(), "to (5 m, 5 m)", "to (536.8 km, 5 m)"));
+  EXPECT_TRUE(widest->module) << reports(*widest);
+}
+
+TEST(Zones, ASiteBeyondTheGridDoesNotWrapAround) {
+  // 2^32 mm and 1 m: the same int32 as 1 m
+  const auto c = compiled(edited(rover_spec(), "(6.5 m, 1 m)", "(4294968.296 m, 1 m)"));
+  EXPECT_TRUE(has(*c, diag::Code::site_outside_zone)) << reports(*c);
+}
+
+}  // namespace
+}  // namespace rtac::analysis::test

@@ -1,0 +1,60 @@
+// Texts of the author in comments and strings of C: they stay readable and never end early.
+#include "compiler/codegen/code.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace rtac::codegen {
+namespace {
+
+std::string comment(const std::string& text, Code::Style style) {
+  Code code;
+  code.comment(text);
+  return code.print(style);
+}
+
+TEST(Comments, CannotBeEndedOrNestedByTheirText) {
+  EXPECT_EQ(comment("a */ b /* c", Code::Style::c), "/* a * / b / * c */\n");
+  EXPECT_EQ(comment("*/*/", Code::Style::c).find("*/", 2),
+            comment("*/*/", Code::Style::c).size() - 3);
+}
+
+TEST(Comments, DoNotJoinTheirLineWithTheNext) {
+  for (const std::string text : {"ends with \\", "ends with ?\?/"}) {
+    const std::string line = comment(text, Code::Style::cpp);
+    EXPECT_NE(line[line.size() - 2], '\\');
+    EXPECT_NE(line[line.size() - 2], '/');
+  }
+}
+
+TEST(Comments, AreBrokenIntoLines) {
+  std::string text;
+  for (int i = 0; i < 60; ++i) text += "word ";
+  for (const Code::Style style : {Code::Style::c, Code::Style::cpp}) {
+    std::string line;
+    std::istringstream lines(comment(text, style));
+    int count = 0;
+    while (std::getline(lines, line)) {
+      EXPECT_LE(line.size(), 100u);
+      ++count;
+    }
+    EXPECT_GT(count, 2);
+  }
+}
+
+TEST(Strings, AreQuotedForCAndWithoutTrigraphs) {
+  EXPECT_EQ(quoted("a\"b\\c"), "\"a\\\"b\\\\c\"");
+  EXPECT_EQ(quoted("tab\tline\n"), "\"tab\\011line\\012\"");
+  EXPECT_EQ(quoted("what?\?/"), "\"what?\\?/\"");
+  EXPECT_EQ(quoted("\xc3\xab"), "\"\xc3\xab\"");
+}
+
+TEST(Blocks, AreIndentedAndDirectivesAreNot) {
+  Code code;
+  code.block("if (x)", [](Code& body) { body.line("#define A 1").line("y();"); });
+  EXPECT_EQ(code.print(Code::Style::c), "if (x) {\n#define A 1\n  y();\n}\n");
+}
+
+}  // namespace
+}  // namespace rtac::codegen

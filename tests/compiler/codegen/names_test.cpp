@@ -1,0 +1,102 @@
+// The author's names survive into generated code unless C or C++ forbids them, and never clash.
+#include "compiler/codegen/names.h"
+
+#include <gtest/gtest.h>
+
+namespace rtac::codegen {
+namespace {
+
+TEST(Names, OrdinaryNamesStay) {
+  for (const char* name : {"geofence", "r1", "_x", "TurtleBot3", "plan_executor"}) {
+    EXPECT_EQ(legal(name), name);
+  }
+}
+
+TEST(Names, KeywordsAndMacrosGetATrail) {
+  for (const char* name : {"class", "int", "restrict", "std", "errno", "and", "co_await", "NULL"}) {
+    EXPECT_EQ(legal(name), std::string(name) + "_");
+  }
+}
+
+TEST(Names, ClassesAndEnumerators) {
+  EXPECT_EQ(camel("plan_executor"), "PlanExecutor");
+  EXPECT_EQ(camel("a"), "A");
+  EXPECT_EQ(camel("a_"), "A_");
+  EXPECT_EQ(camel("__"), "___");
+  EXPECT_EQ(camel("_2d"), "_2d");
+  EXPECT_EQ(upper("plan_executor"), "PLAN_EXECUTOR");
+}
+
+TEST(Names, AFileNameBecomesAWord) {
+  EXPECT_EQ(word_of("my spec-v1.2"), "my_spec_v1_2");
+  EXPECT_EQ(word_of("2d"), "_2d");
+  EXPECT_EQ(word_of(""), "_");
+  EXPECT_EQ(word_of("\xc3\xa4"), "__");
+}
+
+struct Study {
+  ir::Module module;
+  sema::Spec spec;
+  ir::Decision& decision(const std::string& name) {
+    module.decisions.emplace_back();
+    module.decisions.back().name = name;
+    return module.decisions.back();
+  }
+  static void monitor(ir::Decision& d, const std::string& name) {
+    d.monitors.emplace_back();
+    d.monitors.back().name = name;
+  }
+};
+
+TEST(Names, AZoneDoesNotTakeTheNameOfALibraryFunction) {
+  Study s;
+  for (const char* name : {"reach", "room"}) {
+    s.module.zones.emplace_back();
+    s.module.zones.back().name = name;
+  }
+  const Names names(s.module, s.spec);
+  EXPECT_EQ(names("room"), "room");
+  EXPECT_EQ(names("reach"), "reach_");  // zone_reach is a function of the kernel
+}
+
+TEST(Names, WhatIsDerivedFromTwoZonesDiffers) {
+  Study s;
+  for (const char* name : {"a", "a_edges"}) {
+    s.module.zones.emplace_back();
+    s.module.zones.back().name = name;
+  }
+  const Names names(s.module, s.spec);
+  EXPECT_EQ(names("a"), "a");  // zone_a and zone_a_edges
+  EXPECT_EQ(names("a_edges"), "a_edges_");
+}
+
+TEST(Names, MonitorsOfOneDecisionDifferInCapitalLettersToo) {
+  Study s;
+  ir::Decision& d = s.decision("drive");
+  for (const char* name : {"fence", "Fence", "monitors", "robots"}) Study::monitor(d, name);
+  const Names names(s.module, s.spec);
+  EXPECT_EQ(names("fence"), "fence");
+  EXPECT_EQ(names("Fence"), "Fence_");
+  EXPECT_EQ(names("monitors"), "monitors_");
+  EXPECT_EQ(names("robots"), "robots_");
+}
+
+TEST(Names, EnumeratorsOfTwoDecisionsDiffer) {
+  Study s;
+  Study::monitor(s.decision("a"), "b_c");
+  Study::monitor(s.decision("a_b"), "c");
+  const Names names(s.module, s.spec);
+  EXPECT_NE(upper("a_" + names("b_c")), upper(names("a_b") + "_" + names("c")));
+}
+
+TEST(Names, ADecisionDoesNotHideAClassOfTheSystem) {
+  Study s;
+  for (const char* name : {"system", "robot_", "plan_x", "planX"}) s.decision(name);
+  const Names names(s.module, s.spec);
+  EXPECT_NE(camel(names("system")), "System");
+  EXPECT_NE(camel(names("robot_")), "Robot");
+  EXPECT_NE(camel(names("plan_x")), camel(names("planX")));
+}
+
+}  // namespace
+}  // namespace rtac::codegen
