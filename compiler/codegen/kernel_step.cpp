@@ -181,12 +181,14 @@ class StepPrinter {
       if (pairs()) {
         use({"other_of"});
         to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
-          each.line("const " + p_ + "_other *heard = &v->in->others[j];");
-          each.line("const estimate s = v->others[j].s;");
-          each.line(
-              "v->others[j] = other_of(heard, &s, &BODY, &MOTIONS[0], horizon_us, v->now_us,");
-          each.line(
-              "                        any_promise || v->in->self < j || heard->claims == 0);");
+          each.block("if (j != v->in->self)", [&](Code& body) {
+            body.line("const " + p_ + "_other *heard = &v->in->others[j];");
+            body.line("const estimate s = v->others[j].s;");
+            body.line(
+                "v->others[j] = other_of(heard, &s, &BODY, &MOTIONS[0], horizon_us, v->now_us,");
+            body.line(
+                "                        any_promise || v->in->self < j || heard->claims == 0);");
+          });
         });
       }
     });
@@ -453,15 +455,25 @@ class StepPrinter {
         use({"gate_of"});
         to.comment("a promise to stay binds; whoever moves is gated by the separation test");
         to.line("out->gate = " + up_ + "_GATE_FREE;");
-        to.block("if (s->mode != 0)", [&](Code& body) {
-          body.line("v.driver = " + driver("s->mode"));
-          body.line(id_ + "_look(&v, &MOTIONS[v.driver], " + id_ + "_horizons_us[" +
-                    num(std::int64_t(separation_horizon())) + "], 1);");
-          body.line(
-              "out->gate = may_leave ? gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
-              num(*separation_) + ")");
-          body.line("                      : " + up_ + "_GATE_HOLD;");
-        });
+        to.block(
+            "if (s->mode != 0 && may_leave)",
+            [&](Code& body) {
+              const bool seen = separation_horizon() + 1 == horizons_.size();
+              body.line("const int32_t driver = " + driver("s->mode"));
+              const std::string look = id_ + "_look(&v, &MOTIONS[driver], " + id_ +
+                                       "_horizons_us[" + num(std::int64_t(separation_horizon())) +
+                                       "], 1);";
+              if (seen) {
+                body.block("if (driver != v.driver)", [&](Code& again) { again.line(look); });
+              } else {
+                body.line(look);
+              }
+              body.line("out->gate = gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
+                        num(*separation_) + ");");
+            },
+            "} else if (s->mode != 0) {");
+        to.line("  out->gate = " + up_ + "_GATE_HOLD;");
+        to.line("}");
         to.block(
             "if (s->mode != 0 && s->mode == before && in->holding &&\n      "
             "(in->surrender || first_engaged(s->monitors, MONITORS) >= 0 ||\n       "

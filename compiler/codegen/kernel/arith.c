@@ -37,22 +37,25 @@ static int64_t later(int64_t time_us, int64_t us) {
   return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
 }
 /*= root_down */
-/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round. */
+/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round, from the first
+ * digit that is not 0. */
 static int64_t root_down(int64_t a) {
   int64_t rest = a;
   int64_t root = 0;
-  int64_t bit = INT64_C(1) << 60;
+  int64_t bit = 1;
   int32_t i;
-  for (i = 0; i < 31 && bit > a; ++i) {
-    bit >>= 2;
-  }
-  for (i = 0; i < 31 && bit != 0; ++i) {
-    if (rest >= root + bit) {
-      rest -= root + bit;
-      root = (root >> 1) + bit;
-    } else {
-      root >>= 1;
+  for (i = 32; i > 1; i /= 2) {
+    if (rest >> i != 0) {
+      rest >>= i;
+      bit <<= i;
     }
+  }
+  rest = a;
+  for (i = 0; i < 31 && bit != 0; ++i) {
+    const int64_t trial = root + bit;
+    const int32_t fits = rest >= trial;
+    rest -= fits ? trial : 0;
+    root = (root >> 1) + (fits ? bit : 0);
     bit >>= 2;
   }
   return root;

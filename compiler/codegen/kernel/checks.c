@@ -56,19 +56,23 @@ static margin leg_margin(int64_t spare_mm, int32_t reason, int32_t index) {
   return m;
 }
 /*= leg_gap : zone_type segment_boundary_lo inside_zone */
-/* Lower bound of the clearance of a leg; below 0 when it leaves the zone. A leg that keeps away
- * from the boundary is inside as soon as one of its points is. */
-static int64_t leg_gap(const zone *z, vec from, vec to) {
+/* Lower bound of the clearance of a leg; below 0 when it leaves the zone. `inside`: whether `from`
+ * lies in the zone, then whether `to` does; only a leg that may touch the boundary changes sides. */
+static int64_t leg_gap(const zone *z, vec from, vec to, int32_t *inside) {
   const int64_t gap = segment_boundary_lo(z, from, to);
-  return gap >= 0 && (!inside_zone(z, from) || !inside_zone(z, to)) ? -1 - gap : gap;
+  const int32_t before = *inside;
+  if (gap <= 0) {
+    *inside = inside_zone(z, to);
+  }
+  return gap >= 0 && (!before || !*inside) ? -1 - gap : gap;
 }
-/*= legs_in_zone : zone_type estimate_type plan_fault plan_unknown waypoint_of leg_margin leg_gap margin_and margin_true margin_unknown */
+/*= legs_in_zone : zone_type estimate_type plan_fault plan_unknown waypoint_of leg_margin leg_gap inside_zone margin_and margin_true margin_unknown */
 /* The leg from here to the next way-point and the next `legs` legs keep `need_mm` + errors. */
 static margin legs_in_zone(const zone *z, const estimate *s, const KERNEL_plan *plan, int32_t legs,
                            int64_t need_mm) {
   margin worst = margin_true();
   vec from = s->p;
-  int32_t k;
+  int32_t k, inside;
   if (plan_fault(plan) != INPUT_NONE) {
     return plan_unknown(plan);
   }
@@ -78,9 +82,10 @@ static margin legs_in_zone(const zone *z, const estimate *s, const KERNEL_plan *
   if (s->input != INPUT_NONE) {
     return margin_unknown(s->input);
   }
+  inside = inside_zone(z, from);
   for (k = 0; k <= legs && plan->index + k < plan->count; ++k) {
     const vec to = waypoint_of(plan, plan->index + k);
-    const int64_t gap = leg_gap(z, from, to);
+    const int64_t gap = leg_gap(z, from, to, &inside);
     worst = margin_and(worst, leg_margin(gap - need_mm - s->p_error_mm, REASON_LEG, k));
     from = to;
   }
@@ -103,19 +108,20 @@ static margin points_in_zone(const zone *z, const KERNEL_plan *plan, int32_t poi
   }
   return worst;
 }
-/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin leg_gap margin_and margin_true */
+/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin leg_gap inside_zone margin_and margin_true */
 /* Every way-point and every leg of a proposed plan lies in the zone. `need_mm` covers the rounding
  * of the way-points; `leg_gap` is within 3 mm. */
 static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_mm) {
   margin worst = margin_true();
-  int32_t k;
+  int32_t k, inside;
   if (plan_fault(plan) != INPUT_NONE) {
     return plan_unknown(plan);
   }
+  inside = plan->count > 0 && inside_zone(z, waypoint_of(plan, 0));
   for (k = 0; k < plan->count; ++k) {
     const vec to = waypoint_of(plan, k);
     const vec from = k > 0 ? waypoint_of(plan, k - 1) : to;
-    const int64_t gap = leg_gap(z, from, to);
+    const int64_t gap = leg_gap(z, from, to, &inside);
     margin leg = leg_margin(gap - need_mm, REASON_LEG, k);
     if (gap >= 0) {
       leg.hi = (gap + 3 + need_mm) * WEIGHT_MM;
@@ -150,16 +156,16 @@ static span distance_now(const estimate *s, const other *o, const body *b, const
   gap.other = index;
   return gap;
 }
-/*= pair_spare : other_type body_type segment_gap_lo max_of */
+/*= pair_spare : other_type body_type point_gap_lo point_segment_lo segment_gap_lo max_of */
 /* Spare gap between everything within reach of two robots; disc or capsule for either. */
 static int64_t pair_spare(const reach *r, const other *o, const body *b) {
   const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
   const int64_t axis = o->held != 0 ? still : o->r.disc_mm;
-  int64_t spare = segment_gap_lo(r->p, r->p, o->s.p, o->s.p) - r->disc_mm - axis;
-  spare = max_of(spare, segment_gap_lo(r->p, r->e, o->s.p, o->s.p) - r->capsule_mm - axis);
+  int64_t spare = point_gap_lo(r->p, o->s.p) - r->disc_mm - axis;
+  spare = max_of(spare, point_segment_lo(o->s.p, r->p, r->e) - r->capsule_mm - axis);
   if (o->held == 0) {
     spare = max_of(spare,
-                   segment_gap_lo(r->p, r->p, o->r.p, o->r.e) - r->disc_mm - o->r.capsule_mm);
+                   point_segment_lo(r->p, o->r.p, o->r.e) - r->disc_mm - o->r.capsule_mm);
     spare = max_of(spare,
                    segment_gap_lo(r->p, r->e, o->r.p, o->r.e) - r->capsule_mm - o->r.capsule_mm);
   }

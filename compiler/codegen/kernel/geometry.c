@@ -5,31 +5,74 @@ static int64_t point_gap_lo(vec a, vec b) {
   const vec d = minus(a, b);
   return root_down(dot(d, d));
 }
-/*= quotient_lo : root_up */
-/* Lower bound of a / sqrt(square), at most 2 below it while the quotient is below 2^31: both are
- * scaled up first, so that rounding the root costs little even for short segments. */
-static int64_t quotient_lo(int64_t a, int64_t square) {
+/*= segment_type : vec_type */
+/* A segment, and the smallest distance from its line so far: `across` over its length. */
+typedef struct segment {
+  vec a, b, d;
+  int64_t square; /* of its length */
+  int64_t across;
+  int64_t root;   /* of `square` shifted by 2 * `bits`, rounded up; 0: not drawn yet */
+  int32_t bits;
+} segment;
+/*= segment_of : segment_type minus dot */
+static segment segment_of(vec a, vec b) {
+  segment s;
+  s.a = a;
+  s.b = b;
+  s.d = minus(b, a);
+  s.square = dot(s.d, s.d);
+  s.across = INT64_MAX;
+  s.root = 0;
+  s.bits = 0;
+  return s;
+}
+/*= draw_length : segment_type root_up */
+/* For lower bounds of across / length, at most 2 below it while the quotient is below 2^31: both
+ * are scaled up first, so that rounding the root costs little even for short segments. */
+static void draw_length(segment *s) {
+  int64_t square = s->square;
   int32_t bits;
   for (bits = 16; bits > 0; bits /= 2) {
     if (square < (INT64_C(1) << (62 - 2 * bits))) {
       square <<= 2 * bits;
-      a <<= bits;
+      s->bits += bits;
     }
   }
-  return a / root_up(square);
+  s->root = root_up(square);
 }
-/*= point_segment_lo : point_gap_lo minus dot cross magnitude quotient_lo */
-static int64_t point_segment_lo(vec p, vec a, vec b) {
-  const vec d = minus(b, a);
-  const vec q = minus(p, a);
-  const int64_t along = dot(q, d);
+/*= across_lo : segment_type draw_length */
+static int64_t across_lo(segment *s) {
+  if (s->root == 0) {
+    draw_length(s);
+  }
+  return (s->across << s->bits) / s->root;
+}
+/*= near_point : segment_type minus dot cross magnitude min_of */
+/* Takes the distance from `p` into account: to an end in `square`, to the line in `across`. Roots
+ * and quotients round down, which commutes with the minimum: they are left for the end. */
+static void near_point(segment *s, vec p, int64_t *square) {
+  const vec q = minus(p, s->a);
+  const int64_t along = dot(q, s->d);
   if (along <= 0) {
-    return point_gap_lo(p, a);
+    *square = min_of(*square, dot(q, q));
+  } else if (along >= s->square) {
+    const vec r = minus(p, s->b);
+    *square = min_of(*square, dot(r, r));
+  } else {
+    s->across = min_of(s->across, magnitude(cross(s->d, q)));
   }
-  if (along >= dot(d, d)) {
-    return point_gap_lo(p, b);
-  }
-  return quotient_lo(magnitude(cross(d, q)), dot(d, d));
+}
+/*= root_below : root_down */
+/* The smaller of `least` and of the root of `square`, which is drawn only if it is smaller. */
+static int64_t root_below(int64_t square, int64_t least) {
+  return least > INT32_MAX || square < least * least ? root_down(square) : least;
+}
+/*= point_segment_lo : segment_of near_point across_lo root_down */
+static int64_t point_segment_lo(vec p, vec a, vec b) {
+  segment s = segment_of(a, b);
+  int64_t square = INT64_MAX;
+  near_point(&s, p, &square);
+  return square < INT64_MAX ? root_down(square) : across_lo(&s);
 }
 /*= side_of : minus cross */
 /* 1 left of a-b, -1 right of it, 0 on its line. Exact. */
@@ -42,13 +85,26 @@ static int32_t side_of(vec a, vec b, vec p) {
 static int32_t cross_each_other(vec a, vec b, vec c, vec d) {
   return side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
 }
-/*= segment_gap_lo : cross_each_other point_segment_lo min_of */
+/*= segment_gap_lo : cross_each_other segment_of near_point across_lo min_of root_below */
 static int64_t segment_gap_lo(vec a, vec b, vec c, vec d) {
+  segment s = segment_of(a, b);
+  segment t = segment_of(c, d);
+  int64_t square = INT64_MAX;
+  int64_t best = SPAN_MAX;
   if (cross_each_other(a, b, c, d)) {
     return 0;
   }
-  return min_of(min_of(point_segment_lo(a, c, d), point_segment_lo(b, c, d)),
-                min_of(point_segment_lo(c, a, b), point_segment_lo(d, a, b)));
+  near_point(&t, a, &square);
+  near_point(&t, b, &square);
+  near_point(&s, c, &square);
+  near_point(&s, d, &square);
+  if (s.across < INT64_MAX) {
+    best = min_of(best, across_lo(&s));
+  }
+  if (t.across < INT64_MAX) {
+    best = min_of(best, across_lo(&t));
+  }
+  return square < INT64_MAX ? root_below(square, best) : best;
 }
 /*= edge_type */
 /* One directed edge of a zone, the zone on its left. `u` is its direction in Q30. */
@@ -84,55 +140,83 @@ static int64_t box_gap(vec a, vec b, vec c, vec d) {
   const int64_t y = max_of(min_of(a.y, b.y) - max_of(c.y, d.y), min_of(c.y, d.y) - max_of(a.y, b.y));
   return max_of(x, y);
 }
-/*= point_edge_lo : edge_type vec_of minus dot magnitude point_gap_lo */
+/*= nearest_type */
+/* The smallest of several distances: of those known in mm, and of those known as squares. */
+typedef struct nearest {
+  int64_t mm, square;
+} nearest;
+/*= nearest_none : nearest_type */
+static nearest nearest_none(void) {
+  nearest n;
+  n.mm = SPAN_MAX;
+  n.square = INT64_MAX;
+  return n;
+}
+/*= nearer : nearest_type max_of */
+/* Whether `gap` is below the smallest distance so far, its root rounded down. */
+static int32_t nearer(int64_t gap, const nearest *n) {
+  const int64_t next = max_of(gap, -1) + 1;
+  return gap < n->mm && next * next <= n->square;
+}
+/*= nearest_mm : nearest_type root_below */
+static int64_t nearest_mm(const nearest *n) {
+  return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
+}
+/*= near_edge : edge_type nearest_type vec_of minus dot magnitude min_of max_of */
 /* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
  * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
-static int64_t point_edge_lo(const edge *e, vec p) {
+static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
   if (along <= 0) {
-    return point_gap_lo(p, a);
-  }
-  if (along >= dot(d, d)) {
-    return point_gap_lo(p, b);
-  }
-  {
+    n->square = min_of(n->square, dot(q, q));
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
+    n->square = min_of(n->square, dot(r, r));
+  } else {
     const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
-    return gap > 0 ? gap - 1 : 0;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
-/*= boundary_gap_lo : zone_type vec_of box_gap point_edge_lo min_of */
+/*= boundary_gap_lo : zone_type vec_of box_gap near_edge nearer nearest_none nearest_mm */
 /* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
 static int64_t boundary_gap_lo(const zone *z, vec p) {
-  int64_t best = SPAN_MAX;
+  nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
     const edge *e = &z->edges[i];
-    if (box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p) < best) {
-      best = min_of(best, point_edge_lo(e, p));
+    if (nearer(box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p), &n)) {
+      near_edge(e, p, &n);
     }
   }
-  return best;
+  return nearest_mm(&n);
 }
-/*= segment_boundary_lo : zone_type vec_of box_gap cross_each_other point_edge_lo point_segment_lo min_of */
+/*= segment_boundary_lo : zone_type vec_of box_gap cross_each_other near_edge nearer nearest_none nearest_mm segment_of near_point across_lo min_of */
 /* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. */
 static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
-  int64_t best = SPAN_MAX;
+  segment s = segment_of(p, e);
+  nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
     const edge *k = &z->edges[i];
     const vec a = vec_of(k->ax, k->ay);
     const vec b = vec_of(k->bx, k->by);
-    if (box_gap(a, b, p, e) < best) {
+    if (nearer(box_gap(a, b, p, e), &n)) {
       if (cross_each_other(p, e, a, b)) {
         return -1;
       }
-      best = min_of(best, min_of(point_edge_lo(k, p), point_edge_lo(k, e)));
-      best = min_of(best, min_of(point_segment_lo(a, p, e), point_segment_lo(b, p, e)));
+      near_edge(k, p, &n);
+      near_edge(k, e, &n);
+      s.across = INT64_MAX;
+      near_point(&s, a, &n.square);
+      near_point(&s, b, &n.square);
+      if (s.across < INT64_MAX) {
+        n.mm = min_of(n.mm, across_lo(&s));
+      }
     }
   }
-  return best;
+  return nearest_mm(&n);
 }

@@ -52,22 +52,25 @@ static int64_t later(int64_t time_us, int64_t us) {
   return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round. */
+/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round, from the first
+ * digit that is not 0. */
 static int64_t root_down(int64_t a) {
   int64_t rest = a;
   int64_t root = 0;
-  int64_t bit = INT64_C(1) << 60;
+  int64_t bit = 1;
   int32_t i;
-  for (i = 0; i < 31 && bit > a; ++i) {
-    bit >>= 2;
-  }
-  for (i = 0; i < 31 && bit != 0; ++i) {
-    if (rest >= root + bit) {
-      rest -= root + bit;
-      root = (root >> 1) + bit;
-    } else {
-      root >>= 1;
+  for (i = 32; i > 1; i /= 2) {
+    if (rest >> i != 0) {
+      rest >>= i;
+      bit <<= i;
     }
+  }
+  rest = a;
+  for (i = 0; i < 31 && bit != 0; ++i) {
+    const int64_t trial = root + bit;
+    const int32_t fits = rest >= trial;
+    rest -= fits ? trial : 0;
+    root = (root >> 1) + (fits ? bit : 0);
     bit >>= 2;
   }
   return root;
@@ -328,9 +331,9 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
   return r;
 }
 
-static int64_t point_gap_lo(vec a, vec b) {
-  const vec d = minus(a, b);
-  return root_down(dot(d, d));
+/* The smaller of `least` and of the root of `square`, which is drawn only if it is smaller. */
+static int64_t root_below(int64_t square, int64_t least) {
+  return least > INT32_MAX || square < least * least ? root_down(square) : least;
 }
 
 /* 1 left of a-b, -1 right of it, 0 on its line. Exact. */
@@ -373,37 +376,58 @@ static int64_t box_gap(vec a, vec b, vec c, vec d) {
   return max_of(x, y);
 }
 
+/* The smallest of several distances: of those known in mm, and of those known as squares. */
+typedef struct nearest {
+  int64_t mm, square;
+} nearest;
+
+static nearest nearest_none(void) {
+  nearest n;
+  n.mm = SPAN_MAX;
+  n.square = INT64_MAX;
+  return n;
+}
+
+/* Whether `gap` is below the smallest distance so far, its root rounded down. */
+static int32_t nearer(int64_t gap, const nearest *n) {
+  const int64_t next = max_of(gap, -1) + 1;
+  return gap < n->mm && next * next <= n->square;
+}
+
+static int64_t nearest_mm(const nearest *n) {
+  return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
+}
+
 /* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
  * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
-static int64_t point_edge_lo(const edge *e, vec p) {
+static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
   if (along <= 0) {
-    return point_gap_lo(p, a);
-  }
-  if (along >= dot(d, d)) {
-    return point_gap_lo(p, b);
-  }
-  {
+    n->square = min_of(n->square, dot(q, q));
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
+    n->square = min_of(n->square, dot(r, r));
+  } else {
     const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
-    return gap > 0 ? gap - 1 : 0;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
 
 /* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
 static int64_t boundary_gap_lo(const zone *z, vec p) {
-  int64_t best = SPAN_MAX;
+  nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
     const edge *e = &z->edges[i];
-    if (box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p) < best) {
-      best = min_of(best, point_edge_lo(e, p));
+    if (nearer(box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p), &n)) {
+      near_edge(e, p, &n);
     }
   }
-  return best;
+  return nearest_mm(&n);
 }
 
 /* Signed gap between the body and the boundary, now. `boundary_gap_lo` is within 2 mm. */

@@ -52,22 +52,25 @@ static int64_t later(int64_t time_us, int64_t us) {
   return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round. */
+/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round, from the first
+ * digit that is not 0. */
 static int64_t root_down(int64_t a) {
   int64_t rest = a;
   int64_t root = 0;
-  int64_t bit = INT64_C(1) << 60;
+  int64_t bit = 1;
   int32_t i;
-  for (i = 0; i < 31 && bit > a; ++i) {
-    bit >>= 2;
-  }
-  for (i = 0; i < 31 && bit != 0; ++i) {
-    if (rest >= root + bit) {
-      rest -= root + bit;
-      root = (root >> 1) + bit;
-    } else {
-      root >>= 1;
+  for (i = 32; i > 1; i /= 2) {
+    if (rest >> i != 0) {
+      rest >>= i;
+      bit <<= i;
     }
+  }
+  rest = a;
+  for (i = 0; i < 31 && bit != 0; ++i) {
+    const int64_t trial = root + bit;
+    const int32_t fits = rest >= trial;
+    rest -= fits ? trial : 0;
+    root = (root >> 1) + (fits ? bit : 0);
     bit >>= 2;
   }
   return root;
@@ -333,30 +336,73 @@ static int64_t point_gap_lo(vec a, vec b) {
   return root_down(dot(d, d));
 }
 
-/* Lower bound of a / sqrt(square), at most 2 below it while the quotient is below 2^31: both are
- * scaled up first, so that rounding the root costs little even for short segments. */
-static int64_t quotient_lo(int64_t a, int64_t square) {
+/* A segment, and the smallest distance from its line so far: `across` over its length. */
+typedef struct segment {
+  vec a, b, d;
+  int64_t square; /* of its length */
+  int64_t across;
+  int64_t root;   /* of `square` shifted by 2 * `bits`, rounded up; 0: not drawn yet */
+  int32_t bits;
+} segment;
+
+static segment segment_of(vec a, vec b) {
+  segment s;
+  s.a = a;
+  s.b = b;
+  s.d = minus(b, a);
+  s.square = dot(s.d, s.d);
+  s.across = INT64_MAX;
+  s.root = 0;
+  s.bits = 0;
+  return s;
+}
+
+/* For lower bounds of across / length, at most 2 below it while the quotient is below 2^31: both
+ * are scaled up first, so that rounding the root costs little even for short segments. */
+static void draw_length(segment *s) {
+  int64_t square = s->square;
   int32_t bits;
   for (bits = 16; bits > 0; bits /= 2) {
     if (square < (INT64_C(1) << (62 - 2 * bits))) {
       square <<= 2 * bits;
-      a <<= bits;
+      s->bits += bits;
     }
   }
-  return a / root_up(square);
+  s->root = root_up(square);
+}
+
+static int64_t across_lo(segment *s) {
+  if (s->root == 0) {
+    draw_length(s);
+  }
+  return (s->across << s->bits) / s->root;
+}
+
+/* Takes the distance from `p` into account: to an end in `square`, to the line in `across`. Roots
+ * and quotients round down, which commutes with the minimum: they are left for the end. */
+static void near_point(segment *s, vec p, int64_t *square) {
+  const vec q = minus(p, s->a);
+  const int64_t along = dot(q, s->d);
+  if (along <= 0) {
+    *square = min_of(*square, dot(q, q));
+  } else if (along >= s->square) {
+    const vec r = minus(p, s->b);
+    *square = min_of(*square, dot(r, r));
+  } else {
+    s->across = min_of(s->across, magnitude(cross(s->d, q)));
+  }
+}
+
+/* The smaller of `least` and of the root of `square`, which is drawn only if it is smaller. */
+static int64_t root_below(int64_t square, int64_t least) {
+  return least > INT32_MAX || square < least * least ? root_down(square) : least;
 }
 
 static int64_t point_segment_lo(vec p, vec a, vec b) {
-  const vec d = minus(b, a);
-  const vec q = minus(p, a);
-  const int64_t along = dot(q, d);
-  if (along <= 0) {
-    return point_gap_lo(p, a);
-  }
-  if (along >= dot(d, d)) {
-    return point_gap_lo(p, b);
-  }
-  return quotient_lo(magnitude(cross(d, q)), dot(d, d));
+  segment s = segment_of(a, b);
+  int64_t square = INT64_MAX;
+  near_point(&s, p, &square);
+  return square < INT64_MAX ? root_down(square) : across_lo(&s);
 }
 
 /* 1 left of a-b, -1 right of it, 0 on its line. Exact. */
@@ -371,11 +417,24 @@ static int32_t cross_each_other(vec a, vec b, vec c, vec d) {
 }
 
 static int64_t segment_gap_lo(vec a, vec b, vec c, vec d) {
+  segment s = segment_of(a, b);
+  segment t = segment_of(c, d);
+  int64_t square = INT64_MAX;
+  int64_t best = SPAN_MAX;
   if (cross_each_other(a, b, c, d)) {
     return 0;
   }
-  return min_of(min_of(point_segment_lo(a, c, d), point_segment_lo(b, c, d)),
-                min_of(point_segment_lo(c, a, b), point_segment_lo(d, a, b)));
+  near_point(&t, a, &square);
+  near_point(&t, b, &square);
+  near_point(&s, c, &square);
+  near_point(&s, d, &square);
+  if (s.across < INT64_MAX) {
+    best = min_of(best, across_lo(&s));
+  }
+  if (t.across < INT64_MAX) {
+    best = min_of(best, across_lo(&t));
+  }
+  return square < INT64_MAX ? root_below(square, best) : best;
 }
 
 /* Another robot as it was heard. HELD: it promised not to leave its hold until `held_us`. */
@@ -408,11 +467,11 @@ static span distance_now(const estimate *s, const other *o, const body *b, const
 static int64_t pair_spare(const reach *r, const other *o, const body *b) {
   const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
   const int64_t axis = o->held != 0 ? still : o->r.disc_mm;
-  int64_t spare = segment_gap_lo(r->p, r->p, o->s.p, o->s.p) - r->disc_mm - axis;
-  spare = max_of(spare, segment_gap_lo(r->p, r->e, o->s.p, o->s.p) - r->capsule_mm - axis);
+  int64_t spare = point_gap_lo(r->p, o->s.p) - r->disc_mm - axis;
+  spare = max_of(spare, point_segment_lo(o->s.p, r->p, r->e) - r->capsule_mm - axis);
   if (o->held == 0) {
     spare = max_of(spare,
-                   segment_gap_lo(r->p, r->p, o->r.p, o->r.e) - r->disc_mm - o->r.capsule_mm);
+                   point_segment_lo(r->p, o->r.p, o->r.e) - r->disc_mm - o->r.capsule_mm);
     spare = max_of(spare,
                    segment_gap_lo(r->p, r->e, o->r.p, o->r.e) - r->capsule_mm - o->r.capsule_mm);
   }
@@ -731,10 +790,12 @@ static void fly_look(fly_view *v, const motion *m, int64_t horizon_us, int32_t a
   v->horizon_us = horizon_us;
   v->within = reach_of(&v->self, &BODY, m, horizon_us);
   for (j = 0; j < ROBOTS; ++j) {
-    const point_fleet_yield_other *heard = &v->in->others[j];
-    const estimate s = v->others[j].s;
-    v->others[j] = other_of(heard, &s, &BODY, &MOTIONS[0], horizon_us, v->now_us,
-                            any_promise || v->in->self < j || heard->claims == 0);
+    if (j != v->in->self) {
+      const point_fleet_yield_other *heard = &v->in->others[j];
+      const estimate s = v->others[j].s;
+      v->others[j] = other_of(heard, &s, &BODY, &MOTIONS[0], horizon_us, v->now_us,
+                              any_promise || v->in->self < j || heard->claims == 0);
+    }
   }
 }
 
@@ -872,11 +933,14 @@ void point_fleet_yield_fly_step(point_fleet_yield_fly_state *s, const point_flee
   out->mode = s->mode;
   /* a promise to stay binds; whoever moves is gated by the separation test */
   out->gate = POINT_FLEET_YIELD_GATE_FREE;
-  if (s->mode != 0) {
-    v.driver = driver_of(&s->takeover, MOTIONS, s->mode, seen_us, 20000);
-    fly_look(&v, &MOTIONS[v.driver], fly_horizons_us[0], 1);
-    out->gate = may_leave ? gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, 500)
-                          : POINT_FLEET_YIELD_GATE_HOLD;
+  if (s->mode != 0 && may_leave) {
+    const int32_t driver = driver_of(&s->takeover, MOTIONS, s->mode, seen_us, 20000);
+    if (driver != v.driver) {
+      fly_look(&v, &MOTIONS[driver], fly_horizons_us[0], 1);
+    }
+    out->gate = gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, 500);
+  } else if (s->mode != 0) {
+    out->gate = POINT_FLEET_YIELD_GATE_HOLD;
   }
   if (s->mode != 0 && s->mode == before && in->holding &&
       (in->surrender || first_engaged(s->monitors, MONITORS) >= 0 ||

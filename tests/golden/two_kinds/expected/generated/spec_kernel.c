@@ -52,22 +52,25 @@ static int64_t later(int64_t time_us, int64_t us) {
   return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round. */
+/* Largest r with r * r <= a, for 0 <= a < 2^62: digit by digit, two bits a round, from the first
+ * digit that is not 0. */
 static int64_t root_down(int64_t a) {
   int64_t rest = a;
   int64_t root = 0;
-  int64_t bit = INT64_C(1) << 60;
+  int64_t bit = 1;
   int32_t i;
-  for (i = 0; i < 31 && bit > a; ++i) {
-    bit >>= 2;
-  }
-  for (i = 0; i < 31 && bit != 0; ++i) {
-    if (rest >= root + bit) {
-      rest -= root + bit;
-      root = (root >> 1) + bit;
-    } else {
-      root >>= 1;
+  for (i = 32; i > 1; i /= 2) {
+    if (rest >> i != 0) {
+      rest >>= i;
+      bit <<= i;
     }
+  }
+  rest = a;
+  for (i = 0; i < 31 && bit != 0; ++i) {
+    const int64_t trial = root + bit;
+    const int32_t fits = rest >= trial;
+    rest -= fits ? trial : 0;
+    root = (root >> 1) + (fits ? bit : 0);
     bit >>= 2;
   }
   return root;
@@ -328,35 +331,66 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
   return r;
 }
 
-static int64_t point_gap_lo(vec a, vec b) {
-  const vec d = minus(a, b);
-  return root_down(dot(d, d));
+/* A segment, and the smallest distance from its line so far: `across` over its length. */
+typedef struct segment {
+  vec a, b, d;
+  int64_t square; /* of its length */
+  int64_t across;
+  int64_t root;   /* of `square` shifted by 2 * `bits`, rounded up; 0: not drawn yet */
+  int32_t bits;
+} segment;
+
+static segment segment_of(vec a, vec b) {
+  segment s;
+  s.a = a;
+  s.b = b;
+  s.d = minus(b, a);
+  s.square = dot(s.d, s.d);
+  s.across = INT64_MAX;
+  s.root = 0;
+  s.bits = 0;
+  return s;
 }
 
-/* Lower bound of a / sqrt(square), at most 2 below it while the quotient is below 2^31: both are
- * scaled up first, so that rounding the root costs little even for short segments. */
-static int64_t quotient_lo(int64_t a, int64_t square) {
+/* For lower bounds of across / length, at most 2 below it while the quotient is below 2^31: both
+ * are scaled up first, so that rounding the root costs little even for short segments. */
+static void draw_length(segment *s) {
+  int64_t square = s->square;
   int32_t bits;
   for (bits = 16; bits > 0; bits /= 2) {
     if (square < (INT64_C(1) << (62 - 2 * bits))) {
       square <<= 2 * bits;
-      a <<= bits;
+      s->bits += bits;
     }
   }
-  return a / root_up(square);
+  s->root = root_up(square);
 }
 
-static int64_t point_segment_lo(vec p, vec a, vec b) {
-  const vec d = minus(b, a);
-  const vec q = minus(p, a);
-  const int64_t along = dot(q, d);
+static int64_t across_lo(segment *s) {
+  if (s->root == 0) {
+    draw_length(s);
+  }
+  return (s->across << s->bits) / s->root;
+}
+
+/* Takes the distance from `p` into account: to an end in `square`, to the line in `across`. Roots
+ * and quotients round down, which commutes with the minimum: they are left for the end. */
+static void near_point(segment *s, vec p, int64_t *square) {
+  const vec q = minus(p, s->a);
+  const int64_t along = dot(q, s->d);
   if (along <= 0) {
-    return point_gap_lo(p, a);
+    *square = min_of(*square, dot(q, q));
+  } else if (along >= s->square) {
+    const vec r = minus(p, s->b);
+    *square = min_of(*square, dot(r, r));
+  } else {
+    s->across = min_of(s->across, magnitude(cross(s->d, q)));
   }
-  if (along >= dot(d, d)) {
-    return point_gap_lo(p, b);
-  }
-  return quotient_lo(magnitude(cross(d, q)), dot(d, d));
+}
+
+/* The smaller of `least` and of the root of `square`, which is drawn only if it is smaller. */
+static int64_t root_below(int64_t square, int64_t least) {
+  return least > INT32_MAX || square < least * least ? root_down(square) : least;
 }
 
 /* 1 left of a-b, -1 right of it, 0 on its line. Exact. */
@@ -404,56 +438,84 @@ static int64_t box_gap(vec a, vec b, vec c, vec d) {
   return max_of(x, y);
 }
 
+/* The smallest of several distances: of those known in mm, and of those known as squares. */
+typedef struct nearest {
+  int64_t mm, square;
+} nearest;
+
+static nearest nearest_none(void) {
+  nearest n;
+  n.mm = SPAN_MAX;
+  n.square = INT64_MAX;
+  return n;
+}
+
+/* Whether `gap` is below the smallest distance so far, its root rounded down. */
+static int32_t nearer(int64_t gap, const nearest *n) {
+  const int64_t next = max_of(gap, -1) + 1;
+  return gap < n->mm && next * next <= n->square;
+}
+
+static int64_t nearest_mm(const nearest *n) {
+  return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
+}
+
 /* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
  * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
-static int64_t point_edge_lo(const edge *e, vec p) {
+static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
   if (along <= 0) {
-    return point_gap_lo(p, a);
-  }
-  if (along >= dot(d, d)) {
-    return point_gap_lo(p, b);
-  }
-  {
+    n->square = min_of(n->square, dot(q, q));
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
+    n->square = min_of(n->square, dot(r, r));
+  } else {
     const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
-    return gap > 0 ? gap - 1 : 0;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
 
 /* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
 static int64_t boundary_gap_lo(const zone *z, vec p) {
-  int64_t best = SPAN_MAX;
+  nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
     const edge *e = &z->edges[i];
-    if (box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p) < best) {
-      best = min_of(best, point_edge_lo(e, p));
+    if (nearer(box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p), &n)) {
+      near_edge(e, p, &n);
     }
   }
-  return best;
+  return nearest_mm(&n);
 }
 
 /* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. */
 static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
-  int64_t best = SPAN_MAX;
+  segment s = segment_of(p, e);
+  nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
     const edge *k = &z->edges[i];
     const vec a = vec_of(k->ax, k->ay);
     const vec b = vec_of(k->bx, k->by);
-    if (box_gap(a, b, p, e) < best) {
+    if (nearer(box_gap(a, b, p, e), &n)) {
       if (cross_each_other(p, e, a, b)) {
         return -1;
       }
-      best = min_of(best, min_of(point_edge_lo(k, p), point_edge_lo(k, e)));
-      best = min_of(best, min_of(point_segment_lo(a, p, e), point_segment_lo(b, p, e)));
+      near_edge(k, p, &n);
+      near_edge(k, e, &n);
+      s.across = INT64_MAX;
+      near_point(&s, a, &n.square);
+      near_point(&s, b, &n.square);
+      if (s.across < INT64_MAX) {
+        n.mm = min_of(n.mm, across_lo(&s));
+      }
     }
   }
-  return best;
+  return nearest_mm(&n);
 }
 
 /* Signed gap between the body and the boundary, now. `boundary_gap_lo` is within 2 mm. */
@@ -512,11 +574,15 @@ static margin leg_margin(int64_t spare_mm, int32_t reason, int32_t index) {
   return m;
 }
 
-/* Lower bound of the clearance of a leg; below 0 when it leaves the zone. A leg that keeps away
- * from the boundary is inside as soon as one of its points is. */
-static int64_t leg_gap(const zone *z, vec from, vec to) {
+/* Lower bound of the clearance of a leg; below 0 when it leaves the zone. `inside`: whether `from`
+ * lies in the zone, then whether `to` does; only a leg that may touch the boundary changes sides. */
+static int64_t leg_gap(const zone *z, vec from, vec to, int32_t *inside) {
   const int64_t gap = segment_boundary_lo(z, from, to);
-  return gap >= 0 && (!inside_zone(z, from) || !inside_zone(z, to)) ? -1 - gap : gap;
+  const int32_t before = *inside;
+  if (gap <= 0) {
+    *inside = inside_zone(z, to);
+  }
+  return gap >= 0 && (!before || !*inside) ? -1 - gap : gap;
 }
 
 /* The leg from here to the next way-point and the next `legs` legs keep `need_mm` + errors. */
@@ -524,7 +590,7 @@ static margin legs_in_zone(const zone *z, const estimate *s, const two_kinds_pla
                            int64_t need_mm) {
   margin worst = margin_true();
   vec from = s->p;
-  int32_t k;
+  int32_t k, inside;
   if (plan_fault(plan) != TWO_KINDS_INPUT_NONE) {
     return plan_unknown(plan);
   }
@@ -534,9 +600,10 @@ static margin legs_in_zone(const zone *z, const estimate *s, const two_kinds_pla
   if (s->input != TWO_KINDS_INPUT_NONE) {
     return margin_unknown(s->input);
   }
+  inside = inside_zone(z, from);
   for (k = 0; k <= legs && plan->index + k < plan->count; ++k) {
     const vec to = waypoint_of(plan, plan->index + k);
-    const int64_t gap = leg_gap(z, from, to);
+    const int64_t gap = leg_gap(z, from, to, &inside);
     worst = margin_and(worst, leg_margin(gap - need_mm - s->p_error_mm, TWO_KINDS_REASON_LEG, k));
     from = to;
   }
@@ -547,14 +614,15 @@ static margin legs_in_zone(const zone *z, const estimate *s, const two_kinds_pla
  * of the way-points; `leg_gap` is within 3 mm. */
 static margin plan_in_zone(const zone *z, const two_kinds_plan *plan, int64_t need_mm) {
   margin worst = margin_true();
-  int32_t k;
+  int32_t k, inside;
   if (plan_fault(plan) != TWO_KINDS_INPUT_NONE) {
     return plan_unknown(plan);
   }
+  inside = plan->count > 0 && inside_zone(z, waypoint_of(plan, 0));
   for (k = 0; k < plan->count; ++k) {
     const vec to = waypoint_of(plan, k);
     const vec from = k > 0 ? waypoint_of(plan, k - 1) : to;
-    const int64_t gap = leg_gap(z, from, to);
+    const int64_t gap = leg_gap(z, from, to, &inside);
     margin leg = leg_margin(gap - need_mm, TWO_KINDS_REASON_LEG, k);
     if (gap >= 0) {
       leg.hi = (gap + 3 + need_mm) * WEIGHT_MM;
