@@ -38,7 +38,7 @@ twins() { # NAME; source on stdin
     printf '%s: the mistake compiles\n' "$name"
     failures=$((failures + 1))
   elif ! grep -qE "$pattern" "$work/messages"; then
-    printf '%s: no message matches `%s`:\n' "$name" "$pattern"
+    printf '%s: no message matches %s:\n' "$name" "$pattern"
     head -20 "$work/messages"
     failures=$((failures + 1))
   fi
