@@ -274,39 +274,39 @@ const std::int32_t class__clearance_mm[] = {
 
 }  // namespace
 
-Int::Int(int self) : state_(), in_(), record_() {
+Int_::Int_(int self) : state_(), in_(), record_() {
   in_.self = self;
   reset();
 }
 
-void Int::reset() {
+void Int_::reset() {
   std_int__init(&state_);
   record_ = rtac::DecisionRecord();
   record_.info = &int__info;
   record_.robot = in_.self;
 }
 
-Int& Int::position(rtac::Position value, rtac::TimeUs stamp_us) {
+Int_& Int_::position(rtac::Position value, rtac::TimeUs stamp_us) {
   rtac::bridge::put(in_.position, rtac::Sample<rtac::Vec2>{{value.x.si(), value.y.si()}, stamp_us});
   return *this;
 }
 
-Int& Int::velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
+Int_& Int_::velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
   rtac::bridge::put(in_.velocity, rtac::Sample<rtac::Vec2>{{value.x.si(), value.y.si()}, stamp_us});
   return *this;
 }
 
-Int& Int::battery(rtac::Charge value, rtac::TimeUs stamp_us) {
+Int_& Int_::battery(rtac::Charge value, rtac::TimeUs stamp_us) {
   rtac::bridge::put_ratio(in_.battery, rtac::Sample<double>{value.si(), stamp_us});
   return *this;
 }
 
-Int& Int::plan(const rtac::Path& value) {
+Int_& Int_::plan(const rtac::Path& value) {
   rtac::bridge::put(in_.plan, value, 4);
   return *this;
 }
 
-Int& Int::heard(int robot, const rtac::Announcement& value) {
+Int_& Int_::heard(int robot, const rtac::Announcement& value) {
   if (robot < 0 || robot >= STD_INT__ROBOTS) return *this;
   auto& other = in_.others[robot];
   rtac::bridge::put(other.position, value.position);
@@ -317,12 +317,12 @@ Int& Int::heard(int robot, const rtac::Announcement& value) {
   return *this;
 }
 
-const rtac::DecisionInfo& Int::info() const {
+const rtac::DecisionInfo& Int_::info() const {
   return int__info;
 }
 
-const rtac::DecisionRecord& Int::step(const rtac::Observation& observation,
-                                          bool holding, bool surrender) {
+const rtac::DecisionRecord& Int_::step(const rtac::Observation& observation,
+                                           bool holding, bool surrender) {
   rtac::bridge::put(in_.position, observation.position);
   rtac::bridge::put(in_.velocity, observation.velocity);
   rtac::bridge::put_ratio(in_.battery, observation.battery);
@@ -333,7 +333,7 @@ const rtac::DecisionRecord& Int::step(const rtac::Observation& observation,
   return step(observation.now_us, holding, surrender);
 }
 
-const rtac::DecisionRecord& Int::step(rtac::TimeUs now_us, bool holding, bool surrender) {
+const rtac::DecisionRecord& Int_::step(rtac::TimeUs now_us, bool holding, bool surrender) {
   std_int__out out;
   in_.holding = holding;
   in_.surrender = surrender;

@@ -14,17 +14,17 @@ static_assert(rtac::bridge::abi == 1,
 namespace std_ {
 
 // Decision int for one robot_: fill the inputs, then step.
-class Int final : public rtac::DecisionModule {
+class Int_ final : public rtac::DecisionModule {
   public:
   // `self`: index of the robot in its fleet, from 0.
-  explicit Int(int self = 0);
+  explicit Int_(int self = 0);
 
   // Typed inputs; each keeps its value until the next one. Stamps in us.
-  Int& position(rtac::Position value, rtac::TimeUs stamp_us);
-  Int& velocity(rtac::Velocity value, rtac::TimeUs stamp_us);
-  Int& battery(rtac::Charge value, rtac::TimeUs stamp_us);
-  Int& plan(const rtac::Path& value);
-  Int& heard(int robot, const rtac::Announcement& value);
+  Int_& position(rtac::Position value, rtac::TimeUs stamp_us);
+  Int_& velocity(rtac::Velocity value, rtac::TimeUs stamp_us);
+  Int_& battery(rtac::Charge value, rtac::TimeUs stamp_us);
+  Int_& plan(const rtac::Path& value);
+  Int_& heard(int robot, const rtac::Announcement& value);
   const rtac::DecisionRecord& step(rtac::TimeUs now_us, bool holding = false,
                                    bool surrender = false);
 

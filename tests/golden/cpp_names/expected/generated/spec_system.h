@@ -61,7 +61,7 @@ class System {
   struct Robot {
     explicit Robot(int self)
         : int_(self), switch_(setting(0.3, reach__zone(), 0.38, 0.275, 1.222)), operator_(setting(0.3, class__zone(), 0.38, 0.275, 1.222)) {}
-    Int int_;
+    Int_ int_;
     rtac::safe::Retreat<rtac::Acceleration> switch_;
     rtac::safe::Retreat<rtac::Acceleration> operator_;
   };
