@@ -109,7 +109,12 @@ bool PlanExecutor<Output>::in_the_way() {
           2 * options_.pass_gap_m) {
     aside_until_us_ = observation_.now_us + options_.aside_us;
   }
-  return observation_.now_us < aside_until_us_;
+  const bool aside = observation_.now_us < aside_until_us_;
+  // on its way to a place aside: it stays there as long as if it had been asked there
+  if (aside && mode_ == 1 && !active()->holding()) {
+    aside_until_us_ = observation_.now_us + options_.aside_us;
+  }
+  return aside;
 }
 
 template <class Output>
@@ -163,13 +168,29 @@ Output PlanExecutor<Output>::command(bool late) {
 }
 
 // It has something to do: a destination, or a recovery with an errand of its own. A robot without
-// either that makes room for others still makes no claim.
+// either that makes room for others still makes no claim, and a destination waits for an errand.
 template <class Output>
 bool PlanExecutor<Output>::claims() const {
   const SafeController<Output>* recovery = active();
-  if (recovery == nullptr) return situation_.has_destination;
-  if (recovery->parked()) return false;
-  return situation_.has_destination || recovery->errand() || recovery->blocked();
+  if (recovery != nullptr) {
+    if (recovery->parked()) return false;
+    if (recovery->errand()) return true;
+  }
+  if (somebody_has_an_errand()) return false;
+  return situation_.has_destination || (recovery != nullptr && recovery->blocked());
+}
+
+template <class Output>
+bool PlanExecutor<Output>::somebody_has_an_errand() const {
+  for (int j = 0; j < observation_.robots; ++j) {
+    const Announcement& other = observation_.others[static_cast<std::size_t>(j)];
+    if (j == index_ || other.position.stamp_us == never_us) continue;
+    const double distance_m = norm(other.position.value - observation_.position.value);
+    if (other.errand && other.claims && distance_m < options_.near_gaps * options_.pass_gap_m) {
+      return true;
+    }
+  }
+  return false;
 }
 
 template <class Output>
@@ -181,6 +202,7 @@ void PlanExecutor<Output>::announce() {
   // Without protection nothing keeps the promise that the record speaks of.
   out.lease_end_us = options_.protect ? record_.lease_end_us : never_us;
   out.claims = claims();
+  out.errand = recovery != nullptr && recovery->errand();
   out.blocked = false;
   // The first monitor's recovery holds a robot that surrendered; any other has its own errand.
   const bool held_for_stack = mode_ <= 1 && situation_.blocked;

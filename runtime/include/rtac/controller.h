@@ -57,7 +57,7 @@ class Planner {
 class TaskSource {
  public:
   virtual ~TaskSource() = default;
-  virtual bool next(int robot, Vec2& destination) = 0;       // false: no more tasks
+  virtual bool next(int robot, Vec2& destination) = 0;  // false: no more tasks
   virtual void completed(int robot, Vec2 destination, TimeUs now_us) = 0;
   virtual void skipped(int robot, Vec2 destination, TimeUs now_us) = 0;
 };

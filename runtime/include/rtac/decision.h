@@ -12,21 +12,30 @@ namespace rtac {
 enum class Verdict : std::int8_t { is_false = 0, is_unknown = 1, is_true = 2 };
 
 enum class Reason : std::int8_t {
-  none,          // the advanced controller drives and every check passed
-  margin,        // the duration check of the look-ahead failed
-  waypoint,      // way-point `reason_index` of the plan failed
-  leg,           // leg `reason_index` of the plan failed (0: from here to the next way-point)
-  violated,      // the property is false now
-  within_error,  // the verdict is undecided within the declared errors
-  input,         // a needed input is missing, stale, not finite or out of range
-  returning,     // the recovery goes on until its return condition holds
-  starting,      // no return condition was established yet since the start
-  over_capacity, // a plan is longer than the declared capacity
-  surrendered    // the advanced side gave control up by itself (it waits, or it is parked)
+  none,           // the advanced controller drives and every check passed
+  margin,         // the duration check of the look-ahead failed
+  waypoint,       // way-point `reason_index` of the plan failed
+  leg,            // leg `reason_index` of the plan failed (0: from here to the next way-point)
+  violated,       // the property is false now
+  within_error,   // the verdict is undecided within the declared errors
+  input,          // a needed input is missing, stale, not finite or out of range
+  returning,      // the recovery goes on until its return condition holds
+  starting,       // no return condition was established yet since the start
+  over_capacity,  // a plan is longer than the declared capacity
+  surrendered     // the advanced side gave control up by itself (it waits, or it is parked)
 };
 
 // Which input failed, for Reason::input.
-enum class InputField : std::int8_t { none, position, velocity, heading, battery, plan, other_robot, clock };
+enum class InputField : std::int8_t {
+  none,
+  position,
+  velocity,
+  heading,
+  battery,
+  plan,
+  other_robot,
+  clock
+};
 
 // What the separation test allows a moving safe controller to do.
 enum class Gate : std::int8_t {
@@ -41,10 +50,10 @@ struct MonitorInfo {
   const char* requirement_text;
   const char* source_file;
   int source_line;
-  const char* recovery;         // name of the safe controller
-  const char* return_condition; // as written, or "" when only the derived one applies
-  const char* unit;             // of the margin: "m", "%"
-  double unit_scale;            // grid units per unit
+  const char* recovery;          // name of the safe controller
+  const char* return_condition;  // as written, or "" when only the derived one applies
+  const char* unit;              // of the margin: "m", "%"
+  double unit_scale;             // grid units per unit
 };
 struct DecisionInfo {
   const char* decision;
@@ -53,7 +62,7 @@ struct DecisionInfo {
   const char* safe;  // of a decision on a plan, else ""
   const MonitorInfo* monitors;
   int monitor_count;
-  TimeUs period_us;  // 0: on plan
+  TimeUs period_us;                     // 0: on plan
   const RobotLimits* limits = nullptr;  // age limits for the text of a reason; may be null
 };
 
@@ -78,10 +87,10 @@ struct DecisionRecord {
   InputField reason_input = InputField::none;
   int reason_other = -1;  // robot that the reason is about, -1: none
   Gate gate = Gate::free;
-  TimeUs lease_end_us = never_us;     // HELD lease to announce
-  TimeUs time_to_violation_us = -1;   // -1: unknown
+  TimeUs lease_end_us = never_us;    // HELD lease to announce
+  TimeUs time_to_violation_us = -1;  // -1: unknown
   TimeUs position_age_us = -1, velocity_age_us = -1, battery_age_us = -1;
-  std::int64_t decision_ns = 0;       // filled by the caller that measures
+  std::int64_t decision_ns = 0;  // filled by the caller that measures
   std::array<MonitorRecord, max_monitors> monitors{};
   [[nodiscard]] bool advanced() const { return mode == 0; }
 };

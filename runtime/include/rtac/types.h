@@ -8,17 +8,27 @@
 
 namespace rtac {
 
-using TimeUs = std::int64_t;                      // microseconds of the robot's clock
-inline constexpr TimeUs never_us = INT64_MIN;     // stamp of something that was never received
+using TimeUs = std::int64_t;                   // microseconds of the robot's clock
+inline constexpr TimeUs never_us = INT64_MIN;  // stamp of something that was never received
 
 struct Vec2 {
   double x = 0, y = 0;
 };
-inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-inline Vec2 operator*(double k, Vec2 a) { return {k * a.x, k * a.y}; }
-inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-inline double norm(Vec2 a) { return std::hypot(a.x, a.y); }
+inline Vec2 operator+(Vec2 a, Vec2 b) {
+  return {a.x + b.x, a.y + b.y};
+}
+inline Vec2 operator-(Vec2 a, Vec2 b) {
+  return {a.x - b.x, a.y - b.y};
+}
+inline Vec2 operator*(double k, Vec2 a) {
+  return {k * a.x, k * a.y};
+}
+inline double dot(Vec2 a, Vec2 b) {
+  return a.x * b.x + a.y * b.y;
+}
+inline double norm(Vec2 a) {
+  return std::hypot(a.x, a.y);
+}
 
 // Outputs of a controller.
 struct Twist {  // body frame
@@ -80,6 +90,7 @@ struct Announcement {
   Sample<Vec2> position, velocity;  // its own measurements, with its own stamps
   TimeUs lease_end_us = never_us;   // HELD: promises not to leave its hold before this time
   bool claims = false;              // it waits to go on (a parked robot does not)
+  bool errand = false;              // a recovery has somewhere to go (to charge): it comes first
   bool blocked = false;             // it found no way around the others and asks for passage
   Path plan;                        // what it follows, or would follow if the way were free
 };

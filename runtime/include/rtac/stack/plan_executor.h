@@ -50,6 +50,7 @@ class PlanExecutor final : public ExecutorMachine {
   void report();
   void drop_plan();
   [[nodiscard]] bool claims() const;
+  [[nodiscard]] bool somebody_has_an_errand() const;
   [[nodiscard]] double remaining_m() const;
 
   int index_;
