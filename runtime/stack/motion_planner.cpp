@@ -14,10 +14,31 @@ bool MotionPlanner::attempt(Planner* planner, TimeUs now_us) {
   return record_.advanced() || !parts_.protect;
 }
 
-void MotionPlanner::deliver(bool safe, TimeUs now_us) {
-  found_.safe = safe;
+void MotionPlanner::deliver(TimeUs now_us) {
   executor_->post(found_);
   robot_->post(PlanReady{now_us});
+}
+
+double MotionPlanner::length_m() const {
+  double sum_m = 0;
+  Vec2 from = request_.start;
+  for (const Vec2 point : found_.path.points) {
+    sum_m += norm(point - from);
+    from = point;
+  }
+  return sum_m;
+}
+
+// A plan of either planner around what `request_` lists. `found_.safe` tells whose it is.
+bool MotionPlanner::find(const PlanJob& job) {
+  Planner* const safe = parts_.protect ? parts_.safe : nullptr;
+  const bool try_advanced = safe == nullptr || !job.prefer_safe;
+  found_.safe = false;
+  if (try_advanced && attempt(parts_.advanced, job.now_us)) return true;
+  found_.safe = true;
+  if (attempt(safe, job.now_us)) return true;
+  found_.safe = false;
+  return false;
 }
 
 void MotionPlanner::handle(const PlanJob& job) {
@@ -25,19 +46,26 @@ void MotionPlanner::handle(const PlanJob& job) {
   request_.start = job.start;
   request_.goal = job.destination;
   request_.obstacles = job.standing;
-  Planner* const safe = parts_.protect ? parts_.safe : nullptr;
-  const bool try_advanced = safe == nullptr || !job.prefer_safe;
-  if (try_advanced && attempt(parts_.advanced, job.now_us)) return deliver(false, job.now_us);
-  if (attempt(safe, job.now_us)) return deliver(true, job.now_us);
-  if (!request_.obstacles.empty()) {
-    // Is it the robots that stand? Then waiting for them makes sense, and asking them for passage.
-    request_.obstacles.clear();
-    if (attempt(safe, job.now_us) || attempt(parts_.advanced, job.now_us)) {
-      robot_->post(PlanBlocked{job.now_us, found_.path});
-      return;
-    }
+  const bool found = find(job);
+  if (request_.obstacles.empty()) {
+    if (found) return deliver(job.now_us);
+    robot_->post(Unreachable{job.now_us});
+    return;
   }
-  robot_->post(Unreachable{job.now_us});
+  // Robots stand or come first: is it worth going around them, or better to wait and ask?
+  around_ = found_;
+  const double around_m = found ? length_m() : 0;
+  request_.obstacles.clear();
+  const bool direct = find(job);
+  if (found && (!direct || around_m <= length_m() + parts_.detour_m)) {
+    found_ = around_;
+    return deliver(job.now_us);
+  }
+  if (direct) {
+    robot_->post(PlanBlocked{job.now_us, found_.path});
+  } else {
+    robot_->post(Unreachable{job.now_us});
+  }
 }
 
 }  // namespace rtac::stack

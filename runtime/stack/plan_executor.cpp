@@ -233,6 +233,27 @@ double PlanExecutor<Output>::remaining_m() const {
   return sum_m;
 }
 
+// Who comes first keeps its way: the next stretch of it counts as taken.
+template <class Output>
+void PlanExecutor<Output>::keep_clear_of_way(const Announcement& other, Report& report) const {
+  Vec2 from = other.position.value;
+  double left_m = options_.way_ahead_m;
+  for (std::size_t i = other.plan.index; i < other.plan.points.size() && left_m > 0; ++i) {
+    const Vec2 leg = other.plan.points[i] - from;
+    const double length_m = norm(leg);
+    const double step_m = 0.5 * options_.pass_gap_m;
+    for (double at_m = 0; at_m < std::min(length_m, left_m); at_m += step_m) {
+      const Vec2 place = from + (at_m / length_m) * leg;
+      const double radius_m = std::min(options_.pass_gap_m, norm(place - report.position) - 0.01);
+      if (radius_m > 0 && report.standing.size() + 2 < max_robots) {
+        (void)report.standing.push({place, radius_m});
+      }
+    }
+    left_m -= length_m;
+    from = other.plan.points[i];
+  }
+}
+
 template <class Output>
 void PlanExecutor<Output>::report() {
   Report out;
@@ -248,7 +269,12 @@ void PlanExecutor<Output>::report() {
     if (j == index_ || other.position.stamp_us == never_us) continue;
     const bool stands = safe::is_held(other, observation_.now_us) ||
                         norm(other.velocity.value) < options_.standing_mps;
-    if (!stands || !has_position_) continue;
+    if (!has_position_) continue;
+    if (!stands) {
+      if (safe::outranks(observation_, j)) continue;
+      keep_clear_of_way(other, out);
+      continue;
+    }
     const double distance_m = norm(other.position.value - out.position);
     // Who stands far away will have moved on before this robot gets there.
     if (distance_m > options_.near_gaps * options_.pass_gap_m) continue;

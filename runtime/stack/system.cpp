@@ -10,7 +10,7 @@ struct System<Output>::Stack {
         SystemObserver& observer)
       : robot(index, parts.safe_planner != nullptr, options, observer),
         planner({index, parts.advanced_planner, parts.safe_planner, parts.plan_decision,
-                 options.protect},
+                 options.protect, options.detour_m},
                 observer),
         executor(index, robots, parts, options, observer),
         period_us(parts.period_us) {}

@@ -43,6 +43,7 @@ class MotionPlanner final : public Machine<PlanJob, 2> {
     Planner* safe = nullptr;           // may be null
     PlanDecision* decision = nullptr;  // may be null: plans are used as they come
     bool protect = true;
+    double detour_m = 0;  // a longer way around other robots is not driven: it waits for them
   };
   MotionPlanner(const Parts& parts, SystemObserver& observer)
       : parts_(parts), observer_(observer) {}
@@ -54,14 +55,16 @@ class MotionPlanner final : public Machine<PlanJob, 2> {
  private:
   void handle(const PlanJob& job) override;
   bool attempt(Planner* planner, TimeUs now_us);
-  void deliver(bool safe, TimeUs now_us);
+  bool find(const PlanJob& job);
+  void deliver(TimeUs now_us);
+  [[nodiscard]] double length_m() const;
 
   Parts parts_;
   SystemObserver& observer_;
   RobotMachine* robot_ = nullptr;
   ExecutorMachine* executor_ = nullptr;
   PlanRequest request_;
-  NewPlan found_;
+  NewPlan found_, around_;
   DecisionRecord record_;
 };
 
