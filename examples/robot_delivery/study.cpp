@@ -211,7 +211,7 @@ struct Pilots {
     options.zone = &rta::free_zone();
     options.clearance_m = rta::TurtleBot3_limits().radius_m;
     options.seed = 2000 * seed + static_cast<std::uint64_t>(robot);
-    options.iterations = 600;
+    options.iterations = 400;
     return options;
   }
   static rtac::CertifiedOptions certified_options(std::uint64_t seed, int robot) {

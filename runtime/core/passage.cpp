@@ -19,8 +19,8 @@ void Manoeuvre::make_passage(const Observation& observation, Gate gate, int aske
   RouteQuery away = query(observation, false);
   recede_from_held(observation, away);
   if (route_.to_place(away, aside, way_)) return;
-  // With a free gate the separation test itself watches the way.
-  if (gate == Gate::free && route_.to_place(query(observation, false), aside, way_)) return;
+  // At the pass gap around everybody who holds, the separation test lets it go in any direction.
+  if (gate != Gate::away_only && route_.to_place(query(observation, true), aside, way_)) return;
   stay();
 }
 

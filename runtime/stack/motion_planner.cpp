@@ -56,7 +56,8 @@ void MotionPlanner::handle(const PlanJob& job) {
   around_ = found_;
   const double around_m = found ? length_m() : 0;
   request_.obstacles.clear();
-  const bool direct = find(job);
+  found_.safe = true;
+  const bool direct = parts_.safe != nullptr ? attempt(parts_.safe, job.now_us) : find(job);
   if (found && (!direct || around_m <= length_m() + parts_.detour_m)) {
     found_ = around_;
     return deliver(job.now_us);
