@@ -97,6 +97,25 @@ check_readme() {
   while IFS= read -r command; do
     grep -qE "^  $command\)" dev || breach "README.md: \`./dev $command\` does not exist"
   done < <(grep -ohE '\./dev [a-z]+' README.md | sed 's|.* ||' | LC_ALL=C sort -u)
+  check_quotes README.md
+}
+
+# A block of code that names its file (```cpp examples/gate/main.cpp) stands there word for word, so
+# that what a reader copies is what is compiled and run.
+check_quotes() { # PAGE
+  local line file='' block='' text
+  while IFS= read -r line; do
+    if [[ $line == '```'* ]]; then
+      if [[ -n $file ]]; then
+        text=$(cat -- "$file" 2>/dev/null || true)
+        [[ $text == *"$block"* ]] || breach "$1: the quotation is not in $file"
+      fi
+      file='' block=''
+      [[ $line =~ ^\`\`\`[a-z]+\ ([^ ]+)$ ]] && file=${BASH_REMATCH[1]}
+    elif [[ -n $file ]]; then
+      block+=${block:+$'\n'}$line
+    fi
+  done <"$1"
 }
 
 # Relative links between the pages lead somewhere.

@@ -87,6 +87,8 @@ printf './dev demo\n' >"$tree/README.md"
 refuses readme "./dev test"
 printf './dev demo, ./dev test, ./dev fly\n' >"$tree/README.md"
 refuses readme "./dev fly"
+printf './dev demo, ./dev test\n```cpp specs/notes.md\nint x;\n```\n' >"$tree/README.md"
+refuses readme 'the quotation is not in specs/notes.md'
 printf '[x](nowhere.md)\n' >"$tree/specs/notes.md"
 refuses links 'nowhere.md'
 printf 'RTAC_DIAGNOSTIC(2001, again, error, "text")\n' >>"$tree/compiler/diagnostics/codes_names.def"
