@@ -23,7 +23,7 @@ using surveillance::TourResult;
 using rtac::sim::fixed;
 
 struct Arguments {
-  int seeds = 1;
+  int seeds = 20;
   std::uint64_t first = 1;
   std::string out, json;
   bool adversary = false, good = true;

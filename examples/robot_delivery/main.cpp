@@ -17,7 +17,7 @@ namespace {
 
 struct Arguments {
   delivery::ShiftOptions shift;
-  int seeds = 1;
+  int seeds = 3;
   std::string json;
   bool good = true;
 };
