@@ -70,6 +70,7 @@ class StraightPlanner : public Planner {
   int calls = 0;
   bool able = true;
   double detour_m = 0;  // a way-point off the line marks the plans of this planner
+  double around_m = 0;  // the same, only while there are obstacles
   bool plan(const PlanRequest& request, Path& plan) override {
     ++calls;
     plan.points.clear();
@@ -80,8 +81,9 @@ class StraightPlanner : public Planner {
       const Vec2 closest = request.start + std::clamp(t, 0.0, 1.0) * d;
       if (norm(closest - disc.centre) < disc.radius_m) return false;
     }
-    if (detour_m > 0) {
-      (void)plan.points.push(0.5 * (request.start + request.goal) + Vec2{0, detour_m});
+    const double aside_m = request.obstacles.empty() ? detour_m : std::max(detour_m, around_m);
+    if (aside_m > 0) {
+      (void)plan.points.push(0.5 * (request.start + request.goal) + Vec2{0, aside_m});
     }
     return plan.points.push(request.goal);
   }
