@@ -23,8 +23,22 @@ const std::set<std::string>& reserved() {
       "co_await", "co_return", "co_yield", "consteval", "constinit", "char8_t", "import", "module",
       // names of libraries, and macros of common headers
       "std", "rtac", "main", "errno", "assert", "NULL", "EOF", "stdin", "stdout", "stderr", "linux",
-      "unix", "major", "minor", "signbit", "isnan", "isinf"};
+      "unix", "major", "minor", "signbit", "isnan", "isinf", "NAN", "INFINITY", "HUGE_VAL",
+      "BIG_ENDIAN", "LITTLE_ENDIAN", "BYTE_ORDER", "RAND_MAX", "CLOCKS_PER_SEC", "TIME_UTC",
+      "EXIT_SUCCESS", "EXIT_FAILURE", "M_E", "M_PI", "offsetof", "alloca"};
   return words;
+}
+
+// INT64_MAX, UINT8_C, SIZE_WIDTH: macros of <stdint.h>, which every generated file includes.
+bool is_limit_macro(const std::string& name) {
+  const std::size_t last = name.rfind('_');
+  if (last == std::string::npos) return false;
+  const std::string end = name.substr(last + 1);
+  if (end != "MAX" && end != "MIN" && end != "C" && end != "WIDTH") return false;
+  for (const char* family : {"INT", "UINT", "SIZE", "PTRDIFF", "SIG_ATOMIC", "WCHAR", "WINT"}) {
+    if (name.rfind(family, 0) == 0) return true;
+  }
+  return false;
 }
 
 std::set<std::string> words_of(const std::string& text) {
@@ -44,7 +58,7 @@ std::set<std::string> words_of(const std::string& text) {
 }  // namespace
 
 std::string legal(const std::string& name) {
-  return reserved().count(name) > 0 ? name + "_" : name;
+  return reserved().count(name) > 0 || is_limit_macro(name) ? name + "_" : name;
 }
 
 std::string camel(const std::string& name) {

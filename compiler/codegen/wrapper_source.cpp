@@ -64,7 +64,7 @@ class WrapperSource {
           body.line(quoted(d.name) + ", " + quoted(d.kind) + ", " + quoted(d.advanced) + ", " +
                     quoted(d.safe) + ",");
           body.line(names_(d.name) + "_monitors, " + num(std::int64_t(d.monitors.size())) + ", " +
-                    num(d.period_us) + ", &limits_of_" + d.kind);
+                    num(d.period_us) + ", &limits_of_" + names_(d.kind));
         },
         "};");
     out_.blank();

@@ -54,9 +54,27 @@ std::string escaped(const std::string& path) {
   return out;
 }
 
+// The generated files include each other by name, and C has no escapes there.
+bool can_be_included(const std::string& stem) {
+  return std::none_of(stem.begin(), stem.end(), [](unsigned char c) {
+    return c < ' ' || c == '"' || c == '\\' || c == '\x7f';
+  });
+}
+
 int build(const Options& options, Compilation& c) {
   codegen::Naming naming;
   naming.stem = stem_of(options, c);
+  if (!can_be_included(naming.stem)) {
+    c.diagnostics.report(
+        {diag::Code::usage,
+         std::nullopt,
+         "`#include` cannot name files that are called like `" + base_name(options.spec) + "`",
+         "",
+         {},
+         "rename the specification: no quotes, backslashes or line breaks",
+         {}});
+    return exit_usage;
+  }
   naming.source = options.spec == "-" ? "standard input" : base_name(options.spec);
   naming.space = options.name_space;
   std::vector<OutputFile> files;

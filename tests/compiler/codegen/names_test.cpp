@@ -18,6 +18,13 @@ TEST(Names, KeywordsAndMacrosGetATrail) {
   }
 }
 
+TEST(Names, MacrosOfHeadersThatAreIncludedGetATrail) {
+  for (const char* name : {"INT64_MAX", "UINT8_C", "SIZE_WIDTH", "NAN", "M_PI"}) {
+    EXPECT_EQ(legal(name), std::string(name) + "_");
+  }
+  for (const char* name : {"INTAKE", "SPEED_MAX", "INT_A", "MAX"}) EXPECT_EQ(legal(name), name);
+}
+
 TEST(Names, ClassesAndEnumerators) {
   EXPECT_EQ(camel("plan_executor"), "PlanExecutor");
   EXPECT_EQ(camel("a"), "A");

@@ -29,6 +29,30 @@ TEST_F(Outputs, AreTheSixFilesOfTheModule) {
   EXPECT_EQ(listing().size(), 3u + 6u);  // no temporary files
 }
 
+TEST_F(Outputs, AKindNamedLikeAKeywordHasOneNameInTheWholeModule) {
+  std::string text = drone_spec();
+  for (std::size_t at = 0; (at = text.find("Drone", at)) != std::string::npos; at += 4) {
+    text.replace(at, 5, "main");
+  }
+  write("main.rta", text);
+  ASSERT_EQ(rtac({"build", "main.rta", "-o", "out"}).status, 0);
+  const std::string source = read("out/main.cpp");
+  EXPECT_NE(source.find("rtac::RobotLimits limits_of_main_ ="), std::string::npos);
+  EXPECT_EQ(std::regex_search(source, std::regex("limits_of_main\\b")), false);
+}
+
+TEST_F(Outputs, AFileNameThatNoIncludeCanSpellIsRefused) {
+  for (const std::string name : {"a\"b.rta", "a\\b.rta", "a\nb.rta"}) {
+    write(name, drone_spec());
+    const Outcome o = rtac({"build", name, "-o", "out"});
+    EXPECT_EQ(o.status, 2) << name;
+    EXPECT_NE(o.err.find("error[9001]"), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find("rename the specification"), std::string::npos) << o.err;
+    EXPECT_FALSE(fs::exists("out"));
+    EXPECT_EQ(rtac({"check", name}).status, 0);
+  }
+}
+
 TEST_F(Outputs, AFaultySpecificationWritesNothing) {
   for (const std::string spec : {"faulty.rta", "late.rta"}) {
     const auto before = listing();
