@@ -5,6 +5,8 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/magnitudes.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/visit_expr.h"
 #include "compiler/analysis/well_formed.h"
 #include "compiler/analysis/zones.h"
 
@@ -19,24 +21,6 @@ constexpr std::int64_t dwell_ticks = 5;
 constexpr std::int64_t lease_us = 1'000'000;
 // A connector leads from a place that a moving recovery avoids back to its cells, in mm.
 constexpr std::int32_t connector_mm = 400;
-
-template <class Visit>
-void visit_expr(const sema::Expr& e, const Visit& visit) {
-  visit(e);
-  const auto go = [&](const sema::ExprPtr& child) { visit_expr(*child, visit); };
-  if (const auto* v = std::get_if<sema::Arithmetic>(&e.node)) {
-    for (const auto& operand : v->operands) go(operand);
-  } else if (const auto* l = std::get_if<sema::Logic>(&e.node)) {
-    for (const auto& operand : l->operands) go(operand);
-  } else if (const auto* c = std::get_if<sema::Compare>(&e.node)) {
-    go(c->left);
-    go(c->right);
-  } else if (const auto* h = std::get_if<sema::HeldFor>(&e.node)) {
-    go(h->operand);
-  } else if (const auto* f = std::get_if<sema::ForOthers>(&e.node)) {
-    go(f->body);
-  }
-}
 
 std::uint32_t index(auto id) {
   return static_cast<std::uint32_t>(id);
@@ -197,11 +181,13 @@ class Deriver {
           Rational((e.idle.value * e.held.value + e.drive.value * e.detour.value) * 1'000'000));
     }
     if (!from.on_plan) d.motions.push_back(any_control(kind));
+    Standoffs wanted;
     for (const sema::MonitorId id : from.priority) {
+      ask_for_standoffs(*spec_[id].always, wanted);
       d.monitors.push_back(monitor(spec_[id], d));
       if (!from.on_plan) d.motions.push_back(motion(spec_[id], kind));
     }
-    fill_clearances(d);
+    fill_clearances(d, wanted);
     for (const auto& a : from.acknowledgements) {
       d.acknowledgements.push_back({spec_[a.recovery].name, spec_[a.monitor].name, a.reason});
     }
@@ -283,49 +269,22 @@ class Deriver {
   }
 
   // Every recovery heads for places where every monitor of the decision can hand back.
-  void fill_clearances(ir::Decision& d) const {
+  void fill_clearances(ir::Decision& d, const Standoffs& wanted) const {
     if (d.on_plan) return;
     std::int64_t lookahead_us = 0;
     for (const ir::Monitor& m : d.monitors) {
       lookahead_us = std::max(lookahead_us, m.lookahead.duration_us);
     }
-    d.cruise_clearance_mm =
-        cruise_clearance_mm(d, d.motions[0], lookahead_us) + fence_standoff_mm(d);
+    d.cruise_clearance_mm = cruise_clearance_mm(d, d.motions[0], lookahead_us) + wanted.fence_mm;
     for (std::size_t k = 0; k < d.monitors.size(); ++k) {
       ir::Recovery& r = d.monitors[k].recovery;
-      r.return_clearance_mm = return_clearance_mm(d, lookahead_us) + fence_standoff_mm(d);
+      r.return_clearance_mm = return_clearance_mm(d, lookahead_us) + wanted.fence_mm;
       r.route_clearance_mm =
-          cruise_clearance_mm(d, d.motions[k + 1], lookahead_us) + fence_standoff_mm(d);
-      r.pass_gap_mm = pass_gap_mm(d, lookahead_us, separation_mm(d));
+          cruise_clearance_mm(d, d.motions[k + 1], lookahead_us) + wanted.fence_mm;
+      r.pass_gap_mm = pass_gap_mm(d, lookahead_us, wanted.separation_mm);
     }
   }
-  // Largest constant that a clearance or a distance of a property is compared with.
-  std::int64_t largest_constant(const ir::Decision& d, bool distance) const {
-    std::int64_t most = 0;
-    for (const ir::Monitor& m : d.monitors) {
-      for (const sema::Monitor& from : spec_.monitors) {
-        if (from.name != m.name) continue;
-        visit_expr(*from.always, [&](const sema::Expr& e) {
-          const auto* compare = std::get_if<sema::Compare>(&e.node);
-          if (!compare) return;
-          const auto* constant = std::get_if<sema::Constant>(&compare->right->node);
-          const bool asked = distance
-                                 ? std::holds_alternative<sema::Distance>(compare->left->node)
-                                 : std::holds_alternative<sema::Clearance>(compare->left->node);
-          if (constant && asked) {
-            // beyond the grid nothing is clear any more
-            const Rational mm = std::min(Rational(constant->value * 1000), Rational(1 << 30));
-            most = std::max(most, ceil_to_int(mm));
-          }
-        });
-      }
-    }
-    return most;
-  }
-  std::int64_t fence_standoff_mm(const ir::Decision& d) const { return largest_constant(d, false); }
-  std::int64_t separation_mm(const ir::Decision& d) const { return largest_constant(d, true); }
-
-  // Ways to sites are priced for the recovery that drives them.
+  // Ways to sites are priced for the recovery that drives them; of several, for the dearest.
   void fill_costs() {
     for (std::size_t i = 0; i < spec_.decisions.size(); ++i) {
       const sema::RobotKind& kind = spec_[spec_.decisions[i].kind];
@@ -349,16 +308,16 @@ class Deriver {
           geometry::distances_to(baked.cells, {place.x_mm, place.y_mm},
                                  static_cast<std::int32_t>(route.route_clearance_mm),
                                  static_cast<std::int32_t>(body.radius_mm), connector_mm);
-      place.cost_ppm.resize(distances.size());
+      place.cost_ppm.resize(distances.size(), ir::no_body);
       for (std::size_t c = 0; c < distances.size(); ++c) {
-        place.cost_ppm[c] =
-            baked.cells.clearance_mm_hi[c] < body.radius_mm ? ir::no_body
-            : distances[c] < 0
-                ? ir::no_way
-                // above a thousand batteries there is no way either
-                : static_cast<std::int32_t>(std::min<std::int64_t>(
-                      ir::no_way, travel_cost_ppm(kind, Rational(route.speed_mmps, 1000),
-                                                  baked.cells.cell_mm, distances[c])));
+        if (baked.cells.clearance_mm_hi[c] < body.radius_mm) continue;
+        // above a thousand batteries there is no way either
+        const std::int64_t cost = distances[c] < 0
+                                      ? ir::no_way
+                                      : travel_cost_ppm(kind, Rational(route.speed_mmps, 1000),
+                                                        baked.cells.cell_mm, distances[c]);
+        place.cost_ppm[c] = std::max(
+            place.cost_ppm[c], static_cast<std::int32_t>(std::min<std::int64_t>(ir::no_way, cost)));
       }
     }
   }

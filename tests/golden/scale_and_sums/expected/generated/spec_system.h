@@ -27,8 +27,8 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.275;
-  static constexpr double cruise_clearance_m = 0.941;
+  static constexpr double return_clearance_m = 0.709;
+  static constexpr double cruise_clearance_m = 1.375;
   static constexpr double pass_gap_m = 1.222;
 
   static const char* robot_name(int robot) {
@@ -58,7 +58,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.38, 0.275, 1.222)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.814, 0.709, 1.222)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
   };
