@@ -125,8 +125,8 @@ std::string BlockPrinter::value(const Value& v, const Block& block) {
       return p.use("margin_or", ref(a.a) + ", " + ref(a.b));
     }
     std::string operator()(const HeldFor& h) const {
-      return p.use("held_for",
-                   ref(h.a) + ", &v->runs[" + num(2 * h.slot) + "], " + num(h.ticks) + ", v->new_tick");
+      return p.use("held_for", ref(h.a) + ", &v->runs[" + num(2 * h.slot) + "], " + num(h.ticks) +
+                                   ", v->new_tick");
     }
     std::string operator()(const ForOthers&) const { return ""; }  // printed as a loop
     std::string operator()(const ZoneReach& z) const {

@@ -102,7 +102,11 @@ class Header {
     record("takeover", {"int64_t time_us;", "int32_t before;"});
     record("finding", {"int32_t reason, index, input, other;"});
     record("monitor", {"int32_t engaged, dwell;", p_ + "_finding found;"});
-    code_.comment("One monitor in the record of a tick; margin in millionths of 1 m or of 1 %.");
+    code_.comment(
+        "One monitor in the record of a tick. now: the property; ahead: what is within reach, "
+        "FALSE "
+        "when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; "
+        "margin: lower end of ahead, in millionths of 1 m or of 1 %.");
     record("result", {"int32_t now, ahead, safer, engaged;", "int64_t margin;"});
   }
 
@@ -146,9 +150,16 @@ class Header {
     code_.comment("mode 0: the advanced controller; k + 1: the recovery of monitor k.");
     record(id + "_out", {"int64_t tick, time_us;", "int32_t mode, previous_mode;",
                          "int32_t monitor; /* that decides; -1: none */", p_ + "_finding found;",
-                         "int32_t gate;", "int64_t lease_end_us;",
+                         "int32_t gate; /* binds the recovery that drives */",
+                         "int64_t lease_end_us; /* of the promise to announce; INT64_MIN: none */",
                          "int64_t position_age_us, velocity_age_us, battery_age_us; /* -1: none */",
                          p_ + "_result monitors[" + up + "_MONITORS];"});
+    code_.comment(
+        "Step once a period, in time: what the timer jitters is part of the declared latency. "
+        "now_us "
+        "is of the clock of all stamps. Any input is fine: what is missing, too old or out of "
+        "range "
+        "is unknown. *out is written whole.");
     code_.line("void " + name + "_init(" + name + "_state *s);");
     code_.line("void " + name + "_step(" + name + "_state *s, const " + name + "_in *in,");
     code_.line(std::string(name.size() + 11, ' ') + "int64_t now_us, " + name + "_out *out);");

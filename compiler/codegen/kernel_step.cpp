@@ -15,6 +15,12 @@ std::string num(std::int64_t value) {
   return std::to_string(value);
 }
 
+// What the monitor is for, and where it says so.
+std::string requirement(const Monitor& m) {
+  return m.requirement_id + (m.requirement_id.empty() ? "" : ": ") + m.requirement_text + " (" +
+         m.file + ":" + num(m.line) + ")";
+}
+
 class StepPrinter {
  public:
   StepPrinter(const Module& module, const Decision& decision, const Names& names,
@@ -78,7 +84,6 @@ class StepPrinter {
     define("MOTIONS", id_ + "_motions");
     define("MONITORS", upper(name_) + "_MONITORS");
     define("ROBOTS", upper(name_) + "_ROBOTS");
-    define("HORIZONS", num(std::int64_t(horizons_.size())));
     out_.blank();
     const Body& b = d_.body;
     out_.comment(
@@ -154,8 +159,7 @@ class StepPrinter {
     return id_ + "_" + names_(m.name) + "_" + what;
   }
   void monitor(const Monitor& m, BlockPrinter& blocks) {
-    out_.comment(m.requirement_id + (m.requirement_id.empty() ? "" : ": ") + m.requirement_text +
-                 " (" + m.file + ":" + num(m.line) + ")");
+    out_.comment(requirement(m));
     blocks.function(function(m, "now"), "", m.property, out_);
     blocks.function(function(m, "ahead"), "Everything within reach; recovery: " + m.recovery.name,
                     *m.ahead, out_);
@@ -409,38 +413,18 @@ class StepPrinter {
     out_.blank();
   }
 
+  // The driver whose motion bounds what is within reach in `mode`.
+  std::string driver(const char* mode) const {
+    return "driver_of(&s->takeover, MOTIONS, " + std::string(mode) + ", seen_us, " +
+           num(d_.body.latency_us) + ");";
+  }
+
   void step() {
     use({"next_tick", "mode_step", "first_engaged", "first_not_safer", "driver_of", "later"});
-    const auto driver = [&](const char* mode) {
-      return "driver_of(&s->takeover, MOTIONS, " + std::string(mode) + ", seen_us, " +
-             num(d_.body.latency_us) + ");";
-    };
     const std::string pad(name_.size() + 11, ' ');
     out_.line("void " + name_ + "_step(" + name_ + "_state *s, const " + name_ + "_in *in,");
     out_.block(pad + "int64_t now_us, " + name_ + "_out *out)", [&](Code& to) {
-      to.line("const int32_t first = s->clock.started == 0;");
-      to.line("const int64_t elapsed = next_tick(&s->clock, now_us, " + num(d_.period_us) + ");");
-      to.line("const int32_t may_leave = now_us >= s->lease_end_us;");
-      to.line("const int32_t back = first || s->mode != 0;");
-      to.line("const int32_t before = s->mode;");
-      to.line("int64_t seen_us; /* when the robot was where it was seen */");
-      to.line("check checks[MONITORS];");
-      to.line(view_ + " v;");
-      to.line("v.in = in;");
-      to.line("v.now_us = now_us;");
-      to.line("v.me = in->self > 0 && in->self < ROBOTS ? in->self : 0;");
-      to.line("v.new_tick = elapsed > 0;");
-      to.line(d_.held_slots > 0 ? "v.runs = s->runs;" : "v.runs = 0;");
-      to.line(id_ + "_measure(&v, s, elapsed);");
-      to.line("seen_us = v.self.input == " + up_ +
-              "_INPUT_NONE ? in->position.stamp_us : INT64_MIN;");
-      to.line("v.driver = " + driver("before"));
-      if (pairs()) {
-        // its own promise binds: it moves under nobody's control, and need not fear who passes
-        to.block("if (before != 0 && in->holding && s->lease_end_us >= later(now_us, " +
-                     num(*std::max_element(horizons_.begin(), horizons_.end())) + "))",
-                 [&](Code& body) { body.line("v.driver = MONITORS + 1; /* holding */"); });
-      }
+      begin_tick(to);
       to.line(id_ + "_check(&v, before, back, checks);");
       to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, " +
               num(d_.dwell_ticks) + ",");
@@ -451,42 +435,77 @@ class StepPrinter {
       });
       to.line("out->previous_mode = first ? s->mode : before;");
       to.line("out->mode = s->mode;");
-      if (pairs()) {
-        use({"gate_of"});
+      if (pairs())
         to.comment("a promise to stay binds; whoever moves is gated by the separation test");
-        to.line("out->gate = " + up_ + "_GATE_FREE;");
-        to.block(
-            "if (s->mode != 0 && may_leave)",
-            [&](Code& body) {
-              const bool seen = separation_horizon() + 1 == horizons_.size();
-              body.line("const int32_t driver = " + driver("s->mode"));
-              const std::string look = id_ + "_look(&v, &MOTIONS[driver], " + id_ +
-                                       "_horizons_us[" + num(std::int64_t(separation_horizon())) +
-                                       "], 1);";
-              if (seen) {
-                body.block("if (driver != v.driver)", [&](Code& again) { again.line(look); });
-              } else {
-                body.line(look);
-              }
-              body.line("out->gate = gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
-                        num(*separation_) + ");");
-            },
-            "} else if (s->mode != 0) {");
-        to.line("  out->gate = " + up_ + "_GATE_HOLD;");
-        to.line("}");
-        to.block(
-            "if (s->mode != 0 && s->mode == before && in->holding &&\n      "
-            "(in->surrender || first_engaged(s->monitors, MONITORS) >= 0 ||\n       "
-            "first_not_safer(checks, MONITORS) >= 0))",
-            [&](Code& body) {
-              body.line("s->lease_end_us = later(now_us, " + num(d_.lease_us) + ");");
-            });
-      } else {
-        to.line("out->gate = " + up_ + "_GATE_FREE;");
+      to.line("out->gate = " + up_ + "_GATE_FREE;");
+      if (pairs()) {
+        gate(to);
+        lease(to);
       }
       to.line(id_ + "_report(&v, s, checks, back, out);");
     });
     out_.blank();
+  }
+
+  // What the tick knows, and whose motion it is judged with.
+  void begin_tick(Code& to) {
+    to.line("const int32_t first = s->clock.started == 0;");
+    to.line("const int64_t elapsed = next_tick(&s->clock, now_us, " + num(d_.period_us) + ");");
+    to.line("const int32_t may_leave = now_us >= s->lease_end_us;");
+    to.line("const int32_t back = first || s->mode != 0;");
+    to.line("const int32_t before = s->mode;");
+    to.line("int64_t seen_us; /* when the robot was where it was seen */");
+    to.line("check checks[MONITORS];");
+    to.line(view_ + " v;");
+    to.line("v.in = in;");
+    to.line("v.now_us = now_us;");
+    to.line("v.me = in->self > 0 && in->self < ROBOTS ? in->self : 0;");
+    to.line("v.new_tick = elapsed > 0;");
+    to.line(d_.held_slots > 0 ? "v.runs = s->runs;" : "v.runs = 0;");
+    to.line(id_ + "_measure(&v, s, elapsed);");
+    to.line("seen_us = v.self.input == " + up_ +
+            "_INPUT_NONE ? in->position.stamp_us : INT64_MIN;");
+    to.line("v.driver = " + driver("before"));
+    if (!pairs()) return;
+    // its own promise binds: it moves under nobody's control, and need not fear who passes
+    to.block("if (before != 0 && in->holding && s->lease_end_us >= later(now_us, " +
+                 num(*std::max_element(horizons_.begin(), horizons_.end())) + "))",
+             [&](Code& body) { body.line("v.driver = MONITORS + 1; /* holding */"); });
+  }
+
+  // Whoever moves is gated by the separation test, with the horizon of the monitor that looks
+  // furthest; `v` holds that look already when it is the last one of the check.
+  void gate(Code& to) {
+    use({"gate_of"});
+    to.block(
+        "if (s->mode != 0 && may_leave)",
+        [&](Code& body) {
+          const bool seen = separation_horizon() + 1 == horizons_.size();
+          body.line("const int32_t driver = " + driver("s->mode"));
+          const std::string look = id_ + "_look(&v, &MOTIONS[driver], " + id_ + "_horizons_us[" +
+                                   num(std::int64_t(separation_horizon())) + "], 1);";
+          if (seen) {
+            body.block("if (driver != v.driver)", [&](Code& again) { again.line(look); });
+          } else {
+            body.line(look);
+          }
+          body.line("out->gate = gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
+                    num(*separation_) + ");");
+        },
+        "} else if (s->mode != 0) {");
+    to.line("  out->gate = " + up_ + "_GATE_HOLD;");
+    to.line("}");
+  }
+
+  // The promise is renewed while the recovery holds and has a reason to.
+  void lease(Code& to) {
+    to.block(
+        "if (s->mode != 0 && s->mode == before && in->holding &&\n      "
+        "(in->surrender || first_engaged(s->monitors, MONITORS) >= 0 ||\n       "
+        "first_not_safer(checks, MONITORS) >= 0))",
+        [&](Code& body) {
+          body.line("s->lease_end_us = later(now_us, " + num(d_.lease_us) + ");");
+        });
   }
 
   void close() {
@@ -522,10 +541,7 @@ void print_judge(const Module& module, const Decision& d, const Names& names,
   out.comment("---- decision " + d.name + " for " + d.kind + ", on a plan ----");
   BlockPrinter blocks(module, d, names, prefix + "_plan", uses);
   for (const Monitor& m : d.monitors) {
-    blocks.function(
-        id + "_" + names(m.name) + "_now",
-        m.requirement_id + ": " + m.requirement_text + " (" + m.file + ":" + num(m.line) + ")",
-        m.property, out);
+    blocks.function(id + "_" + names(m.name) + "_now", requirement(m), m.property, out);
   }
   out.block("void " + name + "_judge(const " + prefix + "_plan *plan, " + name + "_out *out)",
             [&](Code& to) {

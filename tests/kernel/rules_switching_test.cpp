@@ -299,6 +299,20 @@ TEST(Rule6, AClockThatGoesBackwardsIsUnknown) {
   EXPECT_EQ(r.reason_input, InputField::clock);
 }
 
+TEST(Rule6, AClockThatGoesBackwardsIsUnknownToMonitorsWithoutMeasurementsToo) {
+  // `posts` judges way-points only, and there are none: nothing but the clock can fail it.
+  probe::Hover hover(0);
+  Observation o;
+  for (const TimeUs now_us : {1'000'000, 1'050'000}) {
+    o.now_us = now_us;
+    o.position = {{10, 5}, now_us};
+    o.velocity = {{0, 0}, now_us};
+    ASSERT_TRUE(hover.step(o, false, false).advanced());
+  }
+  o.now_us = 1'000'000;
+  EXPECT_TRUE(hover.step(o, false, false).monitors[1].engaged);
+}
+
 TEST(Surrender, TheFirstRecoveryHoldsTheRobotUntilControlIsTakenUpAgain) {
   GuardScene s;
   ASSERT_TRUE(s.tick().advanced());

@@ -131,11 +131,11 @@ static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_
   return worst;
 }
 /*= other_type : estimate_type reach_type */
-/* Another robot as it was heard. HELD: it promised not to leave its hold until `held_us`. */
+/* Another robot as it was heard. */
 typedef struct other {
   estimate s;
   reach r;      /* under any control */
-  int32_t held; /* its promise outlasts the horizon, and may be used */
+  int32_t held; /* its promise outlasts the horizon, and may be relied upon */
 } other;
 /*= distance_now : other_type motion_type moved_of span_of span_unknown minus dot root_down */
 static span distance_now(const estimate *s, const other *o, const body *b, const motion *m,
@@ -244,7 +244,8 @@ static int32_t cell_index(int64_t at, int32_t origin, int32_t cell_mm, int32_t c
   return (int32_t)clamp_of(i, -1, count);
 }
 /*= cells_span : cells_type vec_type cell_index min_of max_of span_of */
-/* Smallest and largest value over the cells within `radius_mm` of `p`; beyond the table no way. */
+/* Smallest and largest value over the cells within `radius_mm` of `p` that a body fits into; no way
+ * when there is none, or none in the table. */
 static span cells_span(const cells *c, vec p, int64_t radius_mm) {
   const int32_t x0 = cell_index(p.x - radius_mm, c->origin_x, c->cell_mm, c->columns);
   const int32_t x1 = cell_index(p.x + radius_mm, c->origin_x, c->cell_mm, c->columns);
@@ -265,8 +266,8 @@ static span cells_span(const cells *c, vec p, int64_t radius_mm) {
   return hi < 0 ? span_of(NO_WAY, NO_WAY) : span_of(lo, hi);
 }
 /*= charge_now : span_of span_unknown div_up elapsed_us */
-/* Charge left now, in ppm: a sample of some age, drained since. The upper end leaves charging out:
- * it only decides between `violated` and `within error`. */
+/* Charge left now, in ppm: a sample of some age, drained since. The upper end leaves out what a
+ * charger may have added since: while it charges, `violated` may last as long as a sample. */
 static span charge_now(const KERNEL_scalar *battery, int64_t now_us, int64_t max_age_us,
                        int64_t error_ppm, int64_t drain_ppm_per_s) {
   const int64_t age_us = elapsed_us(battery->stamp_us, now_us);

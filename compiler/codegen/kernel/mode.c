@@ -74,15 +74,15 @@ static int32_t engaging_reason(const check *c, int32_t missed) {
                                                                             : reason;
 }
 /*= monitor_step : check_type engage engaging_reason finding_of verdict_of */
-/* Engages when the look-ahead fails or the property is false, and for ticks that were missed: they
- * count as unknown. Disengages when the derived and the author's return conditions have held for
- * `dwell` ticks. `elapsed`: ticks since the last step. */
+/* Engages when the look-ahead fails or the property is false, and for ticks that were missed or lie
+ * in the past: they count as unknown. Disengages when the derived and the author's return conditions
+ * have held for `dwell` ticks. `elapsed`: ticks since the last step. */
 static void monitor_step(KERNEL_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
   const int32_t back = verdict_of(c->safer) == VERDICT_TRUE &&
                        verdict_of(c->gives_back) == VERDICT_TRUE;
   const int32_t violated = verdict_of(c->now) == VERDICT_FALSE;
-  const int32_t missed = elapsed > 1;
+  const int32_t missed = elapsed > 1 || elapsed < 0;
   KERNEL_finding ahead = finding_of(c->ahead);
   const KERNEL_finding safer = finding_of(c->safer);
   if (missed && ahead.input == INPUT_NONE) {

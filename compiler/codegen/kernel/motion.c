@@ -107,7 +107,6 @@ typedef struct reach {
   vec p, e;
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
-  int64_t time_ms;   /* horizon, from the stamp on */
 } reach;
 /*= travel_of : motion_type div_up */
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
@@ -157,6 +156,5 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
     r.capsule_mm = r.disc_mm;
   }
-  r.time_ms = t_ms;
   return r;
 }

@@ -285,7 +285,6 @@ typedef struct reach {
   vec p, e;
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
-  int64_t time_ms;   /* horizon, from the stamp on */
 } reach;
 
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
@@ -335,7 +334,6 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
     r.capsule_mm = r.disc_mm;
   }
-  r.time_ms = t_ms;
   return r;
 }
 
@@ -571,7 +569,8 @@ static int32_t cell_index(int64_t at, int32_t origin, int32_t cell_mm, int32_t c
   return (int32_t)clamp_of(i, -1, count);
 }
 
-/* Smallest and largest value over the cells within `radius_mm` of `p`; beyond the table no way. */
+/* Smallest and largest value over the cells within `radius_mm` of `p` that a body fits into; no way
+ * when there is none, or none in the table. */
 static span cells_span(const cells *c, vec p, int64_t radius_mm) {
   const int32_t x0 = cell_index(p.x - radius_mm, c->origin_x, c->cell_mm, c->columns);
   const int32_t x1 = cell_index(p.x + radius_mm, c->origin_x, c->cell_mm, c->columns);
@@ -592,8 +591,8 @@ static span cells_span(const cells *c, vec p, int64_t radius_mm) {
   return hi < 0 ? span_of(NO_WAY, NO_WAY) : span_of(lo, hi);
 }
 
-/* Charge left now, in ppm: a sample of some age, drained since. The upper end leaves charging out:
- * it only decides between `violated` and `within error`. */
+/* Charge left now, in ppm: a sample of some age, drained since. The upper end leaves out what a
+ * charger may have added since: while it charges, `violated` may last as long as a sample. */
 static span charge_now(const battery_floor_scalar *battery, int64_t now_us, int64_t max_age_us,
                        int64_t error_ppm, int64_t drain_ppm_per_s) {
   const int64_t age_us = elapsed_us(battery->stamp_us, now_us);
@@ -728,15 +727,15 @@ static int32_t engaging_reason(const check *c, int32_t missed) {
                                                                             : reason;
 }
 
-/* Engages when the look-ahead fails or the property is false, and for ticks that were missed: they
- * count as unknown. Disengages when the derived and the author's return conditions have held for
- * `dwell` ticks. `elapsed`: ticks since the last step. */
+/* Engages when the look-ahead fails or the property is false, and for ticks that were missed or lie
+ * in the past: they count as unknown. Disengages when the derived and the author's return conditions
+ * have held for `dwell` ticks. `elapsed`: ticks since the last step. */
 static void monitor_step(battery_floor_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
   const int32_t back = verdict_of(c->safer) == BATTERY_FLOOR_VERDICT_TRUE &&
                        verdict_of(c->gives_back) == BATTERY_FLOOR_VERDICT_TRUE;
   const int32_t violated = verdict_of(c->now) == BATTERY_FLOOR_VERDICT_FALSE;
-  const int32_t missed = elapsed > 1;
+  const int32_t missed = elapsed > 1 || elapsed < 0;
   battery_floor_finding ahead = finding_of(c->ahead);
   const battery_floor_finding safer = finding_of(c->safer);
   if (missed && ahead.input == BATTERY_FLOOR_INPUT_NONE) {
@@ -1160,7 +1159,6 @@ static const cells cells_to_home[] = {
 #define MOTIONS drive_motions
 #define MONITORS BATTERY_FLOOR_DRIVE_MONITORS
 #define ROBOTS BATTERY_FLOOR_DRIVE_ROBOTS
-#define HORIZONS 2
 
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
@@ -1396,5 +1394,4 @@ void battery_floor_drive_step(battery_floor_drive_state *s, const battery_floor_
 #undef MOTIONS
 #undef MONITORS
 #undef ROBOTS
-#undef HORIZONS
 

@@ -105,7 +105,9 @@ typedef struct std_monitor {
   std_finding found;
 } std_monitor;
 
-/* One monitor in the record of a tick; margin in millionths of 1 m or of 1 %. */
+/* One monitor in the record of a tick. now: the property; ahead: what is within reach, FALSE
+ * when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; margin:
+ * lower end of ahead, in millionths of 1 m or of 1 %. */
 typedef struct std_result {
   int32_t now, ahead, safer, engaged;
   int64_t margin;
@@ -147,12 +149,15 @@ typedef struct std_int__out {
   int32_t mode, previous_mode;
   int32_t monitor; /* that decides; -1: none */
   std_finding found;
-  int32_t gate;
-  int64_t lease_end_us;
+  int32_t gate; /* binds the recovery that drives */
+  int64_t lease_end_us; /* of the promise to announce; INT64_MIN: none */
   int64_t position_age_us, velocity_age_us, battery_age_us; /* -1: none */
   std_result monitors[STD_INT__MONITORS];
 } std_int__out;
 
+/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
+ * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
+ * unknown. *out is written whole. */
 void std_int__init(std_int__state *s);
 void std_int__step(std_int__state *s, const std_int__in *in,
                    int64_t now_us, std_int__out *out);

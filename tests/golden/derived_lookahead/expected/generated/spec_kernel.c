@@ -270,7 +270,6 @@ typedef struct reach {
   vec p, e;
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
-  int64_t time_ms;   /* horizon, from the stamp on */
 } reach;
 
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
@@ -320,7 +319,6 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
     r.capsule_mm = r.disc_mm;
   }
-  r.time_ms = t_ms;
   return r;
 }
 
@@ -616,15 +614,15 @@ static int32_t engaging_reason(const check *c, int32_t missed) {
                                                                             : reason;
 }
 
-/* Engages when the look-ahead fails or the property is false, and for ticks that were missed: they
- * count as unknown. Disengages when the derived and the author's return conditions have held for
- * `dwell` ticks. `elapsed`: ticks since the last step. */
+/* Engages when the look-ahead fails or the property is false, and for ticks that were missed or lie
+ * in the past: they count as unknown. Disengages when the derived and the author's return conditions
+ * have held for `dwell` ticks. `elapsed`: ticks since the last step. */
 static void monitor_step(derived_lookahead_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
   const int32_t back = verdict_of(c->safer) == DERIVED_LOOKAHEAD_VERDICT_TRUE &&
                        verdict_of(c->gives_back) == DERIVED_LOOKAHEAD_VERDICT_TRUE;
   const int32_t violated = verdict_of(c->now) == DERIVED_LOOKAHEAD_VERDICT_FALSE;
-  const int32_t missed = elapsed > 1;
+  const int32_t missed = elapsed > 1 || elapsed < 0;
   derived_lookahead_finding ahead = finding_of(c->ahead);
   const derived_lookahead_finding safer = finding_of(c->safer);
   if (missed && ahead.input == DERIVED_LOOKAHEAD_INPUT_NONE) {
@@ -768,7 +766,6 @@ static const zone zone_zone_of_line_8 = {zone_zone_of_line_8_edges, 36};
 #define MOTIONS fly_motions
 #define MONITORS DERIVED_LOOKAHEAD_FLY_MONITORS
 #define ROBOTS DERIVED_LOOKAHEAD_FLY_ROBOTS
-#define HORIZONS 1
 
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
@@ -947,5 +944,4 @@ void derived_lookahead_fly_step(derived_lookahead_fly_state *s, const derived_lo
 #undef MOTIONS
 #undef MONITORS
 #undef ROBOTS
-#undef HORIZONS
 

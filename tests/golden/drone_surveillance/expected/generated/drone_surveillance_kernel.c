@@ -277,7 +277,6 @@ typedef struct reach {
   vec p, e;
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
-  int64_t time_ms;   /* horizon, from the stamp on */
 } reach;
 
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
@@ -327,7 +326,6 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
     r.capsule_mm = r.disc_mm;
   }
-  r.time_ms = t_ms;
   return r;
 }
 
@@ -683,15 +681,15 @@ static int32_t engaging_reason(const check *c, int32_t missed) {
                                                                             : reason;
 }
 
-/* Engages when the look-ahead fails or the property is false, and for ticks that were missed: they
- * count as unknown. Disengages when the derived and the author's return conditions have held for
- * `dwell` ticks. `elapsed`: ticks since the last step. */
+/* Engages when the look-ahead fails or the property is false, and for ticks that were missed or lie
+ * in the past: they count as unknown. Disengages when the derived and the author's return conditions
+ * have held for `dwell` ticks. `elapsed`: ticks since the last step. */
 static void monitor_step(drone_surveillance_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
   const int32_t back = verdict_of(c->safer) == DRONE_SURVEILLANCE_VERDICT_TRUE &&
                        verdict_of(c->gives_back) == DRONE_SURVEILLANCE_VERDICT_TRUE;
   const int32_t violated = verdict_of(c->now) == DRONE_SURVEILLANCE_VERDICT_FALSE;
-  const int32_t missed = elapsed > 1;
+  const int32_t missed = elapsed > 1 || elapsed < 0;
   drone_surveillance_finding ahead = finding_of(c->ahead);
   const drone_surveillance_finding safer = finding_of(c->safer);
   if (missed && ahead.input == DRONE_SURVEILLANCE_INPUT_NONE) {
@@ -803,7 +801,6 @@ static const zone zone_room = {zone_room_edges, 4};
 #define MOTIONS plan_executor_motions
 #define MONITORS DRONE_SURVEILLANCE_PLAN_EXECUTOR_MONITORS
 #define ROBOTS DRONE_SURVEILLANCE_PLAN_EXECUTOR_ROBOTS
-#define HORIZONS 1
 
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
@@ -984,5 +981,4 @@ void drone_surveillance_plan_executor_step(drone_surveillance_plan_executor_stat
 #undef MOTIONS
 #undef MONITORS
 #undef ROBOTS
-#undef HORIZONS
 

@@ -105,7 +105,9 @@ typedef struct exists_other_monitor {
   exists_other_finding found;
 } exists_other_monitor;
 
-/* One monitor in the record of a tick; margin in millionths of 1 m or of 1 %. */
+/* One monitor in the record of a tick. now: the property; ahead: what is within reach, FALSE
+ * when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; margin:
+ * lower end of ahead, in millionths of 1 m or of 1 %. */
 typedef struct exists_other_result {
   int32_t now, ahead, safer, engaged;
   int64_t margin;
@@ -145,12 +147,15 @@ typedef struct exists_other_fly_out {
   int32_t mode, previous_mode;
   int32_t monitor; /* that decides; -1: none */
   exists_other_finding found;
-  int32_t gate;
-  int64_t lease_end_us;
+  int32_t gate; /* binds the recovery that drives */
+  int64_t lease_end_us; /* of the promise to announce; INT64_MIN: none */
   int64_t position_age_us, velocity_age_us, battery_age_us; /* -1: none */
   exists_other_result monitors[EXISTS_OTHER_FLY_MONITORS];
 } exists_other_fly_out;
 
+/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
+ * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
+ * unknown. *out is written whole. */
 void exists_other_fly_init(exists_other_fly_state *s);
 void exists_other_fly_step(exists_other_fly_state *s, const exists_other_fly_in *in,
                            int64_t now_us, exists_other_fly_out *out);

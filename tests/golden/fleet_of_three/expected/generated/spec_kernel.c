@@ -277,7 +277,6 @@ typedef struct reach {
   vec p, e;
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
-  int64_t time_ms;   /* horizon, from the stamp on */
 } reach;
 
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
@@ -327,7 +326,6 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
     r.capsule_mm = r.disc_mm;
   }
-  r.time_ms = t_ms;
   return r;
 }
 
@@ -643,11 +641,11 @@ static margin legs_in_zone(const zone *z, const estimate *s, const fleet_of_thre
   return worst;
 }
 
-/* Another robot as it was heard. HELD: it promised not to leave its hold until `held_us`. */
+/* Another robot as it was heard. */
 typedef struct other {
   estimate s;
   reach r;      /* under any control */
-  int32_t held; /* its promise outlasts the horizon, and may be used */
+  int32_t held; /* its promise outlasts the horizon, and may be relied upon */
 } other;
 
 static span distance_now(const estimate *s, const other *o, const body *b, const motion *m,
@@ -816,15 +814,15 @@ static int32_t engaging_reason(const check *c, int32_t missed) {
                                                                             : reason;
 }
 
-/* Engages when the look-ahead fails or the property is false, and for ticks that were missed: they
- * count as unknown. Disengages when the derived and the author's return conditions have held for
- * `dwell` ticks. `elapsed`: ticks since the last step. */
+/* Engages when the look-ahead fails or the property is false, and for ticks that were missed or lie
+ * in the past: they count as unknown. Disengages when the derived and the author's return conditions
+ * have held for `dwell` ticks. `elapsed`: ticks since the last step. */
 static void monitor_step(fleet_of_three_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
   const int32_t back = verdict_of(c->safer) == FLEET_OF_THREE_VERDICT_TRUE &&
                        verdict_of(c->gives_back) == FLEET_OF_THREE_VERDICT_TRUE;
   const int32_t violated = verdict_of(c->now) == FLEET_OF_THREE_VERDICT_FALSE;
-  const int32_t missed = elapsed > 1;
+  const int32_t missed = elapsed > 1 || elapsed < 0;
   fleet_of_three_finding ahead = finding_of(c->ahead);
   const fleet_of_three_finding safer = finding_of(c->safer);
   if (missed && ahead.input == FLEET_OF_THREE_INPUT_NONE) {
@@ -968,7 +966,6 @@ static const zone zone_hall = {zone_hall_edges, 4};
 #define MOTIONS drive_motions
 #define MONITORS FLEET_OF_THREE_DRIVE_MONITORS
 #define ROBOTS FLEET_OF_THREE_DRIVE_ROBOTS
-#define HORIZONS 1
 
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
@@ -1236,5 +1233,4 @@ void fleet_of_three_drive_step(fleet_of_three_drive_state *s, const fleet_of_thr
 #undef MOTIONS
 #undef MONITORS
 #undef ROBOTS
-#undef HORIZONS
 

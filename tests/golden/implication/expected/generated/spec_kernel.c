@@ -290,7 +290,6 @@ typedef struct reach {
   vec p, e;
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
-  int64_t time_ms;   /* horizon, from the stamp on */
 } reach;
 
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
@@ -340,7 +339,6 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
     r.capsule_mm = r.disc_mm;
   }
-  r.time_ms = t_ms;
   return r;
 }
 
@@ -696,15 +694,15 @@ static int32_t engaging_reason(const check *c, int32_t missed) {
                                                                             : reason;
 }
 
-/* Engages when the look-ahead fails or the property is false, and for ticks that were missed: they
- * count as unknown. Disengages when the derived and the author's return conditions have held for
- * `dwell` ticks. `elapsed`: ticks since the last step. */
+/* Engages when the look-ahead fails or the property is false, and for ticks that were missed or lie
+ * in the past: they count as unknown. Disengages when the derived and the author's return conditions
+ * have held for `dwell` ticks. `elapsed`: ticks since the last step. */
 static void monitor_step(implication_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
   const int32_t back = verdict_of(c->safer) == IMPLICATION_VERDICT_TRUE &&
                        verdict_of(c->gives_back) == IMPLICATION_VERDICT_TRUE;
   const int32_t violated = verdict_of(c->now) == IMPLICATION_VERDICT_FALSE;
-  const int32_t missed = elapsed > 1;
+  const int32_t missed = elapsed > 1 || elapsed < 0;
   implication_finding ahead = finding_of(c->ahead);
   const implication_finding safer = finding_of(c->safer);
   if (missed && ahead.input == IMPLICATION_INPUT_NONE) {
@@ -825,7 +823,6 @@ static const zone zone_corner = {zone_corner_edges, 4};
 #define MOTIONS fly_motions
 #define MONITORS IMPLICATION_FLY_MONITORS
 #define ROBOTS IMPLICATION_FLY_ROBOTS
-#define HORIZONS 1
 
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
@@ -1025,5 +1022,4 @@ void implication_fly_step(implication_fly_state *s, const implication_fly_in *in
 #undef MOTIONS
 #undef MONITORS
 #undef ROBOTS
-#undef HORIZONS
 

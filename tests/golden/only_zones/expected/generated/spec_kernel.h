@@ -105,7 +105,9 @@ typedef struct only_zones_monitor {
   only_zones_finding found;
 } only_zones_monitor;
 
-/* One monitor in the record of a tick; margin in millionths of 1 m or of 1 %. */
+/* One monitor in the record of a tick. now: the property; ahead: what is within reach, FALSE
+ * when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; margin:
+ * lower end of ahead, in millionths of 1 m or of 1 %. */
 typedef struct only_zones_result {
   int32_t now, ahead, safer, engaged;
   int64_t margin;

@@ -38,7 +38,7 @@ class System {
     return names[robot];
   }
   static rtac::Vec2 dock(int robot) {
-    static const rtac::Vec2 places[] = {{1.0, 1.0}, {2.0, 2.0}};
+    static const rtac::Vec2 places[] = {{0.8, 0.8}, {2.0, 2.0}};
     return places[robot];
   }
   static rtac::SystemOptions default_options() {

@@ -277,7 +277,6 @@ typedef struct reach {
   vec p, e;
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
-  int64_t time_ms;   /* horizon, from the stamp on */
 } reach;
 
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
@@ -327,7 +326,6 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
     r.capsule_mm = r.disc_mm;
   }
-  r.time_ms = t_ms;
   return r;
 }
 
@@ -705,15 +703,15 @@ static int32_t engaging_reason(const check *c, int32_t missed) {
                                                                             : reason;
 }
 
-/* Engages when the look-ahead fails or the property is false, and for ticks that were missed: they
- * count as unknown. Disengages when the derived and the author's return conditions have held for
- * `dwell` ticks. `elapsed`: ticks since the last step. */
+/* Engages when the look-ahead fails or the property is false, and for ticks that were missed or lie
+ * in the past: they count as unknown. Disengages when the derived and the author's return conditions
+ * have held for `dwell` ticks. `elapsed`: ticks since the last step. */
 static void monitor_step(two_kinds_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
   const int32_t back = verdict_of(c->safer) == TWO_KINDS_VERDICT_TRUE &&
                        verdict_of(c->gives_back) == TWO_KINDS_VERDICT_TRUE;
   const int32_t violated = verdict_of(c->now) == TWO_KINDS_VERDICT_FALSE;
-  const int32_t missed = elapsed > 1;
+  const int32_t missed = elapsed > 1 || elapsed < 0;
   two_kinds_finding ahead = finding_of(c->ahead);
   const two_kinds_finding safer = finding_of(c->safer);
   if (missed && ahead.input == TWO_KINDS_INPUT_NONE) {
@@ -834,7 +832,6 @@ static const zone zone_zone_of_line_36 = {zone_zone_of_line_36_edges, 4};
 #define MOTIONS fly_motions
 #define MONITORS TWO_KINDS_FLY_MONITORS
 #define ROBOTS TWO_KINDS_FLY_ROBOTS
-#define HORIZONS 1
 
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
@@ -1013,14 +1010,12 @@ void two_kinds_fly_step(two_kinds_fly_state *s, const two_kinds_fly_in *in,
 #undef MOTIONS
 #undef MONITORS
 #undef ROBOTS
-#undef HORIZONS
 
 /* ---- decision drive for Cart ---- */
 #define BODY drive_body
 #define MOTIONS drive_motions
 #define MONITORS TWO_KINDS_DRIVE_MONITORS
 #define ROBOTS TWO_KINDS_DRIVE_ROBOTS
-#define HORIZONS 1
 
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
@@ -1201,10 +1196,9 @@ void two_kinds_drive_step(two_kinds_drive_state *s, const two_kinds_drive_in *in
 #undef MOTIONS
 #undef MONITORS
 #undef ROBOTS
-#undef HORIZONS
 
 /* ---- decision route_check for Cart, on a plan ---- */
-/* : plans keep 40 cm (spec.rta:35) */
+/* plans keep 40 cm (spec.rta:35) */
 static margin route_check_plan_ok_now(const two_kinds_plan *v) {
   const margin v0 = plan_in_zone(&zone_zone_of_line_36, v, 1);
   return v0;

@@ -105,7 +105,9 @@ typedef struct two_kinds_monitor {
   two_kinds_finding found;
 } two_kinds_monitor;
 
-/* One monitor in the record of a tick; margin in millionths of 1 m or of 1 %. */
+/* One monitor in the record of a tick. now: the property; ahead: what is within reach, FALSE
+ * when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; margin:
+ * lower end of ahead, in millionths of 1 m or of 1 %. */
 typedef struct two_kinds_result {
   int32_t now, ahead, safer, engaged;
   int64_t margin;
@@ -145,12 +147,15 @@ typedef struct two_kinds_fly_out {
   int32_t mode, previous_mode;
   int32_t monitor; /* that decides; -1: none */
   two_kinds_finding found;
-  int32_t gate;
-  int64_t lease_end_us;
+  int32_t gate; /* binds the recovery that drives */
+  int64_t lease_end_us; /* of the promise to announce; INT64_MIN: none */
   int64_t position_age_us, velocity_age_us, battery_age_us; /* -1: none */
   two_kinds_result monitors[TWO_KINDS_FLY_MONITORS];
 } two_kinds_fly_out;
 
+/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
+ * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
+ * unknown. *out is written whole. */
 void two_kinds_fly_init(two_kinds_fly_state *s);
 void two_kinds_fly_step(two_kinds_fly_state *s, const two_kinds_fly_in *in,
                         int64_t now_us, two_kinds_fly_out *out);
@@ -189,12 +194,15 @@ typedef struct two_kinds_drive_out {
   int32_t mode, previous_mode;
   int32_t monitor; /* that decides; -1: none */
   two_kinds_finding found;
-  int32_t gate;
-  int64_t lease_end_us;
+  int32_t gate; /* binds the recovery that drives */
+  int64_t lease_end_us; /* of the promise to announce; INT64_MIN: none */
   int64_t position_age_us, velocity_age_us, battery_age_us; /* -1: none */
   two_kinds_result monitors[TWO_KINDS_DRIVE_MONITORS];
 } two_kinds_drive_out;
 
+/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
+ * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
+ * unknown. *out is written whole. */
 void two_kinds_drive_init(two_kinds_drive_state *s);
 void two_kinds_drive_step(two_kinds_drive_state *s, const two_kinds_drive_in *in,
                           int64_t now_us, two_kinds_drive_out *out);
