@@ -6,7 +6,9 @@
 
 namespace rtac {
 
-// An advanced controller: nobody has verified it, so it may do anything but block.
+// An advanced controller: nobody has verified it, so it may do anything but block: it is called on
+// the thread of the ticks, after the decision, and its time is part of the declared latency. The
+// output takes effect as it is; what is not finite or beyond the limits is for the SDK to refuse.
 template <class Output>
 class Controller {
  public:
@@ -37,15 +39,17 @@ class SafeController {
   [[nodiscard]] virtual const Path* path() const { return nullptr; }
 };
 
-struct Disc {
+struct Disc {  // map frame
   Vec2 centre;
   double radius_m = 0;
 };
 struct PlanRequest {
-  int robot = 0;
-  Vec2 start, goal;
+  int robot = 0;                          // index in its fleet
+  Vec2 start, goal;                       // map frame, metres; the start is measured
   FixedList<Disc, max_robots> obstacles;  // robots that stand
 };
+// Called on the thread of the ticks, between two of them: nobody decides while it works. On a robot
+// its effort has to be bounded so that it ends before the next tick is due; it may allocate.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -69,7 +73,10 @@ class RobotSdk {
   virtual ~RobotSdk() = default;
   // Newest samples and announcements received until now. Leaves plan, self, robots alone.
   virtual void sense(Observation& observation) = 0;
+  // Called once a period; the command holds until the next one. No safety property covers a runtime
+  // that is late or gone: when no command comes for a period, stop the robot.
   virtual void actuate(const Output& output) = 0;
+  // To all other robots of the fleet, who receive it through their `sense`.
   virtual void announce(const Announcement& announcement) = 0;
 };
 template <class Output>
@@ -77,6 +84,7 @@ class FleetSdk {
  public:
   virtual ~FleetSdk() = default;
   virtual RobotSdk<Output>& robot(int index) = 0;
+  // The clock of all stamps and leases, in us; it never goes backwards.
   [[nodiscard]] virtual TimeUs now_us() const = 0;
   // Returns when the clock reads at least `time_us` (a simulator advances it), false to stop.
   virtual bool wait_until(TimeUs time_us) = 0;
