@@ -94,7 +94,12 @@ void write_return(const DecisionRecord& record, TextWriter& out) {
     out.text(monitor.name).text(": look-ahead with hysteresis holds");
     if (monitor.return_condition[0] != '\0') out.text(" and ").text(monitor.return_condition);
   }
-  if (first && record.reason == Reason::surrendered) out.text("the advanced side goes on");
+  if (!first) return;
+  if (record.reason == Reason::surrendered) {
+    out.text("the advanced side goes on");
+  } else if (record.lease_end_us > record.time_us) {
+    out.text("its promise to stay ends");
+  }
 }
 
 void comma_known(TextWriter& out, std::int64_t value, std::int64_t unknown) {

@@ -69,6 +69,25 @@ TEST(DecisionText, TellsTheAgeOfAnInput) {
   EXPECT_EQ(reason(r), "input: battery");
 }
 
+// What would give control back: the engaged monitors, else the promise to stay.
+TEST(DecisionText, TellsWhatWouldReturnControl) {
+  const auto returns = [](const DecisionRecord& r) {
+    std::array<char, 300> text{};
+    EXPECT_LT(return_text(r, text.data(), text.size()), text.size());
+    return std::string(text.data());
+  };
+  DecisionRecord r = record();
+  EXPECT_EQ(returns(r),
+            "geofence: look-ahead with hysteresis holds and clearance(r, free) >= 5 cm for 1 s");
+  r.monitors[0].engaged = false;
+  r.reason = Reason::returning, r.lease_end_us = r.time_us + 1;
+  EXPECT_EQ(returns(r), "its promise to stay ends");
+  r.reason = Reason::surrendered;
+  EXPECT_EQ(returns(r), "the advanced side goes on");
+  r.mode = 0;
+  EXPECT_EQ(returns(r), "");
+}
+
 // The mode is named after the controller that drives, on a plan after the planner.
 TEST(DecisionText, NamesModes) {
   DecisionRecord r = record();
