@@ -108,4 +108,13 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
+std::string num(std::int64_t value) {
+  return std::to_string(value);
+}
+
+std::string real(const Rational& value) {
+  const std::string text = to_decimal(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
 }  // namespace rtac::codegen

@@ -2,11 +2,14 @@
 // layout. Generators build nodes; nothing else knows about indentation.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "compiler/support/rational.h"
 
 namespace rtac::codegen {
 
@@ -48,5 +51,9 @@ class Code {
 
 // A C or C++ string literal, quotes included.
 std::string quoted(const std::string& text);
+// An integer constant.
+std::string num(std::int64_t value);
+// A double literal that reads back as the nearest double of the exact value.
+std::string real(const Rational& value);
 
 }  // namespace rtac::codegen

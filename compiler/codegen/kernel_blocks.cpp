@@ -5,9 +5,6 @@ namespace {
 
 using namespace ir;
 
-std::string num(std::int64_t value) {
-  return std::to_string(value);
-}
 std::string ref(ValueId id) {
   return "v" + std::to_string(static_cast<std::uint32_t>(id));
 }

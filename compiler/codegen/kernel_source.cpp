@@ -13,10 +13,6 @@ namespace {
 
 using namespace ir;
 
-std::string num(std::int64_t value) {
-  return std::to_string(value);
-}
-
 // `items` a line, comma separated.
 void rows(Code& out, const std::vector<std::string>& values, std::size_t per_line) {
   for (std::size_t i = 0; i < values.size(); i += per_line) {

@@ -11,10 +11,6 @@ namespace {
 
 using namespace ir;
 
-std::string num(std::int64_t value) {
-  return std::to_string(value);
-}
-
 // What the monitor is for, and where it says so.
 std::string requirement(const Monitor& m) {
   return m.requirement_id + (m.requirement_id.empty() ? "" : ": ") + m.requirement_text + " (" +

@@ -4,17 +4,12 @@
 
 #include "compiler/codegen/code.h"
 #include "compiler/codegen/names.h"
-#include "compiler/support/rational.h"
 
 namespace rtac::codegen {
 namespace {
 
 using namespace ir;
 
-std::string real(const Rational& value) {
-  std::string text = to_decimal(value);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
 std::string metres(std::int64_t mm) {
   return real(Rational(static_cast<long>(mm), 1000));
 }

@@ -7,17 +7,6 @@ namespace {
 
 using namespace ir;
 
-std::string num(std::int64_t value) {
-  return std::to_string(value);
-}
-
-// A double literal that reads back as the nearest double of the exact value.
-std::string real(const Rational& value) {
-  std::string text = to_decimal(value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-
 class WrapperSource {
  public:
   WrapperSource(const Module& module, const sema::Spec& spec, const Names& names,

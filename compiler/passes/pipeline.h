@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
