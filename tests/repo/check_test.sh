@@ -87,6 +87,7 @@ printf './dev demo\n' >"$tree/README.md"
 refuses readme "./dev test"
 printf './dev demo, ./dev test, ./dev fly\n' >"$tree/README.md"
 refuses readme "./dev fly"
+# shellcheck disable=SC2016  # the back-ticks are those of the page
 printf './dev demo, ./dev test\n```cpp specs/notes.md\nint x;\n```\n' >"$tree/README.md"
 refuses readme 'the quotation is not in specs/notes.md'
 printf '[x](nowhere.md)\n' >"$tree/specs/notes.md"
