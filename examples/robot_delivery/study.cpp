@@ -220,6 +220,8 @@ struct Pilots {
     options.upper = {arena_m, arena_m};
     options.zone = &rta::free_zone();
     options.clearance_m = rta::System::cruise_clearance_m;
+    options.choices = 3;
+    options.restarts = 1;
     options.seed = 3000 * seed + static_cast<std::uint64_t>(robot);
     return options;
   }

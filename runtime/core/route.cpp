@@ -10,15 +10,6 @@ constexpr double parked_m = 0.05, left_m = 0.10;
 // Other robots matter within this many pass gaps.
 constexpr double near_gaps = 2;
 
-double length_m(Vec2 from, const Path& way) {
-  double sum = 0;
-  for (const Vec2 point : way.points) {
-    sum += norm(point - from);
-    from = point;
-  }
-  return sum;
-}
-
 }  // namespace
 
 void RouteManoeuvre::engage(const Observation&) {

@@ -19,16 +19,6 @@ void MotionPlanner::deliver(TimeUs now_us) {
   robot_->post(PlanReady{now_us});
 }
 
-double MotionPlanner::length_m() const {
-  double sum_m = 0;
-  Vec2 from = request_.start;
-  for (const Vec2 point : found_.path.points) {
-    sum_m += norm(point - from);
-    from = point;
-  }
-  return sum_m;
-}
-
 // A plan of either planner around what `request_` lists. `found_.safe` tells whose it is.
 bool MotionPlanner::find(const PlanJob& job) {
   Planner* const safe = parts_.protect ? parts_.safe : nullptr;
@@ -54,11 +44,11 @@ void MotionPlanner::handle(const PlanJob& job) {
   }
   // Robots stand or come first: is it worth going around them, or better to wait and ask?
   around_ = found_;
-  const double around_m = found ? length_m() : 0;
+  const double around_m = length_m(request_.start, found_.path);
   request_.obstacles.clear();
   found_.safe = true;
   const bool direct = parts_.safe != nullptr ? attempt(parts_.safe, job.now_us) : find(job);
-  if (found && (!direct || around_m <= length_m() + parts_.detour_m)) {
+  if (found && (!direct || around_m <= length_m(request_.start, found_.path) + parts_.detour_m)) {
     found_ = around_;
     return deliver(job.now_us);
   }

@@ -222,17 +222,6 @@ void PlanExecutor<Output>::announce() {
   sdk_->announce(out);
 }
 
-template <class Output>
-double PlanExecutor<Output>::remaining_m() const {
-  double sum_m = 0;
-  Vec2 from = observation_.position.value;
-  for (std::size_t i = plan_.index; i < plan_.points.size(); ++i) {
-    sum_m += norm(plan_.points[i] - from);
-    from = plan_.points[i];
-  }
-  return sum_m;
-}
-
 // Who comes first keeps its way: the next stretch of it counts as taken.
 template <class Output>
 void PlanExecutor<Output>::keep_clear_of_way(const Announcement& other, Report& report) const {
@@ -240,16 +229,16 @@ void PlanExecutor<Output>::keep_clear_of_way(const Announcement& other, Report& 
   double left_m = options_.way_ahead_m;
   for (std::size_t i = other.plan.index; i < other.plan.points.size() && left_m > 0; ++i) {
     const Vec2 leg = other.plan.points[i] - from;
-    const double length_m = norm(leg);
+    const double leg_m = norm(leg);
     const double step_m = 0.5 * options_.pass_gap_m;
-    for (double at_m = 0; at_m < std::min(length_m, left_m); at_m += step_m) {
-      const Vec2 place = from + (at_m / length_m) * leg;
+    for (double at_m = 0; at_m < std::min(leg_m, left_m); at_m += step_m) {
+      const Vec2 place = from + (at_m / leg_m) * leg;
       const double radius_m = std::min(options_.pass_gap_m, norm(place - report.position) - 0.01);
       if (radius_m > 0 && report.standing.size() + 2 < max_robots) {
         (void)report.standing.push({place, radius_m});
       }
     }
-    left_m -= length_m;
+    left_m -= leg_m;
     from = other.plan.points[i];
   }
 }
@@ -263,7 +252,7 @@ void PlanExecutor<Output>::report() {
   out.has_position = has_position_;
   out.position = observation_.position.value;
   out.has_plan = !plan_.points.empty();
-  out.remaining_m = remaining_m();
+  out.remaining_m = length_m(observation_.position.value, plan_);
   for (int j = 0; j < observation_.robots; ++j) {
     const Announcement& other = observation_.others[static_cast<std::size_t>(j)];
     if (j == index_ || other.position.stamp_us == never_us) continue;

@@ -71,11 +71,8 @@ bool certify(const ZoneView& zone, double clearance_m, const PlanRequest& reques
   return true;
 }
 
-bool CertifiedPlanner::plan(const PlanRequest& request, Path& plan) {
-  const std::uint64_t seed = planning::derive_seed(options_.seed, calls_++);
-  if (options_.zone == nullptr) return false;
-  const FreeSpace space(options_.zone, options_.clearance_m, request.obstacles);
-  if (hopeless(space, request)) return false;
+// One plan, restarted while the search fails.
+bool CertifiedPlanner::search(const PlanRequest& request, std::uint64_t seed, Path& plan) const {
   constexpr int doublings_max = 20;
   for (int attempt = 0; attempt <= options_.restarts && attempt <= doublings_max; ++attempt) {
     OmplPlanner planner(options_of_attempt(options_, seed, attempt));
@@ -85,6 +82,23 @@ bool CertifiedPlanner::plan(const PlanRequest& request, Path& plan) {
     }
   }
   return false;
+}
+
+bool CertifiedPlanner::plan(const PlanRequest& request, Path& plan) {
+  const std::uint64_t seed = planning::derive_seed(options_.seed, calls_++);
+  if (options_.zone == nullptr) return false;
+  const FreeSpace space(options_.zone, options_.clearance_m, request.obstacles);
+  if (hopeless(space, request) || !search(request, seed, plan)) return false;
+  Path other;
+  for (int choice = 1; choice < options_.choices; ++choice) {
+    const std::uint64_t other_seed =
+        planning::derive_seed(seed, 1000 + static_cast<std::uint64_t>(choice));
+    if (search(request, other_seed, other) &&
+        length_m(request.start, other) < length_m(request.start, plan)) {
+      plan = other;
+    }
+  }
+  return true;
 }
 
 }  // namespace rtac

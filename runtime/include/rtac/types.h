@@ -85,6 +85,16 @@ struct Path {
   [[nodiscard]] bool finished() const { return index >= points.size(); }
 };
 
+// Length of the way that is left, from `from` on (m).
+inline double length_m(Vec2 from, const Path& path) {
+  double sum_m = 0;
+  for (std::size_t i = path.index; i < path.points.size(); ++i) {
+    sum_m += norm(path.points[i] - from);
+    from = path.points[i];
+  }
+  return sum_m;
+}
+
 // What a robot tells the others (`hears other robots`).
 struct Announcement {
   Sample<Vec2> position, velocity;  // its own measurements, with its own stamps

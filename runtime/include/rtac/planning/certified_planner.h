@@ -16,6 +16,9 @@ struct CertifiedOptions {
   std::uint64_t seed = 1;
   int iterations = 1000;  // of the first attempt; each restart gets twice as many
   int restarts = 3;
+  // Successful searches to choose the shortest plan from: one search may pass an obstacle on the
+  // wrong side, and pulling its plan taut does not change sides.
+  int choices = 1;
   double leg_m = 0.5;  // longest leg of the result; <= 0: legs are left as they are
 };
 
@@ -24,13 +27,16 @@ struct CertifiedOptions {
 // so that the search is restarted with another seed and twice the effort.
 //
 // The rules for the result, for a start that is too close, and for `false` are those of
-// OmplPlanner. Effort is bounded by iterations * (2^(restarts + 1) - 1) steps of RRTConnect.
+// OmplPlanner. Effort is bounded by choices * iterations * (2^(restarts + 1) - 1) steps of
+// RRTConnect.
 class CertifiedPlanner : public Planner {
  public:
   explicit CertifiedPlanner(const CertifiedOptions& options) : options_(options) {}
   bool plan(const PlanRequest& request, Path& plan) override;
 
  private:
+  bool search(const PlanRequest& request, std::uint64_t seed, Path& plan) const;
+
   CertifiedOptions options_;
   std::uint64_t calls_ = 0;
 };

@@ -57,7 +57,6 @@ class MotionPlanner final : public Machine<PlanJob, 2> {
   bool attempt(Planner* planner, TimeUs now_us);
   bool find(const PlanJob& job);
   void deliver(TimeUs now_us);
-  [[nodiscard]] double length_m() const;
 
   Parts parts_;
   SystemObserver& observer_;

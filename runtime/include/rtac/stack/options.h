@@ -15,7 +15,7 @@ struct SystemOptions {
   double detour_m = 1.5;       // longest way around other robots, beyond the direct one
   double standing_mps = 0.02;  // a robot slower than this stands
   TimeUs blocked_retry_us = 1'000'000;
-  TimeUs blocked_skip_us = 20'000'000;  // standing robots: then the next destination
+  TimeUs blocked_skip_us = 15'000'000;  // standing robots: then the next destination
   TimeUs aside_us = 4'000'000;          // a robot that was asked for passage stays aside this long
   int rejections_to_skip = 3;           // of plans to one destination, with a safe planner
   TimeUs stall_skip_us = 25'000'000;    // no progress: then the next destination

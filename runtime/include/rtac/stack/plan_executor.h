@@ -52,7 +52,6 @@ class PlanExecutor final : public ExecutorMachine {
   [[nodiscard]] bool claims() const;
   [[nodiscard]] bool somebody_has_an_errand() const;
   void keep_clear_of_way(const Announcement& other, Report& report) const;
-  [[nodiscard]] double remaining_m() const;
 
   int index_;
   RobotParts<Output> parts_;
