@@ -68,7 +68,7 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us) {
     const Rational lag = kind.motion.turn_accel
                              ? Rational(kind.motion.turn->value * kind.motion.turn->value /
                                         kind.motion.turn_accel->value)
-                             : Rational(0);
+                             : Rational(2);  // undeclared: the most that the bound can be
     b.brake_lag_permille = std::min<std::int64_t>(2000, up(lag, 1000));
     b.hold_mm = hold_slack_mm;
   } else {

@@ -446,7 +446,8 @@ class StepPrinter {
   // What the tick knows, and whose motion it is judged with.
   void begin_tick(Code& to) {
     to.line("const int32_t first = s->clock.started == 0;");
-    to.line("const int64_t elapsed = next_tick(&s->clock, now_us, " + num(d_.period_us) + ");");
+    to.line("const int64_t elapsed = next_tick(&s->clock, now_us, " + num(d_.period_us) + ", " +
+            num(*std::min_element(horizons_.begin(), horizons_.end())) + ");");
     to.line("const int32_t may_leave = now_us >= s->lease_end_us;");
     to.line("const int32_t back = first || s->mode != 0;");
     to.line("const int32_t before = s->mode;");

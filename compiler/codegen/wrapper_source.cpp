@@ -133,6 +133,8 @@ class WrapperSource {
                              ") / " + num(c.cell_mm) + ";");
                    body.line("const double row = (from.y * 1000 - " + num(c.origin_y_mm) + ") / " +
                              num(c.cell_mm) + ";");
+                   body.line("if (robot < 0 || robot >= " + num(std::int64_t(s.places.size())) +
+                             ") return 2;");
                    body.line("if (!(column >= 0 && column < " + num(c.columns) +
                              " && row >= 0 && row < " + num(c.rows) + ")) return 2;");
                    body.line("const std::size_t cell = static_cast<std::size_t>(row) * " +

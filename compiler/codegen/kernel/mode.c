@@ -22,9 +22,11 @@ static int32_t in_order(int64_t stamp_us, int64_t now_us, int64_t *last_us) {
 }
 /*= next_tick : elapsed_us */
 /* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. Ticks are
- * counted from the first step, to the nearest, so that a timer may jitter by half a period. */
-static int64_t next_tick(KERNEL_clock *clock, int64_t now_us, int64_t period_us) {
-  int64_t tick, elapsed;
+ * counted from the first step, to the nearest, so that a timer may jitter by half a period; but a
+ * gap beyond `longest_us`, which the look-ahead covers, has missed a tick, whatever the count. */
+static int64_t next_tick(KERNEL_clock *clock, int64_t now_us, int64_t period_us,
+                         int64_t longest_us) {
+  int64_t tick, elapsed, gap_us;
   if (clock->started == 0) {
     clock->started = 1;
     clock->origin_us = now_us;
@@ -35,6 +37,7 @@ static int64_t next_tick(KERNEL_clock *clock, int64_t now_us, int64_t period_us)
   if (now_us < clock->last_us) {
     return -1;
   }
+  gap_us = elapsed_us(clock->last_us, now_us);
   clock->last_us = now_us;
   tick = elapsed_us(clock->origin_us, now_us) / period_us;
   if (elapsed_us(clock->origin_us, now_us) % period_us > period_us / 2) {
@@ -42,7 +45,7 @@ static int64_t next_tick(KERNEL_clock *clock, int64_t now_us, int64_t period_us)
   }
   elapsed = tick - clock->tick;
   clock->tick = tick;
-  return elapsed;
+  return gap_us > longest_us && elapsed < 2 ? 2 : elapsed;
 }
 /*= engage */
 static void engage(KERNEL_monitor *m, int32_t reason, const KERNEL_finding *found) {

@@ -821,6 +821,7 @@ const rtac::RobotLimits& TurtleBot3_limits() { return limits_of_TurtleBot3; }
 double energy_to_dock(int robot, rtac::Vec2 from) {
   const double column = (from.x * 1000 - 0) / 100;
   const double row = (from.y * 1000 - 0) / 100;
+  if (robot < 0 || robot >= 2) return 2;
   if (!(column >= 0 && column < 50 && row >= 0 && row < 50)) return 2;
   const std::size_t cell = static_cast<std::size_t>(row) * 50 + static_cast<std::size_t>(column);
   const std::int32_t ppm = cost_to_dock_ppm[static_cast<std::size_t>(robot) * 2500 + cell];

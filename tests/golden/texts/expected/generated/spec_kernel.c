@@ -627,9 +627,11 @@ static int32_t in_order(int64_t stamp_us, int64_t now_us, int64_t *last_us) {
 }
 
 /* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. Ticks are
- * counted from the first step, to the nearest, so that a timer may jitter by half a period. */
-static int64_t next_tick(texts_clock *clock, int64_t now_us, int64_t period_us) {
-  int64_t tick, elapsed;
+ * counted from the first step, to the nearest, so that a timer may jitter by half a period; but a
+ * gap beyond `longest_us`, which the look-ahead covers, has missed a tick, whatever the count. */
+static int64_t next_tick(texts_clock *clock, int64_t now_us, int64_t period_us,
+                         int64_t longest_us) {
+  int64_t tick, elapsed, gap_us;
   if (clock->started == 0) {
     clock->started = 1;
     clock->origin_us = now_us;
@@ -640,6 +642,7 @@ static int64_t next_tick(texts_clock *clock, int64_t now_us, int64_t period_us) 
   if (now_us < clock->last_us) {
     return -1;
   }
+  gap_us = elapsed_us(clock->last_us, now_us);
   clock->last_us = now_us;
   tick = elapsed_us(clock->origin_us, now_us) / period_us;
   if (elapsed_us(clock->origin_us, now_us) % period_us > period_us / 2) {
@@ -647,7 +650,7 @@ static int64_t next_tick(texts_clock *clock, int64_t now_us, int64_t period_us) 
   }
   elapsed = tick - clock->tick;
   clock->tick = tick;
-  return elapsed;
+  return gap_us > longest_us && elapsed < 2 ? 2 : elapsed;
 }
 
 static void engage(texts_monitor *m, int32_t reason, const texts_finding *found) {
@@ -967,7 +970,7 @@ static void fly_report(const fly_view *v, const texts_fly_state *s, const check 
 void texts_fly_step(texts_fly_state *s, const texts_fly_in *in,
                     int64_t now_us, texts_fly_out *out) {
   const int32_t first = s->clock.started == 0;
-  const int64_t elapsed = next_tick(&s->clock, now_us, 50000);
+  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
   const int32_t may_leave = now_us >= s->lease_end_us;
   const int32_t back = first || s->mode != 0;
   const int32_t before = s->mode;
