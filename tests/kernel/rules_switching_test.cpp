@@ -275,6 +275,22 @@ TEST(Rule1, ATimerThatJittersMissesNothing) {
   }
 }
 
+// Two steps almost two periods apart may fall on neighbouring ticks; what counts is whether the
+// look-ahead covers the time in which nobody decided.
+TEST(Rule1, AGapThatTheLookAheadDoesNotCoverIsAMissedTick) {
+  probe::Hover hover(0);
+  Observation o;
+  bool advanced = false;
+  for (const TimeUs now_us : {1'000'000, 1'025'100, 1'124'900}) {
+    o.now_us = now_us;
+    o.position = {{10, 5}, now_us};
+    o.velocity = {{0, 0}, now_us};
+    advanced = hover.step(o, false, false).advanced();
+    if (now_us < 1'100'000) ASSERT_TRUE(advanced);
+  }
+  EXPECT_FALSE(advanced);
+}
+
 TEST(Rule1, StepsWithinATickDoNotSpeedUpTheReturn) {
   GuardScene s;
   s.other[1] = {5.5, 5};
