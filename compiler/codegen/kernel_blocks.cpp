@@ -69,6 +69,8 @@ void BlockPrinter::body(const std::string& name, const Block& block, Code& out) 
   out.line("return " + ref(block.result) + ";");
 }
 
+// One case per operation.
+// NOLINTNEXTLINE(readability-function-size)
 std::string BlockPrinter::value(const Value& v, const Block& block) {
   const auto if_legs = [&](const std::string& call) {
     uses_.insert("margin_true");

@@ -15,9 +15,9 @@
 namespace rtac::sema {
 
 enum class ZoneId : std::uint32_t {};
-enum class KindId : std::uint32_t {};        // a kind of robot
-enum class RobotId : std::uint32_t {};       // a member of a fleet
-enum class SiteId : std::uint32_t {};        // a family of places: dock, home
+enum class KindId : std::uint32_t {};   // a kind of robot
+enum class RobotId : std::uint32_t {};  // a member of a fleet
+enum class SiteId : std::uint32_t {};   // a family of places: dock, home
 enum class ControllerId : std::uint32_t {};
 enum class MonitorId : std::uint32_t {};
 enum class DecisionId : std::uint32_t {};
@@ -214,7 +214,7 @@ struct ForOthers {  // forall / exists q : Kind, q != r
 };
 struct Expr {
   SourceRange range;
-  bool boolean;         // else a quantity of `dimension`
+  bool boolean;  // else a quantity of `dimension`
   Dimension dimension;
   std::variant<Constant, Truth, SignalRef, Clearance, Distance, EnergyTo, InsideZone, PlanInside,
                Arithmetic, Compare, Logic, HeldFor, ForOthers>
@@ -257,7 +257,7 @@ struct Decision {
   ControllerId advanced;
   std::optional<ControllerId> safe;  // only with `on plan`
   bool on_plan = false;
-  std::optional<Quantity> period;  // absent with `on plan`
+  std::optional<Quantity> period;   // absent with `on plan`
   std::vector<MonitorId> priority;  // highest first
   std::vector<Acknowledgement> acknowledgements;
 };

@@ -9,22 +9,22 @@ namespace {
 
 // How strongly an expression binds: the precedence table of parser.yy, weakest first.
 enum Strength {
-  kQuantified,
-  kIff,
-  kImplies,
-  kXor,
-  kOr,
-  kAnd,
-  kHeld,
-  kNot,
-  kComparison,
-  kUnion,
-  kIntersection,
-  kSum,
-  kProduct,
-  kNegation,
-  kZone,  // rectangle, circle, polygon: operands, but `.` cannot follow them
-  kPrimary
+  quantified_level,
+  iff_level,
+  implies_level,
+  xor_level,
+  or_level,
+  and_level,
+  held_level,
+  not_level,
+  comparison_level,
+  union_level,
+  intersection_level,
+  sum_level,
+  product_level,
+  negation_level,
+  zone_level,  // rectangle, circle, polygon: operands, but `.` cannot follow them
+  primary_level
 };
 
 Strength next_above(Strength strength) {
@@ -34,15 +34,15 @@ Strength next_above(Strength strength) {
 Strength strength_of(BinaryOp op) {
   switch (op) {
     case BinaryOp::iff:
-      return kIff;
+      return iff_level;
     case BinaryOp::implies:
-      return kImplies;
+      return implies_level;
     case BinaryOp::logical_xor:
-      return kXor;
+      return xor_level;
     case BinaryOp::logical_or:
-      return kOr;
+      return or_level;
     case BinaryOp::logical_and:
-      return kAnd;
+      return and_level;
     case BinaryOp::less:
     case BinaryOp::less_equal:
     case BinaryOp::greater:
@@ -50,38 +50,38 @@ Strength strength_of(BinaryOp op) {
     case BinaryOp::equal:
     case BinaryOp::not_equal:
     case BinaryOp::inside:
-      return kComparison;
+      return comparison_level;
     case BinaryOp::zone_union:
-      return kUnion;
+      return union_level;
     case BinaryOp::zone_intersection:
-      return kIntersection;
+      return intersection_level;
     case BinaryOp::add:
     case BinaryOp::subtract:
-      return kSum;
+      return sum_level;
     case BinaryOp::multiply:
     case BinaryOp::divide:
-      return kProduct;
+      return product_level;
   }
-  return kPrimary;
+  return primary_level;
 }
 
 Strength strength_of(const Expr& expr) {
   return std::visit(
       Overloaded{
           [](const Binary& node) { return strength_of(node.op); },
-          [](const Unary& node) { return node.op == UnaryOp::negate ? kNegation : kNot; },
-          [](const Held&) { return kHeld; },
-          [](const Quantified&) { return kQuantified; },
-          [](const RectangleLit&) { return kZone; },
-          [](const CircleLit&) { return kZone; },
-          [](const PolygonLit&) { return kZone; },
-          [](const NumberLit&) { return kPrimary; },
-          [](const BoolLit&) { return kPrimary; },
-          [](const NameRef&) { return kPrimary; },
-          [](const Member&) { return kPrimary; },
-          [](const Call&) { return kPrimary; },
-          [](const PointLit&) { return kPrimary; },
-          [](const ErrorExpr&) { return kPrimary; },
+          [](const Unary& node) { return node.op == UnaryOp::negate ? negation_level : not_level; },
+          [](const Held&) { return held_level; },
+          [](const Quantified&) { return quantified_level; },
+          [](const RectangleLit&) { return zone_level; },
+          [](const CircleLit&) { return zone_level; },
+          [](const PolygonLit&) { return zone_level; },
+          [](const NumberLit&) { return primary_level; },
+          [](const BoolLit&) { return primary_level; },
+          [](const NameRef&) { return primary_level; },
+          [](const Member&) { return primary_level; },
+          [](const Call&) { return primary_level; },
+          [](const PointLit&) { return primary_level; },
+          [](const ErrorExpr&) { return primary_level; },
       },
       expr.node);
 }
@@ -111,26 +111,26 @@ std::string print_node(const NameRef& node) {
   return node.name.text;
 }
 std::string print_node(const Member& node) {
-  return operand(node.base, kPrimary) + '.' + node.field.text;
+  return operand(node.base, primary_level) + '.' + node.field.text;
 }
 std::string print_node(const Call& node) {
   return node.callee.text + '(' + print_list(node.arguments) + ')';
 }
 std::string print_node(const Unary& node) {
-  if (node.op == UnaryOp::negate) return '-' + operand(node.operand, kNegation);
-  return "not " + operand(node.operand, kNot);
+  if (node.op == UnaryOp::negate) return '-' + operand(node.operand, negation_level);
+  return "not " + operand(node.operand, not_level);
 }
 std::string print_node(const Binary& node) {
   const Strength own = strength_of(node.op);
   // `implies` groups to the right, comparisons not at all, everything else to the left.
-  const bool left_may_repeat = own != kImplies && own != kComparison;
-  const bool right_may_repeat = own == kImplies;
+  const bool left_may_repeat = own != implies_level && own != comparison_level;
+  const bool right_may_repeat = own == implies_level;
   return operand(node.left, left_may_repeat ? own : next_above(own)) + ' ' +
          std::string{spell(node.op)} + ' ' +
          operand(node.right, right_may_repeat ? own : next_above(own));
 }
 std::string print_node(const Held& node) {
-  return operand(node.operand, kHeld) + " for " + operand(node.duration, kPrimary);
+  return operand(node.operand, held_level) + " for " + operand(node.duration, primary_level);
 }
 std::string print_node(const Quantified& node) {
   std::string head =
@@ -145,7 +145,7 @@ std::string print_node(const RectangleLit& node) {
   return "rectangle " + print_expr(*node.from) + " to " + print_expr(*node.to);
 }
 std::string print_node(const CircleLit& node) {
-  return "circle " + print_expr(*node.centre) + " radius " + operand(node.radius, kPrimary);
+  return "circle " + print_expr(*node.centre) + " radius " + operand(node.radius, primary_level);
 }
 std::string print_node(const PolygonLit& node) {
   std::string result = "polygon [" + print_list(node.outer.points) + ']';

@@ -19,8 +19,8 @@
 
 namespace {
 
-using surveillance::TourResult;
 using rtac::sim::fixed;
+using surveillance::TourResult;
 
 struct Arguments {
   int seeds = 20;
@@ -145,8 +145,8 @@ int main(int argc, char** argv) {
   }
   all.push_back(fly_all(arguments, surveillance::Variant::sound_2, false));
 
-  rtac::sim::Table table({"decision module", "reached", "reachable", "of these", "AC %",
-                          "switches", "time s", "clearance m", "violated"});
+  rtac::sim::Table table({"decision module", "reached", "reachable", "of these", "AC %", "switches",
+                          "time s", "clearance m", "violated"});
   std::string json;
   bool finished = true;
   for (const Series& series : all) {

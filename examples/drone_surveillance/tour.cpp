@@ -28,8 +28,12 @@ constexpr double room_m = 5;
 constexpr double standoff_m = 0.12;  // between body and wall: SR-1
 
 // The same room and drone in every variant.
-const rtac::ZoneView& room() { return drone_surveillance::room_zone(); }
-const rtac::RobotLimits& limits() { return drone_surveillance::Quadrotor_limits(); }
+const rtac::ZoneView& room() {
+  return drone_surveillance::room_zone();
+}
+const rtac::RobotLimits& limits() {
+  return drone_surveillance::Quadrotor_limits();
+}
 
 bool reachable(Vec2 place) {
   return rtac::signed_clearance(room(), place) >= drone_surveillance::System::return_clearance_m;
@@ -160,8 +164,7 @@ TourResult fly(const TourOptions& options) {
   system_options.protect = options.protect;
   system_options.reach_m = 0.05;
   System system({Controllers{fly_plan, planner}, tour}, system_options, &watch);
-  const rtac::Status status =
-      system.run(world, static_cast<rtac::TimeUs>(options.seconds * 1e6));
+  const rtac::Status status = system.run(world, static_cast<rtac::TimeUs>(options.seconds * 1e6));
 
   TourResult result;
   tour.take_results(result);
@@ -177,10 +180,14 @@ TourResult fly(const TourOptions& options) {
 
 const char* name_of(Variant variant) {
   switch (variant) {
-    case Variant::sound_2: return "sound, 2 way-points";
-    case Variant::sound_1: return "sound, 1 way-point";
-    case Variant::paper_1: return "paper, 1 way-point";
-    case Variant::paper_2: return "paper, 2 way-points";
+    case Variant::sound_2:
+      return "sound, 2 way-points";
+    case Variant::sound_1:
+      return "sound, 1 way-point";
+    case Variant::paper_1:
+      return "paper, 1 way-point";
+    case Variant::paper_2:
+      return "paper, 2 way-points";
   }
   return "";
 }

@@ -49,9 +49,10 @@ int DistanceField::cell_of(Vec2 p) const {
 }
 
 Vec2 DistanceField::centre(int cell) const {
-  const double half = 0.5 * zone_.cell_mm;
-  return {1e-3 * (zone_.origin_x_mm + cell % zone_.columns * zone_.cell_mm + half),
-          1e-3 * (zone_.origin_y_mm + cell / zone_.columns * zone_.cell_mm + half)};
+  const double half_mm = 0.5 * zone_.cell_mm;
+  const int row = cell / zone_.columns, column = cell % zone_.columns;
+  return {1e-3 * (zone_.origin_x_mm + column * zone_.cell_mm + half_mm),
+          1e-3 * (zone_.origin_y_mm + row * zone_.cell_mm + half_mm)};
 }
 
 double DistanceField::distance_m(Vec2 from) const {

@@ -181,6 +181,8 @@ struct Rule {
   bool fix = false;     // its fix-it gives a specification without errors
 };
 
-inline void PrintTo(const Rule& rule, std::ostream* out) { *out << rule.name; }
+inline void PrintTo(const Rule& rule, std::ostream* out) {
+  *out << rule.name;
+}
 
 }  // namespace rtac::sema::test
