@@ -9,7 +9,7 @@
  * included: sqrt(1.0^2 + (0.22 * 2.84)^2). A turn of 10 rad/s^2 bends this share of the stop away.
  */
 static const double radius = 0.11, position_error = 0.02, velocity_error = 0.01, any_accel = 1.18,
-                    brake = 1.0, brake_bend = 0.807, hold = 0.01, standoff = 0.08, tracking = 0.1,
+                    brake = 1.0, brake_bend = 0.807, hold = 0.01, standoff = 0.08, tracking = 0.05,
                     speed_max = 100;
 static const double battery_error = 0.005, drain_per_s = 0.004, reserve_now = 0.05,
                     reserve_ahead = 0.104, give_back_charge = 0.9;
@@ -17,7 +17,7 @@ static const double percent = 100, no_way = 1073.741824;
 enum { HORIZON_US = 240000 };
 static const double horizon = HORIZON_US * 1e-6, return_extra = 0.1, give_back_clearance = 0.05;
 enum { PERIOD_US = 100000, LATENCY_US = 40000, LEASE_US = 1000000, LEGS = 2, HELD_TICKS = 10 };
-enum { MOTION_AGE_US = 200000, BATTERY_AGE_US = 5000000 };
+enum { MOTION_AGE_US = 100000, HEARD_AGE_US = 200000, BATTERY_AGE_US = 5000000 };
 enum { ANY = 0, HOLDING = HAND_MONITORS + 1 }; /* of the motions */
 
 typedef struct estimate {
@@ -73,18 +73,18 @@ static void add(margin* m, margin b) {
 
 /* ---- estimates ---- */
 
-static int usable(const hand_point* s, int64_t now_us) {
-  return s->valid && s->stamp_us <= now_us && now_us - s->stamp_us <= MOTION_AGE_US;
+static int usable(const hand_point* s, int64_t now_us, int64_t max_age_us) {
+  return s->valid && s->stamp_us <= now_us && now_us - s->stamp_us <= max_age_us;
 }
 static int in_range(hand_vec v) {
   return fabs(v.x) <= speed_max && fabs(v.y) <= speed_max;
 }
-static estimate estimate_of(const hand_point* position, const hand_point* velocity,
-                            int64_t now_us) {
+static estimate estimate_of(const hand_point* position, const hand_point* velocity, int64_t now_us,
+                            int64_t max_age_us) {
   estimate s = {INPUT_NONE, {0, 0}, {0, 0}, 0, 0, 0};
-  if (!usable(position, now_us)) {
+  if (!usable(position, now_us, max_age_us)) {
     s.input = INPUT_POSITION;
-  } else if (!usable(velocity, now_us) || !in_range(velocity->value)) {
+  } else if (!usable(velocity, now_us, max_age_us) || !in_range(velocity->value)) {
     s.input = INPUT_VELOCITY;
   } else {
     /* the velocity may have changed between the two stamps */
@@ -455,7 +455,7 @@ static int in_order(int64_t stamp_us, int64_t now_us, int64_t* last_us) {
   return 1;
 }
 static int64_t next_tick(hand_state* s, int64_t now_us) {
-  int64_t count, elapsed;
+  int64_t count, elapsed, gap_us;
   if (!s->started) {
     s->started = 1;
     s->origin_us = s->last_us = now_us;
@@ -465,16 +465,17 @@ static int64_t next_tick(hand_state* s, int64_t now_us) {
   if (now_us < s->last_us) {
     return -1;
   }
+  gap_us = now_us - s->last_us;
   s->last_us = now_us;
   count = (now_us - s->origin_us + PERIOD_US / 2 - 1) / PERIOD_US;
   elapsed = count - s->tick;
   s->tick = count;
-  return elapsed;
+  return gap_us > HORIZON_US && elapsed < 2 ? 2 : elapsed;
 }
 static void measure(tick* v, hand_state* s, int64_t elapsed) {
   const hand_in* in = v->in;
   int j;
-  v->me = estimate_of(&in->position, &in->velocity, v->now_us);
+  v->me = estimate_of(&in->position, &in->velocity, v->now_us, MOTION_AGE_US);
   if (in->position.valid && !in_order(in->position.stamp_us, v->now_us, &s->last_position_us)) {
     v->me.input = INPUT_POSITION;
   }
@@ -488,7 +489,7 @@ static void measure(tick* v, hand_state* s, int64_t elapsed) {
   for (j = 0; j < HAND_ROBOTS; ++j) {
     const hand_other* o = &in->others[j];
     if (j != v->self) {
-      v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us);
+      v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, HEARD_AGE_US);
       if (o->position.valid && !in_order(o->position.stamp_us, v->now_us, &s->last_other_us[j])) {
         v->others[j].s.input = INPUT_OTHER_ROBOT;
       }

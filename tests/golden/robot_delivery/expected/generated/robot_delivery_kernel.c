@@ -1625,7 +1625,7 @@ static const cells cells_to_dock[] = {
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
 static const body BODY = {
-  110, 20, 10, 1180, 1000, 0, 807, 10, 200000, 200000
+  110, 20, 10, 1180, 1000, 0, 807, 10, 100000, 100000
 };
 /* The same of another robot, whose samples are as old as `hears` allows. */
 static const body plan_executor_heard_body = {
@@ -1679,7 +1679,7 @@ static margin plan_executor_collision_now(const plan_executor_view *v) {
 
 static margin plan_executor_collision_ahead_v0(const plan_executor_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 80, j);
-  const margin v1 = v->legs != 0 ? legs_apart(&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, 2, 402, 10, 100, j < v->in->self, j) : margin_true();
+  const margin v1 = v->legs != 0 ? legs_apart(&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, 2, 352, 10, 50, j < v->in->self, j) : margin_true();
   const margin v2 = margin_and(v0, v1);
   return v2;
 }
@@ -1707,7 +1707,7 @@ static margin plan_executor_geofence_now(const plan_executor_view *v) {
 /* Everything within reach; recovery: turn_back */
 static margin plan_executor_geofence_ahead(const plan_executor_view *v) {
   const margin v0 = zone_reach(&zone_free, &v->within, 0);
-  const margin v1 = v->legs != 0 ? legs_in_zone(&zone_free, &v->self, &v->in->plan, 2, 211) : margin_true();
+  const margin v1 = v->legs != 0 ? legs_in_zone(&zone_free, &v->self, &v->in->plan, 2, 161) : margin_true();
   const margin v2 = margin_and(v0, v1);
   return v2;
 }

@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.311;
-  static constexpr double cruise_clearance_m = 0.305;
-  static constexpr double pass_gap_m = 0.619;
+  static constexpr double return_clearance_m = 0.289;
+  static constexpr double cruise_clearance_m = 0.283;
+  static constexpr double pass_gap_m = 0.597;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"r1", "r2"};
@@ -64,7 +64,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : plan_executor(self), motion_planner(self), give_way(setting(0.15, free_zone(), 0.316, 0.311, 0.619)), turn_back(setting(0.15, free_zone(), 0.316, 0.311, 0.619)), go_charge(setting(0.2, free_zone(), 0.356, 0.311, 0.619), dock(self)) {}
+        : plan_executor(self), motion_planner(self), give_way(setting(0.15, free_zone(), 0.299, 0.289, 0.597)), turn_back(setting(0.15, free_zone(), 0.299, 0.289, 0.597)), go_charge(setting(0.2, free_zone(), 0.334, 0.289, 0.597), dock(self)) {}
     PlanExecutor plan_executor;
     MotionPlanner motion_planner;
     rtac::safe::Yield<rtac::Twist> give_way;
