@@ -72,8 +72,9 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us) {
     b.brake_lag_permille = std::min<std::int64_t>(2000, up(lag, 1000));
     b.hold_mm = hold_slack_mm;
   } else {
-    // theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h
-    const std::int64_t delay_us = period_us + b.latency_us;
+    // theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h. The lag
+    // runs from the measurement on, so that the age of the sample is part of it.
+    const std::int64_t delay_us = b.velocity_age_us + period_us + b.latency_us;
     const std::int64_t eta = b.velocity_error_mmps + div_up(b.brake_mmps2 * delay_us, 1'000'000);
     b.brake_lag_ms = div_up(1000 * eta, b.brake_mmps2);
     b.hold_mm = div_up(eta * eta, b.brake_mmps2) + 2 * b.position_error_mm + hold_slack_mm;

@@ -21,8 +21,9 @@ constexpr double lateral_gain_per_s = 1.0;
 
 Pilot<Acceleration>::Pilot(const Setting& setting)
     : limits_(setting.limits), period_us_(setting.period_us), speed_mps_(setting.speed_mps) {
-  reaction_s_ = static_cast<double>(period_us_ + limits_.latency_us) * s_per_us;
-  // theory: sampled brake, eta = eps_v + b (h + l).
+  reaction_s_ =
+      static_cast<double>(limits_.velocity_age_us + period_us_ + limits_.latency_us) * s_per_us;
+  // theory: sampled brake, eta = eps_v + b (h + l), the age of the sample being part of the lag.
   rest_mps_ = limits_.velocity_error_mps + limits_.brake_mps2 * reaction_s_;
   // Critically damped; a quarter of a radian per delay leaves a phase margin above 60 degrees.
   const double age_s = static_cast<double>(limits_.position_age_us) * s_per_us;
@@ -31,6 +32,7 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
 
 void Pilot<Acceleration>::engage(const Observation& observation) {
   latched_ = driving_ = false;
+  rest_.reset();
   if (can_steer(observation)) return;
   // Nothing seen yet in this engagement: an older velocity must not steer the blind brake.
   if (observation.velocity.stamp_us == never_us || !is_finite(observation.velocity.value)) {
@@ -74,7 +76,7 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
   last_velocity_ = v;
   last_seen_us_ = observation.velocity.stamp_us;
   const double speed = norm(v), b = limits_.brake_mps2;
-  if (!latched_ && speed <= rest_mps_) {
+  if (!latched_ && rest_.admits(observation, limits_.latency_us) && speed <= rest_mps_) {
     latched_ = true;
     // Where the remaining speed comes to rest, so that the hold begins without a step back.
     hold_at_ = p + (reaction_s_ / 2) * v;
@@ -93,6 +95,7 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
   }
   driving_ = true;
   latched_ = false;
+  rest_.reset();
   last_velocity_ = v;
   last_seen_us_ = observation.velocity.stamp_us;
   const LegTracker::Leg leg = tracker_.leg(way, p);

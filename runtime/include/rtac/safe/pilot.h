@@ -32,6 +32,26 @@ class LegTracker {
 double approach_speed(const LegTracker::Leg& leg, double speed_mps, double brake_mps2,
                       double reaction_s);
 
+// Which measurements may show that a halt has come to rest: those taken after its first command
+// acted, each once. An older one may still show the robot before it was driven off.
+class RestWitness {
+ public:
+  void reset() { since_us_ = never_us; }
+  // True for a new measurement of the halt that goes on since the last reset.
+  bool admits(const Observation& observation, TimeUs latency_us) {
+    if (since_us_ == never_us) {
+      since_us_ = observation.now_us + latency_us;
+      last_us_ = since_us_ - 1;
+    }
+    if (observation.velocity.stamp_us <= last_us_) return false;
+    last_us_ = observation.velocity.stamp_us;
+    return true;
+  }
+
+ private:
+  TimeUs since_us_ = never_us, last_us_ = never_us;
+};
+
 template <class Output>
 class Pilot;
 
@@ -57,11 +77,12 @@ class Pilot<Acceleration> {
   RobotLimits limits_;
   TimeUs period_us_;
   double speed_mps_;
-  double reaction_s_;   // period and latency: until a command acts
+  double reaction_s_;   // sample age, period and latency: from a measurement until its command acts
   double rest_mps_;     // measured speed below which the brake gives way to the position hold
   double omega_radps_;  // natural frequency of the position hold
   LegTracker tracker_;
   bool latched_ = false, driving_ = false;
+  RestWitness rest_;
   Vec2 hold_at_;
   Vec2 last_velocity_;
   TimeUs last_seen_us_ = never_us;

@@ -832,7 +832,7 @@ static const zone zone_east = {zone_east_edges, 4};
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
 static const body BODY = {
-  80, 20, 20, 1000, 1000, 90, 0, 59, 50000, 50000
+  80, 20, 20, 1000, 1000, 140, 0, 70, 50000, 50000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {

@@ -715,11 +715,11 @@ static int32_t gate_of(const reach *r, const other *others, int32_t count, int32
 /* radius mm, position error mm, velocity error mm/s, acceleration and brake mm/s^2, brake lag ms
  * and permille, hold mm, largest ages us */
 static const body BODY = {
-  150, 20, 20, 2000, 2000, 50, 0, 55, 40000, 40000
+  150, 20, 20, 2000, 2000, 90, 0, 67, 40000, 40000
 };
 /* The same of another robot, whose samples are as old as `hears` allows. */
 static const body fly_heard_body = {
-  150, 20, 20, 2000, 2000, 50, 0, 55, 60000, 60000
+  150, 20, 20, 2000, 2000, 90, 0, 67, 60000, 60000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {

@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.387;
-  static constexpr double cruise_clearance_m = 1.061;
-  static constexpr double pass_gap_m = 1.242;
+  static constexpr double return_clearance_m = 0.412;
+  static constexpr double cruise_clearance_m = 1.122;
+  static constexpr double pass_gap_m = 1.314;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -59,7 +59,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.486, 0.387, 1.242)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.514, 0.412, 1.314)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
   };
