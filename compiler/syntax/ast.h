@@ -116,7 +116,7 @@ struct PolygonLit {  // polygon [p, p, p] hole [p, p, p]
   Ring outer;
   std::vector<Ring> holes;
 };
-struct ErrorExpr {};  // placeholder after a syntax error; sema stays silent about it
+struct ErrorExpr {};  // stands where a syntax error was; sema stays silent about it
 
 struct Expr {
   SourceRange range;

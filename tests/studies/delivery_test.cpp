@@ -68,8 +68,8 @@ TEST_F(Delivery, AdvancedControllerDrivesAtLeastThirtyPercent) {
   for_robots([](const json& robot) { EXPECT_GE(robot["advanced_share"].get<double>(), 0.30); });
 }
 
-// Collision, geofence, battery: each engages in every shift of some robot, and also while another
-// one is engaged.
+// Collision, geofence, battery: each engages in every shift, and over all shifts each of them also
+// engages while another one is engaged.
 TEST_F(Delivery, EachMonitorActs) {
   for (const json& shift : protected_) {
     for (std::size_t monitor = 0; monitor < 3; ++monitor) {

@@ -84,6 +84,7 @@ TEST_F(Surveillance, TheSafeControllerTakesOverAndGivesBack) {
 
 // The same binary, seeds and destinations without the decision module.
 TEST_F(Surveillance, UnprotectedViolatesInEverySeed) {
+  ASSERT_EQ(tours("unprotected").size(), static_cast<std::size_t>(seeds));
   for (const json& tour : tours("unprotected")) EXPECT_TRUE(tour["violated"].get<bool>()) << tour;
 }
 

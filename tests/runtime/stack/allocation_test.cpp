@@ -41,8 +41,8 @@ TEST(Allocation, NoneWhileTheSystemRuns) {
   test::Bench bench(2);
   bench.with_judge();
   for (int i = 0; i < 40; ++i) {
-    bench.tasks.todo[0].push_back({i % 2 == 0 ? 2.0 : 0.0, 0});
-    bench.tasks.todo[1].push_back({1, i % 2 == 0 ? 1.5 : -1.5});
+    bench.tasks.waiting[0].push_back({i % 2 == 0 ? 2.0 : 0.0, 0});
+    bench.tasks.waiting[1].push_back({1, i % 2 == 0 ? 1.5 : -1.5});
   }
   bench.fleet.points[1].p = {1, -1.5};
   bench.decision[0].script = [](const Observation& seen, DecisionRecord& record) {

@@ -22,7 +22,7 @@ TEST(Robot, GoesOnWithTheSafePlanner) {
   bench.with_judge();
   bench.safe_planner[0].detour_m = 0;
   bench.planner[0].detour_m = 0.5;
-  bench.tasks.todo[0] = {{2, 0}};
+  bench.tasks.waiting[0] = {{2, 0}};
   reject_longer_than(bench, 1);
   ASSERT_EQ(bench.run(10), Status::ok);
   EXPECT_EQ(bench.planner[0].calls, 1);
@@ -34,7 +34,7 @@ TEST(Robot, GoesOnWithTheSafePlanner) {
 TEST(Robot, SkipsAfterRejections) {
   Bench bench;
   bench.with_judge();
-  bench.tasks.todo[0] = {{2, 0}, {0, 2}};
+  bench.tasks.waiting[0] = {{2, 0}, {0, 2}};
   reject_longer_than(bench, 0);
   ASSERT_EQ(bench.run(0.65), Status::ok);  // plan, rejected, return: two ticks for each
   ASSERT_EQ(bench.log.skip_count, 1u);
@@ -47,7 +47,7 @@ TEST(Robot, SkipsAfterRejections) {
 // Without a safe planner there is nothing to try after a rejection.
 TEST(Robot, SkipsAtOnceWithoutASafePlanner) {
   Bench bench;
-  bench.tasks.todo[0] = {{2, 0}, {0, 2}};
+  bench.tasks.waiting[0] = {{2, 0}, {0, 2}};
   bench.decision[0].script = [](const Observation& seen, DecisionRecord& record) {
     if (seen.plan.points.empty() || seen.plan.points[0].x < 1) return;
     record.mode = 1, record.reason = Reason::waypoint;
@@ -63,7 +63,7 @@ TEST(MotionPlanner, TakesTheSafePlanWhenTheOtherIsNotAdmissible) {
   Bench bench;
   bench.with_judge();
   bench.judge[0].admits = [](const Path& plan) { return plan.points.size() == 2; };
-  bench.tasks.todo[0] = {{2, 0}};
+  bench.tasks.waiting[0] = {{2, 0}};
   ASSERT_EQ(bench.run(15), Status::ok);
   EXPECT_EQ(bench.log.plans, 0);
   EXPECT_EQ(bench.log.safe_plans, 1);
@@ -76,7 +76,7 @@ TEST(MotionPlanner, JudgesTheSafePlannerToo) {
   Bench bench;
   bench.with_judge();
   bench.judge[0].admits = [](const Path&) { return false; };
-  bench.tasks.todo[0] = {{2, 0}};
+  bench.tasks.waiting[0] = {{2, 0}};
   ASSERT_EQ(bench.run(1), Status::ok);
   EXPECT_EQ(bench.log.plans + bench.log.safe_plans, 0);
   ASSERT_EQ(bench.log.skip_count, 1u);
@@ -89,7 +89,7 @@ TEST(MotionPlanner, WithoutProtectionUsesTheAdvancedPlan) {
   bench.with_judge();
   bench.options.protect = false;
   bench.judge[0].admits = [](const Path&) { return false; };
-  bench.tasks.todo[0] = {{2, 0}};
+  bench.tasks.waiting[0] = {{2, 0}};
   ASSERT_EQ(bench.run(10), Status::ok);
   EXPECT_EQ(bench.log.judged, 1);
   EXPECT_EQ(bench.log.plans, 1);
@@ -100,7 +100,7 @@ TEST(MotionPlanner, WithoutProtectionUsesTheAdvancedPlan) {
 TEST(MotionPlanner, SkipsUnreachableDestinations) {
   Bench bench;
   bench.planner[0].able = false;
-  bench.tasks.todo[0] = {{2, 0}, {3, 0}};
+  bench.tasks.waiting[0] = {{2, 0}, {3, 0}};
   ASSERT_EQ(bench.run(3), Status::ok);
   ASSERT_EQ(bench.log.skip_count, 2u);
   EXPECT_EQ(bench.log.skips[0], SkipReason::unreachable);
@@ -110,7 +110,7 @@ TEST(MotionPlanner, SkipsUnreachableDestinations) {
 
 // Robot 1 stands between robot 0 and its destination, at (1.5, 0).
 void stand_in_the_way(Bench& bench) {
-  bench.tasks.todo[0] = {{3, 0}};
+  bench.tasks.waiting[0] = {{3, 0}};
   bench.fleet.points[1].p = {1.5, 0};
   bench.fleet.points[1].said.position = {{1.5, 0}, 0};  // heard before the first tick
 }
@@ -139,7 +139,7 @@ TEST(Robot, WaitsForARobotInTheWay) {
 TEST(Robot, SkipsWhenBlockedForLong) {
   Bench bench(2);
   stand_in_the_way(bench);
-  bench.tasks.todo[0].push_back({0, 2});
+  bench.tasks.waiting[0].push_back({0, 2});
   ASSERT_EQ(bench.run(30), Status::ok);
   ASSERT_EQ(bench.log.skip_count, 1u);
   EXPECT_EQ(bench.log.skips[0], SkipReason::blocked);
@@ -182,7 +182,7 @@ TEST(Robot, IsNotBlockedWhileCharging) {
 // With nothing left to do the robot gives control up and makes no claim.
 TEST(Robot, ParksWithoutTasks) {
   Bench bench;
-  bench.tasks.todo[0] = {{0.5, 0}};
+  bench.tasks.waiting[0] = {{0.5, 0}};
   ASSERT_EQ(bench.run(6), Status::ok);
   EXPECT_EQ(bench.log.delivered, 1);
   EXPECT_TRUE(bench.decision[0].last_surrender);
@@ -194,7 +194,7 @@ TEST(Robot, ParksWithoutTasks) {
 TEST(Robot, SkipsWhenStalled) {
   Bench bench;
   bench.advanced[0].speed_mps = 0;
-  bench.tasks.todo[0] = {{3, 0}};
+  bench.tasks.waiting[0] = {{3, 0}};
   ASSERT_EQ(bench.run(35), Status::ok);
   ASSERT_EQ(bench.log.skip_count, 1u);
   EXPECT_EQ(bench.log.skips[0], SkipReason::stalled);
@@ -210,7 +210,7 @@ TEST(Robot, ChargingIsNotStalling) {
     bench.decision[0].script = [](const Observation& seen, DecisionRecord& record) {
       if (seen.now_us >= 1'000'000 && seen.now_us < 60'000'000) record.mode = 2;
     };
-    bench.tasks.todo[0] = {{3, 0}};
+    bench.tasks.waiting[0] = {{3, 0}};
     ASSERT_EQ(bench.run(80), Status::ok);
     EXPECT_EQ(bench.log.delivered, errand ? 1 : 0);
     EXPECT_EQ(bench.log.skip_count, errand ? 0u : 1u);
@@ -221,7 +221,7 @@ TEST(Robot, ChargingIsNotStalling) {
 TEST(Robot, DoesNotPlanBlind) {
   Bench bench;
   bench.fleet.points[0].seen = false;
-  bench.tasks.todo[0] = {{2, 0}};
+  bench.tasks.waiting[0] = {{2, 0}};
   ASSERT_EQ(bench.run(1), Status::ok);
   EXPECT_EQ(bench.planner[0].calls, 0);
   bench.fleet.points[0].seen = true;

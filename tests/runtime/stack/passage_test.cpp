@@ -37,7 +37,7 @@ TEST(Passage, SurrendersWhenARobotThatComesFirstAsks) {
   Bench bench(2);
   mute(bench, asks_for_passage({0, 0}, {3, 0}));
   bench.fleet.points[1].p = {1, 0};
-  bench.tasks.todo[1] = {{1, 3}};
+  bench.tasks.waiting[1] = {{1, 3}};
   ASSERT_EQ(bench.run(2), Status::ok);
   EXPECT_TRUE(bench.fleet.points[0].said.blocked);
   EXPECT_TRUE(bench.decision[1].last_surrender);
@@ -49,7 +49,7 @@ TEST(Passage, GoesOnFarFromTheWayOfTheOther) {
   Bench bench(2);
   mute(bench, asks_for_passage({0, 0}, {3, 0}));
   bench.fleet.points[1].p = {1, 4};
-  bench.tasks.todo[1] = {{3, 4}};
+  bench.tasks.waiting[1] = {{3, 4}};
   ASSERT_EQ(bench.run(2), Status::ok);
   EXPECT_FALSE(bench.decision[1].last_surrender);
   EXPECT_EQ(bench.give_way[1].engaged, 0);
@@ -62,7 +62,7 @@ TEST(Passage, StaysAsideAfterTheLastRequest) {
   Bench bench(2);
   mute(bench, asks_for_passage({0, 0}, {3, 0}));
   bench.fleet.points[1].p = {1, 0};
-  bench.tasks.todo[1] = {{1, 3}};
+  bench.tasks.waiting[1] = {{1, 3}};
   ASSERT_EQ(bench.run(2), Status::ok);
   ASSERT_TRUE(bench.decision[1].last_surrender);
   bench.decision[0].script = [](const Observation&, DecisionRecord&) {};  // robot 0 asks no more
@@ -78,7 +78,7 @@ TEST(Passage, ErrandsComeBeforeDeliveries) {
   Bench bench(2);
   mute(bench, asks_for_passage({0, 0}, {3, 0}));
   bench.fleet.points[1].p = {1.2, 0.8};
-  bench.tasks.todo[1] = {{1.2, 3}};
+  bench.tasks.waiting[1] = {{1.2, 3}};
   ASSERT_EQ(bench.run(0.5), Status::ok);
   EXPECT_TRUE(bench.fleet.points[0].said.errand);
   EXPECT_FALSE(bench.fleet.points[1].said.claims);
@@ -88,7 +88,7 @@ TEST(Passage, ErrandsComeBeforeDeliveries) {
 TEST(Passage, WaitsRatherThanTakingALongWayAround) {
   for (const bool is_long : {false, true}) {
     Bench bench(2);
-    bench.tasks.todo[0] = {{3, 0}};
+    bench.tasks.waiting[0] = {{3, 0}};
     bench.fleet.points[1].p = {1.5, 1.2};  // in nobody's way, but it makes plans go around
     bench.fleet.points[1].said.position = {{1.5, 1.2}, 0};
     bench.options.near_gaps = 10;
@@ -103,7 +103,7 @@ TEST(Passage, WaitsRatherThanTakingALongWayAround) {
 // A leg that fails because of another robot is no fault of the plan: it waits and tries again.
 TEST(Passage, WaitingForARobotIsNoRejection) {
   Bench bench(2);
-  bench.tasks.todo[0] = {{3, 0}};
+  bench.tasks.waiting[0] = {{3, 0}};
   bench.fleet.points[1].p = {0, 9};
   bench.decision[0].script = [](const Observation& seen, DecisionRecord& record) {
     if (seen.now_us > 6'000'000 || seen.plan.points.empty()) return;

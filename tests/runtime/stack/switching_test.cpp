@@ -19,7 +19,7 @@ void take_over(Bench& bench, int mode, Reason reason, Gate gate = Gate::free) {
 // Undisturbed, the destinations are reached in their order.
 TEST(PlanExecutor, DeliversInOrder) {
   Bench bench;
-  bench.tasks.todo[0] = {{1, 0}, {1, 1}, {0, 0}};
+  bench.tasks.waiting[0] = {{1, 0}, {1, 1}, {0, 0}};
   ASSERT_EQ(bench.run(30), Status::ok);
   ASSERT_EQ(bench.tasks.completed_[0].size(), 3u);
   EXPECT_EQ(bench.tasks.completed_[0][1].y, 1);
@@ -30,7 +30,7 @@ TEST(PlanExecutor, DeliversInOrder) {
 // A hand-over engages the recovery once, and it then drives every tick with the record's gate.
 TEST(PlanExecutor, EngagesOnce) {
   Bench bench;
-  bench.tasks.todo[0] = {{5, 0}};
+  bench.tasks.waiting[0] = {{5, 0}};
   take_over(bench, 2, Reason::margin, Gate::away_only);
   ASSERT_EQ(bench.run(3), Status::ok);
   EXPECT_EQ(bench.go_charge[0].engaged, 1);
@@ -42,7 +42,7 @@ TEST(PlanExecutor, EngagesOnce) {
 // From one recovery to the other: each is engaged when its turn comes.
 TEST(PlanExecutor, SwitchesBetweenRecoveries) {
   Bench bench;
-  bench.tasks.todo[0] = {{5, 0}};
+  bench.tasks.waiting[0] = {{5, 0}};
   bench.decision[0].script = [](const Observation& seen, DecisionRecord& record) {
     if (seen.now_us >= 1'000'000) record.mode = seen.now_us < 1'500'000 ? 1 : 2;
   };
@@ -55,7 +55,7 @@ TEST(PlanExecutor, SwitchesBetweenRecoveries) {
 // The plan is dropped with control and made anew when control returns; the destination stays.
 TEST(PlanExecutor, DropsThePlanAndPlansAnew) {
   Bench bench;
-  bench.tasks.todo[0] = {{5, 0}};
+  bench.tasks.waiting[0] = {{5, 0}};
   take_over(bench, 1, Reason::margin);
   ASSERT_EQ(bench.run(1.5), Status::ok);
   EXPECT_EQ(bench.decision[0].last_plan_size, 0u);
@@ -70,7 +70,7 @@ TEST(PlanExecutor, DropsThePlanAndPlansAnew) {
 // The recovery's hold reaches the decision module, and the lease of the record is announced.
 TEST(PlanExecutor, AnnouncesTheLease) {
   Bench bench;
-  bench.tasks.todo[0] = {{5, 0}};
+  bench.tasks.waiting[0] = {{5, 0}};
   take_over(bench, 1, Reason::margin);
   ASSERT_EQ(bench.run(1.5), Status::ok);
   EXPECT_TRUE(bench.decision[0].last_holding);
@@ -83,7 +83,7 @@ TEST(PlanExecutor, AnnouncesTheLease) {
 // What a recovery says about itself is announced while it drives.
 TEST(PlanExecutor, AnnouncesTheRecovery) {
   Bench bench;
-  bench.tasks.todo[0] = {{5, 0}};
+  bench.tasks.waiting[0] = {{5, 0}};
   take_over(bench, 2, Reason::margin);
   bench.go_charge[0].is_blocked = true;
   (void)bench.go_charge[0].way.points.push({4, 4});
@@ -102,7 +102,7 @@ TEST(PlanExecutor, AnnouncesTheRecovery) {
 TEST(PlanExecutor, WithoutProtectionTheAdvancedControllerDrives) {
   Bench bench;
   bench.options.protect = false;
-  bench.tasks.todo[0] = {{3, 0}};
+  bench.tasks.waiting[0] = {{3, 0}};
   bench.decision[0].script = [](const Observation& seen, DecisionRecord& record) {
     record.mode = 1, record.reason = Reason::leg, record.lease_end_us = seen.now_us + 1;
   };
@@ -116,7 +116,7 @@ TEST(PlanExecutor, WithoutProtectionTheAdvancedControllerDrives) {
 // A platform that froze for longer than the watchdog allows costs one tick of braking.
 TEST(PlanExecutor, BrakesWhenTheDecisionWasLate) {
   Bench bench;
-  bench.tasks.todo[0] = {{5, 0}};
+  bench.tasks.waiting[0] = {{5, 0}};
   bench.fleet.jump_at_us = 1'000'000, bench.fleet.jump_us = 450'000;
   ASSERT_EQ(bench.run(3), Status::ok);
   EXPECT_EQ(bench.log.late, 1);
@@ -140,7 +140,7 @@ TEST(System, TicksEachRobotAtItsPeriod) {
 // Stopping and going on is the same as not having stopped.
 TEST(System, RunsInPieces) {
   Bench whole, pieces;
-  whole.tasks.todo[0] = pieces.tasks.todo[0] = {{2, 1}, {0, 0}};
+  whole.tasks.waiting[0] = pieces.tasks.waiting[0] = {{2, 1}, {0, 0}};
   ASSERT_EQ(whole.run(5), Status::ok);
   for (int i = 0; i < 10; ++i) ASSERT_EQ(pieces.run(0.5), Status::ok);
   EXPECT_EQ(whole.decision[0].steps_us, pieces.decision[0].steps_us);

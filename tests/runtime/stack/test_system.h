@@ -125,7 +125,7 @@ class Brake : public SafeController<Acceleration> {
 
 class ListTasks : public TaskSource {
  public:
-  std::array<std::vector<Vec2>, 2> todo;
+  std::array<std::vector<Vec2>, 2> waiting;
   std::array<std::vector<Vec2>, 2> completed_, skipped_;
   ListTasks() {
     for (auto* list : {&completed_, &skipped_}) {
@@ -133,7 +133,7 @@ class ListTasks : public TaskSource {
     }
   }
   bool next(int robot, Vec2& destination) override {
-    auto& list = todo[static_cast<std::size_t>(robot)];
+    auto& list = waiting[static_cast<std::size_t>(robot)];
     if (list.empty()) return false;
     destination = list.front();
     list.erase(list.begin());
