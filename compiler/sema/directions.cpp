@@ -4,17 +4,11 @@
 #include <algorithm>
 
 #include "compiler/sema/watches.h"
+#include "compiler/support/overloaded.h"
 
 namespace rtac::sema {
 
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 // Raising the parameter raises a quantity, or makes a condition true, because of `rising`; it
 // lowers it, or makes it false, because of `falling`. Neither: it has no influence.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/sema/dimension.h"
+#include "compiler/support/overloaded.h"
 
 namespace rtac::sema {
 
@@ -20,13 +21,6 @@ std::string point_text(const Point& p) {
 }
 
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string ring(const ZonePolygon::Ring& ring) {
   std::string text = "[";

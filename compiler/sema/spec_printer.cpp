@@ -2,17 +2,11 @@
 
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/expr_printer.h"
+#include "compiler/support/overloaded.h"
 
 namespace rtac::sema {
 
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";

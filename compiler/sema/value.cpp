@@ -4,19 +4,13 @@
 
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/visit.h"
+#include "compiler/support/overloaded.h"
 
 namespace rtac::sema {
 
 namespace {
 
 std::vector<Value> clone_all(const std::vector<Value>& values);
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::vector<ExprPtr> clone_all(const std::vector<ExprPtr>& operands) {
   std::vector<ExprPtr> copies;

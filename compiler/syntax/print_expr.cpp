@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/support/overloaded.h"
 #include "compiler/syntax/spelling.h"
 
 namespace rtac::syntax {

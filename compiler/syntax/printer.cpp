@@ -8,15 +8,6 @@
 namespace rtac::syntax {
 namespace {
 
-std::string join(const std::vector<Name>& names, std::string_view separator) {
-  std::string result;
-  for (const Name& name : names) {
-    if (!result.empty()) result += separator;
-    result += name.text;
-  }
-  return result;
-}
-
 std::string optional_part(std::string_view word, const ExprPtr& expr) {
   return expr ? ' ' + std::string{word} + ' ' + print_expr(*expr) : std::string{};
 }

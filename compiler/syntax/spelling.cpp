@@ -117,4 +117,13 @@ std::string spell_text(const std::string& text) {
   return result + '"';
 }
 
+std::string join(const std::vector<Name>& names, std::string_view separator) {
+  std::string result;
+  for (const Name& name : names) {
+    if (!result.empty()) result += separator;
+    result += name.text;
+  }
+  return result;
+}
+
 }  // namespace rtac::syntax

@@ -17,12 +17,6 @@ std::string_view spell(Role role);
 
 // A string literal with its quotes and escapes.
 std::string spell_text(const std::string& text);
-
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
-};
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
+std::string join(const std::vector<Name>& names, std::string_view separator);
 
 }  // namespace rtac::syntax

@@ -1,44 +1,26 @@
 #!/bin/sh
-# Recompiles the generated kernel with one seeded mistake at a time and runs the tests against it.
+# The tests of the generated kernel must notice every mistake that is seeded in it.
 # Usage: mutants.sh COMPILER KERNEL_TEXT INCLUDE_DIRECTORY TEST_PROGRAM WORK_DIRECTORY
-# Fails when a mistake goes unnoticed, or is no longer found in the text.
 set -u
 compiler=$1 kernel=$2 include=$3 program=$4 work=$5
 here=$(dirname "$0")
+text=$(basename "$kernel")
 # what takes milliseconds goes first: it notices most
 slow='Reach.*:PairAhead.*:EnergyAhead.*:Hostile.*:Rule10.NoPlaceFlapsUnderNoise:SegmentBoundary.*'
-mkdir -p "$work"
 
-# build TEXT: the tests' view of that kernel, as a library that goes before the true one
+# The tests' view of the kernel, as a library that goes before the true one.
 build() {
   "$compiler" -std=c99 -O1 -w -fPIC -shared -I"$include" -I"$here" \
-    -DPROBE_KERNEL_TEXT="\"$1\"" "$here/kernel_probe.c" -o "$work/mutant.so"
+    -DPROBE_KERNEL_TEXT="\"$1/$text\"" "$here/kernel_probe.c" -o "$work/mutant.so"
 }
-passes() {
+run() {
   LD_PRELOAD="$work/mutant.so" timeout 20 "$program" --gtest_brief=1 --gtest_fail_fast \
     --gtest_filter="$1" >"$work/log" 2>&1
 }
+passes() {
+  run "-$slow" && run "$slow"
+}
 
-build "$kernel" || { echo "the kernel itself does not compile"; exit 1; }
-passes "-$slow" || { echo "the kernel itself fails:"; cat "$work/log"; exit 1; }
-
-killed=0 wrong=0
-while read -r name edit; do
-  case $name in '' | '#'*) continue ;; esac
-  sed -E "$edit" "$kernel" >"$work/mutant.c"
-  if cmp -s "$kernel" "$work/mutant.c"; then
-    echo "$name: the expression matches nothing any more"
-    wrong=$((wrong + 1))
-  elif ! build "$work/mutant.c"; then
-    echo "$name: does not compile"
-    wrong=$((wrong + 1))
-  elif passes "-$slow" && passes "$slow"; then
-    echo "$name: NOT NOTICED"
-    wrong=$((wrong + 1))
-  else
-    killed=$((killed + 1))
-    echo "$name: noticed by $(sed -n 's/^\[  FAILED  \] \([A-Za-z0-9_.\/]*\).*/\1/p' "$work/log" | head -1)"
-  fi
-done <"$here/mutants.txt"
-echo "$killed mistakes noticed, $wrong not"
-[ "$wrong" -eq 0 ] && [ "$killed" -ge 10 ]
+# shellcheck source=tests/kernel/seed_mistakes.sh
+. "$here/seed_mistakes.sh"
+seed_mistakes "$here/mutants.txt" "$work" "$(dirname "$kernel")" "$text"
