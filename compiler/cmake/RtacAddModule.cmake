@@ -1,4 +1,5 @@
-# rtac_add_module(<target> SPEC <file.rta> [NAMESPACE <ns>] [TYPE STATIC|SHARED|OBJECT])
+# rtac_add_module(<target> SPEC <file.rta> [NAMESPACE <ns>] [TYPE STATIC|SHARED|OBJECT]
+#                 [MAX_BYTES <n>])
 #
 # Compiles a specification and makes a library of the result:
 #
@@ -14,6 +15,8 @@
 # and the runtime of the system (delivery_system.h). The specification and everything that it
 # imports are dependencies: editing one rebuilds exactly what it must. The manifest lies at the
 # path in the target property RTAC_MANIFEST.
+#
+# MAX_BYTES is what its monitors may remember; `rtac help build` says what they may without it.
 #
 # The compiler is the target rtac::rtac, of this build or of the installed package; the variable
 # RTAC_EXECUTABLE names another one, which a cross build needs: its package holds a compiler for
@@ -35,11 +38,12 @@ function(_rtac_compiler out_command out_dependency)
 endfunction()
 
 function(rtac_add_module target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SPEC;NAMESPACE;TYPE" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SPEC;NAMESPACE;TYPE;MAX_BYTES" "")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "rtac_add_module(${target}): cannot make sense of "
       "`${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}`; the form is "
-      "rtac_add_module(<target> SPEC <file.rta> [NAMESPACE <ns>] [TYPE STATIC|SHARED|OBJECT])")
+      "rtac_add_module(<target> SPEC <file.rta> [NAMESPACE <ns>] [TYPE STATIC|SHARED|OBJECT] "
+      "[MAX_BYTES <n>])")
   endif()
   if(NOT arg_SPEC)
     message(FATAL_ERROR "rtac_add_module(${target}): SPEC <file.rta> is missing")
@@ -69,9 +73,12 @@ function(rtac_add_module target)
   set(kernel "${directory}/${stem}_kernel.c")
   set(manifest "${directory}/${stem}_manifest.json")
   set(sources "${kernel}" "${directory}/${stem}.cpp")
-  set(namespace_arguments "")
+  set(flags "")
   if(arg_NAMESPACE)
-    set(namespace_arguments --namespace "${arg_NAMESPACE}")
+    list(APPEND flags --namespace "${arg_NAMESPACE}")
+  endif()
+  if(arg_MAX_BYTES)
+    list(APPEND flags --max-bytes "${arg_MAX_BYTES}")
   endif()
 
   _rtac_compiler(command dependency)
@@ -81,7 +88,7 @@ function(rtac_add_module target)
   add_custom_command(
     OUTPUT ${headers} ${sources} "${manifest}"
     COMMAND "${command}" build "${spec}" -o "${directory}"
-      --depfile "${directory}/${stem}.d" ${namespace_arguments}
+      --depfile "${directory}/${stem}.d" ${flags}
     DEPENDS "${spec}" "${dependency}"
     DEPFILE "${directory}/${stem}.d"
     COMMENT "Compiling specification ${stem}.rta"

@@ -14,7 +14,7 @@ std::vector<GeneratedFile> generate(ir::Module module, const sema::Spec& spec, N
   const std::string& stem = naming.stem;
   std::string guard = stem;
   if (naming.space.empty()) {
-    naming.space = legal(module.name);
+    naming.space = legal_namespace(module.name);
   } else {
     module.name = naming.space;
     guard.insert(0, naming.space + "_");

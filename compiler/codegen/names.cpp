@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "compiler/codegen/kernel_library.h"
+#include "compiler/codegen/library_names.h"
 #include "compiler/codegen/watch.h"
 
 namespace rtac::codegen {
@@ -91,6 +92,10 @@ std::set<std::string> words_of(const std::string& text) {
 std::string legal(const std::string& name) {
   const bool taken = reserved().count(name) > 0 || is_limit_macro(name) || is_library_type(name);
   return taken ? name + "_" : without_reserved_form(name);
+}
+
+std::string legal_namespace(const std::string& name) {
+  return is_library_global(name) ? name + "_" : legal(name);
 }
 
 std::string camel(const std::string& name) {

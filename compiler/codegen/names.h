@@ -14,6 +14,8 @@ namespace rtac::codegen {
 // An identifier that is neither a keyword nor reserved in C99 or C++17, nor a name that a standard
 // header may define as a macro; a trailing `_` is added when it was.
 std::string legal(const std::string& name);
+// The same for a namespace, which collides with what libraries declare in the global one as well.
+std::string legal_namespace(const std::string& name);
 std::string camel(const std::string& name);  // plan_executor -> PlanExecutor, a_ -> A_
 std::string upper(const std::string& name);  // plan_executor -> PLAN_EXECUTOR
 // Any text, such as the name of a file, as an identifier: `_` for what no identifier has.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "compiler/codegen/generate.h"
+#include "compiler/codegen/library_names.h"
 #include "compiler/codegen/watch.h"
 #include "compiler/diagnostics/render.h"
 #include "compiler/diagnostics/render_sarif.h"
@@ -72,6 +73,26 @@ bool can_be_included(const std::string& stem) {
   });
 }
 
+// Why no files can be called like that, and what to do; false: they can.
+bool refuse_stem(const Options& options, const std::string& stem, Compilation& c) {
+  const std::string name = options.spec == "-" ? stem : base_name(options.spec);
+  std::string message, help;
+  if (!can_be_included(stem)) {
+    message = "`#include` cannot name files that are called like `" + name + "`";
+    help = "rename the specification: no quotes, backslashes or line breaks";
+  } else {
+    const std::string folder = last_folder(options.output);
+    const std::string header = codegen::hidden_header(stem, folder);
+    if (header.empty()) return false;
+    message = "the files of `" + name + "` would hide the header `" + header + "`";
+    help = "rename the specification, such as `" + stem + "_monitors" +
+           (options.spec == "-" ? "`" : ".rta`");
+  }
+  c.diagnostics.report(
+      {diag::Code::usage, std::nullopt, std::move(message), "", {}, std::move(help), {}});
+  return true;
+}
+
 // Writing the dependencies over a file that they name would destroy it.
 bool is_overwritten(const Options& options, const Compilation& c,
                     const std::vector<OutputFile>& files) {
@@ -84,17 +105,7 @@ bool is_overwritten(const Options& options, const Compilation& c,
 int build(const Options& options, Compilation& c) {
   codegen::Naming naming;
   naming.stem = stem_of(options, c);
-  if (!can_be_included(naming.stem)) {
-    c.diagnostics.report(
-        {diag::Code::usage,
-         std::nullopt,
-         "`#include` cannot name files that are called like `" + base_name(options.spec) + "`",
-         "",
-         {},
-         "rename the specification: no quotes, backslashes or line breaks",
-         {}});
-    return exit_usage;
-  }
+  if (refuse_stem(options, naming.stem, c)) return exit_usage;
   naming.source = options.spec == "-" ? "standard input" : base_name(options.spec);
   naming.space = options.name_space;
   std::vector<OutputFile> files;
@@ -135,20 +146,37 @@ bool has_warnings(const Compilation& c) {
   });
 }
 
-// Everything that is refused by its size is refused before a file is written.
-void check_bytes(const Options& options, Compilation& c) {
-  if (!options.state_bytes_max || !c.module || !c.module->watch) return;
-  const std::int64_t bytes = codegen::watch_state_bytes(*c.module->watch);
-  if (static_cast<std::uint64_t>(bytes) <= *options.state_bytes_max) return;
+void refuse_bytes(const Options& options, Compilation& c, const SourceRange& range,
+                  const std::string& who, std::int64_t bytes) {
+  const std::uint64_t most = options.state_bytes_max.value_or(state_bytes_max_default);
+  if (static_cast<std::uint64_t>(bytes) <= most) return;
+  const std::string needed = std::to_string(bytes);
   c.diagnostics.report(
       {diag::Code::too_many_bytes,
-       c.spec->name_range,
-       "the monitors without a robot remember " + std::to_string(bytes) + " bytes; at most " +
-           std::to_string(*options.state_bytes_max) + " are allowed",
+       range,
+       who + " remember " + needed + " bytes; at most " + std::to_string(most) + " are allowed",
        "",
        {},
-       "shorten their windows, or allow that many; `rtac check` prints the bytes of each",
+       "shorten their windows, or allow it: `--max-bytes " + needed +
+           "`; `rtac explain FILE:LINE` says what each monitor remembers",
        {}});
+}
+
+// Everything that is refused by its size is refused before a file is written. An explanation is
+// what tells where the bytes are.
+void check_bytes(const Options& options, Compilation& c) {
+  if (!c.module || options.command == Command::explain) return;
+  if (c.module->watch) {
+    refuse_bytes(options, c, c.spec->name_range, "the monitors without a robot",
+                 codegen::watch_state_bytes(*c.module->watch));
+  }
+  for (const ir::Decision& d : c.module->decisions) {
+    const auto declared =
+        std::find_if(c.spec->decisions.begin(), c.spec->decisions.end(),
+                     [&](const sema::Decision& each) { return each.name == d.name; });
+    refuse_bytes(options, c, declared->name_range, "the monitors of one robot in `" + d.name + "`",
+                 codegen::facts_state_bytes(d.facts));
+  }
 }
 
 bool is_ready(const Options& options, const Compilation& c) {

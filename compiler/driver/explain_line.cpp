@@ -1,9 +1,11 @@
 #include "compiler/driver/explain_line.h"
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 #include <optional>
 #include <ostream>
+#include <system_error>
 
 #include "compiler/driver/driver.h"
 #include "compiler/ir/source_text.h"
@@ -25,6 +27,14 @@ std::uint32_t line_count(const Compilation& c, FileId file) {
   const auto text = c.sources.text(file);
   const auto breaks = static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n'));
   return breaks + (text.empty() || text.back() != '\n' ? 1 : 0);
+}
+
+// The number of a line, as many digits as it may have; 0: there is no such line.
+std::uint32_t line_of(const std::string& digits, std::uint32_t lines) {
+  std::uint32_t line = 0;
+  const char* const end = digits.data() + digits.size();
+  const bool fits = std::from_chars(digits.data(), end, line).ec == std::errc();
+  return fits && line <= lines ? line : 0;
 }
 
 int refuse(Compilation& c, std::string message, std::string help) {
@@ -53,13 +63,14 @@ std::string nearest(const std::vector<Lines>& known, std::uint32_t line) {
 
 int explain_line(const Options& options, Compilation& c, std::ostream& out) {
   const FileId file{};  // the one that was named is read first
-  const std::uint32_t line = options.line;
   const std::string& path = c.sources.path(file);
-  const std::string place = path + ":" + std::to_string(line);
-  if (line == 0 || line > line_count(c, file)) {
-    return refuse(c, "there is no line " + std::to_string(line) + " in `" + path + "`",
-                  "its lines are 1 to " + std::to_string(line_count(c, file)));
+  const std::uint32_t lines = line_count(c, file);
+  const std::uint32_t line = line_of(options.line, lines);
+  if (line == 0) {
+    return refuse(c, "there is no line " + options.line + " in `" + path + "`",
+                  "its lines are 1 to " + std::to_string(lines));
   }
+  const std::string place = path + ":" + std::to_string(line);
   std::vector<Remark> all = robot_remarks(c);
   std::vector<Remark> more = watch_remarks(c);
   std::move(more.begin(), more.end(), std::back_inserter(all));

@@ -47,7 +47,14 @@ class Staging {
     if (!out) return "cannot write `" + target.string() + "`: " + std::strerror(errno);
     return "";
   }
+  // Devices come first: they may be full, renaming hardly fails any more.
   std::string commit() {
+    for (const auto& [target, text] : special_) {
+      std::ofstream out(target, std::ios::binary);
+      out << text;
+      out.close();
+      if (!out) return "cannot write `" + target.string() + "`: " + std::strerror(errno);
+    }
     while (!staged_.empty()) {
       std::error_code error;
       fs::rename(staged_.back().first, staged_.back().second, error);
@@ -55,12 +62,6 @@ class Staging {
         return "cannot write `" + staged_.back().second.string() + "`: " + error.message();
       }
       staged_.pop_back();
-    }
-    for (const auto& [target, text] : special_) {
-      std::ofstream out(target, std::ios::binary);
-      out << text;
-      out.close();
-      if (!out) return "cannot write `" + target.string() + "`: " + std::strerror(errno);
     }
     return "";
   }
@@ -103,6 +104,13 @@ bool same_file(const std::string& a, const std::string& b) {
   const fs::path first = fs::weakly_canonical(a, error);
   const fs::path second = error ? fs::path{} : fs::weakly_canonical(b, error);
   return error ? a == b : first == second;
+}
+
+std::string last_folder(const std::string& path) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(path, error);
+  const fs::path& known = error ? fs::path(path) : whole;
+  return (known.has_filename() ? known : known.parent_path()).filename().string();
 }
 
 // Not std::cin, which takes a closed descriptor for an empty file.

@@ -19,7 +19,9 @@ constexpr FlagText flag_texts[] = {
      "or the reference interpreter on exact numbers"},
     {"--monitor", "NAME", "the findings of one monitor only"},
     {"--check", "", "change nothing; name the files that are not in the layout, exit 1 then"},
-    {"--max-bytes", "N", "refuse monitors without a robot whose memory takes more"},
+    {"--max-bytes", "N",
+     "refuse monitors that remember more, those without a robot or of one robot;\n"
+     "default: 268435456"},
     {"-Werror", "", "warnings count as errors"},
     {"--format", "text|json|sarif", "form of the diagnostics on standard error"},
     {"--dump-ast", "", "print the tree instead of the summary"},

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "compiler/driver/shared_object.h"
@@ -110,12 +111,19 @@ class KernelEngine : public Engine {
         same(sizes_.signal, sizeof(Signal)) && same(sizes_.in, in) && same(sizes_.out, out);
     return as_due ? "" : "the generated kernel has another layout than its interface says";
   }
-  void start() {
-    state_.resize(words(sizes_.state));
-    in_.resize(words(sizes_.in));
-    out_.resize(words(sizes_.out));
+  // False: there is no room for what the monitors remember.
+  [[nodiscard]] bool start() {
+    try {
+      state_.resize(words(sizes_.state));
+      in_.resize(words(sizes_.in));
+      out_.resize(words(sizes_.out));
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
     restart();
+    return true;
   }
+  [[nodiscard]] std::int64_t state_bytes() const { return sizes_.state; }
   void restart() override {
     for (std::size_t k = 0; k < kernel_.params.size(); ++k) param(k) = kernel_.params[k].value;
     signals_.assign(signals_.size(), never_received);
@@ -214,7 +222,10 @@ LoadedKernel load_kernel(const std::vector<OutputFile>& files, const KernelInter
   if (!built.object) return {nullptr, built.problem};
   auto engine = std::make_unique<KernelEngine>(std::move(*built.object), kernel);
   if (std::string problem = engine->problem(); !problem.empty()) return {nullptr, problem, true};
-  engine->start();
+  if (!engine->start()) {
+    return {nullptr, "the monitors remember " + std::to_string(engine->state_bytes()) +
+                         " bytes, which this machine cannot give"};
+  }
   return {std::move(engine), ""};
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <system_error>
+#include <utility>
 
 #include "compiler/codegen/names.h"
 #include "compiler/passes/pipeline.h"
@@ -15,7 +16,7 @@ namespace rtac::driver {
 namespace {
 
 bool is_namespace(const std::string& text) {
-  if (text.empty() || codegen::legal(text) != text) return false;
+  if (text.empty() || codegen::legal_namespace(text) != text) return false;
   if (std::isdigit(static_cast<unsigned char>(text[0]))) return false;
   for (const char c : text) {
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_') return false;
@@ -68,7 +69,10 @@ const std::vector<CommandInfo>& commands() {
        {"-o", "--depfile", "--namespace", "--print-after", "--format", "--dump-ast", "--dump-spec",
         "--dump-ir", "-Werror", "--max-bytes"},
        1},
-      {"replay", Command::replay, {"--engine", "--monitor", "--format", "-Werror"}, 2},
+      {"replay",
+       Command::replay,
+       {"--engine", "--monitor", "--format", "-Werror", "--max-bytes"},
+       2},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
       {"explain", Command::explain, {}, 1},
   };
@@ -213,26 +217,26 @@ struct Parser {
                  "give the path of one of them"};
     }
   }
-  // `FILE:LINE`, or `FILE:LINE:COLUMN` as messages have it. No number of a line fits beyond 2^32.
+  // `FILE:LINE`, or `FILE:LINE:COLUMN` as messages have it.
   bool take_place(std::string text) {
-    std::optional<std::uint32_t> last = cut_number(text);
-    if (!last) return false;
-    if (const auto line = cut_number(text)) last = line;
+    std::string last = cut_number(text);
+    if (last.empty()) return false;
+    if (std::string line = cut_number(text); !line.empty()) last = std::move(line);
     options.spec = text;
-    options.line = *last;
+    options.line = last;
     return true;
   }
-  // Cuts `:12` off the end, when there is something before it.
-  static std::optional<std::uint32_t> cut_number(std::string& text) {
+  // Cuts `:12` off the end, when there is something before it; empty: there is no such end.
+  static std::string cut_number(std::string& text) {
     const std::size_t colon = text.rfind(':');
-    if (colon == std::string::npos || colon == 0 || colon + 1 == text.size()) return std::nullopt;
-    std::uint32_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + colon + 1, end, number);
-    if (stop != end) return std::nullopt;
-    if (error != std::errc()) number = std::numeric_limits<std::uint32_t>::max();
+    if (colon == std::string::npos || colon == 0 || colon + 1 == text.size()) return "";
+    std::string digits = text.substr(colon + 1);
+    if (!std::all_of(digits.begin(), digits.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; })) {
+      return "";
+    }
     text.resize(colon);
-    return number;
+    return digits;
   }
   std::string place_hint(std::size_t place) const {
     if (options.command == Command::explain) {
@@ -253,8 +257,9 @@ struct Parser {
                  "leave out `-o` and `--depfile`, or use `rtac build`"};
     }
     if (!options.name_space.empty() && !is_namespace(options.name_space)) {
-      problem = {"`" + options.name_space + "` is not a name of a C++ namespace",
-                 "letters, digits and `_` make one, and it is no keyword"};
+      problem = {
+          "`" + options.name_space + "` is not a name of a C++ namespace",
+          "letters, digits and `_` make one; it is no keyword, and no name of the C library"};
     }
     if (!options.print_after.empty() && !is_pass(options.print_after)) {
       problem = {"no pass is called `" + options.print_after + "`", "there are " + pass_names()};

@@ -13,13 +13,17 @@ enum class Command { check, build, replay, format, explain, help, version };
 enum class Format { text, json, sarif };
 enum class EngineKind { kernel, interp };
 
+// What the monitors of a module, or those of one robot, may remember unless `--max-bytes` says
+// otherwise: more than robots spare, and less than would fill the machine of a developer.
+inline constexpr std::uint64_t state_bytes_max_default = std::uint64_t{256} << 20;
+
 struct Options {
   Command command = Command::help;
   std::string spec;                     // path, or "-" for standard input
   std::string trace;                    // of `replay`: path, or "-"
   std::vector<std::string> help_flags;  // of the command that `help` is about
-  std::string topic;       // of `help`: a command; of `explain`: number or name of a diagnostic,
-  std::uint32_t line = 0;  // or a line of `spec`, when `topic` is empty
+  std::string topic;  // of `help`: a command; of `explain`: number or name of a diagnostic,
+  std::string line;   // or a line of `spec`, when `topic` is empty: digits
   std::vector<std::string> files;  // of `fmt`: paths, or "-"
   std::string output;              // directory of `build`
   std::string depfile;             // may be empty

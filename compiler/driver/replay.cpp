@@ -78,7 +78,8 @@ int refuse_kernel(Compilation& c, const std::string& problem, bool is_ours) {
     return exit_internal;
   }
   report(c, diag::Code::no_kernel, problem,
-         "set CC to a C compiler that makes shared objects, or use `--engine interp`");
+         "set CC to a C compiler that makes shared objects, make room for what the monitors "
+         "remember, or use `--engine interp`");
   return exit_usage;
 }
 

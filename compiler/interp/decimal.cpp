@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <string>
 
 namespace rtac::interp {
 namespace {
@@ -38,9 +39,8 @@ std::optional<Short> parse_short(std::string_view text) {
   Short result;
   std::size_t digits = 0;
   bool behind_point = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '.' && !behind_point && i > 0 && i + 1 < text.size()) {
+  for (const char c : text) {
+    if (c == '.' && !behind_point) {
       behind_point = true;
       continue;
     }
@@ -49,6 +49,20 @@ std::optional<Short> parse_short(std::string_view text) {
     result.places += behind_point ? 1 : 0;
   }
   return digits > 0 ? std::optional(result) : std::nullopt;
+}
+
+// Programs write `.5` and `5.` as well; numbers of a specification have digits on both sides.
+std::string with_digits_around_point(std::string_view text) {
+  std::string full(text);
+  const std::size_t point = full.find('.');
+  if (point == std::string::npos) return full;
+  const auto is_digit = [&](std::size_t i) {
+    return i < full.size() && full[i] >= '0' && full[i] <= '9';
+  };
+  const bool before = point > 0 && is_digit(point - 1), behind = is_digit(point + 1);
+  if (before && !behind) full.insert(point + 1, 1, '0');
+  if (behind && point == 0) full.insert(0, 1, '0');
+  return full;
 }
 
 }  // namespace
@@ -62,7 +76,7 @@ std::optional<Decimal> Decimal::parse(std::string_view text) {
     result.places_ = number->places;
     return result;
   }
-  const auto number = parse_decimal(text, of_doubles);
+  const auto number = parse_decimal(with_digits_around_point(text), of_doubles);
   if (!number) return std::nullopt;
   result.long_ = negative ? Rational(-*number) : *number;
   return result;

@@ -13,7 +13,8 @@ class Decimal {
  public:
   Decimal() = default;
   explicit Decimal(std::int64_t whole) : mantissa_(whole) {}
-  // An optional sign, then what parse_decimal reads; nullopt on anything else.
+  // An optional sign, then what parse_decimal reads, also without digits on one side of the point;
+  // nullopt on anything else.
   static std::optional<Decimal> parse(std::string_view text);
 
   [[nodiscard]] Rational value() const;

@@ -1,5 +1,6 @@
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,11 @@ int main(int argc, char** argv) {
     if (std::cout.flush()) return status;
     std::cerr << "error[9003]: cannot write to standard output\n";  // a full disk, a closed pipe
     return rtac::driver::exit_usage;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "error: there is not enough memory for this specification\n";
+    return rtac::driver::exit_usage;
   } catch (const std::exception& error) {
-    // nothing is thrown across folders, so this is a bug of the compiler or an exhausted machine
+    // nothing is thrown across folders, so this is a bug of the compiler
     std::cerr << "internal error: " << error.what() << "\n";
     return rtac::driver::exit_internal;
   }

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+
+#include "compiler/codegen/library_names.h"
+
 namespace rtac::codegen {
 namespace {
 
@@ -72,6 +77,25 @@ TEST(Names, ClassesAndEnumerators) {
   EXPECT_EQ(camel("__"), "_u_u_");
   EXPECT_EQ(camel("_2d"), "_2d");
   EXPECT_EQ(upper("plan_executor"), "PLAN_EXECUTOR");
+}
+
+// `namespace time` does not compile beside the function `time`, which <ctime> declares.
+TEST(Names, ANamespaceIsNoFunctionOfTheLibrary) {
+  for (const char* name : {"time", "signal", "index", "y0", "remove", "sinf", "class"}) {
+    EXPECT_EQ(legal_namespace(name), std::string(name) + "_");
+  }
+  for (const char* name : {"delivery", "timer", "self"}) EXPECT_EQ(legal_namespace(name), name);
+}
+
+// The list of the headers that a folder `rtac` of generated files could hide is that of the folder.
+TEST(Names, AllHeadersOfTheRuntimeAreKnown) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(RTAC_SOURCE_DIR "/runtime/include/rtac")) {
+    if (entry.path().extension() != ".h") continue;
+    const std::string stem = entry.path().stem().string();
+    EXPECT_EQ(hidden_header(stem, "rtac"), "\"rtac/" + stem + ".h\"");
+    EXPECT_EQ(hidden_header(stem, "out"), "");
+  }
 }
 
 TEST(Names, AFileNameBecomesAWord) {

@@ -152,9 +152,10 @@ TEST_F(Explain, ALineWithoutAnythingNamesTheNearestOnes) {
 }
 
 TEST_F(Explain, ALineThatIsNotThere) {
-  for (const std::string line : {"0", "22", "99999999999999999999"}) {
+  for (const std::string line : {"0", "22", "4294967299", "99999999999999999999"}) {
     const Outcome o = rtac({"explain", "door.rta:" + line});
     EXPECT_EQ(o.status, 2) << line;
+    EXPECT_NE(o.err.find("there is no line " + line + " in"), std::string::npos) << o.err;
     EXPECT_NE(o.err.find("its lines are 1 to 21"), std::string::npos) << o.err;
   }
 }

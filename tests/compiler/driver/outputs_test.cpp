@@ -89,6 +89,37 @@ TEST_F(Outputs, APlaceThatCannotBeWrittenIsToldAndLeftClean) {
   EXPECT_EQ(read("taken/good.h"), "// old");
 }
 
+// What cannot be renamed back is written first.
+TEST_F(Outputs, AFullDeviceBehindALinkLeavesNoOtherFile) {
+  fs::create_directories("out");
+  fs::create_symlink("/dev/full", "out/good.cpp");
+  const auto before = listing();
+  const Outcome o = rtac({"build", "good.rta", "-o", "out"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("cannot write `/dev/full`"), std::string::npos) << o.err;
+  EXPECT_EQ(listing(), before);
+}
+
+// A generated `stdint.h` would be found by every `#include <stdint.h>` of its folder.
+TEST_F(Outputs, AFileNameThatHidesAHeaderIsRefused) {
+  for (const std::string stem : {"stdint", "math", "string", "stddef", "Signal", "unistd"}) {
+    write(stem + ".rta", drone_spec());
+    const Outcome o = rtac({"build", stem + ".rta", "-o", "out"});
+    EXPECT_EQ(o.status, 2) << stem;
+    EXPECT_NE(o.err.find("would hide the header `<"), std::string::npos) << o.err;
+    EXPECT_FALSE(fs::exists("out"));
+    EXPECT_EQ(rtac({"check", stem + ".rta"}).status, 0);
+  }
+}
+
+TEST_F(Outputs, AHeaderOfTheRuntimeIsHiddenInAFolderOfItsNameOnly) {
+  write("zone.rta", drone_spec());
+  EXPECT_EQ(rtac({"build", "zone.rta", "-o", "out"}).status, 0);
+  const Outcome o = rtac({"build", "zone.rta", "-o", "out/rtac/"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("would hide the header `\"rtac/zone.h\"`"), std::string::npos) << o.err;
+}
+
 TEST_F(Outputs, ADependencyFileThatCannotBeWrittenStopsTheWholeBuild) {
   const Outcome o = rtac({"build", "good.rta", "-o", "out", "--depfile", "good.rta/d"});
   EXPECT_EQ(o.status, 2);

@@ -179,6 +179,38 @@ TEST_F(ReplayCode, too_many_bytes) {
   EXPECT_EQ(rtac({"check", "door.rta", "--max-bytes", "4k"}).status, 2);
 }
 
+// Without a limit the machine of whoever runs it would be it.
+TEST_F(Replay, MonitorsThatFillTheMemoryAreRefusedByDefault) {
+  write("big.rta",
+        "spec big; period 1 ms; input x : real in 0 .. 9;\n"
+        "monitor m { \"R1: x\" always min[0 s, 1000 h](x) >= 3; }");
+  write("big.csv", "time,x\n0,1\n");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", "big.rta"}, {"replay", "big.rta", "big.csv"}}) {
+    const Outcome o = rtac(words);
+    EXPECT_EQ(o.status, 1);
+    EXPECT_NE(o.err.find("remember 115200000160 bytes; at most 268435456 are allowed"),
+              std::string::npos)
+        << o.err;
+  }
+  EXPECT_EQ(rtac({"check", "big.rta", "--max-bytes", "115200000160"}).status, 0);
+}
+
+// More than any address space has.
+TEST_F(Replay, MemoryThatIsNotThereIsNoBug) {
+  std::string text = "spec vast; period 1 ms; input x : real in 0 .. 9;\n";
+  for (const char* const name : {"a", "b", "c", "d", "e"}) {
+    text.append("monitor ").append(name) += " { \"R1: x\" always min[0 s, 300000 h](x) >= 3; }\n";
+  }
+  write("vast.rta", text);
+  write("vast.csv", "time,x\n0,1\n");
+  const Outcome o = rtac({"replay", "vast.rta", "vast.csv", "--max-bytes", "172800000000544"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("remember 172800000000544 bytes, which this machine cannot give"),
+            std::string::npos)
+      << o.err;
+}
+
 // A page is there for every code; should one be missing, the program says so.
 TEST_F(ReplayCode, no_page) {
   for (const std::string word : {"9004", "E9004", "error[9004]", "bad_trace"}) {

@@ -110,6 +110,28 @@ TEST(Trace, EveryDoubleIsAValue) {
   EXPECT_NE(fault(header + "1e300,1,1,1,park,0,0,300,300\n"), "read");
 }
 
+// What strtod reads as a decimal number, but nothing in base 16.
+TEST(Trace, NumbersMayLackDigitsOnOneSideOfThePoint) {
+  for (const auto& [text, value] :
+       std::vector<std::pair<std::string, Rational>>{{".5", Rational(1, 2)},
+                                                     {"5.", 5},
+                                                     {"-.5", Rational(-1, 2)},
+                                                     {"+5.", 5},
+                                                     {"5.e-1", Rational(1, 2)},
+                                                     {".5E1", 5},
+                                                     {"00.50", Rational(1, 2)}}) {
+    const auto number = Decimal::parse(text);
+    ASSERT_TRUE(number) << text;
+    EXPECT_EQ(number->value(), value) << text;
+  }
+  for (const char* text :
+       {".", "-.", "", "+", "1..2", "1.2.", ".e1", "1e", "0x1p3", "1_0", "- 1"}) {
+    EXPECT_FALSE(Decimal::parse(text)) << text;
+  }
+  EXPECT_EQ(fault(header + ".5,1,1.,1,park,.0,-.5,300.,.3e3\n"), "read");
+  EXPECT_EQ(fault(header + "0,1,.,1,park,0,0,300,300\n"), "2:5: `.` is no value of `speed`");
+}
+
 TEST(Trace, RowsHaveOneCellForEachColumn) {
   EXPECT_EQ(fault(header + "0,1\n"), "2:3: the row has 2 cells, the first line 9");
   EXPECT_EQ(fault(header + "0,1,1,1,park,0,0,0,0,0\n"),
@@ -135,7 +157,7 @@ TEST(Trace, NumbersAreExactAndGoToTheGridOutward) {
                                        std::numeric_limits<std::int64_t>::min()));
   EXPECT_EQ(Decimal::parse("0.1000000000000000000000001")->value() * 10 - 1,
             *parse_decimal("1e-24"));
-  for (const char* text : {"", ".", "1.", ".5", "1e", "--1", "0x1", "1,5", "1 2"}) {
+  for (const char* text : {"", ".", "1e", "--1", "0x1", "1,5", "1 2"}) {
     EXPECT_FALSE(Decimal::parse(text)) << text;
   }
 }

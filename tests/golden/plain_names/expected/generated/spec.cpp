@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace signal {
+namespace signal_ {
 
 namespace {
 
@@ -164,4 +164,4 @@ const std::array<rtac::PlainMonitorInfo, Monitors::count>& Monitors::info() {
   return all;
 }
 
-}  // namespace signal
+}  // namespace signal_

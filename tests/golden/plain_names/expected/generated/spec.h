@@ -16,7 +16,7 @@
 static_assert(rtac::bridge::abi == 1,
               "this module was generated for another version of the runtime");
 
-namespace signal {
+namespace signal_ {
 
 // The monitors without a robot: give what is measured, then step once a period.
 class Monitors {
@@ -66,4 +66,4 @@ class Monitors {
 };
 
 
-}  // namespace signal
+}  // namespace signal_

@@ -7,6 +7,6 @@
 #include "rtac/stack/system.h"
 #include "spec.h"
 
-namespace signal {
+namespace signal_ {
 
-}  // namespace signal
+}  // namespace signal_
