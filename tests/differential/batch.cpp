@@ -4,17 +4,13 @@
 #include <sstream>
 #include <utility>
 
-#include "tests/differential/generator.h"
-
 namespace rtac::differential {
 namespace {
 
 using interp::Extended;
 
-// Each end of `outer` lies at most `by` further out than that of `inner`. `where_finite`: unless an
-// end is infinite, for then another atom may decide the other one.
-bool is_near(const Finding& outer, const Finding& inner, const Rational& by, bool where_finite) {
-  if (where_finite && !(outer.lo.is_finite() && outer.hi.is_finite())) return true;
+// Each end of `outer` lies at most `by` further out than that of `inner`.
+bool is_near(const Finding& outer, const Finding& inner, const Rational& by) {
   const bool lo_is_near = !(outer.lo < inner.lo + Extended(Rational(-by)));
   const bool hi_is_near = !(inner.hi + Extended(by) < outer.hi);
   return lo_is_near && hi_is_near;
@@ -28,22 +24,17 @@ std::string shown(const Finding& finding) {
   return std::string(1, finding.verdict) + " [" + shown(finding.lo) + ", " + shown(finding.hi) +
          "]";
 }
-std::string verdicts(const std::vector<Finding>& findings) {
+std::string letters(const std::vector<Finding>& findings) {
   std::string text;
   for (const Finding& finding : findings) text += finding.verdict;
   return text;
 }
 
-// A second step within a tick judges nothing.
-bool is_repeated(const Steps& run, std::size_t step) {
-  return step > 0 && run[step].now_us <= run[step - 1].now_us + 1;
-}
-
-std::string written(const Step& step) {
+std::string written(const Step& step, const std::vector<Signal>& signals) {
   std::ostringstream text;
   text << "  at " << step.now_us << " us:";
   std::size_t at = 0;
-  for (const Signal& s : signals()) {
+  for (const Signal& s : signals) {
     for (std::size_t c = 0; c < s.components; ++c, ++at) {
       const driver::Observed& o = step.inputs[at];
       text << " " << s.name << "=";
@@ -60,13 +51,13 @@ std::string written(const Step& step) {
   for (const ParamChange& change : step.params) {
     text << " param " << change.param << "=" << to_decimal(change.value);
   }
-  return text.str() + "\n";
+  return (step.is_restart ? "  a new run\n" : "") + text.str() + "\n";
 }
 
 }  // namespace
 
 Batch::Batch(std::uint32_t seed, std::size_t count, std::size_t steps,
-             const std::vector<std::string>& given)
+             const std::vector<std::string>& given, std::size_t runs)
     : monitors_(given) {
   Generator generator(seed);
   for (std::size_t k = 0; k < count; ++k) monitors_.push_back(generator.monitor(k));
@@ -79,9 +70,20 @@ Batch::Batch(std::uint32_t seed, std::size_t count, std::size_t steps,
     bounds_.push_back(ir::rounding_of(*c.spec, *c.module->watch, m.property));
   }
   std::mt19937 random(seed);
-  run_ = random_run(random, steps, c.spec->params, troubles_);
+  signals_ = signals_of(*c.spec);
+  for (std::size_t i = 0; i < runs; ++i) {
+    for (Step& step : random_run(random, steps, signals_, c.spec->params, troubles_)) {
+      run_.push_back(std::move(step));
+    }
+  }
   code_ = driver::kernel_code(c);
   reference_ = find(*driver::make_interpreter(*c.spec), code_.interface, run_);
+  choices_ = std::make_unique<OpenedChoices>(specification());
+  opened_ = choices_->find(run_);
+}
+
+std::string Batch::verdicts(std::size_t monitor) const {
+  return letters(reference_[monitor]);
 }
 
 std::string Batch::specification() const {
@@ -111,24 +113,36 @@ void Batch::remove_refused() {
 
 // Verdicts first: they are what is acted upon. The margins of the kernel contain the exact ones,
 // and are no wider than the compiler promises.
-std::string Batch::fault(std::size_t k, const Finding& exact, const Finding& found) const {
+std::string Batch::fault(std::size_t k, std::size_t step, const Finding& found) const {
   const ir::Rounding& bound = bounds_[k];
-  const Extended by(bound.millionths);
+  const Finding& exact = reference_[k][step];
   if (found.verdict != '?' && found.verdict != exact.verdict) return "not conservative";
   if (bound.has_exact_verdict && found.verdict != exact.verdict) return "another verdict";
-  if (by < exact.lo && found.verdict != '1' && !bound.has_rounded_choice) {
+  if (!bound.has_verdicts_only && (exact.lo < found.lo || found.hi < exact.hi)) {
+    return "the margin leaves out the exact one";
+  }
+  return looseness(k, step, found);
+}
+
+// A choice may be left open where its condition is within the bound, and what it gives is rounded.
+std::string Batch::looseness(std::size_t k, std::size_t step, const Finding& found) const {
+  const bool has_open = !opened_[k].empty();
+  const Finding& allowed = has_open ? opened_[k][step] : reference_[k][step];
+  const ir::Rounding& bound = has_open ? choices_->bound(k) : bounds_[k];
+  const Extended by(bound.millionths);
+  if (by < allowed.lo && found.verdict != '1') {
     return "not tight: it is true by more than the bound";
   }
-  if (exact.hi < -by && found.verdict != '0' && !bound.has_rounded_choice) {
+  if (allowed.hi < -by && found.verdict != '0') {
     return "not tight: it is false by more than the bound";
   }
   if (bound.has_verdicts_only) return "";
-  if (exact.lo < found.lo || found.hi < exact.hi) {
-    return "the margin leaves out the exact one";
-  }
-  return is_near(found, exact, bound.millionths, bound.has_rounded_choice)
+  if (!is_near(found, allowed, bound.millionths)) return "the margin is wider than the bound";
+  // What is promised of the whole is as wide as the ranges of the sides.
+  const bool has_sides = found.lo.is_finite() && found.hi.is_finite();
+  return !has_open || !has_sides || is_near(found, reference_[k][step], bounds_[k].millionths)
              ? ""
-             : "the margin is wider than the bound";
+             : "the margin is wider than what is promised of choices";
 }
 
 void Batch::count(std::size_t k, const Finding& exact, const Finding& found, Result& result,
@@ -150,7 +164,7 @@ Batch::Result Batch::compare(driver::Engine& kernel) const {
     for (std::size_t i = 0; i < run_.size(); ++i) {
       if (is_repeated(run_, i)) continue;
       count(k, reference_[k][i], found[k][i], result, is_sharp);
-      const std::string what = fault(k, reference_[k][i], found[k][i]);
+      const std::string what = fault(k, i, found[k][i]);
       if (what.empty()) continue;
       if (!differs && result.different == 0) result.first = described(k, i, what, found[k]);
       differs = true;
@@ -166,11 +180,12 @@ std::string Batch::described(std::size_t k, std::size_t step, const std::string&
   constexpr std::size_t shown_steps = 12;
   std::string text = monitors_[k];
   for (std::size_t i = step < shown_steps ? 0 : step - shown_steps; i <= step; ++i) {
-    text += written(run_[i]);
+    text += written(run_[i], signals_);
   }
+  if (!opened_[k].empty()) text += "  open   " + shown(opened_[k][step]) + "\n";
   return text + "  " + fault + "\n  exact  " + shown(reference_[k][step]) + "\n  kernel " +
          shown(found[step]) + "\n  bound  " + to_decimal(bounds_[k].millionths) + "\n  reference " +
-         verdicts(reference_[k]) + "\n  kernel    " + verdicts(found) + "\n";
+         letters(reference_[k]) + "\n  kernel    " + letters(found) + "\n";
 }
 
 }  // namespace rtac::differential

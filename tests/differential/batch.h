@@ -8,20 +8,24 @@
 #include <vector>
 
 #include "compiler/ir/rounding.h"
+#include "tests/differential/choices.h"
 #include "tests/differential/engines.h"
+#include "tests/differential/generator.h"
 #include "tests/differential/traces.h"
 
 namespace rtac::differential {
 
 class Batch {
  public:
-  // `count` random monitors and the given ones, each a line. A monitor that the compiler refuses is
-  // left out.
+  // `count` random monitors and the given ones, each a line, on `runs` runs of `steps` each. A
+  // monitor that the compiler refuses is left out.
   Batch(std::uint32_t seed, std::size_t count, std::size_t steps,
-        const std::vector<std::string>& given = {});
+        const std::vector<std::string>& given = {}, std::size_t runs = 1);
   [[nodiscard]] const std::string& problem() const { return problem_; }
   [[nodiscard]] const std::string& refused() const { return refused_; }
   [[nodiscard]] std::size_t size() const { return monitors_.size(); }
+  // What the reference finds, one character a step.
+  [[nodiscard]] std::string verdicts(std::size_t monitor) const;
   [[nodiscard]] const Troubles& troubles() const { return troubles_; }
   [[nodiscard]] const driver::KernelCode& code() const { return code_; }
 
@@ -41,7 +45,8 @@ class Batch {
   [[nodiscard]] std::string specification() const;
   void remove_refused();
   // What is wrong with a finding; empty: nothing.
-  [[nodiscard]] std::string fault(std::size_t k, const Finding& exact, const Finding& found) const;
+  [[nodiscard]] std::string fault(std::size_t k, std::size_t step, const Finding& found) const;
+  [[nodiscard]] std::string looseness(std::size_t k, std::size_t step, const Finding& found) const;
   void count(std::size_t k, const Finding& exact, const Finding& found, Result& result,
              bool& is_sharp) const;
   [[nodiscard]] std::string described(std::size_t k, std::size_t step, const std::string& fault,
@@ -50,6 +55,9 @@ class Batch {
   std::vector<std::string> monitors_;
   std::vector<ir::Rounding> bounds_;  // by monitor
   Findings reference_;
+  std::unique_ptr<OpenedChoices> choices_;
+  Findings opened_;  // with choices that the kernel may leave open
+  std::vector<Signal> signals_;
   std::string refused_, problem_;
   driver::KernelCode code_;
   Steps run_;

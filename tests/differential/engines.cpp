@@ -31,10 +31,12 @@ std::unique_ptr<Checked> check(const std::string& text, Until until) {
   return result;
 }
 
-driver::LoadedKernel load(const driver::KernelCode& code, const Edit& edit) {
+driver::LoadedKernel load(const driver::KernelCode& code, const Edit& edit, Speed speed) {
   std::vector<driver::OutputFile> files = code.files;
   for (driver::OutputFile& file : files) {
-    if (edit && file.path == code.interface.source) file.text = edit(file.text);
+    if (file.path != code.interface.source) continue;
+    if (edit) file.text = edit(file.text);
+    if (speed == Speed::of_building) file.text = "#pragma GCC optimize (\"O0\")\n" + file.text;
   }
   return driver::load_kernel(files, code.interface);
 }
@@ -55,11 +57,16 @@ char letter(interp::Verdict verdict) {
 
 void step_once(driver::Engine& engine, const Step& step,
                std::vector<driver::Judgement>& judgements) {
+  if (step.is_restart) engine.restart();
   for (const ParamChange& change : step.params) engine.set_param(change.param, change.value);
   engine.step(step.now_us, step.inputs, judgements);
 }
 
 }  // namespace
+
+bool is_repeated(const Steps& run, std::size_t step) {
+  return step > 0 && !run[step].is_restart && run[step].now_us <= run[step - 1].now_us + 1;
+}
 
 Findings find(driver::Engine& engine, const driver::KernelInterface& kernel, const Steps& run) {
   // Units are written alike by both engines; the first one stands for truth values as well.

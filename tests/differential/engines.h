@@ -24,7 +24,10 @@ std::unique_ptr<Checked> check(const std::string& text, Until until);
 
 // Alters the text of the generated kernel before it is compiled.
 using Edit = std::function<std::string(const std::string&)>;
-driver::LoadedKernel load(const driver::KernelCode& code, const Edit& edit = {});
+// A kernel that takes few steps is not worth optimising: compiling it takes most of the time.
+enum class Speed { of_steps, of_building };
+driver::LoadedKernel load(const driver::KernelCode& code, const Edit& edit = {},
+                          Speed speed = Speed::of_steps);
 
 // One call of `step`, and what the application sets before it.
 struct ParamChange {
@@ -35,8 +38,11 @@ struct Step {
   std::int64_t now_us = 0;
   std::vector<driver::Observed> inputs;
   std::vector<ParamChange> params{};
+  bool is_restart = false;  // a new run begins
 };
 using Steps = std::vector<Step>;
+// A second step within a tick judges nothing.
+bool is_repeated(const Steps& run, std::size_t step);
 
 // Per monitor one character a step: 1, 0, or ?.
 std::vector<std::string> judge(driver::Engine& engine, const Steps& run);

@@ -59,6 +59,22 @@ const std::vector<Signal>& signals() {
   return all;
 }
 
+std::vector<Signal> signals_of(const sema::Spec& spec) {
+  std::vector<Signal> all = signals();
+  for (std::size_t i = all.size(); i < spec.inputs.size(); ++i) {
+    const sema::Input& input = spec.inputs[i];
+    const auto micro = [](const Rational& si) { return floor_to_int(si * 1000000); };
+    // places near each other, though they may be far away
+    constexpr Micro near = 3000000;
+    const bool is_far = near < micro(input.most->value);
+    all.push_back({input.name, "", Kind::quantity, input.components.size(),
+                   is_far ? -near : micro(input.least->value),
+                   is_far ? near : micro(input.most->value), !is_far, "", micro(input.resolution),
+                   micro(input.error->value), ""});
+  }
+  return all;
+}
+
 std::string declarations() {
   std::string text =
       "spec random;\n"
@@ -71,6 +87,21 @@ std::string declarations() {
       "m);\n"
       "zone bend = polygon [(-1 m, -1 m), (1.2 m, -0.7005 m), (0.3 m, 1.4 m), (0 m, 0 m)];\n"
       "zone pond = circle (0.5 m, -0.5 m) radius 0.8 m;\n"
+      "robot Rover {\n"
+      "  body radius 10 cm;\n"
+      "  motion point { speed <= 0.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }\n"
+      "  sense position : point error 1 cm max_age 2 s;\n"
+      "  sense velocity : vector error 1 cm/s max_age 1 s;\n"
+      "  sense battery : ratio error 1 % max_age 3 s;\n"
+      "  hears other robots max_age 2 s, present;\n"
+      "  output push : acceleration;\n"
+      "  latency 20 ms;\n"
+      "  energy { drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at home; "
+      "held <= 30 s; detour <= 1 m; }\n"
+      "}\n"
+      "fleet one, two : Rover;\n"
+      "fleet bots : Rover[2];\n"
+      "site home = (0 m, 0 m);\n"
       "fun far(l : length, m : length) : bool = l >= m;\n"
       "fun twice(v : real) : real = 2 * v;\n";
   for (const Signal& s : signals()) {

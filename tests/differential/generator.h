@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "compiler/sema/spec.h"
+
 namespace rtac::differential {
 
 // In millionths of the SI unit, so that everything is written exactly.
@@ -27,7 +29,10 @@ struct Signal {
   std::string age;           // the clause, or nothing
   std::string turning = {};  // of a pose: the unit of its heading, which has the same limits
 };
+// Those that are declared.
 const std::vector<Signal>& signals();
+// All inputs of a specification of these declarations, with what its monitors say of robots.
+std::vector<Signal> signals_of(const sema::Spec& spec);
 
 std::string declarations();
 inline constexpr std::int64_t period_us = 1000000;

@@ -20,7 +20,9 @@ TEST_P(RandomFormulas, AreJudgedConservativelyAndTightly) {
   const Batch batch(GetParam(), formulas, steps);
   ASSERT_EQ(batch.problem(), "");
   ASSERT_GE(batch.size(), formulas_min) << batch.refused();
-  const driver::LoadedKernel loaded = load(batch.code());
+  // the first one as it is built for robots
+  const Speed speed = GetParam() == 1 ? Speed::of_steps : Speed::of_building;
+  const driver::LoadedKernel loaded = load(batch.code(), {}, speed);
   ASSERT_NE(loaded.engine, nullptr) << loaded.problem;
   const Batch::Result result = batch.compare(*loaded.engine);
   EXPECT_EQ(result.different, 0u) << result.first;
@@ -41,7 +43,7 @@ TEST(RandomRuns, HaveEveryKindOfTrouble) {
   sema::Param param;
   param.most.value = 1;
   param.tightens = 1;
-  random_run(random, steps, {param, param, param}, troubles);
+  random_run(random, steps, signals(), {param, param, param}, troubles);
   for (const std::size_t count :
        {troubles.not_a_number, troubles.missing, troubles.old, troubles.future, troubles.backwards,
         troubles.out_of_range, troubles.at_limit, troubles.missed_ticks, troubles.forgotten,

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "tests/differential/generator.h"
-
 namespace rtac::differential {
 namespace {
 
@@ -12,18 +10,19 @@ using Kind = interp::Reading::Kind;
 
 class Source {
  public:
-  Source(std::mt19937& random, Troubles& troubles) : random_(random), troubles_(troubles) {
+  Source(std::mt19937& random, const std::vector<Signal>& signals, Troubles& troubles)
+      : random_(random), signals_(signals), troubles_(troubles) {
     std::size_t components = 0;
-    for (const Signal& s : signals()) components += s.components;
+    for (const Signal& s : signals_) components += s.components;
     present_.resize(components);
-    last_stamps_us_.resize(signals().size(), INT64_MIN);
-    for (std::size_t i = 0; i < signals().size(); ++i) bias_.push_back(below(7) + 1);
+    last_stamps_us_.resize(signals_.size(), INT64_MIN);
+    for (std::size_t i = 0; i < signals_.size(); ++i) bias_.push_back(below(7) + 1);
   }
 
   std::vector<Observed> next(std::int64_t now_us) {
     std::size_t at = 0;
-    for (std::size_t i = 0; i < signals().size(); ++i) {
-      const Signal& s = signals()[i];
+    for (std::size_t i = 0; i < signals_.size(); ++i) {
+      const Signal& s = signals_[i];
       const bool arrives = below(16) != 0;
       troubles_.missing += arrives ? 0 : 1;
       const std::int64_t stamp_us = arrives ? stamp(now_us, last_stamps_us_[i]) : 0;
@@ -104,6 +103,7 @@ class Source {
   }
 
   std::mt19937& random_;
+  const std::vector<Signal>& signals_;
   Troubles& troubles_;
   std::vector<Observed> present_;
   std::vector<std::int64_t> last_stamps_us_;
@@ -155,9 +155,9 @@ class Parameters {
 
 }  // namespace
 
-Steps random_run(std::mt19937& random, std::size_t steps, const std::vector<sema::Param>& params,
-                 Troubles& troubles) {
-  Source source(random, troubles);
+Steps random_run(std::mt19937& random, std::size_t steps, const std::vector<Signal>& signals,
+                 const std::vector<sema::Param>& params, Troubles& troubles) {
+  Source source(random, signals, troubles);
   Parameters parameters(random, params, troubles);
   Steps run;
   std::int64_t tick = static_cast<std::int64_t>(random() % 1000);
@@ -182,6 +182,7 @@ Steps random_run(std::mt19937& random, std::size_t steps, const std::vector<sema
     troubles.forgotten += missed > 4 ? 1 : 0;
     tick += 1 + missed;
   }
+  if (!run.empty()) run.front().is_restart = true;
   return run;
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/differential/engines.h"
+#include "tests/differential/generator.h"
 
 namespace rtac::differential {
 
@@ -16,7 +17,8 @@ struct Troubles {
               at_limit = 0, missed_ticks = 0, forgotten = 0, twice = 0, tightened = 0, loosened = 0,
               beyond_range = 0;
 };
-Steps random_run(std::mt19937& random, std::size_t steps, const std::vector<sema::Param>& params,
-                 Troubles& troubles);
+// A new one, which restarts what was before.
+Steps random_run(std::mt19937& random, std::size_t steps, const std::vector<Signal>& signals,
+                 const std::vector<sema::Param>& params, Troubles& troubles);
 
 }  // namespace rtac::differential

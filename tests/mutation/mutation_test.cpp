@@ -11,6 +11,7 @@ namespace {
 
 using differential::Batch;
 using differential::load;
+using differential::Speed;
 
 // One batch for all mutants of a process: what is found does not depend on them.
 const Batch& batch() {
@@ -33,11 +34,14 @@ class Mutants : public ::testing::TestWithParam<Mutant> {};
 TEST_P(Mutants, AreNoticed) {
   ASSERT_EQ(batch().problem(), "");
   bool matches = false;
-  const driver::LoadedKernel kernel = load(batch().code(), [&](const std::string& text) {
-    std::string result = mutated(GetParam(), text);
-    matches = result != text;
-    return result;
-  });
+  const driver::LoadedKernel kernel = load(
+      batch().code(),
+      [&](const std::string& text) {
+        std::string result = mutated(GetParam(), text);
+        matches = result != text;
+        return result;
+      },
+      Speed::of_building);
   ASSERT_TRUE(matches) << "the kernel has no such text any more";
   ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
   const std::size_t noticed = batch().compare(*kernel.engine).different;
