@@ -1,5 +1,6 @@
 #include "compiler/codegen/kernel_blocks.h"
 
+#include "compiler/codegen/kernel_decision.h"
 #include "compiler/codegen/watch_values.h"
 #include "compiler/ir/margin_unit.h"
 
@@ -138,6 +139,9 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
       return p.use("span_of", num(c.value) + ", " + num(c.value));
     }
     std::string operator()(const Battery&) const { return "v->charge"; }
+    std::string operator()(const SensedAge& a) const {
+      return std::string("v->age_of_") + word_of(a.signal);
+    }
     std::string operator()(const Clearance& c) const {
       return p.use("clearance_now", place(c.zone) + ", &v->self, &BODY, v->m");
     }

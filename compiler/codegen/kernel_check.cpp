@@ -77,6 +77,7 @@ void CheckPrinter::print_measure() {
         if (pairs()) to.line("int32_t j;");
         measure_self(to);
         measure_charge(to);
+        measure_ages(to);
         if (pairs()) {
           to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) { measure_other(each); });
         }
@@ -144,6 +145,17 @@ void CheckPrinter::measure_charge(Code& to) {
            "v->charge = span_unknown(" + up_ + "_INPUT_BATTERY);");
 }
 
+// After the stamps have been compared with those of earlier samples.
+void CheckPrinter::measure_ages(Code& to) {
+  for (const Sensed signal : aged()) {
+    use({"sensed_age"});
+    const std::string word = word_of(signal);
+    to.line("v->age_of_" + word + " = sensed_age(in->" + word + ".valid, in->" + word +
+            ".stamp_us, v->now_us, s->last_" + word + "_us,");
+    to.line("    " + up_ + "_INPUT_" + upper(word) + ");");
+  }
+}
+
 void CheckPrinter::measure_other(Code& to) {
   use({"promise_kept"});
   const std::string fault = "v->others[j].s.input = " + up_ + "_INPUT_OTHER_ROBOT;";
@@ -167,6 +179,8 @@ namespace {
 bool reads_battery(const Block& block) {
   return std::any_of(block.values.begin(), block.values.end(), [](const Value& v) {
     if (const Block* others = body_of(v.op)) return reads_battery(*others);
+    const auto* age = std::get_if<SensedAge>(&v.op);
+    if (age != nullptr && age->signal == Sensed::battery) return true;
     return std::holds_alternative<Battery>(v.op) || std::holds_alternative<EnergyReach>(v.op) ||
            std::holds_alternative<ChargeReach>(v.op);
   });

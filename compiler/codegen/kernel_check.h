@@ -23,6 +23,7 @@ class CheckPrinter : public FactPrinter {
                 const std::string& fault);
   void measure_self(Code& to);
   void measure_charge(Code& to);
+  void measure_ages(Code& to);
   void measure_other(Code& to);
   void print_horizon(std::size_t horizon, Code& to);
   [[nodiscard]] bool uses_battery() const;

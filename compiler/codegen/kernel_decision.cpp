@@ -15,6 +15,18 @@ std::string requirement(const Monitor& m) {
          m.file + ":" + num(m.line) + ")";
 }
 
+const char* word_of(Sensed signal) {
+  switch (signal) {
+    case Sensed::position:
+      return "position";
+    case Sensed::velocity:
+      return "velocity";
+    case Sensed::battery:
+      return "battery";
+  }
+  return "";
+}
+
 namespace {
 
 bool judges_others(const Block& block) {
@@ -155,6 +167,24 @@ void DecisionPrinter::print_constants() {
   out_.line("static const int64_t " + id_ + "_horizons_us[] = {" + list + "};").blank();
 }
 
+std::vector<Sensed> DecisionPrinter::aged() const {
+  std::vector<Sensed> found;
+  for (const Sensed signal : {Sensed::position, Sensed::velocity, Sensed::battery}) {
+    const auto reads = [&](const Value& v) {
+      const auto* age = std::get_if<SensedAge>(&v.op);
+      return age != nullptr && age->signal == signal;
+    };
+    const auto& facts = d_.facts.monitors;
+    if (std::any_of(facts.begin(), facts.end(), [&](const PlainMonitor& fact) {
+          const auto& values = fact.property.values;
+          return std::any_of(values.begin(), values.end(), reads);
+        })) {
+      found.push_back(signal);
+    }
+  }
+  return found;
+}
+
 void DecisionPrinter::print_view() {
   use({"estimate_type", "reach_type", "span_type"});
   if (pairs()) use({"other_type"});
@@ -176,6 +206,9 @@ void DecisionPrinter::print_view() {
         for (const ZoneIndex zone : own_places()) {
           use({"place_type"});
           to.line("place " + place_symbol(module_[zone], names_) + "; /* of the robot itself */");
+        }
+        for (const Sensed signal : aged()) {
+          to.line(std::string("span age_of_") + word_of(signal) + "; /* us */");
         }
         if (d_.body.heading_age_us) {
           to.line("int32_t heading; /* input that is missing to steer; " + up_ +

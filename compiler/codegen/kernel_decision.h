@@ -14,6 +14,8 @@
 
 namespace rtac::codegen {
 
+// `position`: as members of the structs say it.
+const char* word_of(ir::Sensed signal);
 // What the monitor is for, and where it says so.
 std::string requirement(const ir::Monitor& monitor);
 
@@ -35,6 +37,8 @@ class DecisionPrinter {
   [[nodiscard]] std::size_t horizon_of(const ir::Monitor& m) const;
   // The zones that some monitor compares the robot's own position with, each once.
   [[nodiscard]] std::vector<ir::ZoneIndex> own_places() const;
+  // The measurements of the robot itself whose age some fact compares, each once.
+  [[nodiscard]] std::vector<ir::Sensed> aged() const;
   // Of the separation monitor that looks furthest.
   [[nodiscard]] std::size_t separation_horizon() const;
 

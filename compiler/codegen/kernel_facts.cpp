@@ -79,6 +79,11 @@ void FactPrinter::fact(std::size_t index, BlockPrinter& blocks) {
 
 // Of the robot nothing is known in a tick that was missed.
 void FactPrinter::blind_robot(Code& body) {
+  for (const Sensed signal : aged()) {
+    use({"span_unknown"});
+    body.line(std::string("blind.age_of_") + word_of(signal) + " = span_unknown(" + up_ +
+              "_INPUT_CLOCK);");
+  }
   if (!facts_of_robot()) return;
   use({"span_unknown"});
   const std::string clock = up_ + "_INPUT_CLOCK";

@@ -232,6 +232,9 @@ struct QuantityOf {
     return self.signals_.quantity(node.input, node.component);
   }
   Span operator()(const sema::AgeOf& node) const { return self.signals_.age(node.input); }
+  Span operator()(const sema::SensedAge& node) const {
+    return self.robots_ == nullptr ? unknown(std::nullopt) : self.robots_->age(node.signal);
+  }
   Span operator()(const sema::PointClearance& node) const {
     return self.zones_.clearance(node.zone, of(node.x), of(node.y));
   }

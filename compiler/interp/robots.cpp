@@ -112,6 +112,18 @@ Span Robots::distance(sema::RobotId other) const {
                  Rational(centres.above + error - bodies));
 }
 
+Span Robots::age(sema::Sensed signal) const {
+  switch (signal) {
+    case sema::Sensed::position:
+      return signals_.age(id(self_, Field::position));
+    case sema::Sensed::velocity:
+      return signals_.age(id(self_, Field::velocity));
+    case sema::Sensed::battery:
+      return signals_.age(id(self_, Field::battery));
+  }
+  return unknown(std::nullopt);
+}
+
 Span Robots::battery(sema::RobotId robot) const {
   const auto& charge = signals_.measured(id(robot, Field::battery), 0);
   if (!charge) return unknown(std::nullopt);

@@ -37,6 +37,8 @@ class Robots {
   [[nodiscard]] const Rational& place_error() const { return kind_.position->error.value; }
   // Between the bodies of this robot and another one, m; negative where they overlap.
   [[nodiscard]] Span distance(sema::RobotId other) const;
+  // Of what this robot senses, s.
+  [[nodiscard]] Span age(sema::Sensed signal) const;
   [[nodiscard]] Span battery(sema::RobotId robot) const;
   [[nodiscard]] Span speed(sema::RobotId robot) const;
   // At least the straight way takes, and how much more is not known.

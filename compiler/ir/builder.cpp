@@ -286,6 +286,7 @@ class BlockBuilder {
     sema::for_each_expr(e, [&](const sema::Expr& each) {
       found = found || remembers(each) || std::holds_alternative<sema::InputRef>(each.node) ||
               std::holds_alternative<sema::AgeOf>(each.node) ||
+              std::holds_alternative<sema::SensedAge>(each.node) ||
               std::holds_alternative<sema::IsValue>(each.node) ||
               std::holds_alternative<sema::SameValue>(each.node) ||
               std::holds_alternative<sema::Math>(each.node) ||

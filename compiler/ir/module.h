@@ -200,6 +200,10 @@ struct Elapsed {  // a margin: this many ticks have passed since the first one
 struct Age {  // us since the stamp of the newest sample
   std::uint32_t channel;
 };
+enum class Sensed { position, velocity, battery };
+struct SensedAge {  // of a fact: the same of what the robot itself senses
+  Sensed signal;
+};
 struct ParamValue {
   std::uint32_t param;
 };
@@ -280,13 +284,13 @@ struct Aggregate {  // a quantity, of a quantity or (count) of a margin
   std::uint32_t slot;
 };
 
-using Op =
-    std::variant<Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast,
-                 PlanInZone, Truth, Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach,
-                 LegsInZone, PointsInZone, PairReach, LegsApart, OnTrack, EnergyReach, ChargeReach,
-                 Fact, Input, InputTruth, InputIs, InputSame, Elapsed, Age, ParamValue, Multiply,
-                 Minimum, Maximum, Absolute, Root, PointClearance, PointInside, Norm, Between,
-                 Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since, Aggregate>;
+using Op = std::variant<Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast,
+                        PlanInZone, Truth, Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach,
+                        LegsInZone, PointsInZone, PairReach, LegsApart, OnTrack, EnergyReach,
+                        ChargeReach, Fact, Input, InputTruth, InputIs, InputSame, Elapsed, Age,
+                        SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute, Root,
+                        PointClearance, PointInside, Norm, Between, Phase, Sine, Cosine, Choose,
+                        Previously, Once, Historically, Since, Aggregate>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;

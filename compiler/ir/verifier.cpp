@@ -115,6 +115,7 @@ class Checker {
     plain(), quantity();
     if (watch_ && v.channel >= watch_->inputs.size()) fail("no such input");
   }
+  void operator()(const SensedAge&) { robot(), plain(), quantity(); }
   void operator()(const ParamValue& v) {
     quantity();
     const Watch& signals = watch_ ? *watch_ : decision_->facts;

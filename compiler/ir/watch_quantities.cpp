@@ -136,6 +136,12 @@ ValueId QuantityBuilder::quantity(const sema::AgeOf& v, const sema::Expr& e) {
   return add(Age{channel_of(watch_, spec_[v.input].name)},
              unit(e.dimension, Rational(1, micros_per_second)), e);
 }
+ValueId QuantityBuilder::quantity(const sema::SensedAge& v, const sema::Expr& e) {
+  const Sensed signal = v.signal == sema::Sensed::position   ? Sensed::position
+                        : v.signal == sema::Sensed::velocity ? Sensed::velocity
+                                                             : Sensed::battery;
+  return add(SensedAge{signal}, unit(e.dimension, Rational(1, micros_per_second)), e);
+}
 
 // Of robots, on their grids of lengths and charge.
 ValueId QuantityBuilder::quantity(const sema::SignalRef& v, const sema::Expr& e) {

@@ -79,6 +79,7 @@ class QuantityBuilder {
   ValueId quantity(const sema::InputRef& v, const sema::Expr& e);
   ValueId quantity(const sema::ParamRef& v, const sema::Expr& e);
   ValueId quantity(const sema::AgeOf& v, const sema::Expr& e);
+  ValueId quantity(const sema::SensedAge& v, const sema::Expr& e);
   ValueId quantity(const sema::SignalRef& v, const sema::Expr& e);
   ValueId quantity(const sema::Clearance& v, const sema::Expr& e);
   ValueId quantity(const sema::EnergyTo& v, const sema::Expr& e);

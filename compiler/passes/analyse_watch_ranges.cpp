@@ -74,6 +74,7 @@ class WatchRanges {
   }
   // An age is unknown without a sample, not of any length.
   Wide operator()(const Age&) const { return {0, exact(age_max_us), false}; }
+  Wide operator()(const SensedAge&) const { return {0, exact(age_max_us), false}; }
   Wide operator()(const ParamValue& v) const { return wide(watch_.params[v.param].range); }
   Wide operator()(const Add& v) const {
     const Wide a = of(v.a), b = of(v.b);

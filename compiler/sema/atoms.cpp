@@ -178,7 +178,7 @@ ExprPtr PropertyChecker::plan_inside(const syntax::Expr& expr, const syntax::Mem
 
 Value PropertyChecker::robot_call(const syntax::Expr& expr, const syntax::Call& call) {
   const std::string& name = call.callee.text;
-  if (name == "clearance" && !sees_robot()) return point_clearance(expr, call, name);
+  if (name == "clearance" && !sees_robot()) return clearance_of_place(expr, call);
   const bool known = name == "clearance" || name == "distance" || name == "energy_to";
   if (known && !robot_allowed(expr.range, "`" + name + "`")) return nullptr;
   if (name == "clearance") return clearance(expr, call);

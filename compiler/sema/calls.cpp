@@ -330,35 +330,4 @@ Value PropertyChecker::clamp(const syntax::Expr& expr, const syntax::Call& call)
               operands_of(std::move(*inner), std::move((*operands)[2])));
 }
 
-Value PropertyChecker::age(const syntax::Expr& expr, const syntax::Call& call) {
-  if (!argument_count(expr, call, 1, "age(signal)")) return nullptr;
-  const syntax::Expr& argument = *call.arguments.front();
-  if (is_error(argument)) return nullptr;
-  const auto* member = std::get_if<syntax::Member>(&argument.node);
-  if (member != nullptr && sees_fleets() && names_robot(*member->base)) {
-    const auto robot = robot_named(*member->base);
-    const auto input =
-        robot ? robot_input(*robot, member->field.text, argument.range) : std::nullopt;
-    return input ? make_quantity(expr.range, dims::time, AgeOf{*input}) : nullptr;
-  }
-  const syntax::Name* name = name_in(argument);
-  const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
-  const bool bound = name != nullptr && local(name->text) != nullptr;
-  if (name != nullptr && symbol == nullptr && !bound) {
-    unknown_name(*name);
-    return nullptr;
-  }
-  if (symbol == nullptr || symbol->sort != Sort::input || bound) {
-    context_.report(
-        Finding(Code::wrong_argument, argument.range, "`age` takes the name of an input")
-            .label("not an input")
-            .help("write `age(signal)`: all components of an input arrive together"));
-    return nullptr;
-  }
-  if (!signal_allowed(argument.range, *name, Sort::input)) return nullptr;
-  const InputId input{symbol->index};
-  context_.used_inputs.insert(input);
-  return make_quantity(expr.range, dims::time, AgeOf{input});
-}
-
 }  // namespace rtac::sema

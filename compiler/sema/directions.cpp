@@ -171,6 +171,9 @@ class TrendFinder {
                           [](const AgeOf&) {
                             return Ends{Rational(0), std::nullopt};
                           },
+                          [](const SensedAge&) {
+                            return Ends{Rational(0), std::nullopt};
+                          },
                           [&](const Arithmetic& node) { return ends_of(node); },
                           [&](const Math& node) { return ends_of(node); },
                           [&](const Choice& choice) {

@@ -110,6 +110,17 @@ std::string name_of(MathOp op) {
   return "";
 }
 
+std::string name_of(Sensed signal) {
+  switch (signal) {
+    case Sensed::position:
+      return "position";
+    case Sensed::velocity:
+      return "velocity";
+    case Sensed::battery:
+      return "battery";
+  }
+  return "";
+}
 std::string name_of(AggregateOp op) {
   switch (op) {
     case AggregateOp::minimum:
@@ -201,6 +212,7 @@ std::string ExprPrinter::expr(const Expr& expr) const {
           },
           [&](const InputRef& reference) { return input(reference); },
           [&](const AgeOf& age) { return "age(" + spec_[age.input].name + ")"; },
+          [](const SensedAge& age) { return "age(self." + name_of(age.signal) + ")"; },
           [&](const ParamRef& reference) { return spec_[reference.param].name; },
           [&](const PointInside& atom) {
             return "(" + point(*atom.x, *atom.y) + " inside " + zone(atom.zone) + ")";

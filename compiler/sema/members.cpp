@@ -165,7 +165,8 @@ Value PropertyChecker::distance_of_bodies(const syntax::Expr& expr, const syntax
       Math{MathOp::norm,
            operands_of(difference(std::move(centres[0].x), std::move(centres[1].x)),
                        difference(std::move(centres[0].y), std::move(centres[1].y)))});
-  return difference(std::move(gap), make_quantity(expr.range, dims::length, Constant{bodies}));
+  return difference(std::move(gap),
+                    make_quantity(expr.range, dims::length, Constant{bodies, true}));
 }
 
 // `q != r`, several of them joined by `and`.

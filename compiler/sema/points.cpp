@@ -1,5 +1,5 @@
-// What a monitor without a robot says about places: a point lies in a zone, and how far from its
-// boundary.
+// What a monitor without a robot says about places: a point or the body of a robot lies in a zone,
+// and how far from its boundary.
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/zones.h"
 
@@ -20,18 +20,28 @@ bool PropertyChecker::says_zone(const syntax::Expr& expr) const {
   return joins && says_zone(*binary->left);
 }
 
-// The place that a point is, in length; a robot has no place here.
-std::optional<Pair> PropertyChecker::place_of(const syntax::Expr& expr, const std::string& user) {
-  if (names_robot(expr)) {
-    const syntax::Name* name = name_in(expr);  // none: a member of a numbered fleet
-    context_.report(Finding(Code::needs_robot, expr.range, "`" + user + "` of a body needs a robot")
-                        .label("this monitor has no robot")
-                        .help("write `monitor name for r : Kind { ... }`, or " +
-                              (name != nullptr ? "`" + name->text + ".position`"
-                                               : std::string("its `.position`")) +
-                              " for the centre"));
+// The place of what stands here, in length: a point, or the body of a robot around its centre.
+std::optional<PropertyChecker::Placed> PropertyChecker::placed(const syntax::Expr& expr,
+                                                               const std::string& user) {
+  if (!names_robot(expr)) {
+    auto point = place_of(expr, user);
+    return point ? std::optional(Placed{std::move(*point), 0}) : std::nullopt;
+  }
+  if (function_ != nullptr) {
+    robot_allowed(expr.range, "`" + user + "` of a body");
     return std::nullopt;
   }
+  const auto robot = robot_named(expr);
+  const auto input = robot ? robot_input(*robot, "position", expr.range) : std::nullopt;
+  if (!input) return std::nullopt;
+  Value centre = input_value(expr.range, *input);
+  auto* pair = std::get_if<Pair>(&centre.node);
+  if (pair == nullptr) return std::nullopt;
+  return Placed{std::move(*pair), context_.spec[context_.spec[*robot].kind].radius.value};
+}
+
+// The place that a point is, in length.
+std::optional<Pair> PropertyChecker::place_of(const syntax::Expr& expr, const std::string& user) {
   auto place = pair_of(expr, Pair::Kind::point, user);
   if (!place) return std::nullopt;
   if (place->z) {
@@ -58,44 +68,79 @@ std::optional<ZoneId> PropertyChecker::zone_around(const Pair& place, const synt
   return zone_in_property(context_, zone, frame);
 }
 
+// A gap to the centre of a body is wider than that to the body.
+ExprPtr PropertyChecker::less_radius(const syntax::Expr& expr, ExprPtr gap,
+                                     const Rational& radius) {
+  if (radius == 0) return gap;
+  ExprPtr reach = make_quantity(expr.range, dims::length, Constant{radius, true});
+  return make_quantity(
+      expr.range, dims::length,
+      Arithmetic{ArithmeticOp::subtract, operands_of(std::move(gap), std::move(reach))});
+}
+
 ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Binary& binary) {
   if (is_error(*binary.left) || is_error(*binary.right)) return nullptr;
-  auto place = place_of(*binary.left, "inside");
-  const auto zone = place ? zone_around(*place, *binary.right) : std::nullopt;
+  auto held = placed(*binary.left, "inside");
+  const auto zone = held ? zone_around(held->centre, *binary.right) : std::nullopt;
   if (!zone) return nullptr;
-  return make_condition(expr.range, PointInside{std::move(place->x), std::move(place->y), *zone});
+  ExprPtr& x = held->centre.x;
+  ExprPtr& y = held->centre.y;
+  if (held->radius == 0) {
+    return make_condition(expr.range, PointInside{std::move(x), std::move(y), *zone});
+  }
+  ExprPtr gap =
+      make_quantity(expr.range, dims::length, PointClearance{std::move(x), std::move(y), *zone});
+  ExprPtr none = make_quantity(expr.range, dims::length, Constant{0});
+  return make_condition(
+      expr.range, Compare{CompareOp::greater_equal, less_radius(expr, std::move(gap), held->radius),
+                          std::move(none)});
 }
 
-ExprPtr PropertyChecker::point_clearance(const syntax::Expr& expr, const syntax::Call& call,
-                                         const std::string& user) {
-  if (!argument_count(expr, call, 2, user + "(p, zone)")) return nullptr;
+// `clearance(p, Z)` or `distance(p, Z)`: the distance of the place, the centre of a body, to the
+// boundary, negative outside; and the radius of the body.
+std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const syntax::Expr& expr,
+                                                                      const syntax::Call& call,
+                                                                      const std::string& user) {
+  if (!argument_count(expr, call, 2, user + "(p, zone)")) return std::nullopt;
   const syntax::Expr& first = *call.arguments[0];
   const syntax::Expr& second = *call.arguments[1];
-  if (is_error(first) || is_error(second)) return nullptr;
+  if (is_error(first) || is_error(second)) return std::nullopt;
   if (says_zone(first)) {
+    const std::string what = names_robot(second) ? "robot" : "point";
     context_.report(
-        Finding(Code::wrong_argument, first.range, "`" + user + "` takes the point first")
+        Finding(Code::wrong_argument, first.range, "`" + user + "` takes the " + what + " first")
             .label("the zone stands first")
-            .help("swap them: `" + user + "(p, zone)`"));
-    return nullptr;
+            .help("swap them: `" + user + "(" + (names_robot(second) ? "robot" : "p") +
+                  ", zone)`"));
+    return std::nullopt;
   }
-  auto place = place_of(first, user);
-  const auto zone = place ? zone_around(*place, second) : std::nullopt;
-  if (!zone) return nullptr;
-  return make_quantity(expr.range, dims::length,
-                       PointClearance{std::move(place->x), std::move(place->y), *zone});
+  auto held = placed(first, user);
+  const auto zone = held ? zone_around(held->centre, second) : std::nullopt;
+  if (!zone) return std::nullopt;
+  ExprPtr gap =
+      make_quantity(expr.range, dims::length,
+                    PointClearance{std::move(held->centre.x), std::move(held->centre.y), *zone});
+  return CentreGap{std::move(gap), held->radius};
 }
 
-// Nothing inside, the clearance turned round outside.
+ExprPtr PropertyChecker::clearance_of_place(const syntax::Expr& expr, const syntax::Call& call) {
+  auto found = centre_gap(expr, call, call.callee.text);
+  return found ? less_radius(expr, std::move(found->gap), found->radius) : nullptr;
+}
+
+// Of a point nothing inside, the clearance turned round outside; bodies reach further by their
+// radius, so that those which overlap the zone have a negative one.
 ExprPtr PropertyChecker::distance_to_zone(const syntax::Expr& expr, const syntax::Call& call) {
-  ExprPtr clearance = point_clearance(expr, call, "distance");
-  if (!clearance) return nullptr;
+  auto found = centre_gap(expr, call, "distance");
+  if (!found) return nullptr;
   ExprPtr outside =
       make_quantity(expr.range, dims::length,
-                    Arithmetic{ArithmeticOp::negate, operands_of(std::move(clearance))});
+                    Arithmetic{ArithmeticOp::negate, operands_of(std::move(found->gap))});
   ExprPtr nothing = make_quantity(expr.range, dims::length, Constant{0});
-  return make_quantity(expr.range, dims::length,
-                       Math{MathOp::maximum, operands_of(std::move(nothing), std::move(outside))});
+  ExprPtr gap =
+      make_quantity(expr.range, dims::length,
+                    Math{MathOp::maximum, operands_of(std::move(nothing), std::move(outside))});
+  return less_radius(expr, std::move(gap), found->radius);
 }
 
 }  // namespace rtac::sema

@@ -1,7 +1,7 @@
 // The checker behind property.h: connectives and comparisons (property.cpp), arithmetic
-// (arithmetic.cpp), the past (past.cpp), names and components (signals.cpp), functions (calls.cpp,
-// functions.cpp), and what a property says about points in zones (points.cpp) and about robots
-// (atoms.cpp, quantifiers.cpp, members.cpp, member_comparisons.cpp).
+// (arithmetic.cpp), the past (past.cpp), names and components (signals.cpp), ages (ages.cpp),
+// functions (calls.cpp, functions.cpp), and what a property says about points in zones (points.cpp)
+// and about robots (atoms.cpp, quantifiers.cpp, members.cpp, member_comparisons.cpp).
 #pragma once
 
 #include <optional>
@@ -186,7 +186,6 @@ class PropertyChecker {
   Value norm(const syntax::Expr& expr, const syntax::Call& call);
   Value dot(const syntax::Expr& expr, const syntax::Call& call);
   Value clamp(const syntax::Expr& expr, const syntax::Call& call);
-  Value age(const syntax::Expr& expr, const syntax::Call& call);
   Value distance_of_points(const syntax::Expr& expr, const syntax::Call& call);
   Value math(const syntax::Expr& expr, MathOp op, const Dimension& dimension,
              std::vector<ExprPtr> operands);
@@ -196,13 +195,28 @@ class PropertyChecker {
                      const std::vector<const Expr*>& typed);
   std::optional<Pair> pair_of(const syntax::Expr& expr, Pair::Kind due, const std::string& user);
 
+  // ---- ages.cpp
+  Value age(const syntax::Expr& expr, const syntax::Call& call);
+  ExprPtr age_of_sense(const syntax::Expr& expr, const syntax::Name& field, Subject who);
+
   // ---- points.cpp
+  struct Placed {  // a point, or a body around its centre
+    Pair centre;
+    Rational radius;  // m; 0 of a point
+  };
+  struct CentreGap {
+    ExprPtr gap;  // from the centre
+    Rational radius;
+  };
   [[nodiscard]] bool says_zone(const syntax::Expr& expr) const;
+  std::optional<Placed> placed(const syntax::Expr& expr, const std::string& user);
+  static ExprPtr less_radius(const syntax::Expr& expr, ExprPtr gap, const Rational& radius);
+  std::optional<CentreGap> centre_gap(const syntax::Expr& expr, const syntax::Call& call,
+                                      const std::string& user);
   std::optional<Pair> place_of(const syntax::Expr& expr, const std::string& user);
   std::optional<ZoneId> zone_around(const Pair& place, const syntax::Expr& zone);
   ExprPtr point_inside(const syntax::Expr& expr, const syntax::Binary& binary);
-  ExprPtr point_clearance(const syntax::Expr& expr, const syntax::Call& call,
-                          const std::string& user);
+  ExprPtr clearance_of_place(const syntax::Expr& expr, const syntax::Call& call);
   ExprPtr distance_to_zone(const syntax::Expr& expr, const syntax::Call& call);
 
   // ---- space.cpp: points, vectors and frames

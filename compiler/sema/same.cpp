@@ -27,6 +27,7 @@ struct SameNode {
   bool operator()(const Truth& a) const { return a.value == that<Truth>().value; }
   bool operator()(const InputRef& a) const { return same(a, that<InputRef>()); }
   bool operator()(const AgeOf& a) const { return a.input == that<AgeOf>().input; }
+  bool operator()(const SensedAge& a) const { return a.signal == that<SensedAge>().signal; }
   bool operator()(const ParamRef& a) const { return a.param == that<ParamRef>().param; }
   bool operator()(const PointInside& a) const { return a.zone == that<PointInside>().zone; }
   bool operator()(const PointClearance& a) const { return a.zone == that<PointClearance>().zone; }

@@ -241,9 +241,11 @@ using ExprPtr = std::unique_ptr<Expr>;
 
 enum class Subject { self, other };  // the monitored robot, or the bound variable of `forall`
 enum class Signal { battery, speed };
+enum class Sensed { position, velocity, battery };  // what has a stamp
 
 struct Constant {
   Rational value;
+  bool declared = false;  // the size of a body: not written in the property, so on any grid
 };
 struct Truth {
   bool value;
@@ -303,6 +305,9 @@ struct InputRef {  // one component of a plain input
 };
 struct AgeOf {  // age(signal), in s
   InputId input;
+};
+struct SensedAge {  // age(r.position) of the monitored robot, in s; judged now
+  Sensed signal;
 };
 struct ParamRef {
   ParamId param;
@@ -366,8 +371,8 @@ struct Expr {
   Dimension dimension;
   std::variant<Constant, Truth, SignalRef, Clearance, Distance, EnergyTo, InsideZone, PlanInside,
                Arithmetic, Compare, Logic, HeldFor, ForOthers, CountOthers, OverMembers, InputRef,
-               AgeOf, ParamRef, PointInside, PointClearance, IsValue, SameValue, Math, Choice,
-               Previously, Past, Since, WithinOf, Aggregate>
+               AgeOf, SensedAge, ParamRef, PointInside, PointClearance, IsValue, SameValue, Math,
+               Choice, Previously, Past, Since, WithinOf, Aggregate>
       node;
 };
 

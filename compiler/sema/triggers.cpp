@@ -37,7 +37,9 @@ class TriggerChecker {
   }
   static bool speaks_of_signals(const Expr& expr) {
     return std::holds_alternative<InputRef>(expr.node) ||
-           std::holds_alternative<AgeOf>(expr.node) || std::holds_alternative<IsValue>(expr.node) ||
+           std::holds_alternative<AgeOf>(expr.node) ||
+           std::holds_alternative<SensedAge>(expr.node) ||
+           std::holds_alternative<IsValue>(expr.node) ||
            std::holds_alternative<SameValue>(expr.node) ||
            std::holds_alternative<ParamRef>(expr.node);
   }

@@ -45,8 +45,8 @@ void for_each_operand(Tree& expr, Visit&& visit) {
                         std::is_same_v<Node, Distance> || std::is_same_v<Node, EnergyTo> ||
                         std::is_same_v<Node, InsideZone> || std::is_same_v<Node, PlanInside> ||
                         std::is_same_v<Node, InputRef> || std::is_same_v<Node, AgeOf> ||
-                        std::is_same_v<Node, ParamRef> || std::is_same_v<Node, IsValue> ||
-                        std::is_same_v<Node, SameValue>);
+                        std::is_same_v<Node, SensedAge> || std::is_same_v<Node, ParamRef> ||
+                        std::is_same_v<Node, IsValue> || std::is_same_v<Node, SameValue>);
         }
       },
       expr.node);

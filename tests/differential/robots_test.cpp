@@ -23,7 +23,7 @@ input load : real in 0 .. 10 error 0.5;
 input mode : Mode;
 param h : length in 0 m .. 0.3 m = 0.1 m;
 robot Quad {
-  body   radius 10 cm;
+  body   radius 10.05 cm;
   motion point { speed <= 0.5 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
   sense  position : point  error 1 cm   max_age 100 ms;
   sense  velocity : vector error 1 cm/s max_age 100 ms;
@@ -47,7 +47,13 @@ monitor low for r : Quad { "R6: charge" always r.battery >= 20 % or r inside cor
 monitor way for r : Quad { "R7: home" always r.battery >= energy_to(home) + 5 %; recover go_home; }
 monitor permitted for r : Quad { "R8: facts" always r inside field and once[0 s, 200 ms] permit and (mean[0 s, 150 ms](load) <= 6 or mode == idle); recover inwards; }
 monitor gap for r : Quad { "R9: least" always min(q : Quad, q != r : distance(r, q)) >= 20 cm + h; recover inwards; }
-decision fly for Quad { advanced policy; period 50 ms; priority walls > clear > apart > alone > near > low > way > permitted > gap;
+monitor fresh for r : Quad { "R10: fresh" always age(r.position) <= 50 ms and once[0 s, 100 ms] age(r.battery) <= 0 s; recover inwards; }
+period 50 ms;
+monitor member { "R11: a member is in" always q1 inside field; }
+monitor spare { "R12: who is in has some room" always forall q : Quad : q inside core implies clearance(q, field) >= 40 cm; }
+monitor beside { "R13: not near the core" always distance(q2, core) > 10 cm; }
+monitor out { "R14: none is out" always not exists q : Quad : not q inside field; }
+decision fly for Quad { advanced policy; period 50 ms; priority walls > clear > apart > alone > near > low > way > permitted > gap > fresh;
   acknowledge inwards may break low "a test"; acknowledge go_home may break low "test"; acknowledge inwards may break way "a test"; acknowledge go_home may break way "a test"; }
 )";
 
@@ -164,8 +170,17 @@ class RobotsNow : public driver::test::InFolder {
   }
   // The reference has no upper bound of a way.
   static bool prices(const std::string& column) { return column.find("way") != std::string::npos; }
+  void compare(const std::string& column, std::size_t row, Row& exact, Row& found, bool whole) {
+    SCOPED_TRACE(column + " in row " + std::to_string(row) + ": exact " +
+                 exact[column + ".margin"] + ", found " + found[column + ".margin"]);
+    compare_verdicts(column, exact, found);
+    compare_margins(column, exact, found, whole);
+  }
   std::map<std::string, int> decided_;
 };
+
+// Of monitors without a robot, which speak of robots by name.
+constexpr const char* plain[] = {"member", "spare", "beside", "out"};
 
 // What the kernel has decided is so; in rows without age its margins are near the exact ones.
 TEST_F(RobotsNow, AreJudgedConservativelyAndTightly) {
@@ -180,21 +195,24 @@ TEST_F(RobotsNow, AreJudgedConservativelyAndTightly) {
   ASSERT_EQ(exact.size(), trace.whole.size());
   for (std::size_t row = 0; row < exact.size(); ++row) {
     for (const char* const robot : {"q1.", "q2.", "q3."}) {
-      for (const char* const monitor :
-           {"walls", "clear", "apart", "alone", "near", "low", "way", "permitted", "gap"}) {
-        const std::string column = std::string(robot) + monitor;
-        SCOPED_TRACE(column + " in row " + std::to_string(row) + ": exact " +
-                     exact[row][column + ".margin"] + ", found " + found[row][column + ".margin"]);
-        compare_verdicts(column, exact[row], found[row]);
-        compare_margins(column, exact[row], found[row], trace.whole[row]);
+      for (const char* const monitor : {"walls", "clear", "apart", "alone", "near", "low", "way",
+                                        "permitted", "gap", "fresh"}) {
+        compare(std::string(robot) + monitor, row, exact[row], found[row], trace.whole[row]);
         if (HasFailure()) return;
       }
     }
+    for (const char* const monitor : plain) {
+      compare(monitor, row, exact[row], found[row], trace.whole[row]);
+      if (HasFailure()) return;
+    }
   }
-  for (const char* const monitor :
-       {"walls", "clear", "apart", "alone", "near", "low", "permitted", "gap"}) {
-    for (const char* const verdict : {" true", " false"}) {
+  for (const char* const verdict : {" true", " false"}) {
+    for (const char* const monitor :
+         {"walls", "clear", "apart", "alone", "near", "low", "permitted", "gap", "fresh"}) {
       EXPECT_GT(decided_[std::string("q1.") + monitor + verdict], 20) << monitor << verdict;
+    }
+    for (const char* const monitor : plain) {
+      EXPECT_GT(decided_[std::string(monitor) + verdict], 20) << monitor << verdict;
     }
   }
 }

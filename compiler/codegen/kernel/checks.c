@@ -294,6 +294,15 @@ static span cells_span(const cells *c, vec p, int64_t radius_mm) {
   hi = hi < 0 ? NO_WAY : hi;
   return span_of(min_of(way_lo(c, p, radius_mm), hi), hi);
 }
+/*= sensed_age : span_of span_unknown elapsed_us */
+/* Time since the newest sample, us; unknown when it holds no numbers, or its stamp lies in the
+ * future or before `last_us`, the latest one of all samples. */
+static span sensed_age(int32_t valid, int64_t stamp_us, int64_t now_us, int64_t last_us,
+                       int32_t input) {
+  const int64_t age_us =
+      valid != 0 && stamp_us >= last_us && stamp_us <= now_us ? elapsed_us(stamp_us, now_us) : -1;
+  return age_us < 0 || age_us > AGE_MAX_US ? span_unknown(input) : span_of(age_us, age_us);
+}
 /*= charge_now : span_of span_unknown div_up elapsed_us */
 /* Charge left now, in ppm: a sample of some age, drained since. Beyond empty and full by more than
  * the error (and 1 ppm of the grid) it is unknown. The upper end leaves out what a charger may have

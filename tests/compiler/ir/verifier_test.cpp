@@ -44,6 +44,14 @@ TEST(Verifier, AQuantityHasAUnitAndAMarginHasNone) {
   EXPECT_NE(problem_of(b.done(b.margin(Truth{true}))).find("with a unit"), std::string::npos);
 }
 
+// An age says nothing of what is within reach: a fact has it, once a tick.
+TEST(Verifier, AgesOfMeasurementsAreOfFacts) {
+  BlockMaker b;
+  const ValueId age = b.quantity(SensedAge{Sensed::position});
+  EXPECT_NE(problem_of(b.done(b.margin(AtLeast{age, age, false}))).find("in a decision"),
+            std::string::npos);
+}
+
 TEST(Verifier, UnitsOfOperandsAgree) {
   BlockMaker b;
   const ValueId gap = b.quantity(Clearance{ZoneIndex{0}});

@@ -43,6 +43,13 @@ TEST(Meaning, ArithmeticOfSignalsHasItsDimension) {
   EXPECT_EQ(property("r.battery / 2 >= 10 %"), "((self.battery / 2) >= 10 %)");
 }
 
+// How old a sample is says nothing of where the robot will be: it is judged now.
+TEST(Meaning, MeasurementsOfTheRobotHaveAnAge) {
+  EXPECT_EQ(property("age(r.position) <= 50 ms"), "(age(self.position) <= 0.05 s)");
+  EXPECT_EQ(property("once[0 s, 1 s] age(r.battery) <= age(r.velocity)"),
+            "(once[0 s, 1 s] (age(self.battery) <= age(self.velocity)))");
+}
+
 TEST(Meaning, QuantifiersSpeakOfTheOtherRobot) {
   EXPECT_EQ(property("exists q : Cart, r != q : distance(q, r) <= 1 m and q.speed <= 1 m/s"),
             "(exists other : ((distance(self, other) <= 1 m) and (other.speed <= 1 m/s)))");

@@ -48,6 +48,50 @@ TEST(Points, ShareTheZoneOfAFunction) {
   EXPECT_EQ(checked->spec->zones.size(), 3U);
 }
 
+// The name of a robot is its body: the centre, and the radius around it.
+std::string of_robots(const std::string& property) {
+  const auto checked = check_text(
+      "spec yard;\nperiod 1 s;\nzone room = rectangle (0 m, 0 m) to (4 m, 3 m);\n"
+      "robot Drone { body radius 10 cm; motion point { speed <= 1 m/s; accel <= 1 m/s^2; "
+      "brake >= 1 m/s^2; } sense position : point error 1 cm max_age 1 s; "
+      "output thrust : acceleration; latency 20 ms; }\n"
+      "fleet one : Drone;\nfleet bots : Drone[3];\n"
+      "monitor m { \"R1: a rule\" always " +
+      property + "; }\n");
+  return checked->spec ? dump(*checked->spec, *checked->spec->watches[0].always)
+                       : checked->reports();
+}
+TEST(Bodies, LieInsideByTheirRadius) {
+  EXPECT_EQ(of_robots("one inside room"),
+            "((clearance((one.position.x, one.position.y), room) - 0.1 m) >= 0 m)");
+}
+TEST(Bodies, OfNumberedFleetsLieInside) {
+  EXPECT_EQ(of_robots("bots[2] inside room"),
+            "((clearance((bots[2].position.x, bots[2].position.y), room) - 0.1 m) >= 0 m)");
+}
+TEST(Bodies, HaveAClearance) {
+  EXPECT_EQ(of_robots("clearance(one, room) >= 1 m"),
+            "((clearance((one.position.x, one.position.y), room) - 0.1 m) >= 1 m)");
+}
+// Negative where the body overlaps the zone.
+TEST(Bodies, HaveADistanceToAZone) {
+  EXPECT_EQ(of_robots("distance(one, room) >= 1 m"),
+            "((max(0 m, (-clearance((one.position.x, one.position.y), room))) - 0.1 m) >= 1 m)");
+}
+TEST(Bodies, OfAFleetLieInsideOneByOne) {
+  EXPECT_EQ(of_robots("forall r : Drone, r != one and r != bots[0] and r != bots[1] : "
+                      "r inside room"),
+            of_robots("bots[2] inside room"));
+}
+// A measurement is a point, which has no radius.
+TEST(Bodies, AreNotTheirCentres) {
+  EXPECT_EQ(of_robots("one.position inside room"),
+            "((one.position.x, one.position.y) inside room)");
+}
+TEST(Bodies, HaveMeasurementsWithAnAge) {
+  EXPECT_EQ(of_robots("age(bots[1].position) <= 1 s"), "(age(bots[1].position) <= 1 s)");
+}
+
 TEST(Points, AreNoVectors) {
   EXPECT_NE(meaning("v inside room").find("3012 wrong_argument at `v`: `inside` takes points"),
             std::string::npos)

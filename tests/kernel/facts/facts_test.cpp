@@ -12,7 +12,7 @@
 namespace facts {
 namespace {
 
-constexpr int walls = 0, allowed = 1;
+constexpr int walls = 0, allowed = 1, seen = 2;
 constexpr rtac::TimeUs period_us = 50'000;
 
 // A drone that hovers in the middle with a permit, cool and parked, unless the fields say
@@ -24,7 +24,7 @@ struct Flight {
   }
   const rtac::DecisionRecord& step() {
     const rtac::TimeUs at_us = now_us + jitter_us;
-    fly.position({rtac::Length(x), rtac::Length(2.5)}, at_us);
+    fly.position({rtac::Length(x), rtac::Length(2.5)}, at_us - late_us);
     fly.velocity({rtac::Speed(0), rtac::Speed(0)}, at_us);
     if (gives) {
       fly.permit(permit, at_us).gear(gear, at_us).heat(heat, at_us);
@@ -48,6 +48,7 @@ struct Flight {
   Monitors twin;
   const rtac::DecisionRecord* record = nullptr;
   rtac::TimeUs now_us = 1'000'000, jitter_us = 0;  // jitter: a step comes so much after its time
+  rtac::TimeUs late_us = 0;                        // how old the position is
   double x = 2.5, heat = 300;
   bool permit = true, gives = true;
   Gear gear = Gear::parked;
@@ -183,6 +184,52 @@ TEST(Rule9_3, AFactOfAReturnMaySpeakOfRobotAndInputs) {
   EXPECT_EQ(f.ticks_to_advanced(), 100);
   f.gear = Gear::parked;
   EXPECT_LT(f.ticks_to_advanced(), 10);
+}
+
+// A drone that was last seen in time three ticks ago and more.
+Flight unseen() {
+  Flight f;
+  f.late_us = 60'000;
+  for (int i = 0; i < 5; ++i) f.tick();
+  return f;
+}
+TEST(Rule6_3, TheAgeOfAMeasurementIsJudgedNow) {
+  Flight f = unseen();
+  EXPECT_EQ(f.tick().monitors[seen].now, rtac::Verdict::is_false);
+  f.late_us = 50'000;
+  EXPECT_EQ(f.tick().monitors[seen].now, rtac::Verdict::is_true);
+  f.late_us = 60'000;
+  f.tick();
+  EXPECT_EQ(f.tick().monitors[seen].now, rtac::Verdict::is_true);
+  EXPECT_EQ(f.tick().monitors[seen].now, rtac::Verdict::is_false);
+}
+TEST(Rule6_3, TheMarginOfAnAgeIsATime) {
+  Flight f;
+  f.late_us = 20'000;
+  f.tick();
+  f.record = &f.tick();
+  EXPECT_NEAR(f.record->monitors[seen].margin, 0.03, 1e-9);
+  EXPECT_STREQ(rtac::margin_unit(*f.record, seen), "s");
+}
+// No numbers, a stamp from the future, and one that goes backwards.
+TEST(Rule6_3, AMeasurementWithoutNumbersHasNoAge) {
+  Flight f = unseen();
+  f.x = std::nan("");
+  EXPECT_EQ(f.tick().monitors[seen].now, rtac::Verdict::is_unknown);
+}
+TEST(Rule6_3, AMeasurementFromTheFutureHasNoAge) {
+  Flight f = unseen();
+  f.late_us = -10'000;
+  EXPECT_EQ(f.tick().monitors[seen].now, rtac::Verdict::is_unknown);
+}
+TEST(Rule6_3, AMeasurementOutOfOrderHasNoAge) {
+  Flight f = unseen();
+  f.late_us = 120'000;
+  EXPECT_EQ(f.tick().monitors[seen].now, rtac::Verdict::is_unknown);
+}
+TEST(Rule6_3, AMeasurementHasNoAgeInAMissedTick) {
+  Flight f = unseen();
+  EXPECT_EQ(f.tick(2).monitors[seen].now, rtac::Verdict::is_unknown);
 }
 
 // The check uses the present value; what was derived is for the strictest one.

@@ -27,10 +27,13 @@ const rtac::RobotLimits limits_of_Drone = [] {
 const rtac::MonitorInfo fly_monitors[] = {
   {"walls", "SR-1",
    "the drone stays clear of the walls",
-   "spec.rta", 14, "back_off", "", "m"},
+   "spec.rta", 15, "back_off", "", "m"},
   {"allowed", "SR-2",
    "it flies with a permit, and cool unless it is parked",
-   "spec.rta", 20, "back_off", "historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) and not (gear == moving since clearance(d, room) < 20 cm)", ""},
+   "spec.rta", 21, "back_off", "historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) and not (gear == moving since clearance(d, room) < 20 cm)", ""},
+  {"seen", "SR-4",
+   "it knows where it is, and has lately",
+   "spec.rta", 27, "back_off", "", ""},
 };
 const char* const fly_robots[] = {
   "d1",
@@ -46,12 +49,13 @@ const rtac::UnitInfo fly_units[] = {
   {"%", 1.0},
   {"", 1.0},
   {"K", 1.0},
+  {"s", 1.0},
 };
 const rtac::DecisionInfo fly_info = {
   "fly", "Drone", "pilot", "",
-  fly_monitors, 2, 50000, &limits_of_Drone,
+  fly_monitors, 3, 50000, &limits_of_Drone,
   fly_robots, 1, 1,
-  fly_inputs, 3, fly_units, 5
+  fly_inputs, 3, fly_units, 6
 };
 
 const std::int32_t room_edges_mm[] = {
@@ -220,13 +224,13 @@ const std::int32_t room_clearance_mm[] = {
   0, 0, 0, 0
 };
 
-const std::int32_t zone_of_line_24_edges_mm[] = {
+const std::int32_t zone_of_line_25_edges_mm[] = {
   500, 500, 4500, 500, 4500, 500, 4500, 4500, 4500, 4500, 500, 4500, 500, 4500, 500, 500
 };
-const std::size_t zone_of_line_24_rings[] = {
+const std::size_t zone_of_line_25_rings[] = {
   0
 };
-const std::int32_t zone_of_line_24_clearance_mm[] = {
+const std::int32_t zone_of_line_25_clearance_mm[] = {
   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
   0, 0, 0, 0, 0, 0, 0, 0, 0, 100, 100, 100, 100, 100, 100, 100,
@@ -428,8 +432,8 @@ const rtac::DecisionRecord& Fly::step(rtac::TimeUs now_us, bool holding, bool su
   in_.holding = holding;
   in_.surrender = surrender;
   facts_fly_step(&state_, &in_, now_us, &out);
-  rtac::bridge::take_findings(out, 2, record_);
-  rtac::bridge::take_units(out, 2, record_);
+  rtac::bridge::take_findings(out, 3, record_);
+  rtac::bridge::take_units(out, 3, record_);
   record_.previous_mode = out.previous_mode;
   record_.tick = static_cast<std::uint64_t>(out.tick);
   record_.time_us = out.time_us;
@@ -509,7 +513,7 @@ const std::array<rtac::PlainMonitorInfo, Monitors::count>& Monitors::info() {
   static const std::array<rtac::PlainMonitorInfo, count> all = { {
     {"twin", "SR-3",
      "the same as SR-2",
-     "spec.rta", 26},
+     "spec.rta", 32},
   }};
   return all;
 }
@@ -522,10 +526,10 @@ const rtac::ZoneView& room_zone() {
   return view;
 }
 
-const rtac::ZoneView& zone_of_line_24_zone() {
+const rtac::ZoneView& zone_of_line_25_zone() {
   static const rtac::ZoneView view = {
-    "zone_of_line_24", zone_of_line_24_edges_mm, 4, zone_of_line_24_rings, 1,
-    500, 500, 100, 40, 40, zone_of_line_24_clearance_mm
+    "zone_of_line_25", zone_of_line_25_edges_mm, 4, zone_of_line_25_rings, 1,
+    500, 500, 100, 40, 40, zone_of_line_25_clearance_mm
   };
   return view;
 }

@@ -92,7 +92,7 @@ class Monitors {
 
 // Zones, as baked.
 const rtac::ZoneView& room_zone();
-const rtac::ZoneView& zone_of_line_24_zone();
+const rtac::ZoneView& zone_of_line_25_zone();
 
 // Limits of the robots, as declared.
 const rtac::RobotLimits& Drone_limits();

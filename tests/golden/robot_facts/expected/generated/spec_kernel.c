@@ -647,6 +647,15 @@ static margin zone_reach(const zone *z, const place *at, const reach *r, int64_t
   return margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, FACTS_REASON_MARGIN);
 }
 
+/* Time since the newest sample, us; unknown when it holds no numbers, or its stamp lies in the
+ * future or before `last_us`, the latest one of all samples. */
+static span sensed_age(int32_t valid, int64_t stamp_us, int64_t now_us, int64_t last_us,
+                       int32_t input) {
+  const int64_t age_us =
+      valid != 0 && stamp_us >= last_us && stamp_us <= now_us ? elapsed_us(stamp_us, now_us) : -1;
+  return age_us < 0 || age_us > AGE_MAX_US ? span_unknown(input) : span_of(age_us, age_us);
+}
+
 /* What one monitor found in this tick. */
 typedef struct check {
   margin now;        /* the property */
@@ -1054,6 +1063,13 @@ static facts_kept window_join(facts_kept x, facts_kept empty, facts_kept forgott
   return forgotten_in(t, from, to) > 0 ? kept_join(forgotten, all, greatest) : all;
 }
 
+static margin once_margin(margin x, facts_slide *s, facts_kept *ring, facts_kept *delay,
+                          int64_t from, int64_t to, const facts_ticks *t) {
+  return margin_kept(window_join(kept_of(x), kept_of(margin_false()),
+                                 kept_of(margin_unknown(FACTS_INPUT_CLOCK)), s, ring, delay, from, to, 1,
+                                 t));
+}
+
 static margin historically_margin(margin x, facts_slide *s, facts_kept *ring,
                                   facts_kept *delay, int64_t from, int64_t to,
                                   const facts_ticks *t) {
@@ -1309,14 +1325,14 @@ static const edge zone_room_edges[] = {
 };
 static const zone zone_room = {zone_room_edges, 4};
 
-/* Zone zone_of_line_24: 4 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
-static const edge zone_zone_of_line_24_edges[] = {
+/* Zone zone_of_line_25: 4 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
+static const edge zone_zone_of_line_25_edges[] = {
   {500, 500, 4500, 500, 1073741824, 0},
   {4500, 500, 4500, 4500, 0, 1073741824},
   {4500, 4500, 500, 4500, -1073741824, 0},
   {500, 4500, 500, 500, 0, -1073741824}
 };
-static const zone zone_zone_of_line_24 = {zone_zone_of_line_24_edges, 4};
+static const zone zone_zone_of_line_25 = {zone_zone_of_line_25_edges, 4};
 
 /* ---- decision fly for Drone ---- */
 #define BODY fly_body
@@ -1332,6 +1348,7 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
+  {300, 1000, 1}, /* back_off */
   {300, 1000, 1}, /* back_off */
   {300, 1000, 1} /* back_off */
 };
@@ -1383,9 +1400,10 @@ typedef struct fly_view {
   reach within;
   span charge;
   place at_room; /* of the robot itself */
-  place at_zone_of_line_24; /* of the robot itself */
+  place at_zone_of_line_25; /* of the robot itself */
+  span age_of_position; /* us */
   fly_facts_view facts;
-  margin fact[3];
+  margin fact[4];
 } fly_view;
 
 /* allowed_fact_1: once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear ==
@@ -1409,7 +1427,7 @@ static margin fly_fact_0(const fly_view *v) {
 /* allowed_fact_2: historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) */
 static margin fly_fact_1(const fly_view *v) {
   /* d inside shrink(room, 50 cm) */
-  const span v0 = clearance_now(&v->at_zone_of_line_24, &v->self, &BODY, v->m);
+  const span v0 = clearance_now(&v->at_zone_of_line_25, &v->self, &BODY, v->m);
   const margin v2 = at_least(v0, span_of(0, 0), 1000, 0, 1);
   return historically_margin(v2, &v->facts.s->historically_2, v->facts.s->historically_2_window,
       0, 0, 10, &v->facts.s->ticks);
@@ -1426,6 +1444,16 @@ static margin fly_fact_2(const fly_view *v) {
   return since_margin(v0, v3, &v->facts.s->since_3, 0, 0, 0, 0, -1, &v->facts.s->ticks);
 }
 
+/* seen_fact_1: once[0 s, 100 ms] age(d.position) <= 50 ms */
+static margin fly_fact_3(const fly_view *v) {
+  /* age(d.position) */
+  const span v0 = v->age_of_position;
+  /* age(d.position) <= 50 ms */
+  const margin v2 = at_least(span_of(50000, 50000), v0, 1, 0, 5);
+  return once_margin(v2, &v->facts.s->once_4, v->facts.s->once_4_window, 0, 0, 2,
+      &v->facts.s->ticks);
+}
+
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
 static void fly_facts_catch_up(const fly_view *v, int64_t missed) {
   facts_fly_facts_state *s = v->facts.s;
@@ -1435,6 +1463,7 @@ static void fly_facts_catch_up(const fly_view *v, int64_t missed) {
     ticks_forget(&s->ticks, s->ticks.now + missed);
     return;
   }
+  blind.age_of_position = span_unknown(FACTS_INPUT_CLOCK);
   blind.in = v->in;
   blind.m = v->m;
   blind.me = v->me;
@@ -1446,6 +1475,7 @@ static void fly_facts_catch_up(const fly_view *v, int64_t missed) {
     blind.fact[0] = fact_margin(fly_fact_0(&blind));
     blind.fact[1] = fact_margin(fly_fact_1(&blind));
     blind.fact[2] = fact_margin(fly_fact_2(&blind));
+    blind.fact[3] = fact_margin(fly_fact_3(&blind));
     s->ticks.now += 1;
   }
 }
@@ -1472,16 +1502,19 @@ static void fly_facts_judge(fly_view *v, facts_fly_state *s, int32_t first, int6
     found = fly_fact_2(v);
     s->facts.found[2] = kept_of(found);
     v->fact[2] = fact_margin(found);
+    found = fly_fact_3(v);
+    s->facts.found[3] = kept_of(found);
+    v->fact[3] = fact_margin(found);
     s->facts.ticks.now += 1;
     return;
   }
-  for (k = 0; k < 3; ++k) {
+  for (k = 0; k < 4; ++k) {
     v->fact[k] = elapsed < 0 ? margin_unknown(FACTS_INPUT_CLOCK)
                                : fact_margin(margin_kept(s->facts.found[k]));
   }
 }
 
-/* SR-1: the drone stays clear of the walls (spec.rta:14) */
+/* SR-1: the drone stays clear of the walls (spec.rta:15) */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(v->facts.s->tightest_h, v->facts.s->tightest_h);
@@ -1496,7 +1529,7 @@ static margin fly_walls_ahead(const fly_view *v) {
   return v1;
 }
 
-/* SR-2: it flies with a permit, and cool unless it is parked (spec.rta:20) */
+/* SR-2: it flies with a permit, and cool unless it is parked (spec.rta:21) */
 static margin fly_allowed_now(const fly_view *v) {
   const margin v0 = v->fact[0];
   return v0;
@@ -1516,6 +1549,18 @@ static margin fly_allowed_return(const fly_view *v) {
   const margin v2 = margin_not(v1);
   const margin v3 = margin_and(v0, v2);
   return v3;
+}
+
+/* SR-4: it knows where it is, and has lately (spec.rta:27) */
+static margin fly_seen_now(const fly_view *v) {
+  const margin v0 = v->fact[3];
+  return v0;
+}
+
+/* Everything within reach; recovery: back_off */
+static margin fly_seen_ahead(const fly_view *v) {
+  const margin v0 = v->fact[3];
+  return v0;
 }
 
 /* Sets what is within reach. */
@@ -1571,8 +1616,10 @@ static void fly_measure(fly_view *v, facts_fly_state *s, int64_t elapsed) {
     v->self.input = FACTS_INPUT_VELOCITY;
   }
   v->at_room = place_of(&zone_room, v->self.p);
-  v->at_zone_of_line_24 = place_of(&zone_zone_of_line_24, v->self.p);
+  v->at_zone_of_line_25 = place_of(&zone_zone_of_line_25, v->self.p);
   v->charge = span_of(0, 0);
+  v->age_of_position = sensed_age(in->position.valid, in->position.stamp_us, v->now_us, s->last_position_us,
+      FACTS_INPUT_POSITION);
   if (in->self < 0 || in->self >= ROBOTS) {
     v->self.input = FACTS_INPUT_OTHER_ROBOT; /* nobody of the fleet */
   }
@@ -1589,9 +1636,11 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
     fly_look(v, &MOTIONS[0], fly_horizons_us[0] + 50000);
     checks[0].safer = fly_walls_ahead(v);
     checks[1].safer = fly_allowed_ahead(v);
+    checks[2].safer = fly_seen_ahead(v);
   } else {
     checks[0].safer = margin_unknown(FACTS_INPUT_NONE);
     checks[1].safer = margin_unknown(FACTS_INPUT_NONE);
+    checks[2].safer = margin_unknown(FACTS_INPUT_NONE);
   }
   v->legs = mode == 0;
   fly_look(v, &MOTIONS[v->driver], fly_horizons_us[0]);
@@ -1601,6 +1650,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[1].now = fly_allowed_now(v);
   checks[1].ahead = fly_allowed_ahead(v);
   checks[1].gives_back = fly_allowed_return(v);
+  checks[2].now = fly_seen_now(v);
+  checks[2].ahead = fly_seen_ahead(v);
+  checks[2].gives_back = margin_true();
 }
 
 static void fly_report(const fly_view *v, const facts_fly_state *s, const check *checks, int32_t back, facts_fly_out *out) {
@@ -1688,7 +1740,7 @@ typedef struct facts_view {
   span heat;
 } facts_view;
 
-/* SR-3: the same as SR-2 (spec.rta:26). once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) <
+/* SR-3: the same as SR-2 (spec.rta:32). once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) <
  * 350 K or gear == parked) */
 static inline margin twin_now(const facts_view *v) {
   /* once[0 s, 400 ms] permit */

@@ -188,7 +188,8 @@ typedef struct facts_total {
 enum {
   FACTS_FLY_WALLS = 0,
   FACTS_FLY_ALLOWED = 1,
-  FACTS_FLY_MONITORS = 2,
+  FACTS_FLY_SEEN = 2,
+  FACTS_FLY_MONITORS = 3,
   FACTS_FLY_ROBOTS = 1
 };
 
@@ -201,7 +202,7 @@ typedef struct facts_fly_facts_in {
   int64_t h; /* parameter in steps of mm, 100 to 500, at first 100, only ever grows */
 } facts_fly_facts_in;
 
-/* What is remembered of them, 944 bytes. */
+/* What is remembered of them, 1136 bytes. */
 typedef struct facts_fly_facts_state {
   facts_ticks ticks;
   int64_t judged_us;
@@ -218,7 +219,10 @@ typedef struct facts_fly_facts_state {
   facts_kept historically_2_window[10];
   /* allowed_fact_3 */
   facts_chain since_3;
-  facts_kept found[3];
+  /* seen_fact_1 */
+  facts_slide once_4;
+  facts_kept once_4_window[2];
+  facts_kept found[4];
 } facts_fly_facts_state;
 
 typedef struct facts_fly_in {

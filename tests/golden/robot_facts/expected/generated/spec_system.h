@@ -87,6 +87,7 @@ class System {
     p.decision = &robot.fly;
     (void)p.recoveries.push(&robot.back_off);
     (void)p.recoveries.push(&robot.back_off);
+    (void)p.recoveries.push(&robot.back_off);
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;
