@@ -2,19 +2,13 @@
 
 #include <algorithm>
 
+#include "compiler/ir/facts.h"
+
 namespace rtac::codegen {
 
 using namespace ir;
 
 namespace {
-
-bool is_of_robot(const PlainMonitor& fact) {
-  const auto& values = fact.property.values;
-  return std::any_of(values.begin(), values.end(), [](const Value& v) {
-    return std::holds_alternative<Battery>(v.op) || std::holds_alternative<Clearance>(v.op) ||
-           std::holds_alternative<EnergyTo>(v.op) || std::holds_alternative<ForOthers>(v.op);
-  });
-}
 
 bool facts_of_others(const Watch& facts) {
   return std::any_of(facts.monitors.begin(), facts.monitors.end(), [](const PlainMonitor& fact) {
@@ -33,7 +27,7 @@ FactPrinter::FactPrinter(const Module& module, const Decision& decision, const N
 }
 
 bool FactPrinter::facts_of_robot() const {
-  return std::any_of(d_.facts.monitors.begin(), d_.facts.monitors.end(), is_of_robot);
+  return std::any_of(d_.facts.monitors.begin(), d_.facts.monitors.end(), speaks_of_robot);
 }
 
 void FactPrinter::print_signals() {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compiler/codegen/decision_bytes.h"
 #include "compiler/codegen/watch.h"
+#include "compiler/ir/facts.h"
 #include "compiler/ir/rounding.h"
 #include "compiler/ir/weights.h"
 #include "compiler/sema/dimension.h"
@@ -31,27 +33,6 @@ Json monitor(const Monitor& m, const Decision& d) {
   j["sound"] = m.lookahead.duration && !m.lookahead.points_only;
   j["return_clearance_mm"] = m.recovery.return_clearance_mm;
   if (!m.return_text.empty()) j["return_when"] = m.return_text;
-  return j;
-}
-
-Json decision(const Decision& d) {
-  Json j;
-  j["name"] = d.name;
-  j["kind"] = d.kind;
-  j["advanced"] = d.advanced;
-  if (d.on_plan) {
-    j["safe"] = d.safe;
-    j["on"] = "plan";
-  } else {
-    j["period_us"] = d.period_us;
-  }
-  j["monitors"] = Json::array();
-  for (const Monitor& m : d.monitors) j["monitors"].push_back(monitor(m, d));
-  j["acknowledged"] = Json::array();
-  for (const Acknowledgement& a : d.acknowledgements) {
-    j["acknowledged"].push_back(
-        {{"recovery", a.recovery}, {"monitor", a.monitor}, {"reason", a.reason}});
-  }
   return j;
 }
 
@@ -104,9 +85,8 @@ Json assumptions(const Module& module, const sema::RobotKind& k) {
   return list;
 }
 
-// Of monitors without a robot: what a tool needs to fill their inputs and to read their findings.
-Json signals(const Module& module) {
-  const Watch& watch = *module.watch;
+// What a tool needs to fill plain inputs and to read findings.
+Json signals(const Module& module, const Watch& watch) {
   static const char* const kinds[] = {"truth", "number", "choice"};
   Json list = Json::array();
   const WatchNames names = watch_names(watch);
@@ -140,22 +120,88 @@ Json rounding(const sema::Spec& spec, const Watch& w, const PlainMonitor& m) {
   if (bound > Rational(static_cast<long>(margin_max))) return nullptr;
   return ceil_to_int(bound);
 }
+Json params(const Watch& w) {
+  Json list = Json::array();
+  for (const Param& p : w.params) {
+    list.push_back({{"name", p.name},
+                    {"unit", sema::unit_of(p.unit.dimension)},
+                    {"step", p.unit.step.get_str()},
+                    {"least", p.range.lo},
+                    {"most", p.range.hi},
+                    {"value", p.value},
+                    {"tightens", p.tightens}});
+  }
+  return list;
+}
+// A monitor without a robot, or a fact of one.
+Json property(const sema::Spec& spec, const Watch& w, const PlainMonitor& m) {
+  return {{"name", m.name},
+          {"requirement", m.requirement_id},
+          {"text", m.requirement_text},
+          {"property", m.text},
+          {"file", m.file},
+          {"line", m.line},
+          {"bytes", watch_monitor_bytes(m)},
+          {"operations", m.property.values.size()},
+          {"rounding_millionths", speaks_of_robot(m) ? Json(nullptr) : rounding(spec, w, m)}};
+}
+// What is judged now of the monitors of a robot. A part of several monitors has an entry for each.
+Json facts(const Module& module, const sema::Spec& spec, const Decision& d) {
+  Json j;
+  j["state_bytes"] = facts_state_bytes(d.facts);
+  j["inputs"] = signals(module, d.facts);
+  j["params"] = params(d.facts);
+  j["entries"] = Json::array();
+  for (const Monitor& m : d.monitors) {
+    for (const std::uint32_t index : facts_of(d, m)) {
+      Json entry = property(spec, d.facts, d.facts.monitors[index]);
+      entry["monitor"] = m.name;
+      j["entries"].push_back(std::move(entry));
+    }
+  }
+  return j;
+}
+Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
+  Json j;
+  j["name"] = d.name;
+  j["kind"] = d.kind;
+  j["advanced"] = d.advanced;
+  if (d.on_plan) {
+    j["safe"] = d.safe;
+    j["on"] = "plan";
+  } else {
+    j["period_us"] = d.period_us;
+    j["state_bytes"] = decision_state_bytes(d);
+  }
+  j["monitors"] = Json::array();
+  for (const Monitor& m : d.monitors) j["monitors"].push_back(monitor(m, d));
+  j["acknowledged"] = Json::array();
+  for (const Acknowledgement& a : d.acknowledgements) {
+    j["acknowledged"].push_back(
+        {{"recovery", a.recovery}, {"monitor", a.monitor}, {"reason", a.reason}});
+  }
+  if (has_signals(d)) j["facts"] = facts(module, spec, d);
+  return j;
+}
+
+Json tables(const Watch& w) {
+  Json list = Json::array();
+  for (const Region& r : w.regions) {
+    list.push_back({{"name", r.name},
+                    {"side", r.around ? "around" : "within"},
+                    {"edges", r.edges.size()},
+                    {"bytes", region_bytes(r)}});
+  }
+  return list;
+}
 Json watch(const Module& module, const sema::Spec& spec) {
   const Watch& w = *module.watch;
   Json j;
   j["period_us"] = w.period_us;
   j["state_bytes"] = watch_state_bytes(w);
-  j["inputs"] = signals(module);
-  j["params"] = Json::array();
-  for (const Param& p : w.params) {
-    j["params"].push_back({{"name", p.name},
-                           {"unit", sema::unit_of(p.unit.dimension)},
-                           {"step", p.unit.step.get_str()},
-                           {"least", p.range.lo},
-                           {"most", p.range.hi},
-                           {"value", p.value},
-                           {"tightens", p.tightens}});
-  }
+  j["table_bytes"] = table_bytes(w);
+  j["inputs"] = signals(module, w);
+  j["params"] = params(w);
   j["units"] = Json::array();
   for (std::size_t k = 0; k < w.units.size(); ++k) {
     const bool percent = w.units[k].dimension == sema::dims::ratio;
@@ -164,17 +210,8 @@ Json watch(const Module& module, const sema::Spec& spec) {
         {{"unit", k == 0 ? "" : sema::unit_of(w.units[k].dimension)}, {"scale", scale.get_str()}});
   }
   j["monitors"] = Json::array();
-  for (const PlainMonitor& m : w.monitors) {
-    j["monitors"].push_back({{"name", m.name},
-                             {"requirement", m.requirement_id},
-                             {"text", m.requirement_text},
-                             {"property", m.text},
-                             {"file", m.file},
-                             {"line", m.line},
-                             {"bytes", watch_monitor_bytes(m)},
-                             {"operations", m.property.values.size()},
-                             {"rounding_millionths", rounding(spec, w, m)}});
-  }
+  for (const PlainMonitor& m : w.monitors) j["monitors"].push_back(property(spec, w, m));
+  j["tables"] = tables(w);
   return j;
 }
 
@@ -190,7 +227,7 @@ std::string manifest(const Module& module, const sema::Spec& spec, const Naming&
   j["files"] = {naming.stem + "_kernel.h", naming.stem + "_kernel.c", naming.stem + ".h",
                 naming.stem + ".cpp", naming.stem + "_system.h"};
   j["decisions"] = Json::array();
-  for (const Decision& d : module.decisions) j["decisions"].push_back(decision(d));
+  for (const Decision& d : module.decisions) j["decisions"].push_back(decision(module, spec, d));
   if (module.watch) j["monitors"] = watch(module, spec);
   j["zones"] = Json::array();
   for (const ZoneTable& z : module.zones) {

@@ -63,6 +63,9 @@ std::int64_t watch_state_bytes(const ir::Watch& watch);
 std::int64_t watch_monitor_bytes(const ir::PlainMonitor& monitor);
 // The same of the facts of a decision.
 std::int64_t facts_state_bytes(const ir::Watch& facts);
+// Of the constant tables of zones that places are held against.
+std::int64_t region_bytes(const ir::Region& region);
+std::int64_t table_bytes(const ir::Watch& watch);
 
 // The members of the structs: what the application fills in; the newest stamp of each input, the
 // value of each parameter and what each operator remembers.

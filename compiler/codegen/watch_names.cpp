@@ -135,6 +135,15 @@ std::int64_t watch_state_bytes(const Watch& watch) {
   return bytes;
 }
 
+std::int64_t region_bytes(const Region& region) {
+  return static_cast<std::int64_t>(region.edges.size() * sizeof(Edge));
+}
+std::int64_t table_bytes(const Watch& watch) {
+  std::int64_t bytes = 0;
+  for (const Region& region : watch.regions) bytes += region_bytes(region);
+  return bytes;
+}
+
 std::int64_t facts_state_bytes(const Watch& facts) {
   // what each found in this tick, then the newest stamp of each input and the value of each
   // parameter

@@ -167,8 +167,12 @@ void refuse_bytes(const Options& options, Compilation& c, const SourceRange& ran
 void check_bytes(const Options& options, Compilation& c) {
   if (!c.module || options.command == Command::explain) return;
   if (c.module->watch) {
-    refuse_bytes(options, c, c.spec->name_range, "the monitors without a robot",
-                 codegen::watch_state_bytes(*c.module->watch));
+    const std::int64_t tables = codegen::table_bytes(*c.module->watch);
+    const char* const who = tables > 0
+                                ? "the monitors without a robot and the tables of their zones"
+                                : "the monitors without a robot";
+    refuse_bytes(options, c, c.spec->name_range, who,
+                 codegen::watch_state_bytes(*c.module->watch) + tables);
   }
   for (const ir::Decision& d : c.module->decisions) {
     const auto declared =

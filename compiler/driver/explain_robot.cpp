@@ -3,8 +3,12 @@
 #include <variant>
 
 #include "compiler/analysis/derive.h"
-#include "compiler/driver/decision_bytes.h"
+#include "compiler/codegen/decision_bytes.h"
+#include "compiler/codegen/watch.h"
 #include "compiler/driver/explain_line.h"
+#include "compiler/driver/explain_property.h"
+#include "compiler/driver/explain_text.h"
+#include "compiler/ir/facts.h"
 #include "compiler/ir/source_text.h"
 #include "compiler/sema/dimension.h"
 
@@ -101,7 +105,7 @@ class RobotRemarks {
                         " further ahead");
       details.push_back("a planner that keeps a clearance of " + metres(d.cruise_clearance_mm) +
                         " never meets a fence, at any speed");
-      details.push_back("state: " + bytes(decision_state_bytes(d)) + " a robot");
+      details.push_back("state: " + bytes(codegen::decision_state_bytes(d)) + " a robot");
     }
     for (const Monitor& m : d.monitors) details.push_back("monitor " + m.name);
     add(from.period ? join(from.name_range, from.period->range) : from.name_range,
@@ -184,32 +188,46 @@ class RobotRemarks {
       lookahead(m, analysis::summarise(module_, d)[k], details);
       recovery(m.recovery, details);
       if (!m.return_text.empty()) details.push_back("returns only when " + m.return_text);
+      details.push_back(cost(d, m));
     }
     add(from.range,
         "monitor " + m.name + " of decision " + d.name + ", number " + std::to_string(k + 1) +
             " of " + std::to_string(d.monitors.size()),
         std::move(details));
-    quantities(m.property);
-    if (m.return_when) quantities(*m.return_when);
+    PropertyRemarks properties(c_, d.facts, &d, out_);
+    if (!d.on_plan) {
+      properties.expressions(*from.always, from.range, m.name, m.property);
+      if (m.return_when) {
+        properties.expressions(*from.return_when, from.range, m.name, *m.return_when);
+      }
+    }
     if (from.recover && !d.on_plan) {
       std::vector<std::string> of_recovery = {"for monitor " + m.name + " of decision " + d.name};
       recovery(m.recovery, of_recovery);
       add(spec_[*from.recover].name_range, "controller " + m.recovery.name, std::move(of_recovery));
     }
   }
-  // Ranges of what is computed now; what is within reach is judged by clearances.
-  void quantities(const Block& block) {
-    for (const Value& v : block.values) {
-      if (const Block* others = body_of(v.op)) quantities(*others);
-      if (!v.unit || !v.range) continue;
-      const auto show = [&](std::int64_t steps) {
-        return sema::show(Rational(Rational(static_cast<long>(steps)) * v.unit->step),
-                          v.unit->dimension);
-      };
-      add(v.source, "`" + one_line(c_.sources.text(v.source)) + "`",
-          {"range: " + show(v.range->lo) + " .. " + show(v.range->hi),
-           "grid: steps of 1 " + name(*v.unit) + ", rounded outward"});
+  // What a tick of the property and of its return condition takes, and what is remembered for them.
+  static std::string cost(const Decision& d, const Monitor& m) {
+    constexpr std::size_t run_bytes = 8, found_bytes = 32;
+    std::size_t operations = 0, of_others = 0, remembered = 0;
+    const auto add = [&](const Block& block) {
+      for (const Value& v : block.values) {
+        operations += 1;
+        if (const Block* others = body_of(v.op)) of_others += others->values.size();
+        remembered += std::holds_alternative<HeldFor>(v.op) ? run_bytes : 0;
+      }
+    };
+    add(m.property);
+    if (m.return_when) add(*m.return_when);
+    for (const std::uint32_t index : facts_of(d, m)) {
+      const PlainMonitor& fact = d.facts.monitors[index];
+      add(fact.property);
+      remembered += found_bytes + static_cast<std::size_t>(codegen::watch_monitor_bytes(fact));
     }
+    return "judged now: " + count(operations, "operation") + " a tick" +
+           (of_others > 0 ? ", " + std::to_string(of_others) + " more for each other robot" : "") +
+           ", remembers " + bytes(remembered);
   }
   static void lookahead(const Monitor& m, const analysis::MonitorSummary& s,
                         std::vector<std::string>& to) {

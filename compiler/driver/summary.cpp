@@ -14,13 +14,18 @@ std::string millis(std::int64_t us) {
   return to_decimal(Rational(static_cast<long>(us), 1000)) + " ms";
 }
 
+std::string bytes(std::int64_t n) {
+  return std::to_string(n) + (n == 1 ? " byte" : " bytes");
+}
+
 // What a tick of the monitors without a robot costs, and what they remember.
 std::string summary(const ir::Watch& watch) {
-  const auto bytes = [](std::int64_t n) {
-    return std::to_string(n) + (n == 1 ? " byte" : " bytes");
-  };
-  std::string out = "\nmonitors without a robot, every " + millis(watch.period_us) + ", " +
-                    bytes(codegen::watch_state_bytes(watch)) + " of state\n";
+  std::string out =
+      "\nmonitors without a robot, every " + millis(watch.period_us) + ", " +
+      bytes(codegen::watch_state_bytes(watch)) + " of state" +
+      (watch.regions.empty() ? ""
+                             : ", " + bytes(codegen::table_bytes(watch)) + " of tables of zones") +
+      "\n";
   for (const ir::PlainMonitor& m : watch.monitors) {
     out += "  monitor " + m.name + ": " + std::to_string(m.property.values.size()) +
            " operations a tick, remembers " + bytes(codegen::watch_monitor_bytes(m)) + "\n";
@@ -51,6 +56,10 @@ std::string summary(const ir::Module& module) {
       if (s.lookahead_max_us > 0) {
         out += "    the zone allows a look-ahead of up to " + millis(s.lookahead_max_us) + "\n";
       }
+    }
+    if (codegen::has_signals(d)) {
+      out += "  inputs and the past, judged now: " + bytes(codegen::facts_state_bytes(d.facts)) +
+             " of state for each robot\n";
     }
     for (const auto& a : d.acknowledgements) {
       out += "  acknowledged: " + a.recovery + " may break " + a.monitor + " (" + a.reason + ")\n";

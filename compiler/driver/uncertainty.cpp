@@ -28,7 +28,8 @@ constexpr int rounding_steps = 1;
 
 class Widths {
  public:
-  Widths(const Watch& watch, const Block& block) : watch_(watch), block_(block) {}
+  Widths(const Watch& watch, const Block& block, const Decision* decision)
+      : watch_(watch), block_(block), decision_(decision) {}
 
   std::vector<Rational> run() {
     for (const Value& value : block_.values) {
@@ -103,6 +104,29 @@ class Widths {
     }
     return span();
   }
+  // ---- of robots: what a sample has wrong, and how far the robot may have moved since
+
+  // The charge may have run down since it was measured, between two steps of the grid.
+  Rational operator()(const Battery&) const {
+    const Body& b = decision_->body;
+    return exact(2 * b.battery_error_ppm + 1) +
+           rounded_up(exact(b.drain_ppm_per_s) * exact(whole_ms(b.battery_age_us)) / 1000);
+  }
+  // Bounds of distances are 3 mm apart (kernel/checks.c).
+  Rational operator()(const Clearance&) const {
+    return 2 * displaced_mm(decision_->body.position_age_us) + 3;
+  }
+  Rational operator()(const Distance&) const {
+    const Body& b = decision_->body;
+    return 2 * (displaced_mm(b.position_age_us) +
+                std::max(displaced_mm(b.hears_age_us),
+                         exact(b.position_error_mm + grid_mm + b.hold_mm))) +
+           1;
+  }
+  // The price of a way differs from cell to cell.
+  Rational operator()(const EnergyTo&) const { return span(); }
+  Rational operator()(const CountOthers&) const { return span(); }
+
   // Constants, parameters and ages are exact, and so are truth values.
   template <class Other>
   Rational operator()(const Other&) const {
@@ -119,6 +143,22 @@ class Widths {
     constexpr int sine_width = 40, parts = 4;
     return rounded_up(of(phase) * 7 / parts) + 2 * sine_width;
   }
+  // Each coordinate lies between two steps of the grid.
+  static constexpr std::int64_t grid_mm = 2;
+  static std::int64_t whole_ms(std::int64_t us) { return (us + 999) / 1000; }
+  // How far the centre is from where it was seen, when the sample is as old as it may be: the speed
+  // is that of any control, or one that was measured and may have changed until the position was.
+  [[nodiscard]] Rational displaced_mm(std::int64_t age_us) const {
+    constexpr std::int64_t rounding_mmps = 4, rounding_mm = 2;
+    const Body& b = decision_->body;
+    const std::int64_t apart_ms =
+        whole_ms(std::max({b.position_age_us, b.velocity_age_us, age_us}));
+    const Rational speed_mmps =
+        exact(decision_->motions[0].speed_mmps + 2 * b.velocity_error_mmps + rounding_mmps) +
+        rounded_up(exact(b.accel_mmps2) * exact(apart_ms) / 1000);
+    return exact(b.position_error_mm + grid_mm + rounding_mm) +
+           rounded_up(speed_mmps * exact(whole_ms(age_us)) / 1000);
+  }
   [[nodiscard]] Rational span() const {
     return exact(value_->range->hi) - exact(value_->range->lo);
   }
@@ -129,19 +169,24 @@ class Widths {
 
   const Watch& watch_;
   const Block& block_;
+  const Decision* decision_;
   const Value* value_ = nullptr;
   std::vector<Rational> all_;
 };
 
 }  // namespace
 
-std::vector<Rational> widths(const Watch& watch, const Block& block) {
-  return Widths(watch, block).run();
+std::vector<Rational> widths(const Watch& watch, const Block& block, const Decision* decision) {
+  return Widths(watch, block, decision).run();
 }
 
 bool rounds(const Op& op) {
   if (const auto* scale = std::get_if<Scale>(&op)) return scale->den != 1;
   if (const auto* fold = std::get_if<Aggregate>(&op)) return fold->fold == Fold::mean;
+  if (std::holds_alternative<Battery>(op) || std::holds_alternative<Clearance>(op) ||
+      std::holds_alternative<Distance>(op) || std::holds_alternative<EnergyTo>(op)) {
+    return true;
+  }
   return std::holds_alternative<Input>(op) || std::holds_alternative<PointClearance>(op) ||
          std::holds_alternative<Root>(op) || std::holds_alternative<Norm>(op) ||
          std::holds_alternative<Phase>(op) || std::holds_alternative<Sine>(op) ||

@@ -133,6 +133,53 @@ TEST_F(Explain, TheBodyOfAFunctionInTheMonitorThatCallsIt) {
   EXPECT_NE(text.find("range: -0.51 m/s .. 2.91 m/s\n"), std::string::npos) << text;
 }
 
+// The drone of the examples with what it is judged by now: its gap, an input, the age of a sample.
+class ExplainDecision : public Explain {
+ protected:
+  void SetUp() override {
+    Explain::SetUp();
+    write("drone.rta",
+          driver::test::read(fs::path(RTAC_SOURCE_DIR) / "compiler/docs/examples/drone.rta"));
+    write("door.rta",
+          "spec yard;\nimport \"drone.rta\";\ninput permit : bool max_age 1 s;\n"
+          "monitor walls for d : Drone {\n  \"SR-1: in, with a permit\"\n"
+          "  always clearance(d, room) >= 10 cm and\n"
+          "         once[0 s, 1 s] permit;\n"
+          "  recover back_off;\n}\n"
+          "decision fly for Drone { advanced pilot; period 50 ms; priority walls; }\n");
+  }
+};
+TEST_F(ExplainDecision, WhatAMonitorTakesAndRemembers) {
+  const std::string all = at(6);
+  EXPECT_NE(all.find("judged now: 7 operations a tick, remembers 88 bytes\n"), std::string::npos)
+      << all;
+}
+// Twice: 2 cm of error, 50 ms at 1 m/s and what may have been added to it, the grid; 3 mm of
+// bounds.
+TEST_F(ExplainDecision, AQuantityOfARobot) {
+  EXPECT_EQ(about(6, "`clearance(d, room)`"),
+            "`clearance(d, room)`\n"
+            "  type: real [m]\n"
+            "  range: -2147483.648 m .. 2147483.648 m\n"
+            "  grid: steps of 1 mm\n"
+            "  rounding: outward, the lower end down and the upper end up\n"
+            "  error: the interval is at most 0.161 m wide\n"
+            "  1 operation a tick of its own\n");
+}
+TEST_F(ExplainDecision, AConditionOfARobotHasAScale) {
+  const std::string text = about(6, "`clearance(d, room) >= 10 cm`");
+  EXPECT_NE(text.find("scale: margins count millionths of 1 m\n"), std::string::npos) << text;
+}
+TEST_F(ExplainDecision, WhatIsJudgedNow) {
+  const std::string text = about(7, "`once[0 s, 1 s] permit`");
+  EXPECT_NE(text.find("56 bytes of state\n  judged now, whatever lies ahead"), std::string::npos)
+      << text;
+}
+TEST_F(ExplainDecision, AnInputOfADecision) {
+  const std::string text = about(3, "input permit : bool, of decision fly");
+  EXPECT_NE(text.find("bytes: 32 of input, 8 of state"), std::string::npos) << text;
+}
+
 TEST_F(Explain, TheColumnOfAMessageMayStay) {
   EXPECT_EQ(rtac({"explain", "door.rta:5:7"}).out, at(5));
 }
@@ -222,7 +269,8 @@ TEST_F(ExplainRobot, AZoneHasItsTables) {
 TEST_F(ExplainRobot, LimitsAreThoseOfTheKernel) {
   EXPECT_NE(at("latency").find("part of every horizon"), std::string::npos);
   EXPECT_NE(at("body").find("radius: "), std::string::npos);
-  EXPECT_NE(at("always  clearance").find("`clearance(d, room)`\n  range: "), std::string::npos);
+  EXPECT_NE(at("always  clearance").find("`clearance(d, room)`\n  type: real [m]\n  range: "),
+            std::string::npos);
 }
 
 // The bytes of the state are those that a compiler finds in the generated struct.

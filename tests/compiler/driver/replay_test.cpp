@@ -179,6 +179,17 @@ TEST_F(ReplayCode, too_many_bytes) {
   EXPECT_EQ(rtac({"check", "door.rta", "--max-bytes", "4k"}).status, 2);
 }
 
+// What points are held against takes memory, too: 24 bytes an edge.
+TEST_F(Replay, TablesOfZonesCountAsMemory) {
+  write("place.rta",
+        "spec place; period 1 s; zone room = rectangle (0 m, 0 m) to (5 m, 5 m);\n"
+        "input p : point in -9 .. 9 m; monitor m { \"R: in\" always p inside room; }\n");
+  EXPECT_EQ(rtac({"check", "place.rta", "--max-bytes", "160"}).status, 0);
+  const Outcome refused = rtac({"check", "place.rta", "--max-bytes", "159"});
+  EXPECT_NE(refused.err.find("and the tables of their zones remember 160 bytes"), std::string::npos)
+      << refused.err;
+}
+
 // Without a limit the machine of whoever runs it would be it.
 TEST_F(Replay, MonitorsThatFillTheMemoryAreRefusedByDefault) {
   write("big.rta",

@@ -5,10 +5,10 @@
 
 #include "compiler/ir/module.h"
 
-namespace rtac::driver {
+namespace rtac::codegen {
 
 // Size of the generated `struct M_state` on a machine with 8-byte alignment; of a decision with a
 // period.
 std::size_t decision_state_bytes(const ir::Decision& decision);
 
-}  // namespace rtac::driver
+}  // namespace rtac::codegen

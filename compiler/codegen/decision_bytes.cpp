@@ -1,8 +1,10 @@
-#include "compiler/driver/decision_bytes.h"
+#include "compiler/codegen/decision_bytes.h"
 
 #include <cstdint>
 
-namespace rtac::driver {
+#include "compiler/codegen/watch.h"
+
+namespace rtac::codegen {
 
 std::size_t decision_state_bytes(const ir::Decision& decision) {
   constexpr std::size_t wide = sizeof(std::int64_t), narrow = sizeof(std::int32_t);
@@ -17,7 +19,7 @@ std::size_t decision_state_bytes(const ir::Decision& decision) {
   constexpr std::size_t run = 2 * narrow;  // of `for`: lower and upper end
   return clock + monitor * decision.monitors.size() + mode + takeover + lease + own_stamps +
          other_stamps * decision.robots + (decision.body.heading_age_us ? wide : 0) +
-         run * decision.held_slots;
+         run * decision.held_slots + static_cast<std::size_t>(facts_state_bytes(decision.facts));
 }
 
-}  // namespace rtac::driver
+}  // namespace rtac::codegen

@@ -1,0 +1,19 @@
+// What a monitor of a robot says that is judged now.
+#pragma once
+
+#include <cstdint>
+#include <set>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::ir {
+
+// The facts of the property and the return condition of the monitor, and those that they have parts
+// in: indices of Decision::facts.
+std::set<std::uint32_t> facts_of(const Decision& decision, const Monitor& monitor);
+
+// Whether the fact speaks of what robots sense: it is known within more than the grid of its
+// inputs.
+bool speaks_of_robot(const PlainMonitor& fact);
+
+}  // namespace rtac::ir
