@@ -232,6 +232,37 @@ TEST(Rule6_3, AMeasurementHasNoAgeInAMissedTick) {
   EXPECT_EQ(f.tick(2).monitors[seen].now, rtac::Verdict::is_unknown);
 }
 
+// The kernel itself, 40 cm from a wall at rest: what a replay shows of the property now.
+facts_fly_out judged_near_the_wall() {
+  const auto signal = [](std::int64_t value) { return facts_signal{value, value, 1'000'000, 1}; };
+  facts_fly_state state;
+  facts_fly_in in{};
+  facts_fly_out out;
+  facts_fly_init(&state);
+  in.position = {400, 400, 2500, 2500, 1'000'000, 1};
+  in.velocity = {0, 0, 0, 0, 1'000'000, 1};
+  in.plan.valid = 1;
+  in.facts.permit = signal(1);
+  in.facts.gear = signal(1);
+  in.facts.heat = signal(340'000);
+  in.facts.h = 100;
+  facts_fly_step(&state, &in, 1'000'000, &out);
+  return out;
+}
+// 40 cm less the radius of 8 cm, the error of 2 cm and the limit; what is within reach is nearer.
+TEST(Rule5, TheMarginNowIsTheLowerEndOfTheProperty) {
+  const facts_fly_out out = judged_near_the_wall();
+  EXPECT_LE(out.monitors[walls].now_margin, 200'000);
+  EXPECT_GE(out.monitors[walls].now_margin, 197'000);
+  EXPECT_LT(out.monitors[walls].margin, 197'000);
+}
+// 10 K less the error of 1 K, in a unit of the facts.
+TEST(Rule5, TheMarginNowHasTheUnitOfWhatDecides) {
+  const facts_fly_out out = judged_near_the_wall();
+  EXPECT_NEAR(double(out.monitors[allowed].now_margin), 9e6, 2);
+  EXPECT_GT(out.monitors[allowed].now_unit, FACTS_UNIT_COUNT);
+}
+
 // The check uses the present value; what was derived is for the strictest one.
 TEST(Rule13_3, AParameterInALimitTightensTheLookAhead) {
   Flight f;

@@ -18,6 +18,7 @@ constexpr const char* input_names[] = {
   "hook",
   "swing",
   "loaded",
+  "mark",
 };
 
 }  // namespace
@@ -40,6 +41,12 @@ Monitors& Monitors::swing(rtac::Position value, rtac::TimeUs stamp_us) {
 
 Monitors& Monitors::loaded(bool value, rtac::TimeUs stamp_us) {
   rtac::bridge::put_whole(in_.loaded, static_cast<std::int64_t>(value), stamp_us);
+  return *this;
+}
+
+Monitors& Monitors::mark(rtac::Position value, rtac::TimeUs stamp_us) {
+  rtac::bridge::put_number(in_.mark_x, value.x.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::put_number(in_.mark_y, value.y.si(), 1000.0, 1, stamp_us);
   return *this;
 }
 
@@ -69,16 +76,25 @@ const std::array<rtac::PlainMonitorInfo, Monitors::count>& Monitors::info() {
   static const std::array<rtac::PlainMonitorInfo, count> all = { {
     {"over_ground", "C-1",
      "the hook stays over the ground",
-     "spec.rta", 12},
+     "spec.rta", 15},
     {"off_mast", "C-2",
      "it stays off the mast",
-     "spec.rta", 13},
+     "spec.rta", 16},
     {"load", "C-3",
      "a load, swinging, stays 3 m inside",
-     "spec.rta", 14},
+     "spec.rta", 17},
     {"edge", "C-4",
      "lately not near the edge",
-     "spec.rta", 15},
+     "spec.rta", 18},
+    {"marked", "C-5",
+     "the mark is on the pad",
+     "spec.rta", 19},
+    {"bare", "C-6",
+     "there is no mark on the pad",
+     "spec.rta", 20},
+    {"spare", "C-7",
+     "the mark is half a metre from the edge",
+     "spec.rta", 21},
   }};
   return all;
 }

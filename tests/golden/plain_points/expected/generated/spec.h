@@ -26,6 +26,9 @@ class Monitors {
     off_mast_index,
     load_index,
     edge_index,
+    marked_index,
+    bare_index,
+    spare_index,
     count
   };
   Monitors();
@@ -35,6 +38,7 @@ class Monitors {
   Monitors& hook(rtac::Position value, rtac::TimeUs stamp_us);
   Monitors& swing(rtac::Position value, rtac::TimeUs stamp_us);
   Monitors& loaded(bool value, rtac::TimeUs stamp_us);
+  Monitors& mark(rtac::Position value, rtac::TimeUs stamp_us);
 
   // One finding per monitor, by Index.
   const std::array<rtac::Finding, count>& step(rtac::TimeUs now_us);

@@ -824,24 +824,38 @@ static const edge region_around_mast_edges[] = {
 };
 static const zone region_around_mast = {region_around_mast_edges, 32};
 
-/* Zone zone_of_line_14: 4 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
-static const edge region_within_zone_of_line_14_edges[] = {
+/* Zone pad: 9 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
+static const edge region_within_pad_edges[] = {
+  {0, 0, 6000, 0, 1073741824, 0},
+  {6000, 0, 6000, 4000, 0, 1073741824},
+  {6000, 4000, 0, 3250, -1065450257, -133181282},
+  {0, 3250, 0, 0, 0, -1073741824},
+  {2000, 1000, 2000, 2000, 0, 1073741824},
+  {2000, 2000, 3000, 1500, 960383883, -480191942},
+  {3000, 1500, 4000, 2000, 960383883, 480191942},
+  {4000, 2000, 4000, 1000, 0, -1073741824},
+  {4000, 1000, 2000, 1000, -1073741824, 0}
+};
+static const zone region_within_pad = {region_within_pad_edges, 9};
+
+/* Zone zone_of_line_17: 4 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
+static const edge region_within_zone_of_line_17_edges[] = {
   {3000, 3000, 37000, 3000, 1073741824, 0},
   {37000, 3000, 37000, 26601, 0, 1073741824},
   {37000, 26601, 3000, 22351, -1065450257, -133181282},
   {3000, 22351, 3000, 3000, 0, -1073741824}
 };
-static const zone region_within_zone_of_line_14 = {region_within_zone_of_line_14_edges, 4};
+static const zone region_within_zone_of_line_17 = {region_within_zone_of_line_17_edges, 4};
 
-/* What contains zone zone_of_line_14: 4 edges ax, ay, bx, by (mm, the zone on the left),
+/* What contains zone zone_of_line_17: 4 edges ax, ay, bx, by (mm, the zone on the left),
  * direction (Q30). */
-static const edge region_around_zone_of_line_14_edges[] = {
+static const edge region_around_zone_of_line_17_edges[] = {
   {2998, 2998, 37002, 2998, 1073741824, 0},
   {37002, 2998, 37002, 26604, 0, 1073741824},
   {37002, 26604, 2998, 22354, -1065452185, -133165857},
   {2998, 22354, 2998, 2998, 0, -1073741824}
 };
-static const zone region_around_zone_of_line_14 = {region_around_zone_of_line_14_edges, 4};
+static const zone region_around_zone_of_line_17 = {region_around_zone_of_line_17_edges, 4};
 
 /* ---- monitors without a robot ---- */
 /* What a tick knows of its inputs. */
@@ -852,9 +866,11 @@ typedef struct crane_view {
   span swing_x;
   span swing_y;
   margin loaded;
+  span mark_x;
+  span mark_y;
 } crane_view;
 
-/* C-1: the hook stays over the ground (spec.rta:12). hook inside ground */
+/* C-1: the hook stays over the ground (spec.rta:15). hook inside ground */
 static inline margin over_ground_now(const crane_view *v) {
   /* hook inside ground */
   const span v2 = clearance_of(&region_within_ground, &region_within_ground, v->hook_x,
@@ -863,7 +879,7 @@ static inline margin over_ground_now(const crane_view *v) {
   return inside_of(v4, &region_within_ground, &region_within_ground, v->hook_x, v->hook_y);
 }
 
-/* C-2: it stays off the mast (spec.rta:13). not hook inside mast and distance(hook, mast) >= 50
+/* C-2: it stays off the mast (spec.rta:16). not hook inside mast and distance(hook, mast) >= 50
  * cm */
 static inline margin off_mast_now(const crane_view *v) {
   /* hook inside mast */
@@ -881,7 +897,7 @@ static inline margin off_mast_now(const crane_view *v) {
   return both(v6, v10);
 }
 
-/* C-3: a load, swinging, stays 3 m inside (spec.rta:14). loaded implies (hook + swing) inside
+/* C-3: a load, swinging, stays 3 m inside (spec.rta:17). loaded implies (hook + swing) inside
  * shrink(ground, 3 m) */
 static inline margin load_now(const crane_view *v) {
   /* not (loaded) */
@@ -890,15 +906,15 @@ static inline margin load_now(const crane_view *v) {
   const span v4 = sum_of(v->hook_x, v->swing_x);
   const span v7 = sum_of(v->hook_y, v->swing_y);
   /* (hook + swing) inside shrink(ground, 3 m) */
-  const span v8 = clearance_of(&region_within_zone_of_line_14, &region_around_zone_of_line_14,
+  const span v8 = clearance_of(&region_within_zone_of_line_17, &region_around_zone_of_line_17,
       v4, v7, -56543, 11803);
   const margin v10 = at_least(v8, span_of(0, 0), 1000, 0, 1);
-  const margin v11 = inside_of(v10, &region_within_zone_of_line_14,
-      &region_around_zone_of_line_14, v4, v7);
+  const margin v11 = inside_of(v10, &region_within_zone_of_line_17,
+      &region_around_zone_of_line_17, v4, v7);
   return either(v1, v11);
 }
 
-/* C-4: lately not near the edge (spec.rta:15). min[0 s, 1 s](clearance(hook, ground)) >= 1 m */
+/* C-4: lately not near the edge (spec.rta:18). min[0 s, 1 s](clearance(hook, ground)) >= 1 m */
 static inline margin edge_now(const crane_view *v) {
   /* clearance(hook, ground) */
   const span v2 = clearance_of(&region_within_ground, &region_within_ground, v->hook_x,
@@ -909,6 +925,33 @@ static inline margin edge_now(const crane_view *v) {
   return at_least(v3, span_of(1000, 1000), 1000, 0, 1);
 }
 
+/* C-5: the mark is on the pad (spec.rta:19). mark inside pad */
+static inline margin marked_now(const crane_view *v) {
+  /* mark inside pad */
+  const span v2 = clearance_of(&region_within_pad, &region_within_pad, v->mark_x, v->mark_y,
+      -12728, 2000);
+  const margin v4 = at_least(v2, span_of(0, 0), 1000, 0, 1);
+  return inside_of(v4, &region_within_pad, &region_within_pad, v->mark_x, v->mark_y);
+}
+
+/* C-6: there is no mark on the pad (spec.rta:20). not mark inside pad */
+static inline margin bare_now(const crane_view *v) {
+  /* mark inside pad */
+  const span v2 = clearance_of(&region_within_pad, &region_within_pad, v->mark_x, v->mark_y,
+      -12728, 2000);
+  const margin v4 = at_least(v2, span_of(0, 0), 1000, 0, 1);
+  const margin v5 = inside_of(v4, &region_within_pad, &region_within_pad, v->mark_x, v->mark_y);
+  return opposite(v5);
+}
+
+/* C-7: the mark is half a metre from the edge (spec.rta:21). clearance(mark, pad) >= 50 cm */
+static inline margin spare_now(const crane_view *v) {
+  /* clearance(mark, pad) */
+  const span v2 = clearance_of(&region_within_pad, &region_within_pad, v->mark_x, v->mark_y,
+      -12728, 2000);
+  return at_least(v2, span_of(500, 500), 1000, 0, 1);
+}
+
 /* A tick that sees nothing: it was missed. */
 static void crane_blind(crane_view *v, crane_monitors_state *s) {
   v->s = s;
@@ -917,6 +960,8 @@ static void crane_blind(crane_view *v, crane_monitors_state *s) {
   v->swing_x = span_unknown(CRANE_INPUT_CLOCK);
   v->swing_y = span_unknown(CRANE_INPUT_CLOCK);
   v->loaded = margin_unknown(CRANE_INPUT_CLOCK);
+  v->mark_x = span_unknown(CRANE_INPUT_CLOCK);
+  v->mark_y = span_unknown(CRANE_INPUT_CLOCK);
 }
 
 /* The newest samples; since_us: after it a sample is one of this tick. */
@@ -936,6 +981,11 @@ static inline void crane_look(crane_view *v, const crane_monitors_in *in, int64_
   const int32_t good_loaded = sample_good(&in->loaded, &v->s->last_loaded_us, now_us);
   const int32_t fresh_loaded = good_loaded && in->loaded.stamp_us > since_us;
   v->loaded = truth_of(&in->loaded, fresh_loaded, CRANE_MONITORS_INPUT_LOADED);
+  const int32_t good_mark = sample_good(&in->mark_x, &v->s->last_mark_us, now_us);
+  const int32_t fresh_mark = good_mark && in->mark_x.stamp_us > since_us;
+  v->mark_x = number_of(&in->mark_x, fresh_mark, -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
+  v->mark_y = number_of(&in->mark_y, fresh_mark && in->mark_y.stamp_us == in->mark_x.stamp_us,
+      -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
 }
 
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
@@ -981,6 +1031,7 @@ void crane_monitors_init(crane_monitors_state *s) {
   s->last_hook_us = INT64_MIN;
   s->last_swing_us = INT64_MIN;
   s->last_loaded_us = INT64_MIN;
+  s->last_mark_us = INT64_MIN;
 }
 
 void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, int64_t now_us,
@@ -999,6 +1050,9 @@ void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, i
   out->monitors[CRANE_MONITORS_OFF_MAST] = finding_judged(off_mast_now(&v));
   out->monitors[CRANE_MONITORS_LOAD] = finding_judged(load_now(&v));
   out->monitors[CRANE_MONITORS_EDGE] = finding_judged(edge_now(&v));
+  out->monitors[CRANE_MONITORS_MARKED] = finding_judged(marked_now(&v));
+  out->monitors[CRANE_MONITORS_BARE] = finding_judged(bare_now(&v));
+  out->monitors[CRANE_MONITORS_SPARE] = finding_judged(spare_now(&v));
   s->ticks.now += 1;
 }
 
@@ -1016,5 +1070,8 @@ void crane_monitors_verdicts(crane_monitors_state *s, const crane_monitors_in *i
   verdicts[CRANE_MONITORS_OFF_MAST] = verdict_of(off_mast_now(&v));
   verdicts[CRANE_MONITORS_LOAD] = verdict_of(load_now(&v));
   verdicts[CRANE_MONITORS_EDGE] = verdict_of(edge_now(&v));
+  verdicts[CRANE_MONITORS_MARKED] = verdict_of(marked_now(&v));
+  verdicts[CRANE_MONITORS_BARE] = verdict_of(bare_now(&v));
+  verdicts[CRANE_MONITORS_SPARE] = verdict_of(spare_now(&v));
   s->ticks.now += 1;
 }

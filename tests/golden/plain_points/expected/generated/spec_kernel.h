@@ -36,14 +36,18 @@ enum {
   CRANE_MONITORS_OFF_MAST = 1,
   CRANE_MONITORS_LOAD = 2,
   CRANE_MONITORS_EDGE = 3,
-  CRANE_MONITORS = 4
+  CRANE_MONITORS_MARKED = 4,
+  CRANE_MONITORS_BARE = 5,
+  CRANE_MONITORS_SPARE = 6,
+  CRANE_MONITORS = 7
 };
 
 /* Inputs, as a finding names the one that is missing. */
 enum {
   CRANE_MONITORS_INPUT_HOOK = 2,
   CRANE_MONITORS_INPUT_SWING = 3,
-  CRANE_MONITORS_INPUT_LOADED = 4
+  CRANE_MONITORS_INPUT_LOADED = 4,
+  CRANE_MONITORS_INPUT_MARK = 5
 };
 
 /* One number of an input: the grid values below and above what was measured, so that it is never
@@ -88,9 +92,11 @@ typedef struct crane_monitors_in {
   crane_signal swing_x; /* steps of mm, -2000 to 2000; for 500000 us */
   crane_signal swing_y; /* steps of mm, -2000 to 2000; for 500000 us */
   crane_signal loaded; /* 0 or 1; new every tick */
+  crane_signal mark_x; /* steps of mm, -9000 to 9000; new every tick */
+  crane_signal mark_y; /* steps of mm, -9000 to 9000; new every tick */
 } crane_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 496 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 504 bytes in all. */
 typedef struct crane_monitors_state {
   crane_clock clock;
   crane_ticks ticks;
@@ -98,6 +104,7 @@ typedef struct crane_monitors_state {
   int64_t last_hook_us;
   int64_t last_swing_us;
   int64_t last_loaded_us;
+  int64_t last_mark_us;
   /* edge */
   crane_slide min_0;
   crane_kept min_0_window[10];
