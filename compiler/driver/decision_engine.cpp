@@ -17,8 +17,8 @@ using Init = void (*)();
 using Step = void (*)(std::int32_t, const std::int64_t*, std::int64_t, std::int64_t*);
 using interp::Reading;
 
-// What is finite and too far is cut off, as by the generated wrapper: the kernel knows it as
-// outside.
+// As by the generated wrapper, coordinates that are too far are cut off, which the kernel knows as
+// outside; a charge or an angle beyond it is none.
 constexpr std::int64_t grid_limit = 1'000'000'000'000'000;
 
 // Margins beyond it are infinite (the bound of the generated wrapper).
@@ -105,23 +105,28 @@ class KernelDecisions : public DecisionEngine {
   static bool ends(const Reading& reading, const Rational& step, std::int64_t* to) {
     if (reading.kind != Reading::Kind::number) return false;
     const auto grid = reading.number.on_grid(step);
-    to[0] = std::clamp(grid.lo, -grid_limit, grid_limit);
-    to[1] = std::clamp(grid.hi, -grid_limit, grid_limit);
+    to[0] = grid.lo;
+    to[1] = grid.hi;
+    return true;
+  }
+  static bool coordinate(const Reading& reading, std::int64_t* to) {
+    if (!ends(reading, Rational(1, 1000), to)) return false;
+    for (std::size_t k = 0; k < 2; ++k) to[k] = std::clamp(to[k], -grid_limit, grid_limit);
     return true;
   }
   // Its components arrive together.
   static void vector(const interp::TraceRow& row, std::size_t at, std::int64_t* to) {
     const Reading &x = row.readings[at], &y = row.readings[at + 1];
     if (x.kind == Reading::Kind::none && y.kind == Reading::Kind::none) return;
-    const Rational milli(1, 1000);
-    const bool has_x = ends(x, milli, to), has_y = ends(y, milli, to + 2);
+    const bool has_x = coordinate(x, to), has_y = coordinate(y, to + 2);
     to[4] = row.time_us;
     to[5] = has_x && has_y ? 1 : 0;
   }
   static void scalar(const interp::TraceRow& row, std::size_t at, const Rational& step,
                      std::int64_t* to) {
     if (row.readings[at].kind == Reading::Kind::none) return;
-    to[3] = ends(row.readings[at], step, to) ? 1 : 0;
+    const bool known = ends(row.readings[at], step, to);
+    to[3] = known && -grid_limit < to[0] && to[1] < grid_limit ? 1 : 0;
     to[2] = row.time_us;
   }
   // A message that says neither is none.

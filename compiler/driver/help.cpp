@@ -81,14 +81,22 @@ constexpr CommandText command_texts[] = {
      "and `monitor` and `reason` of that: `--engine interp` has none of these. With several "
      "robots all of\n"
      "it follows their names: `r1.mode`. Robots hear what the others sense, and nobody promises "
-     "to stay.\n",
+     "to stay.\n"
+     "\n"
+     "With several periods a row is printed at a tick of any of them; `tick` counts the shortest, "
+     "and of\n"
+     "what is not due in a row stands what it found last. Both engines print the same rows, and "
+     "find the\n"
+     "same but where the look-ahead, or a bound of the generated code, leaves open what exact "
+     "numbers\n"
+     "decide, and for `energy_to`, of which the interpreter knows no upper bound.\n",
      "  rtac replay door.rta monday.csv >findings.csv\n"
      "  rtac replay door.rta monday.csv --engine interp --monitor shut\n"
      "  zcat monday.csv.gz | rtac replay door.rta -\n",
      "  0  no monitor was false\n"
      "  1  the specification has errors\n"
      "  2  usage, or a file or trace that cannot be used\n"
-     "  3  a monitor was false in the trace\n"
+     "  3  a monitor was false in the trace; what is ahead does not count\n"
      "  70 a bug of rtac\n"},
     {"fmt", "rtac fmt FILE... [FLAG...]",
      "Writes specifications in the canonical layout. Comments, blank lines between items and the\n"

@@ -115,7 +115,7 @@ struct ConditionOf {
   // Rule 7: p inside Z has the margin of clearance(p, Z) >= 0; which places lie in Z is exact.
   Margin operator()(const sema::PointInside& node) const {
     const Span x = self.quantity(*node.x), y = self.quantity(*node.y);
-    const Span gap = self.zones_.clearance(node.zone, x, y);
+    const Span gap = self.clearance_of_place(expr, node, {x, y});
     static const sema::Dimension& length = sema::dims::length;
     Margin margin = at_least(gap, exactly(Rational(0)), false, length, self.scale(length));
     // a distance too small for its root
@@ -200,6 +200,31 @@ Span Evaluator::clearance_of_body(sema::ZoneId zone) {
   return add(gap, between(Rational(-error), error));
 }
 
+namespace {
+
+// What never changes, computed once.
+struct Bounds : Memory {
+  explicit Bounds(Span whole) : span(std::move(whole)) {}
+  void forget(Tick) override {}
+  Span span;
+};
+
+}  // namespace
+
+// Rule 7: that of the measured place, less and more the error, but never more or less than a place
+// has anywhere in its declared range.
+template <class Node>
+Span Evaluator::clearance_of_place(const sema::Expr& expr, const Node& node,
+                                   const std::pair<Span, Span>& place) {
+  Span gap = zones_.clearance(node.zone, place.first, place.second);
+  const Bounds& anywhere = memory<Bounds>(
+      expr, [&] { return Bounds(zones_.range(node.zone, anything(*node.x), anything(*node.y))); });
+  if (gap.missing.missing || anywhere.span.missing.missing) return gap;
+  gap.lo = std::max(gap.lo, anywhere.span.lo);
+  gap.hi = std::min(gap.hi, anywhere.span.hi);
+  return gap;
+}
+
 // ---- quantities -------------------------------------------------------------------------------
 
 namespace {
@@ -236,7 +261,7 @@ struct QuantityOf {
     return self.robots_ == nullptr ? unknown(std::nullopt) : self.robots_->age(node.signal);
   }
   Span operator()(const sema::PointClearance& node) const {
-    return self.zones_.clearance(node.zone, of(node.x), of(node.y));
+    return self.clearance_of_place(expr, node, {of(node.x), of(node.y)});
   }
   Span operator()(const sema::Arithmetic& node) const {
     if (is_square(node)) return square(of(node.operands.front()));

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <unordered_map>
+#include <utility>
 
 #include "compiler/interp/margin.h"
 #include "compiler/interp/past.h"
@@ -48,6 +49,10 @@ class Evaluator {
   template <class T, class Join>
   T over_others(const sema::Expr& body, T start, const Join& join);
   Span clearance_of_body(sema::ZoneId zone);
+  // Of a node that holds a place, coordinates `x` and `y`, against a zone.
+  template <class Node>
+  Span clearance_of_place(const sema::Expr& expr, const Node& node,
+                          const std::pair<Span, Span>& place);
   Span aggregate(const sema::Expr& expr, const sema::Aggregate& node);
   // Whatever the quantity may be at any tick.
   Span anything(const sema::Expr& expr);

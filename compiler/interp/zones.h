@@ -18,7 +18,7 @@ class Zones {
   // The specification outlives the zones.
   explicit Zones(const sema::Spec& spec);
   // How far a place is from the boundary, negative outside: that of the middle of its box, less and
-  // more half of the diagonal.
+  // more half of the diagonal; see `range` for what it cannot be.
   Span clearance(sema::ZoneId zone, const Span& x, const Span& y);
   // The same of the zone as robots know it, which lies within it: curves as polygons, on the grid
   // of 1 mm. `place` is exact.

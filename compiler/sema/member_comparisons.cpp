@@ -7,11 +7,25 @@ namespace rtac::sema {
 
 namespace {
 
-// A `min` or `max` in a quantity. `sign`: what a larger member does to it, +1 or -1; 0: not known.
+// A `min` or `max` in a quantity, or a choice that has one in a branch. `sign`: what a larger value
+// does to the quantity, +1 or -1; 0: not known.
 struct Found {
   ExprPtr* place;
   int sign;
 };
+
+bool is_over_members(const Expr& expr) {
+  bool found = false;
+  for_each_expr(expr, [&](const Expr& each) {
+    found = found || std::holds_alternative<OverMembers>(each.node);
+  });
+  return found;
+}
+bool chooses_members(const Expr& expr) {
+  const auto* choice = std::get_if<Choice>(&expr.node);
+  return choice != nullptr &&
+         (is_over_members(*choice->then_value) || is_over_members(*choice->else_value));
+}
 
 int sign_of(const Expr& factor) {
   const auto value = constant_of(factor);
@@ -19,7 +33,7 @@ int sign_of(const Expr& factor) {
 }
 
 void find(ExprPtr& expr, int sign, std::vector<Found>& out) {
-  if (std::holds_alternative<OverMembers>(expr->node)) {
+  if (std::holds_alternative<OverMembers>(expr->node) || (sign != 0 && chooses_members(*expr))) {
     out.push_back({&expr, sign});
     return;
   }
@@ -71,6 +85,11 @@ ExprPtr PropertyChecker::compare(const SourceRange& range, CompareOp op, ExprPtr
   std::vector<Found> found;
   find(left, 1, found);
   find(right, -1, found);
+  for (const Found& each : found) {
+    if (chooses_members(**each.place) && each.sign != 0) {
+      return compare_choice(range, op, left, right, *each.place);
+    }
+  }
   const bool of_robot = scope_.of_robot();
   for (const Found& each : found) {
     // A monitor of a robot knows its others by a loop: one of them at a time.
@@ -90,6 +109,43 @@ ExprPtr PropertyChecker::compare(const SourceRange& range, CompareOp op, ExprPtr
   return make_condition(range, Compare{op, std::move(left), std::move(right)});
 }
 
+// Counts the copies of what is compared; false: reported.
+bool PropertyChecker::afford_copy(const SourceRange& range, const ExprPtr& left,
+                                  const ExprPtr& right) {
+  size_ += size_of(Value(clone(*left))) + size_of(Value(clone(*right)));
+  if (size_ <= max_size) return true;
+  report_limit(range, "the property is too large, all members of the fleet put in their places",
+               std::to_string(max_size) + " operators and operands");
+  return false;
+}
+
+// `place` lies within `left` or `right` and holds a choice: the comparisons of both of its values
+// are chosen between. Where its condition is not decided, what holds of both holds of either.
+ExprPtr PropertyChecker::compare_choice(const SourceRange& range, CompareOp op, const ExprPtr& left,
+                                        const ExprPtr& right, ExprPtr& place) {
+  Choice choice = std::move(std::get<Choice>(place->node));
+  const auto of = [&](ExprPtr value) -> ExprPtr {
+    place = std::move(value);
+    if (!afford_copy(range, left, right)) return nullptr;
+    return compare(range, op, clone(*left), clone(*right));
+  };
+  ExprPtr first = of(std::move(choice.then_value));
+  ExprPtr second = first ? of(std::move(choice.else_value)) : nullptr;
+  if (!second) return nullptr;
+  const auto both = [&](ExprPtr a, ExprPtr b) {
+    return make_condition(range,
+                          Logic{LogicOp::logical_and, operands_of(std::move(a), std::move(b))});
+  };
+  ExprPtr other =
+      make_condition(range, Logic{LogicOp::logical_not, operands_of(clone(*choice.condition))});
+  ExprPtr either = both(clone(*first), clone(*second));
+  std::vector<ExprPtr> parts;
+  parts.push_back(both(std::move(choice.condition), std::move(first)));
+  parts.push_back(both(std::move(other), std::move(second)));
+  parts.push_back(std::move(either));
+  return joined(range, LogicOp::logical_or, std::move(parts));
+}
+
 // `place` lies within `left` or `right`. `rising`: a larger member makes the comparison truer.
 ExprPtr PropertyChecker::compare_members(const SourceRange& range, CompareOp op,
                                          const ExprPtr& left, const ExprPtr& right, ExprPtr& place,
@@ -99,12 +155,7 @@ ExprPtr PropertyChecker::compare_members(const SourceRange& range, CompareOp op,
   std::vector<ExprPtr> parts;
   for (ExprPtr& member : members.operands) {
     place = std::move(member);
-    size_ += size_of(Value(clone(*left))) + size_of(Value(clone(*right)));
-    if (size_ > max_size) {
-      report_limit(range, "the property is too large, all members of the fleet put in their places",
-                   std::to_string(max_size) + " operators and operands");
-      return nullptr;
-    }
+    if (!afford_copy(range, left, right)) return nullptr;
     ExprPtr part = compare(range, op, clone(*left), clone(*right));
     if (!part) return nullptr;
     parts.push_back(std::move(part));

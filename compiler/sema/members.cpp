@@ -85,6 +85,7 @@ std::optional<InputId> PropertyChecker::robot_input(RobotId robot, const std::st
   if (!sense) return std::nullopt;
   const InputId next{static_cast<std::uint32_t>(context_.spec.inputs.size())};
   const auto [place, added] = context_.robot_inputs.emplace(std::pair(robot, signal), next);
+  context_.used_inputs.insert(place->second);
   if (!added) return place->second;
   const ValueType type{known->type, known->dimension, std::nullopt, std::nullopt};
   Input input{};

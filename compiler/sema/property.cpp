@@ -297,7 +297,13 @@ Value PropertyChecker::chosen_parts(const syntax::Expr& expr, const Expr& condit
   auto* other = std::get_if<ExprPtr>(&else_value.node);
   if (one != nullptr && other != nullptr && !(*one)->boolean && !(*other)->boolean &&
       (*one)->dimension == (*other)->dimension) {
-    return judged_now(pick(*one, *other), "`if` between quantities");
+    // nothing is chosen: the value itself, also where a choice could not stand
+    if (const auto* fixed = std::get_if<Truth>(&condition.node)) {
+      return std::move(fixed->value ? *one : *other);
+    }
+    Value chosen = judged_now(pick(*one, *other), "`if` between quantities");
+    allowed(static_cast<bool>(chosen));
+    return chosen;
   }
   auto* left = std::get_if<Pair>(&then_value.node);
   auto* right = std::get_if<Pair>(&else_value.node);

@@ -111,6 +111,9 @@ class PropertyChecker {
   // ---- member_comparisons.cpp
   // A comparison; one of `min` or `max` over members is that of each of them.
   ExprPtr compare(const SourceRange& range, CompareOp op, ExprPtr left, ExprPtr right);
+  bool afford_copy(const SourceRange& range, const ExprPtr& left, const ExprPtr& right);
+  ExprPtr compare_choice(const SourceRange& range, CompareOp op, const ExprPtr& left,
+                         const ExprPtr& right, ExprPtr& place);
   ExprPtr compare_members(const SourceRange& range, CompareOp op, const ExprPtr& left,
                           const ExprPtr& right, ExprPtr& place, bool rising);
 

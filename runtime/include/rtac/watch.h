@@ -39,12 +39,15 @@ inline std::int64_t floor_quotient(std::int64_t a, std::int64_t b) {  // b > 0
   return a / b - (a % b < 0 ? 1 : 0);
 }
 
-// KernelSignal { lo, hi, stamp_us, valid }, on a grid of `step` / `per_unit` SI units: what is not
-// finite, or off every grid, is not valid.
+// KernelSignal { lo, hi, stamp_us, valid }, on a grid of `step` / `per_unit` SI units. What is not
+// finite is not valid; a number that is off every grid has no steps (lo > hi), but an age.
 template <class KernelSignal>
 void put_number(KernelSignal& to, double si, double per_unit, std::int64_t step, TimeUs stamp_us) {
   to.stamp_us = stamp_us;
-  to.valid = stamp_us != never_us && grid_pair(si, per_unit, to.lo, to.hi);
+  to.valid = stamp_us != never_us && std::isfinite(si);
+  to.lo = 1;
+  to.hi = 0;
+  if (!grid_pair(si, per_unit, to.lo, to.hi)) return;
   to.lo = floor_quotient(to.lo, step);
   to.hi = -floor_quotient(-to.hi, step);
 }

@@ -1,5 +1,6 @@
 // `rtac replay` of decisions: the generated kernel judges what robots are recorded to have sensed.
 #include <cstdlib>
+#include <sstream>
 
 #include "tests/compiler/driver/testing.h"
 
@@ -19,6 +20,26 @@ class ReplayDecision : public InFolder {
     write("trace.csv", header + rows);
     more.insert(more.begin(), {"replay", "fence.rta", "trace.csv"});
     return rtac(more);
+  }
+  // `tick`, `time` and the verdicts of a table of findings.
+  static std::string shared_columns(const std::string& table) {
+    std::istringstream in(table);
+    std::string line, shared;
+    std::vector<bool> wanted;
+    while (std::getline(in, line)) {
+      std::istringstream cells(line);
+      std::string cell;
+      const bool names = wanted.empty();
+      for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
+        if (names) {
+          wanted.push_back(i < 2 ||
+                           (cell.size() > 8 && cell.substr(cell.size() - 8) == ".verdict"));
+        }
+        if (wanted[i]) shared += cell + ",";
+      }
+      shared += "\n";
+    }
+    return shared;
   }
   // Findings without the line of names.
   static std::string found(const std::string& rows) {
@@ -170,6 +191,27 @@ TEST_F(ReplayDecision, BesideMonitorsWithoutARobot) {
 // ---- exit codes ---------------------------------------------------------------------------------
 
 // 70: a compiler that lays structs out in another way shows a kernel that is not what was meant.
+// What both engines can find stands in the same rows and columns, and gives the same exit code.
+TEST_F(ReplayDecision, BothEnginesPrintTheSameRowsAndExitAlike) {
+  write("both.rta", drone_spec() +
+                        "period 30 ms; input wind : real [m/s] max_age inf;\n"
+                        "monitor calm { \"W: calm\" always wind <= 12 m/s; }\n");
+  std::string names = header;
+  names.insert(names.size() - 1, ",wind");
+  const std::string start = names + "0,2.5,2.5,0,0,none,,3\n0.02,,,,,,,\n0.04,,,,,,,\n";
+  for (const auto& [row, status] :
+       std::vector<std::pair<std::string, int>>{{"0.06,2.5,2.5,0,0,none,,13\n", 3},
+                                                {"0.1,4.98,2.5,0,0,none,,3\n", 3},
+                                                {"0.06,2.5,2.5,0,0,none,,3\n", 0}}) {
+    write("both.csv", start + row);
+    const Outcome kernel = rtac({"replay", "both.rta", "both.csv"});
+    const Outcome interp = rtac({"replay", "both.rta", "both.csv", "--engine", "interp"});
+    EXPECT_EQ(kernel.status, status) << kernel.out;
+    EXPECT_EQ(interp.status, status) << interp.out;
+    EXPECT_EQ(shared_columns(kernel.out), shared_columns(interp.out));
+  }
+}
+
 TEST_F(ReplayDecision, AnInternalErrorExitsWith70) {
   write("door.rta",
         "spec door; period 10 ms; input open : bool;\nmonitor m { \"R: r\" always open; }\n");

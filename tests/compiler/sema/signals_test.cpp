@@ -68,6 +68,47 @@ monitor still
 )");
 }
 
+// What is asked for by its age alone is used.
+TEST(Signals, TheAgeOfWhatARobotSensesUsesIt) {
+  const auto checked = check_text(
+      "spec s;\nperiod 100 ms;\n"
+      "robot Drone {\n  body radius 8 cm;\n"
+      "  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }\n"
+      "  sense position : point error 2 cm max_age 50 ms;\n"
+      "  sense velocity : vector error 2 cm/s max_age 50 ms;\n"
+      "  output thrust : acceleration;\n  latency 20 ms;\n}\n"
+      "fleet bots : Drone[2];\n"
+      "monitor m { \"R1: heard\" always age(bots[0].velocity) <= 1 s; }\n");
+  EXPECT_TRUE(checked->spec);
+  EXPECT_EQ(checked->reports(), "");
+}
+
+// A choice between a minimum over members and another value is compared by both comparisons, so
+// that one member decides; of a constant condition there is nothing to choose.
+TEST(Signals, AChoiceOfMembersIsComparedByItsValues) {
+  const auto meaning = [](const std::string& property) {
+    const auto checked = check_text(
+        "spec s;\nperiod 100 ms;\ninput p : bool;\n"
+        "robot Drone {\n  body radius 8 cm;\n"
+        "  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }\n"
+        "  sense position : point error 2 cm max_age 50 ms;\n"
+        "  sense velocity : vector error 2 cm/s max_age 50 ms;\n"
+        "  sense battery : ratio error 1 % max_age 50 ms;\n"
+        "  output thrust : acceleration;\n  latency 20 ms;\n}\n"
+        "fleet a, b : Drone;\n"
+        "monitor other { \"R0: used\" always p; }\n"
+        "monitor m { \"R1: charge\" always " +
+        property + "; }\n");
+    return checked->spec ? dump(*checked->spec, *checked->spec->watches[1].always)
+                         : checked->reports();
+  };
+  const std::string both = "((a.battery >= 9 %) and (b.battery >= 9 %))";
+  EXPECT_EQ(meaning("(if true then min(d : Drone : d.battery) else 5 %) >= 9 %"), both);
+  EXPECT_EQ(
+      meaning("(if p then min(d : Drone : d.battery) else 5 %) >= 9 %"),
+      "(((p and " + both + ") or ((not p) and (5 % >= 9 %))) or (" + both + " and (5 % >= 9 %)))");
+}
+
 TEST(Signals, OperatorsOfThePastKeepTheirIntervals) {
   EXPECT_EQ(property("once open"), "(once[0 s, inf] open)");
   EXPECT_EQ(property("historically[10 ms, inf] open"), "(historically[0.01 s, inf] open)");
