@@ -1,8 +1,11 @@
 // Grids of quantities: how constants, sums, products and roots come onto them.
+#include <algorithm>
+
 #include "compiler/ir/angles.h"
 #include "compiler/ir/watch_blocks.h"
 #include "compiler/ir/watch_quantities.h"
 #include "compiler/sema/dimension.h"
+#include "compiler/sema/value.h"
 
 namespace rtac::ir {
 namespace {
@@ -29,6 +32,21 @@ const sema::InputRef* find_input(const sema::Expr& e) {
   if (const auto* m = std::get_if<sema::Math>(&e.node)) return first(m->operands);
   if (const auto* g = std::get_if<sema::Aggregate>(&e.node)) return find_input(*g->operand);
   return nullptr;
+}
+
+// Made of whole numbers and constants alone: no resolution says how finely it is counted.
+bool counts_whole(const sema::Spec& spec, const sema::Expr& e) {
+  if (std::holds_alternative<sema::Constant>(e.node) || sema::is_integer(spec, e)) return true;
+  const auto all = [&](const auto& operands) {
+    return std::all_of(operands.begin(), operands.end(),
+                       [&](const sema::ExprPtr& operand) { return counts_whole(spec, *operand); });
+  };
+  if (const auto* a = std::get_if<sema::Arithmetic>(&e.node)) return all(a->operands);
+  if (const auto* m = std::get_if<sema::Math>(&e.node)) return all(m->operands);
+  if (const auto* g = std::get_if<sema::Aggregate>(&e.node)) return counts_whole(spec, *g->operand);
+  const auto* choice = std::get_if<sema::Choice>(&e.node);
+  return choice != nullptr && counts_whole(spec, *choice->then_value) &&
+         counts_whole(spec, *choice->else_value);
 }
 
 // A product of the kernel takes factors within 2^62.
@@ -60,17 +78,32 @@ ValueId QuantityBuilder::refuse(const sema::Expr& e, const std::string& what,
 QuantityBuilder::Pair QuantityBuilder::on_one_grid(const sema::Expr& a, const sema::Expr& b) {
   const auto left = fold_constant(a), right = fold_constant(b);
   if (left && !right) {
-    const ValueId other = quantity(b);
+    const ValueId other = fitted(quantity(b), *left, b);
     const Unit grid = unit_of(other);
     return {constant(*left, grid, a, b), other};
   }
   if (right && !left) {
-    const ValueId other = quantity(a);
+    const ValueId other = fitted(quantity(a), *right, a);
     const Unit grid = unit_of(other);
     return {other, constant(*right, grid, b, a)};
   }
   const ValueId first = quantity(a);
   return meet(first, quantity(b), b);
+}
+
+// Whole numbers are counted as finely as what they meet; other quantities as their inputs say.
+ValueId QuantityBuilder::fitted(ValueId a, const Rational& constant, const sema::Expr& e) {
+  if (sgn(constant) == 0 || !counts_whole(spec_, e)) return a;
+  Unit grid = unit_of(a);
+  grid.step = common_step(grid.step, abs(constant));
+  return grid.is_fine_enough() ? regrid(a, grid, e) : a;
+}
+// A mean of whole numbers is none: it comes onto the usual grid of bare numbers.
+ValueId QuantityBuilder::averaged(ValueId a, const sema::Expr& operand) {
+  if (!counts_whole(spec_, operand)) return a;
+  Unit grid = unit_of(a);
+  grid.step = common_step(grid.step, finest(grid.dimension).step);
+  return grid.is_fine_enough() ? regrid(a, grid, operand) : a;
 }
 
 ValueId QuantityBuilder::constant(const Rational& si, const Unit& unit, const sema::Expr& e,

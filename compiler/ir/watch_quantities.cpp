@@ -229,6 +229,7 @@ ValueId QuantityBuilder::quantity(const sema::Math& v, const sema::Expr& e) {
   ValueId all = least(on_one_grid(*v.operands[0], *v.operands[1]));
   for (std::size_t i = 2; i < v.operands.size(); ++i) {
     const auto fixed = fold_constant(*v.operands[i]);
+    if (fixed) all = fitted(all, *fixed, e);
     const ValueId next =
         fixed ? constant(*fixed, unit_of(all), *v.operands[i], e) : quantity(*v.operands[i]);
     all = least(meet(all, next, e));
@@ -262,7 +263,8 @@ ValueId QuantityBuilder::quantity(const sema::Aggregate& v, const sema::Expr& e)
     case sema::AggregateOp::maximum:
       break;
   }
-  const ValueId a = quantity(*v.operand);
+  ValueId a = quantity(*v.operand);
+  if (v.op == sema::AggregateOp::mean) a = averaged(a, *v.operand);
   const Fold fold = v.op == sema::AggregateOp::minimum   ? Fold::minimum
                     : v.op == sema::AggregateOp::maximum ? Fold::maximum
                     : v.op == sema::AggregateOp::mean    ? Fold::mean

@@ -55,6 +55,10 @@ class QuantityBuilder {
   [[nodiscard]] Unit millimetres() const;
   // Two quantities on one grid; a constant takes the grid of the other one.
   Pair on_one_grid(const sema::Expr& a, const sema::Expr& b);
+  // `a`, which is what `e` says, on a grid that the constant may lie on.
+  ValueId fitted(ValueId a, const Rational& constant, const sema::Expr& e);
+  // The operand of a mean on the grid of the mean.
+  ValueId averaged(ValueId a, const sema::Expr& operand);
   ValueId add(Op op, std::optional<Unit> unit, const sema::Expr& e);
   [[nodiscard]] Window window(const sema::Interval& interval) const;
   [[nodiscard]] std::int64_t ticks(const Rational& seconds) const;

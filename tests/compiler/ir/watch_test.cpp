@@ -22,6 +22,26 @@ TEST(WatchBlock, AConstantBetweenTwoStepsIsRefusedWithAFinerResolution) {
       "");
 }
 
+// Nothing could be declared that makes it finer.
+TEST(WatchBlock, AWholeNumberTakesTheGridOfTheConstant) {
+  const char* const n = "input n : int in 0 .. 9;";
+  EXPECT_EQ(built(n, "n >= 1.5").report(), "");
+  EXPECT_TRUE(built(n, "n >= 1.5").has("%2 = const 3 : 1/2")) << built(n, "n >= 1.5").block();
+  EXPECT_EQ(built(n, "n / 3 <= 0.5").report(), "");
+  EXPECT_TRUE(built(n, "n / 3 <= 0.5").has("const 3 : 1/6")) << built(n, "n / 3 <= 0.5").block();
+  EXPECT_EQ(built(n, "n >= 2").block(),
+            "%0 = input n : 1\n%1 = const 2 : 1\n%2 = at_least %0, %1 : margin\nresult %2\n");
+  // margins cannot tell it
+  EXPECT_NE(built(n, "n >= 0.00000015").report(), "");
+}
+
+// On their own grid the mean of 1 and 2 would be anything between them.
+TEST(WatchBlock, AMeanOfWholeNumbersIsFinerThanThey) {
+  const Built b = built("input n : int in 0 .. 9;", "mean[0 s, 3 s](n) >= 1.5");
+  EXPECT_EQ(b.report(), "");
+  EXPECT_TRUE(b.has("const 1500 : 1/1000")) << b.block();
+}
+
 // The atom that decides must be known, so a negation is a comparison again.
 TEST(WatchBlock, TheNegationOfAComparisonIsTheOppositeOne) {
   EXPECT_EQ(
