@@ -69,13 +69,8 @@ Batch::Batch(std::uint32_t seed, std::size_t count, std::size_t steps,
   for (const ir::PlainMonitor& m : c.module->watch->monitors) {
     bounds_.push_back(ir::rounding_of(*c.spec, *c.module->watch, m.property));
   }
-  std::mt19937 random(seed);
   signals_ = signals_of(*c.spec);
-  for (std::size_t i = 0; i < runs; ++i) {
-    for (Step& step : random_run(random, steps, signals_, c.spec->params, troubles_)) {
-      run_.push_back(std::move(step));
-    }
-  }
+  run_ = random_runs(seed, runs, steps, *c.spec, troubles_);
   code_ = driver::kernel_code(c);
   reference_ = find(*driver::make_interpreter(*c.spec), code_.interface, run_);
   choices_ = std::make_unique<OpenedChoices>(specification());

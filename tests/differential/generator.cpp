@@ -55,6 +55,15 @@ const std::vector<Signal>& signals() {
       {"j", "pose of map @ base", Kind::quantity, 3, -4 * one, 4 * one, true, "m", milli, milli,
        "max_age 2 s", "rad"},
       {"s", "point3", Kind::quantity, 3, -2 * one, 2 * one, true, "m", milli, 0, "max_age 1 s"},
+      {"l", "point @ base", Kind::quantity, 2, -2 * one, 2 * one, true, "m", milli, 0,
+       "max_age 2 s"},
+      {"i", "pose of base @ map", Kind::quantity, 3, -3 * one, 3 * one, true, "m", milli, 0,
+       "max_age inf", "rad"},
+      {"m", "pose of base", Kind::quantity, 3, -2 * one, 2 * one, true, "m", milli, milli, "",
+       "rad"},
+      {"e", "twist", Kind::quantity, 2, -2 * one, 2 * one, true, "m/s", milli, 5 * milli,
+       "max_age 1 s", "rad/s"},
+      {"f", "twist", Kind::quantity, 2, -1 * one, 1 * one, true, "m/s", milli, 0, "", "rad/s"},
   };
   return all;
 }
@@ -103,7 +112,9 @@ std::string declarations() {
       "fleet bots : Rover[2];\n"
       "site home = (0 m, 0 m);\n"
       "fun far(l : length, m : length) : bool = l >= m;\n"
-      "fun twice(v : real) : real = 2 * v;\n";
+      "fun twice(v : real) : real = 2 * v;\n"
+      "fun unless(p : bool, q : bool) : bool = p and not q;\n"
+      "fun mirrored(v : vector [m]) : vector [m] = -v;\n";
   for (const Signal& s : signals()) {
     // a ratio of 1 is 100 %
     const bool is_share = s.type == "ratio";

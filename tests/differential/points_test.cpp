@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/differential/engines.h"
+#include "tests/differential/batch.h"
 
 namespace rtac::differential {
 namespace {
@@ -128,6 +128,27 @@ TEST_P(PointsAndZones, AreJudgedConservativelyAndTightly) {
   EXPECT_GT(decided, 5000U);
   EXPECT_GT(inside, 100U);
 }
+// A place of which only a box is known: no end of its clearance is tighter than the exact one, even
+// where the box reaches farther out, or deeper inside, than the ranges of the inputs let it.
+TEST(PlacesInBoxes, HaveMarginsThatContainTheExactOnes) {
+  const std::vector<std::string> formulas = {
+      "(if a then q else p) inside bend", "(if a then q else s.xy) inside yard",
+      "clearance((if a then q else s.xy), yard) >= 0 m",
+      "distance((if a then q else s.xy), pond) >= 1 m",
+      "mean[0 s, 2 s](clearance((if a then q else p), bend)) >= 0 m"};
+  std::vector<std::string> lines;
+  for (const std::string& formula : formulas) {
+    lines.push_back("monitor m" + std::to_string(lines.size()) + " { \"R1: a box\" always " +
+                    formula + "; }\n");
+  }
+  const Batch batch(3, 0, 400, lines);
+  ASSERT_EQ(batch.problem() + batch.refused(), "");
+  const driver::LoadedKernel kernel = load(batch.code(), {}, Speed::of_building);
+  ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
+  const Batch::Result result = batch.compare(*kernel.engine);
+  EXPECT_EQ(result.different, 0u) << result.first;
+}
+
 INSTANTIATE_TEST_SUITE_P(Zones, PointsAndZones, ::testing::Range<std::size_t>(0, 6),
                          [](const auto& zone) { return std::string(cases()[zone.param].name); });
 

@@ -1,6 +1,7 @@
 #include "tests/differential/traces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rtac::differential {
 namespace {
@@ -184,6 +185,19 @@ Steps random_run(std::mt19937& random, std::size_t steps, const std::vector<Sign
   }
   if (!run.empty()) run.front().is_restart = true;
   return run;
+}
+
+Steps random_runs(std::uint32_t seed, std::size_t runs, std::size_t steps, const sema::Spec& spec,
+                  Troubles& troubles) {
+  std::mt19937 random(seed);
+  const std::vector<Signal> signals = signals_of(spec);
+  Steps all;
+  for (std::size_t i = 0; i < runs; ++i) {
+    for (Step& step : random_run(random, steps, signals, spec.params, troubles)) {
+      all.push_back(std::move(step));
+    }
+  }
+  return all;
 }
 
 }  // namespace rtac::differential

@@ -20,5 +20,8 @@ struct Troubles {
 // A new one, which restarts what was before.
 Steps random_run(std::mt19937& random, std::size_t steps, const std::vector<Signal>& signals,
                  const std::vector<sema::Param>& params, Troubles& troubles);
+// Several, one behind the other.
+Steps random_runs(std::uint32_t seed, std::size_t runs, std::size_t steps, const sema::Spec& spec,
+                  Troubles& troubles);
 
 }  // namespace rtac::differential
