@@ -250,6 +250,7 @@ class Deriver {
     const std::string& path = sources_.path(from.name_range.file);
     m.file = path.substr(path.find_last_of('/') + 1);
     m.line = sources_.position(from.name_range.file, from.name_range.begin).line;
+    m.text = ir::one_line(sources_.text(from.always->range));
     if (from.return_when) m.return_text = ir::one_line(sources_.text(from.return_when->range));
     m.source = from.always_range;
     m.lookahead_source = from.ahead.range;

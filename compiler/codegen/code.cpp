@@ -96,6 +96,21 @@ void Code::print(const std::vector<Node>& nodes, Style style, int depth, std::st
   }
 }
 
+std::string signature(const std::string& start, const std::vector<std::string>& parameters) {
+  constexpr std::size_t width = 98;  // and ` {`
+  std::string head = start + "(";
+  const std::string pad(head.size(), ' ');
+  std::size_t used = head.size();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::string part = parameters[i] + (i + 1 < parameters.size() ? "," : ")");
+    const bool fits = used + 1 + part.size() <= width;
+    if (i > 0) head += fits ? " " : "\n" + pad;
+    used = (fits ? used + 1 : pad.size()) + part.size();
+    head += part;
+  }
+  return head;
+}
+
 std::string quoted(const std::string& text) {
   static const char* const digits = "01234567";
   std::string out = "\"";

@@ -51,6 +51,8 @@ class Code {
   std::vector<Node> nodes_;
 };
 
+// `start(a, b)`, one parameter below the other where they do not fit a line.
+std::string signature(const std::string& start, const std::vector<std::string>& parameters);
 // A C or C++ string literal, quotes included.
 std::string quoted(const std::string& text);
 // An integer constant.

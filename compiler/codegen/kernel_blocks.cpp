@@ -52,6 +52,7 @@ void BlockPrinter::function(const std::string& name, const std::string& comment,
 }
 
 void BlockPrinter::others(const std::string& name, const Block& block, Code& out) {
+  out.comment("Of one other robot, number j of the fleet; joined below.");
   out.block("static margin " + name + "(const " + view_ + " *v, int32_t j)",
             [&](Code& to) { body(name, block, to); });
   out.blank();
@@ -65,10 +66,20 @@ void BlockPrinter::body(const std::string& name, const Block& block, Code& out) 
       loop(v.op, target, name + "_" + target, out);
       continue;
     }
+    say(v, block, out);
     out.line(std::string("const ") + (v.unit ? "span " : "margin ") + target + " = " +
              value(v, block) + ";");
   }
   out.line("return " + ref(block.result) + ";");
+}
+
+// What a comparison or a fact is, as it is written; what the whole block is stands above it.
+void BlockPrinter::say(const Value& value, const Block& block, Code& out) {
+  if (const auto* fact = std::get_if<Fact>(&value.op)) {
+    out.comment(decision_.facts.monitors[fact->index].text);
+  } else if (std::holds_alternative<AtLeast>(value.op) && &value != &block[block.result]) {
+    out.comment(value.text);
+  }
 }
 
 // Over the other robots; those that are known to be absent neither fail nor count.

@@ -28,6 +28,7 @@ class BlockPrinter {
  private:
   void loop(const ir::Op& op, const std::string& target, const std::string& body, Code& out);
   void others(const std::string& name, const ir::Block& block, Code& out);
+  void say(const ir::Value& value, const ir::Block& block, Code& out);
   void body(const std::string& name, const ir::Block& block, Code& out);
   std::string value(const ir::Value& value, const ir::Block& block);
   // A limit, with what parameters add to it.

@@ -20,8 +20,8 @@ std::string CheckPrinter::ahead(const Monitor& m) {
   return "steered(" + call + ", v->heading)";
 }
 void CheckPrinter::print_monitor(const Monitor& m, BlockPrinter& blocks) {
-  out_.comment(requirement(m));
-  blocks.function(function(m, "now"), "", m.property, out_, mixes_units(m));
+  blocks.function(function(m, "now"), requirement(m) + ". " + m.text, m.property, out_,
+                  mixes_units(m));
   blocks.function(function(m, "ahead"), "Everything within reach; recovery: " + m.recovery.name,
                   *m.ahead, out_, mixes_units(m));
   if (m.return_when) {
@@ -36,9 +36,9 @@ void CheckPrinter::print_monitors() {
 
 void CheckPrinter::print_look() {
   use({"reach_of"});
-  const std::string head = "static void " + id_ + "_look(" + view_ +
-                           " *v, const motion *m, int64_t horizon_us" +
-                           (pairs() ? ", int32_t any_promise)" : ")");
+  std::vector<std::string> parameters = {view_ + " *v", "const motion *m", "int64_t horizon_us"};
+  if (pairs()) parameters.emplace_back("int32_t any_promise");
+  const std::string head = signature("static void " + id_ + "_look", parameters);
   out_.comment(std::string("Sets what is within reach.") +
                (pairs() ? " Promises of a robot that goes first are relied "
                           "upon only while driving, not for starting to (any_promise 0)."
@@ -71,7 +71,8 @@ void CheckPrinter::print_measure() {
   use({"estimate_of", "in_order"});
   out_.comment("Estimates from the inputs; a stamp or a clock that goes backwards is a fault.");
   out_.block(
-      "static void " + id_ + "_measure(" + view_ + " *v, " + name_ + "_state *s, int64_t elapsed)",
+      signature("static void " + id_ + "_measure",
+                {view_ + " *v", name_ + "_state *s", "int64_t elapsed"}),
       [&](Code& to) {
         to.line("const " + name_ + "_in *in = v->in;");
         if (pairs()) to.line("int32_t j;");
@@ -245,11 +246,11 @@ void CheckPrinter::print_check() {
   out_.comment(
       "What every monitor finds: now, ahead under the motion of whoever drives, and, "
       "when control might be given back, with the longer horizon under any control.");
-  out_.block(
-      "static void " + id_ + "_check(" + view_ + " *v, int32_t mode, int32_t back, check *checks)",
-      [&](Code& to) {
-        for (std::size_t h = 0; h < horizons_.size(); ++h) print_horizon(h, to);
-      });
+  out_.block(signature("static void " + id_ + "_check",
+                       {view_ + " *v", "int32_t mode", "int32_t back", "check *checks"}),
+             [&](Code& to) {
+               for (std::size_t h = 0; h < horizons_.size(); ++h) print_horizon(h, to);
+             });
   out_.blank();
 }
 

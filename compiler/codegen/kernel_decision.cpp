@@ -198,7 +198,7 @@ void DecisionPrinter::print_view() {
         to.line("int32_t me;     /* index of this robot, in range */");
         to.line("int32_t driver; /* whose motion bounds what is within reach */");
         to.line("int32_t legs;   /* judge the plan too */");
-        to.line("int32_t new_tick;");
+        to.line("int32_t new_tick; /* not a second step within one */");
         to.line("int32_t *runs; /* of `for`, two each */");
         to.line("estimate self;");
         to.line("reach within;");
@@ -218,7 +218,8 @@ void DecisionPrinter::print_view() {
         if (has_signals(d_)) to.line(id_ + "_facts_view facts;");
         if (!d_.facts.monitors.empty()) {
           use({"margin_type"});
-          to.line("margin fact[" + num(std::int64_t(d_.facts.monitors.size())) + "];");
+          to.line("margin fact[" + num(std::int64_t(d_.facts.monitors.size())) +
+                  "]; /* what is judged now, by the functions below */");
         }
       },
       "} " + view_ + ";");

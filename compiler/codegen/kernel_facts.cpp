@@ -63,7 +63,7 @@ void FactPrinter::fact(std::size_t index, BlockPrinter& blocks) {
   WatchValuePrinter values(look_->kernel(), look_->members(), uses_, of_robot);
   Code body;
   const bool sees = look_->property(m.property, values, body);
-  out_.comment(m.name + ": " + m.text);
+  out_.comment("fact[" + num(std::int64_t(index)) + "], " + m.name + ": " + m.text);
   out_.block("static margin " + name + "(const " + view_ + " *v)", [&](Code& to) {
     if (!sees) to.line("(void)v;");
     to.append(body);

@@ -72,8 +72,10 @@ class StepPrinter : public CheckPrinter {
 
   void report() {
     use({"verdict_of", "age_of"});
-    out_.block("static void " + id_ + "_report(const " + view_ + " *v, const " + name_ +
-                   "_state *s, const check *checks, int32_t back, " + name_ + "_out *out)",
+    out_.comment("The record of the tick. `back`: control might have been given back.");
+    out_.block(signature("static void " + id_ + "_report",
+                         {"const " + view_ + " *v", "const " + name_ + "_state *s",
+                          "const check *checks", "int32_t back", name_ + "_out *out"}),
                [&](Code& to) {
                  to.line("const " + name_ + "_in *in = v->in;");
                  to.line("int32_t k;");
@@ -145,9 +147,10 @@ class StepPrinter : public CheckPrinter {
 
   void step() {
     use({"next_tick", "mode_step", "first_engaged", "first_not_safer", "driver_of", "later"});
-    const std::string pad(name_.size() + 11, ' ');
-    out_.line("void " + name_ + "_step(" + name_ + "_state *s, const " + name_ + "_in *in,");
-    out_.block(pad + "int64_t now_us, " + name_ + "_out *out)", [&](Code& to) {
+    const std::string head = signature(
+        "void " + name_ + "_step",
+        {name_ + "_state *s", "const " + name_ + "_in *in", "int64_t now_us", name_ + "_out *out"});
+    out_.block(head, [&](Code& to) {
       begin_tick(to);
       to.line(id_ + "_check(&v, before, back, checks);");
       to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, " +
@@ -192,6 +195,7 @@ class StepPrinter : public CheckPrinter {
     to.line("const int32_t late = first == 0 && now_us > s->clock.last_us &&");
     to.line("                     elapsed_us(s->clock.last_us, now_us) > " + longest + ";");
     to.line("const int64_t ticks = " + call + "INT64_MAX);");
+    to.comment("a gap that the look-ahead does not cover has missed a tick, whatever the count");
     to.line("const int64_t elapsed = late != 0 && ticks < 2 ? 2 : ticks;");
   }
 
@@ -199,9 +203,10 @@ class StepPrinter : public CheckPrinter {
   void begin_tick(Code& to) {
     to.line("const int32_t first = s->clock.started == 0;");
     count_ticks(to);
-    to.line("const int32_t may_leave = now_us >= s->lease_end_us;");
-    to.line("const int32_t back = first || s->mode != 0;");
-    to.line("const int32_t before = s->mode;");
+    to.line(
+        "const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */");
+    to.line("const int32_t back = first || s->mode != 0; /* control might be given back */");
+    to.line("const int32_t before = s->mode; /* who has driven until now */");
     to.line("int64_t seen_us; /* when the robot was where it was seen */");
     to.line("check checks[MONITORS];");
     to.line(view_ + " v;");

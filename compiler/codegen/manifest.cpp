@@ -21,6 +21,7 @@ Json monitor(const Monitor& m, const Decision& d) {
   j["name"] = m.name;
   j["requirement"] = m.requirement_id;
   j["text"] = m.requirement_text;
+  j["property"] = m.text;
   j["file"] = m.file;
   j["line"] = m.line;
   if (d.on_plan) return j;

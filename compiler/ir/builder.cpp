@@ -47,7 +47,9 @@ class BlockBuilder {
   }
 
   ValueId add(Op op, std::optional<Unit> unit, const SourceRange& source) {
-    block_->values.push_back({std::move(op), std::move(unit), std::nullopt, source});
+    std::string text = unit ? "" : one_line(sources_.text(source));
+    block_->values.push_back(
+        {std::move(op), std::move(unit), std::nullopt, source, std::move(text)});
     return ValueId(block_->values.size() - 1);
   }
 

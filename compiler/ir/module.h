@@ -312,7 +312,7 @@ struct Value {
   std::optional<Unit> unit;    // none: a margin
   std::optional<Range> range;  // of quantities; set by analyse_ranges
   SourceRange source;
-  std::string text{};  // of monitors without a robot: as written, on one line
+  std::string text{};  // as written, on one line; of quantities of robots: none
 };
 struct Block {
   std::vector<Value> values;
@@ -406,7 +406,8 @@ struct Monitor {
   std::string name, requirement_id, requirement_text;
   std::string file;  // base name of the source file
   std::uint32_t line = 0;
-  std::string return_text;   // as written
+  std::string text;          // of the property, on one line
+  std::string return_text;   // the same of the return condition
   std::optional<Unit> unit;  // of the reported margin; none: that of the atom that decides
   Lookahead lookahead;
   SourceRange source, lookahead_source;

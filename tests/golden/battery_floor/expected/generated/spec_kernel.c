@@ -1259,7 +1259,7 @@ typedef struct drive_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -1268,7 +1268,7 @@ typedef struct drive_view {
   int32_t heading; /* input that is missing to steer; BATTERY_FLOOR_INPUT_NONE: none */
 } drive_view;
 
-/* SR-2: the rover stays in the yard (spec.rta:34) */
+/* SR-2: the rover stays in the yard (spec.rta:34). r inside yard */
 static margin drive_fence_now(const drive_view *v) {
   const span v0 = clearance_now(&v->at_yard, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1282,14 +1282,17 @@ static margin drive_fence_ahead(const drive_view *v) {
   return v0;
 }
 
-/* SR-1: the battery is never below a fifth (spec.rta:27) */
+/* SR-1: the battery is never below a fifth (spec.rta:27). r.battery >= 20 % and r.battery >
+ * energy_to(home) + 4 % */
 static margin drive_floor_now(const drive_view *v) {
   const span v0 = v->charge;
   const span v1 = span_of(200000, 200000);
+  /* r.battery >= 20 % */
   const margin v2 = margin_at_least(v0, v1, WEIGHT_PPM, 0);
   const span v3 = span_of(40000, 40000);
   const span v4 = energy_now(&cells_to_home[v->me], &v->self, v->m);
   const span v5 = span_add(v4, v3);
+  /* r.battery > energy_to(home) + 4 % */
   const margin v6 = margin_at_least(v0, v5, WEIGHT_PPM, 1);
   const margin v7 = margin_and(v2, v6);
   return v7;
@@ -1307,6 +1310,7 @@ static margin drive_floor_ahead(const drive_view *v) {
 static margin drive_floor_return(const drive_view *v) {
   const span v0 = v->charge;
   const span v1 = span_of(800000, 800000);
+  /* r.battery >= 80 % */
   const margin v2 = margin_at_least(v0, v1, WEIGHT_PPM, 0);
   const margin v3 = held_for(v2, &v->runs[0], 40, v->new_tick);
   return v3;
@@ -1419,7 +1423,9 @@ static void drive_check(drive_view *v, int32_t mode, int32_t back, check *checks
   checks[1].gives_back = drive_floor_return(v);
 }
 
-static void drive_report(const drive_view *v, const battery_floor_drive_state *s, const check *checks, int32_t back, battery_floor_drive_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void drive_report(const drive_view *v, const battery_floor_drive_state *s,
+                         const check *checks, int32_t back, battery_floor_drive_out *out) {
   const battery_floor_drive_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1457,9 +1463,9 @@ void battery_floor_drive_step(battery_floor_drive_state *s, const battery_floor_
                               int64_t now_us, battery_floor_drive_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   drive_view v;

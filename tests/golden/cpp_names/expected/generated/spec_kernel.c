@@ -919,7 +919,7 @@ typedef struct int__view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -927,7 +927,7 @@ typedef struct int__view {
   place at_reach_; /* of the robot itself */
 } int__view;
 
-/* SR-1: stays in (spec.rta:24) */
+/* SR-1: stays in (spec.rta:24). r inside reach */
 static margin int__class__now(const int__view *v) {
   const span v0 = clearance_now(&v->at_reach_, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -945,7 +945,7 @@ static margin int__class__ahead(const int__view *v) {
   return v4;
 }
 
-/* SR-2: stays in, too (spec.rta:30) */
+/* SR-2: stays in, too (spec.rta:30). r inside reach */
 static margin int__monitors__now(const int__view *v) {
   const span v0 = clearance_now(&v->at_reach_, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -959,7 +959,7 @@ static margin int__monitors__ahead(const int__view *v) {
   return v0;
 }
 
-/* SR-3: a name that differs by its capital letter only (spec.rta:36) */
+/* SR-3: a name that differs by its capital letter only (spec.rta:36). r inside reach */
 static margin int__Class_now(const int__view *v) {
   const span v0 = clearance_now(&v->at_reach_, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1056,7 +1056,9 @@ static void int__check(int__view *v, int32_t mode, int32_t back, check *checks) 
   checks[2].gives_back = margin_true();
 }
 
-static void int__report(const int__view *v, const std_int__state *s, const check *checks, int32_t back, std_int__out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void int__report(const int__view *v, const std_int__state *s, const check *checks,
+                        int32_t back, std_int__out *out) {
   const std_int__in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1091,13 +1093,12 @@ static void int__report(const int__view *v, const std_int__state *s, const check
   }
 }
 
-void std_int__step(std_int__state *s, const std_int__in *in,
-                   int64_t now_us, std_int__out *out) {
+void std_int__step(std_int__state *s, const std_int__in *in, int64_t now_us, std_int__out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   int__view v;

@@ -766,7 +766,7 @@ typedef struct plan_executor_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -774,7 +774,8 @@ typedef struct plan_executor_view {
   place at_room; /* of the robot itself */
 } plan_executor_view;
 
-/* SR-1: the centre of the drone is never closer than 20 cm to a wall (drone_paper_1.rta:6) */
+/* SR-1: the centre of the drone is never closer than 20 cm to a wall (drone_paper_1.rta:6).
+ * clearance(d, room) >= 12 cm */
 static margin plan_executor_walls_now(const plan_executor_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(120, 120);
@@ -825,7 +826,8 @@ void drone_paper_1_plan_executor_init(drone_paper_1_plan_executor_state *s) {
 }
 
 /* Estimates from the inputs; a stamp or a clock that goes backwards is a fault. */
-static void plan_executor_measure(plan_executor_view *v, drone_paper_1_plan_executor_state *s, int64_t elapsed) {
+static void plan_executor_measure(plan_executor_view *v, drone_paper_1_plan_executor_state *s,
+                                  int64_t elapsed) {
   const drone_paper_1_plan_executor_in *in = v->in;
   v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);
   if (in->position.valid && !in_order(in->position.stamp_us, v->now_us, &s->last_position_us)) {
@@ -861,7 +863,10 @@ static void plan_executor_check(plan_executor_view *v, int32_t mode, int32_t bac
   checks[0].gives_back = margin_true();
 }
 
-static void plan_executor_report(const plan_executor_view *v, const drone_paper_1_plan_executor_state *s, const check *checks, int32_t back, drone_paper_1_plan_executor_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void plan_executor_report(const plan_executor_view *v,
+                                 const drone_paper_1_plan_executor_state *s, const check *checks,
+                                 int32_t back, drone_paper_1_plan_executor_out *out) {
   const drone_paper_1_plan_executor_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -894,13 +899,14 @@ static void plan_executor_report(const plan_executor_view *v, const drone_paper_
   }
 }
 
-void drone_paper_1_plan_executor_step(drone_paper_1_plan_executor_state *s, const drone_paper_1_plan_executor_in *in,
-                                      int64_t now_us, drone_paper_1_plan_executor_out *out) {
+void drone_paper_1_plan_executor_step(drone_paper_1_plan_executor_state *s,
+                                      const drone_paper_1_plan_executor_in *in, int64_t now_us,
+                                      drone_paper_1_plan_executor_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 70000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   plan_executor_view v;

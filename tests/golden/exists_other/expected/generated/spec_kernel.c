@@ -814,7 +814,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -822,8 +822,7 @@ typedef struct fly_view {
   other others[ROBOTS];
 } fly_view;
 
-/* R7: some other quadrotor is further than a metre away; control returns when none is nearer
- * than 2 m (spec.rta:21) */
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_company_now_v0(const fly_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(1000, 1000);
@@ -831,6 +830,8 @@ static margin fly_company_now_v0(const fly_view *v, int32_t j) {
   return v2;
 }
 
+/* R7: some other quadrotor is further than a metre away; control returns when none is nearer
+ * than 2 m (spec.rta:21). exists mate : Quad, mate != r : distance(mate, r) > 1 m */
 static margin fly_company_now(const fly_view *v) {
   margin v0 = margin_false();
   for (int32_t j = 0; j < ROBOTS; ++j) {
@@ -841,6 +842,7 @@ static margin fly_company_now(const fly_view *v) {
   return v0;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_company_ahead_v0(const fly_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 1001, j);
   return v0;
@@ -857,6 +859,7 @@ static margin fly_company_ahead(const fly_view *v) {
   return v0;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_company_return_v0(const fly_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(2000, 2000);
@@ -979,7 +982,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[0].gives_back = fly_company_return(v);
 }
 
-static void fly_report(const fly_view *v, const exists_other_fly_state *s, const check *checks, int32_t back, exists_other_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const exists_other_fly_state *s, const check *checks,
+                       int32_t back, exists_other_fly_out *out) {
   const exists_other_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1016,9 +1021,9 @@ void exists_other_fly_step(exists_other_fly_state *s, const exists_other_fly_in 
                            int64_t now_us, exists_other_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, 60000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

@@ -1107,7 +1107,7 @@ typedef struct drive_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -1117,7 +1117,7 @@ typedef struct drive_view {
   other others[ROBOTS];
 } drive_view;
 
-/* SR-1: two carts are never closer than 10 cm (spec.rta:25) */
+/* Of one other robot, number j of the fleet; joined below. */
 static margin drive_apart_now_v0(const drive_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(100, 100);
@@ -1125,6 +1125,8 @@ static margin drive_apart_now_v0(const drive_view *v, int32_t j) {
   return v2;
 }
 
+/* SR-1: two carts are never closer than 10 cm (spec.rta:25). forall q : Cart, q != r :
+ * distance(r, q) >= 10 cm */
 static margin drive_apart_now(const drive_view *v) {
   margin v0 = margin_true();
   for (int32_t j = 0; j < ROBOTS; ++j) {
@@ -1135,6 +1137,7 @@ static margin drive_apart_now(const drive_view *v) {
   return v0;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin drive_apart_ahead_v0(const drive_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 100, j);
   const margin v1 = v->legs != 0 ? legs_apart(&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, 2, 602, 10, 100, v->in->others[j].goes_first, j) : margin_true();
@@ -1155,7 +1158,7 @@ static margin drive_apart_ahead(const drive_view *v) {
   return v2;
 }
 
-/* SR-2: carts stay in the hall (spec.rta:32) */
+/* SR-2: carts stay in the hall (spec.rta:32). r inside hall */
 static margin drive_fence_now(const drive_view *v) {
   const span v0 = clearance_now(&v->at_hall, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1281,7 +1284,9 @@ static void drive_check(drive_view *v, int32_t mode, int32_t back, check *checks
   checks[1].gives_back = margin_true();
 }
 
-static void drive_report(const drive_view *v, const fleet_of_three_drive_state *s, const check *checks, int32_t back, fleet_of_three_drive_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void drive_report(const drive_view *v, const fleet_of_three_drive_state *s,
+                         const check *checks, int32_t back, fleet_of_three_drive_out *out) {
   const fleet_of_three_drive_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1320,9 +1325,9 @@ void fleet_of_three_drive_step(fleet_of_three_drive_state *s, const fleet_of_thr
                                int64_t now_us, fleet_of_three_drive_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, 140000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   drive_view v;

@@ -939,7 +939,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -948,7 +948,7 @@ typedef struct fly_view {
   place at_corner; /* of the robot itself */
 } fly_view;
 
-/* SR-1: the drone stays clear of the walls (spec.rta:9) */
+/* SR-1: the drone stays clear of the walls (spec.rta:9). clearance(d, room) >= 10 cm */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(100, 100);
@@ -970,9 +970,11 @@ static margin fly_walls_ahead(const fly_view *v) {
 static margin fly_walls_return(const fly_view *v) {
   const span v0 = clearance_now(&v->at_corner, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
+  /* d inside corner */
   const margin v2 = margin_at_least(v0, v1, WEIGHT_MM, 0);
   const span v3 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v4 = span_of(600, 600);
+  /* clearance(d, room) >= 60 cm */
   const margin v5 = margin_at_least(v3, v4, WEIGHT_MM, 0);
   const margin v6 = margin_not(v2);
   const margin v7 = margin_or(v6, v5);
@@ -1059,7 +1061,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[0].gives_back = fly_walls_return(v);
 }
 
-static void fly_report(const fly_view *v, const implication_fly_state *s, const check *checks, int32_t back, implication_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const implication_fly_state *s, const check *checks,
+                       int32_t back, implication_fly_out *out) {
   const implication_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1092,13 +1096,13 @@ static void fly_report(const fly_view *v, const implication_fly_state *s, const 
   }
 }
 
-void implication_fly_step(implication_fly_state *s, const implication_fly_in *in,
-                          int64_t now_us, implication_fly_out *out) {
+void implication_fly_step(implication_fly_state *s, const implication_fly_in *in, int64_t now_us,
+                          implication_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

@@ -1155,7 +1155,7 @@ typedef struct drive_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -1164,15 +1164,18 @@ typedef struct drive_view {
   int32_t heading; /* input that is missing to steer; MIXED_UNITS_INPUT_NONE: none */
 } drive_view;
 
-/* SR-1: the rover stays in the yard, with the charge for the way home (spec.rta:25) */
+/* SR-1: the rover stays in the yard, with the charge for the way home (spec.rta:25). r inside
+ * yard and r.battery >= energy_to(home) + 5 % */
 static margin drive_comes_home_now(const drive_view *v) {
   const span v0 = clearance_now(&v->at_yard, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
+  /* r inside yard */
   const margin v2 = in_unit(margin_at_least(v0, v1, WEIGHT_MM, 0), MIXED_UNITS_UNIT_METRE);
   const span v3 = v->charge;
   const span v4 = span_of(50000, 50000);
   const span v5 = energy_now(&cells_to_home[v->me], &v->self, v->m);
   const span v6 = span_add(v5, v4);
+  /* r.battery >= energy_to(home) + 5 % */
   const margin v7 = in_unit(margin_at_least(v3, v6, WEIGHT_PPM, 0), MIXED_UNITS_UNIT_PERCENT);
   const margin v8 = margin_and(v2, v7);
   return v8;
@@ -1186,7 +1189,7 @@ static margin drive_comes_home_ahead(const drive_view *v) {
   return v2;
 }
 
-/* SR-2: the rover keeps 5 cm to the walls (spec.rta:31) */
+/* SR-2: the rover keeps 5 cm to the walls (spec.rta:31). clearance(r, yard) >= 5 cm */
 static margin drive_walls_now(const drive_view *v) {
   const span v0 = clearance_now(&v->at_yard, &v->self, &BODY, v->m);
   const span v1 = span_of(50, 50);
@@ -1287,7 +1290,9 @@ static void drive_check(drive_view *v, int32_t mode, int32_t back, check *checks
   checks[1].gives_back = margin_true();
 }
 
-static void drive_report(const drive_view *v, const mixed_units_drive_state *s, const check *checks, int32_t back, mixed_units_drive_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void drive_report(const drive_view *v, const mixed_units_drive_state *s,
+                         const check *checks, int32_t back, mixed_units_drive_out *out) {
   const mixed_units_drive_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1327,9 +1332,9 @@ void mixed_units_drive_step(mixed_units_drive_state *s, const mixed_units_drive_
                             int64_t now_us, mixed_units_drive_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   drive_view v;

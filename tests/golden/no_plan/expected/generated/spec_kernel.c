@@ -845,7 +845,7 @@ typedef struct drive_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -854,7 +854,7 @@ typedef struct drive_view {
   int32_t heading; /* input that is missing to steer; NO_PLAN_INPUT_NONE: none */
 } drive_view;
 
-/* SR-1: the rover stays in the room (spec.rta:21) */
+/* SR-1: the rover stays in the room (spec.rta:21). r inside room */
 static margin drive_fence_now(const drive_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -946,7 +946,9 @@ static void drive_check(drive_view *v, int32_t mode, int32_t back, check *checks
   checks[0].gives_back = margin_true();
 }
 
-static void drive_report(const drive_view *v, const no_plan_drive_state *s, const check *checks, int32_t back, no_plan_drive_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void drive_report(const drive_view *v, const no_plan_drive_state *s, const check *checks,
+                         int32_t back, no_plan_drive_out *out) {
   const no_plan_drive_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -980,13 +982,13 @@ static void drive_report(const drive_view *v, const no_plan_drive_state *s, cons
   }
 }
 
-void no_plan_drive_step(no_plan_drive_state *s, const no_plan_drive_in *in,
-                        int64_t now_us, no_plan_drive_out *out) {
+void no_plan_drive_step(no_plan_drive_state *s, const no_plan_drive_in *in, int64_t now_us,
+                        no_plan_drive_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   drive_view v;

@@ -1358,7 +1358,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -1366,7 +1366,7 @@ typedef struct fly_view {
   other others[ROBOTS];
 } fly_view;
 
-/* R1: the nearest of the others is 30 cm away (spec.rta:29) */
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_apart_now_v0(const fly_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(300, 300);
@@ -1374,6 +1374,8 @@ static margin fly_apart_now_v0(const fly_view *v, int32_t j) {
   return v2;
 }
 
+/* R1: the nearest of the others is 30 cm away (spec.rta:29). min(q : Quad, q != r : distance(r,
+ * q)) >= 30 cm */
 static margin fly_apart_now(const fly_view *v) {
   margin v0 = margin_true();
   for (int32_t j = 0; j < ROBOTS; ++j) {
@@ -1384,6 +1386,7 @@ static margin fly_apart_now(const fly_view *v) {
   return v0;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_apart_ahead_v0(const fly_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 300, j);
   return v0;
@@ -1400,7 +1403,7 @@ static margin fly_apart_ahead(const fly_view *v) {
   return v0;
 }
 
-/* R2: at most one of the others is within a metre (spec.rta:35) */
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_crowd_now_v0(const fly_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(1000, 1000);
@@ -1408,6 +1411,8 @@ static margin fly_crowd_now_v0(const fly_view *v, int32_t j) {
   return v2;
 }
 
+/* R2: at most one of the others is within a metre (spec.rta:35). count(q : Quad, q != r :
+ * distance(r, q) <= 1 m) <= 1 */
 static margin fly_crowd_now(const fly_view *v) {
   span v0 = span_of(0, 0);
   for (int32_t j = 0; j < ROBOTS; ++j) {
@@ -1420,6 +1425,7 @@ static margin fly_crowd_now(const fly_view *v) {
   return v2;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_crowd_ahead_v1(const fly_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 1001, j);
   const margin v1 = margin_not(v0);
@@ -1439,7 +1445,7 @@ static margin fly_crowd_ahead(const fly_view *v) {
   return v2;
 }
 
-/* R3: a quadrotor comes home (spec.rta:41) */
+/* R3: a quadrotor comes home (spec.rta:41). r.battery >= energy_to(home(r)) + 5 % */
 static margin fly_charge_now(const fly_view *v) {
   const span v0 = v->charge;
   const span v1 = span_of(50000, 50000);
@@ -1577,7 +1583,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[2].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const open_numbered_fleet_fly_state *s, const check *checks, int32_t back, open_numbered_fleet_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const open_numbered_fleet_fly_state *s,
+                       const check *checks, int32_t back, open_numbered_fleet_fly_out *out) {
   const open_numbered_fleet_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1610,13 +1618,14 @@ static void fly_report(const fly_view *v, const open_numbered_fleet_fly_state *s
   }
 }
 
-void open_numbered_fleet_fly_step(open_numbered_fleet_fly_state *s, const open_numbered_fleet_fly_in *in,
-                                  int64_t now_us, open_numbered_fleet_fly_out *out) {
+void open_numbered_fleet_fly_step(open_numbered_fleet_fly_state *s,
+                                  const open_numbered_fleet_fly_in *in, int64_t now_us,
+                                  open_numbered_fleet_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, 40000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

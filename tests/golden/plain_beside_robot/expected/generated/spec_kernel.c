@@ -954,7 +954,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -962,7 +962,7 @@ typedef struct fly_view {
   place at_room; /* of the robot itself */
 } fly_view;
 
-/* SR-1: the drone stays clear of the walls (spec.rta:10) */
+/* SR-1: the drone stays clear of the walls (spec.rta:10). clearance(d, room) >= 10 cm */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(100, 100);
@@ -1049,7 +1049,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[0].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const yard_fly_state *s, const check *checks, int32_t back, yard_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const yard_fly_state *s, const check *checks,
+                       int32_t back, yard_fly_out *out) {
   const yard_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1082,13 +1084,12 @@ static void fly_report(const fly_view *v, const yard_fly_state *s, const check *
   }
 }
 
-void yard_fly_step(yard_fly_state *s, const yard_fly_in *in,
-                   int64_t now_us, yard_fly_out *out) {
+void yard_fly_step(yard_fly_state *s, const yard_fly_in *in, int64_t now_us, yard_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

@@ -491,7 +491,9 @@ static const edge zone_zone_of_line_11_3_edges[] = {
 static const zone zone_zone_of_line_11_3 = {zone_zone_of_line_11_3_edges, 16};
 
 /* ---- decision route_check for Drone, on a plan ---- */
-/* SR-1: plans keep 40 cm from the walls (spec.rta:9) */
+/* SR-1: plans keep 40 cm from the walls (spec.rta:9). d.plan inside shrink(room, 40 cm) and
+ * (d.plan inside room - circle (1 m, 1 m) radius 50 cm or d.plan inside grow(shrink(room, 1 m),
+ * 1 cm)) */
 static margin route_check_plan_ok_now(const plan_only_plan *v) {
   const margin v0 = plan_in_zone(&zone_zone_of_line_11, v, 1);
   const margin v1 = plan_in_zone(&zone_zone_of_line_11_2, v, 1);

@@ -802,7 +802,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -810,7 +810,7 @@ typedef struct fly_view {
   other others[ROBOTS];
 } fly_view;
 
-/* two quadrotors are never closer than half a metre (spec.rta:21) */
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_apart_now_v0(const fly_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(500, 500);
@@ -818,6 +818,8 @@ static margin fly_apart_now_v0(const fly_view *v, int32_t j) {
   return v2;
 }
 
+/* two quadrotors are never closer than half a metre (spec.rta:21). forall q : Quad, q != r :
+ * distance(r, q) >= 0.5 m */
 static margin fly_apart_now(const fly_view *v) {
   margin v0 = margin_true();
   for (int32_t j = 0; j < ROBOTS; ++j) {
@@ -828,6 +830,7 @@ static margin fly_apart_now(const fly_view *v) {
   return v0;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_apart_ahead_v0(const fly_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 500, j);
   return v0;
@@ -941,7 +944,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[0].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const point_fleet_yield_fly_state *s, const check *checks, int32_t back, point_fleet_yield_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const point_fleet_yield_fly_state *s,
+                       const check *checks, int32_t back, point_fleet_yield_fly_out *out) {
   const point_fleet_yield_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -974,13 +979,14 @@ static void fly_report(const fly_view *v, const point_fleet_yield_fly_state *s, 
   }
 }
 
-void point_fleet_yield_fly_step(point_fleet_yield_fly_state *s, const point_fleet_yield_fly_in *in,
-                                int64_t now_us, point_fleet_yield_fly_out *out) {
+void point_fleet_yield_fly_step(point_fleet_yield_fly_state *s,
+                                const point_fleet_yield_fly_in *in, int64_t now_us,
+                                point_fleet_yield_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, 60000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

@@ -1767,7 +1767,7 @@ typedef struct plan_executor_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -1777,7 +1777,7 @@ typedef struct plan_executor_view {
   other others[ROBOTS];
 } plan_executor_view;
 
-/* SR-3: two robots are never closer than 8 cm, body to body (robot_delivery.rta:37) */
+/* Of one other robot, number j of the fleet; joined below. */
 static margin plan_executor_collision_now_v0(const plan_executor_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(80, 80);
@@ -1785,6 +1785,8 @@ static margin plan_executor_collision_now_v0(const plan_executor_view *v, int32_
   return v2;
 }
 
+/* SR-3: two robots are never closer than 8 cm, body to body (robot_delivery.rta:37). forall q :
+ * TurtleBot3, q != r : distance(r, q) >= 8 cm */
 static margin plan_executor_collision_now(const plan_executor_view *v) {
   margin v0 = margin_true();
   for (int32_t j = 0; j < ROBOTS; ++j) {
@@ -1795,6 +1797,7 @@ static margin plan_executor_collision_now(const plan_executor_view *v) {
   return v0;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin plan_executor_collision_ahead_v0(const plan_executor_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 80, j);
   const margin v1 = v->legs != 0 ? legs_apart(&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, 2, 352, 10, 50, v->in->others[j].goes_first, j) : margin_true();
@@ -1815,7 +1818,7 @@ static margin plan_executor_collision_ahead(const plan_executor_view *v) {
   return v2;
 }
 
-/* SR-1: the robot stays in the free area (robot_delivery.rta:44) */
+/* SR-1: the robot stays in the free area (robot_delivery.rta:44). r inside free */
 static margin plan_executor_geofence_now(const plan_executor_view *v) {
   const span v0 = clearance_now(&v->at_free, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1837,12 +1840,14 @@ static margin plan_executor_geofence_ahead(const plan_executor_view *v) {
 static margin plan_executor_geofence_return(const plan_executor_view *v) {
   const span v0 = clearance_now(&v->at_free, &v->self, &BODY, v->m);
   const span v1 = span_of(50, 50);
+  /* clearance(r, free) >= 5 cm */
   const margin v2 = margin_at_least(v0, v1, WEIGHT_MM, 0);
   const margin v3 = held_for(v2, &v->runs[0], 10, v->new_tick);
   return v3;
 }
 
-/* SR-2: the robot always has the energy to reach its dock (robot_delivery.rta:52) */
+/* SR-2: the robot always has the energy to reach its dock (robot_delivery.rta:52). r.battery >=
+ * energy_to(dock(r)) + 5 % */
 static margin plan_executor_battery_now(const plan_executor_view *v) {
   const span v0 = v->charge;
   const span v1 = span_of(50000, 50000);
@@ -1868,7 +1873,8 @@ static margin plan_executor_battery_return(const plan_executor_view *v) {
 
 /* Sets what is within reach. Promises of a robot that goes first are relied upon only while
  * driving, not for starting to (any_promise 0). */
-static void plan_executor_look(plan_executor_view *v, const motion *m, int64_t horizon_us, int32_t any_promise) {
+static void plan_executor_look(plan_executor_view *v, const motion *m, int64_t horizon_us,
+                               int32_t any_promise) {
   int32_t j;
   v->m = m;
   v->horizon_us = horizon_us;
@@ -1917,7 +1923,8 @@ void robot_delivery_plan_executor_init(robot_delivery_plan_executor_state *s) {
 }
 
 /* Estimates from the inputs; a stamp or a clock that goes backwards is a fault. */
-static void plan_executor_measure(plan_executor_view *v, robot_delivery_plan_executor_state *s, int64_t elapsed) {
+static void plan_executor_measure(plan_executor_view *v, robot_delivery_plan_executor_state *s,
+                                  int64_t elapsed) {
   const robot_delivery_plan_executor_in *in = v->in;
   int32_t j;
   v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);
@@ -1996,7 +2003,10 @@ static void plan_executor_check(plan_executor_view *v, int32_t mode, int32_t bac
   checks[2].gives_back = plan_executor_battery_return(v);
 }
 
-static void plan_executor_report(const plan_executor_view *v, const robot_delivery_plan_executor_state *s, const check *checks, int32_t back, robot_delivery_plan_executor_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void plan_executor_report(const plan_executor_view *v,
+                                 const robot_delivery_plan_executor_state *s, const check *checks,
+                                 int32_t back, robot_delivery_plan_executor_out *out) {
   const robot_delivery_plan_executor_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -2031,13 +2041,14 @@ static void plan_executor_report(const plan_executor_view *v, const robot_delive
   }
 }
 
-void robot_delivery_plan_executor_step(robot_delivery_plan_executor_state *s, const robot_delivery_plan_executor_in *in,
-                                       int64_t now_us, robot_delivery_plan_executor_out *out) {
+void robot_delivery_plan_executor_step(robot_delivery_plan_executor_state *s,
+                                       const robot_delivery_plan_executor_in *in, int64_t now_us,
+                                       robot_delivery_plan_executor_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, 240000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   plan_executor_view v;
@@ -2091,13 +2102,14 @@ void robot_delivery_plan_executor_step(robot_delivery_plan_executor_state *s, co
 
 /* ---- decision motion_planner for TurtleBot3, on a plan ---- */
 /* SR-4: every leg of a plan keeps 15 cm between the robot and everything that stands
- * (robot_delivery.rta:60) */
+ * (robot_delivery.rta:60). r.plan inside shrink(free, 26 cm) */
 static margin motion_planner_plan_valid_now(const robot_delivery_plan *v) {
   const margin v0 = plan_in_zone(&zone_zone_of_line_62, v, 1);
   return v0;
 }
 
-void robot_delivery_motion_planner_judge(const robot_delivery_plan *plan, robot_delivery_motion_planner_out *out) {
+void robot_delivery_motion_planner_judge(const robot_delivery_plan *plan,
+                                         robot_delivery_motion_planner_out *out) {
   margin found[1];
   int32_t k;
   found[0] = motion_planner_plan_valid_now(plan);

@@ -1394,7 +1394,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -1403,11 +1403,11 @@ typedef struct fly_view {
   place at_zone_of_line_25; /* of the robot itself */
   span age_of_position; /* us */
   fly_facts_view facts;
-  margin fact[4];
+  margin fact[4]; /* what is judged now, by the functions below */
 } fly_view;
 
-/* allowed_fact_1: once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear ==
- * parked) */
+/* fact[0], allowed_fact_1: once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear
+ * == parked) */
 static margin fly_fact_0(const fly_view *v) {
   /* once[0 s, 400 ms] permit */
   const margin v1 = once_verdict(v->facts.permit, &v->facts.s->once_0, 0, 0, 8,
@@ -1424,7 +1424,7 @@ static margin fly_fact_0(const fly_view *v) {
   return both(v1, v7);
 }
 
-/* allowed_fact_2: historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) */
+/* fact[1], allowed_fact_2: historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) */
 static margin fly_fact_1(const fly_view *v) {
   /* d inside shrink(room, 50 cm) */
   const span v0 = clearance_now(&v->at_zone_of_line_25, &v->self, &BODY, v->m);
@@ -1433,7 +1433,7 @@ static margin fly_fact_1(const fly_view *v) {
       0, 0, 10, &v->facts.s->ticks);
 }
 
-/* allowed_fact_3: gear == moving since clearance(d, room) < 20 cm */
+/* fact[2], allowed_fact_3: gear == moving since clearance(d, room) < 20 cm */
 static margin fly_fact_2(const fly_view *v) {
   /* gear == moving */
   const margin v0 = is_value(v->facts.gear, 1);
@@ -1444,7 +1444,7 @@ static margin fly_fact_2(const fly_view *v) {
   return since_margin(v0, v3, &v->facts.s->since_3, 0, 0, 0, 0, -1, &v->facts.s->ticks);
 }
 
-/* seen_fact_1: once[0 s, 100 ms] age(d.position) <= 50 ms */
+/* fact[3], seen_fact_1: once[0 s, 100 ms] age(d.position) <= 50 ms */
 static margin fly_fact_3(const fly_view *v) {
   /* age(d.position) */
   const span v0 = v->age_of_position;
@@ -1514,7 +1514,7 @@ static void fly_facts_judge(fly_view *v, facts_fly_state *s, int32_t first, int6
   }
 }
 
-/* SR-1: the drone stays clear of the walls (spec.rta:15) */
+/* SR-1: the drone stays clear of the walls (spec.rta:15). clearance(d, room) >= h */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(v->facts.s->tightest_h, v->facts.s->tightest_h);
@@ -1529,14 +1529,17 @@ static margin fly_walls_ahead(const fly_view *v) {
   return v1;
 }
 
-/* SR-2: it flies with a permit, and cool unless it is parked (spec.rta:21) */
+/* SR-2: it flies with a permit, and cool unless it is parked (spec.rta:21). once[0 s, 400 ms]
+ * permit and (mean[0 s, 100 ms](heat) < 350 K or gear == parked) */
 static margin fly_allowed_now(const fly_view *v) {
+  /* once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear == parked) */
   const margin v0 = v->fact[0];
   return v0;
 }
 
 /* Everything within reach; recovery: back_off */
 static margin fly_allowed_ahead(const fly_view *v) {
+  /* once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear == parked) */
   const margin v0 = v->fact[0];
   return v0;
 }
@@ -1544,21 +1547,26 @@ static margin fly_allowed_ahead(const fly_view *v) {
 /* return when historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) and not (gear == moving
  * since clearance(d, room) < 20 cm) */
 static margin fly_allowed_return(const fly_view *v) {
+  /* historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) */
   const margin v0 = v->fact[1];
+  /* gear == moving since clearance(d, room) < 20 cm */
   const margin v1 = v->fact[2];
   const margin v2 = margin_not(v1);
   const margin v3 = margin_and(v0, v2);
   return v3;
 }
 
-/* SR-4: it knows where it is, and has lately (spec.rta:27) */
+/* SR-4: it knows where it is, and has lately (spec.rta:27). once[0 s, 100 ms] age(d.position) <=
+ * 50 ms */
 static margin fly_seen_now(const fly_view *v) {
+  /* once[0 s, 100 ms] age(d.position) <= 50 ms */
   const margin v0 = v->fact[3];
   return v0;
 }
 
 /* Everything within reach; recovery: back_off */
 static margin fly_seen_ahead(const fly_view *v) {
+  /* once[0 s, 100 ms] age(d.position) <= 50 ms */
   const margin v0 = v->fact[3];
   return v0;
 }
@@ -1655,7 +1663,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[2].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const facts_fly_state *s, const check *checks, int32_t back, facts_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const facts_fly_state *s, const check *checks,
+                       int32_t back, facts_fly_out *out) {
   const facts_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1690,16 +1700,17 @@ static void fly_report(const fly_view *v, const facts_fly_state *s, const check 
   }
 }
 
-void facts_fly_step(facts_fly_state *s, const facts_fly_in *in,
-                    int64_t now_us, facts_fly_out *out) {
+void facts_fly_step(facts_fly_state *s, const facts_fly_in *in, int64_t now_us,
+                    facts_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int32_t late = first == 0 && now_us > s->clock.last_us &&
                        elapsed_us(s->clock.last_us, now_us) > 70000;
   const int64_t ticks = next_tick(&s->clock, now_us, 50000, INT64_MAX);
+  /* a gap that the look-ahead does not cover has missed a tick, whatever the count */
   const int64_t elapsed = late != 0 && ticks < 2 ? 2 : ticks;
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

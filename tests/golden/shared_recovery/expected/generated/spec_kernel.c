@@ -929,7 +929,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -938,7 +938,7 @@ typedef struct fly_view {
   place at_inner; /* of the robot itself */
 } fly_view;
 
-/* SR-1: the drone stays clear of the walls (spec.rta:10) */
+/* SR-1: the drone stays clear of the walls (spec.rta:10). clearance(d, room) >= 10 cm */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(100, 100);
@@ -956,7 +956,7 @@ static margin fly_walls_ahead(const fly_view *v) {
   return v4;
 }
 
-/* SR-2: the drone stays in the inner room (spec.rta:16) */
+/* SR-2: the drone stays in the inner room (spec.rta:16). d inside inner */
 static margin fly_inner_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_inner, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -970,7 +970,7 @@ static margin fly_inner_walls_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-3: the drone stays in the room, judged for itself (spec.rta:22) */
+/* SR-3: the drone stays in the room, judged for itself (spec.rta:22). d inside room */
 static margin fly_ring_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -984,7 +984,7 @@ static margin fly_ring_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-4: the same, further ahead (spec.rta:28) */
+/* SR-4: the same, further ahead (spec.rta:28). d inside room */
 static margin fly_wide_ring_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1094,7 +1094,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[3].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const shared_recovery_fly_state *s, const check *checks, int32_t back, shared_recovery_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const shared_recovery_fly_state *s,
+                       const check *checks, int32_t back, shared_recovery_fly_out *out) {
   const shared_recovery_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1134,9 +1136,9 @@ void shared_recovery_fly_step(shared_recovery_fly_state *s, const shared_recover
                               int64_t now_us, shared_recovery_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

@@ -831,7 +831,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -839,12 +839,15 @@ typedef struct fly_view {
   place at_room; /* of the robot itself */
 } fly_view;
 
-/* SR-1: the drone is further than 10 cm from the walls (spec.rta:6) */
+/* SR-1: the drone is further than 10 cm from the walls (spec.rta:6). clearance(d, room) > 10 cm
+ * and 9 cm < clearance(d, room) */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(100, 100);
+  /* clearance(d, room) > 10 cm */
   const margin v2 = margin_at_least(v0, v1, WEIGHT_MM, 1);
   const span v3 = span_of(90, 90);
+  /* 9 cm < clearance(d, room) */
   const margin v4 = margin_at_least(v0, v3, WEIGHT_MM, 1);
   const margin v5 = margin_and(v2, v4);
   return v5;
@@ -931,7 +934,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[0].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const strict_fly_state *s, const check *checks, int32_t back, strict_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const strict_fly_state *s, const check *checks,
+                       int32_t back, strict_fly_out *out) {
   const strict_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -964,13 +969,13 @@ static void fly_report(const fly_view *v, const strict_fly_state *s, const check
   }
 }
 
-void strict_fly_step(strict_fly_state *s, const strict_fly_in *in,
-                     int64_t now_us, strict_fly_out *out) {
+void strict_fly_step(strict_fly_state *s, const strict_fly_in *in, int64_t now_us,
+                     strict_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

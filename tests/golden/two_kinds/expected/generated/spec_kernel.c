@@ -962,7 +962,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -970,7 +970,7 @@ typedef struct fly_view {
   place at_room; /* of the robot itself */
 } fly_view;
 
-/* SR-1: the drone stays clear of the walls (spec.rta:24) */
+/* SR-1: the drone stays clear of the walls (spec.rta:24). clearance(d, room) >= 10 cm */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(100, 100);
@@ -1057,7 +1057,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[0].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const two_kinds_fly_state *s, const check *checks, int32_t back, two_kinds_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const two_kinds_fly_state *s, const check *checks,
+                       int32_t back, two_kinds_fly_out *out) {
   const two_kinds_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1090,13 +1092,13 @@ static void fly_report(const fly_view *v, const two_kinds_fly_state *s, const ch
   }
 }
 
-void two_kinds_fly_step(two_kinds_fly_state *s, const two_kinds_fly_in *in,
-                        int64_t now_us, two_kinds_fly_out *out) {
+void two_kinds_fly_step(two_kinds_fly_state *s, const two_kinds_fly_in *in, int64_t now_us,
+                        two_kinds_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 70000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;
@@ -1153,7 +1155,7 @@ typedef struct drive_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -1162,7 +1164,7 @@ typedef struct drive_view {
   int32_t heading; /* input that is missing to steer; TWO_KINDS_INPUT_NONE: none */
 } drive_view;
 
-/* SR-2: carts stay in the room (spec.rta:29) */
+/* SR-2: carts stay in the room (spec.rta:29). c inside room */
 static margin drive_fence_now(const drive_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1258,7 +1260,9 @@ static void drive_check(drive_view *v, int32_t mode, int32_t back, check *checks
   checks[0].gives_back = margin_true();
 }
 
-static void drive_report(const drive_view *v, const two_kinds_drive_state *s, const check *checks, int32_t back, two_kinds_drive_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void drive_report(const drive_view *v, const two_kinds_drive_state *s,
+                         const check *checks, int32_t back, two_kinds_drive_out *out) {
   const two_kinds_drive_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1292,13 +1296,13 @@ static void drive_report(const drive_view *v, const two_kinds_drive_state *s, co
   }
 }
 
-void two_kinds_drive_step(two_kinds_drive_state *s, const two_kinds_drive_in *in,
-                          int64_t now_us, two_kinds_drive_out *out) {
+void two_kinds_drive_step(two_kinds_drive_state *s, const two_kinds_drive_in *in, int64_t now_us,
+                          two_kinds_drive_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, 140000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   drive_view v;
@@ -1333,7 +1337,7 @@ void two_kinds_drive_step(two_kinds_drive_state *s, const two_kinds_drive_in *in
 #undef ROBOTS
 
 /* ---- decision route_check for Cart, on a plan ---- */
-/* plans keep 40 cm (spec.rta:35) */
+/* plans keep 40 cm (spec.rta:35). c.plan inside shrink(room, 40 cm) */
 static margin route_check_plan_ok_now(const two_kinds_plan *v) {
   const margin v0 = plan_in_zone(&zone_zone_of_line_36, v, 1);
   return v0;

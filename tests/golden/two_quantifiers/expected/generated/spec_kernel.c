@@ -812,7 +812,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -820,7 +820,7 @@ typedef struct fly_view {
   other others[ROBOTS];
 } fly_view;
 
-/* R8: a quadrotor keeps 20 cm to all others, and half a metre to one of them (spec.rta:21) */
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_company_now_v0(const fly_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(200, 200);
@@ -828,6 +828,7 @@ static margin fly_company_now_v0(const fly_view *v, int32_t j) {
   return v2;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_company_now_v1(const fly_view *v, int32_t j) {
   const span v0 = distance_now(&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j);
   const span v1 = span_of(500, 500);
@@ -835,6 +836,9 @@ static margin fly_company_now_v1(const fly_view *v, int32_t j) {
   return v2;
 }
 
+/* R8: a quadrotor keeps 20 cm to all others, and half a metre to one of them (spec.rta:21).
+ * (forall q : Quad, q != r : distance(r, q) >= 20 cm) and (exists q : Quad, q != r : distance(r,
+ * q) >= 50 cm) */
 static margin fly_company_now(const fly_view *v) {
   margin v0 = margin_true();
   for (int32_t j = 0; j < ROBOTS; ++j) {
@@ -852,11 +856,13 @@ static margin fly_company_now(const fly_view *v) {
   return v2;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_company_ahead_v0(const fly_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 200, j);
   return v0;
 }
 
+/* Of one other robot, number j of the fleet; joined below. */
 static margin fly_company_ahead_v1(const fly_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 500, j);
   return v0;
@@ -977,7 +983,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[0].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const two_quantifiers_fly_state *s, const check *checks, int32_t back, two_quantifiers_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const two_quantifiers_fly_state *s,
+                       const check *checks, int32_t back, two_quantifiers_fly_out *out) {
   const two_quantifiers_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1014,9 +1022,9 @@ void two_quantifiers_fly_step(two_quantifiers_fly_state *s, const two_quantifier
                               int64_t now_us, two_quantifiers_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, 60000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;

@@ -899,7 +899,7 @@ typedef struct fly_view {
   int32_t me;     /* index of this robot, in range */
   int32_t driver; /* whose motion bounds what is within reach */
   int32_t legs;   /* judge the plan too */
-  int32_t new_tick;
+  int32_t new_tick; /* not a second step within one */
   int32_t *runs; /* of `for`, two each */
   estimate self;
   reach within;
@@ -907,7 +907,7 @@ typedef struct fly_view {
   place at_room; /* of the robot itself */
 } fly_view;
 
-/* SR-1: the drone stays clear of the walls (spec.rta:7) */
+/* SR-1: the drone stays clear of the walls (spec.rta:7). clearance(d, room) >= 10 cm */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(100, 100);
@@ -996,7 +996,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[0].gives_back = margin_true();
 }
 
-static void fly_report(const fly_view *v, const waypoints_only_fly_state *s, const check *checks, int32_t back, waypoints_only_fly_out *out) {
+/* The record of the tick. `back`: control might have been given back. */
+static void fly_report(const fly_view *v, const waypoints_only_fly_state *s, const check *checks,
+                       int32_t back, waypoints_only_fly_out *out) {
   const waypoints_only_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
@@ -1033,9 +1035,9 @@ void waypoints_only_fly_step(waypoints_only_fly_state *s, const waypoints_only_f
                              int64_t now_us, waypoints_only_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 70000);
-  const int32_t may_leave = now_us >= s->lease_end_us;
-  const int32_t back = first || s->mode != 0;
-  const int32_t before = s->mode;
+  const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
+  const int32_t back = first || s->mode != 0; /* control might be given back */
+  const int32_t before = s->mode; /* who has driven until now */
   int64_t seen_us; /* when the robot was where it was seen */
   check checks[MONITORS];
   fly_view v;
