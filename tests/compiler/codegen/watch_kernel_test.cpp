@@ -112,6 +112,13 @@ TEST_F(Stand, WhatIsOutOfRangeOrNotFiniteIsUnknown) {
   EXPECT_NE(step(0, Monitors::cool_index).verdict, rtac::Verdict::is_true);
 }
 
+// Nothing has been measured, whatever the numbers of the struct are.
+TEST_F(Stand, WhatHoldsIsUnknownUntilItHasArrived) {
+  EXPECT_EQ(step(0, Monitors::apart_index).verdict, rtac::Verdict::is_unknown);
+  give(period_us);
+  EXPECT_EQ(step(period_us, Monitors::apart_index).verdict, rtac::Verdict::is_true);
+}
+
 TEST_F(Stand, AParameterOnlyTightens) {
   give(0);
   monitors_.gap(0.4);
