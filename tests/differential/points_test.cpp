@@ -1,4 +1,4 @@
-// Points against zones: generated code against exact geometry, on edges, on vertices, and around
+// Points and bodies against zones: generated code against exact geometry, on edges, vertices, around
 // them. Zones with holes and notches, off the grid, sharp, far away and round.
 #include <gtest/gtest.h>
 
@@ -59,6 +59,19 @@ driver::Observed observed(std::int64_t micro, std::int64_t now_us) {
   return {{interp::Reading::Kind::number, *interp::Decimal::parse(text)}, now_us, true};
 }
 
+// A robot that is near enough to be known, and what is said of it by its name.
+std::string robot(const Case& c) {
+  constexpr double far_m = 100000;
+  if (c.scale_m > far_m) return "";
+  return "robot Bot { body radius 10.05 cm; motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake "
+         ">= 1 m/s^2; } sense position : point error 1 cm max_age 1 s; output push : acceleration; "
+         "latency 20 ms; }\n"
+         "fleet bots : Bot[2];\n"
+         "monitor f { \"R6: in\" always bots[1] inside z; }\n"
+         "monitor g { \"R7: clear\" always not clearance(bots[1], z) < 10 cm; }\n"
+         "monitor h { \"R8: near\" always distance(bots[1], z) <= 50 cm; }\n";
+}
+
 class PointsAndZones : public ::testing::TestWithParam<std::size_t> {
  protected:
   // Around vertices, on edges, anywhere; in millionths of a metre.
@@ -92,7 +105,8 @@ TEST_P(PointsAndZones, AreJudgedConservativelyAndTightly) {
                            "monitor b { \"R2: out\" always not p inside z; }\n"
                            "monitor c { \"R3: clear\" always clearance(p, z) >= 10 cm; }\n"
                            "monitor d { \"R4: near\" always distance(q, z) <= 50 cm; }\n"
-                           "monitor e { \"R5: in\" always q inside z; }\n";
+                           "monitor e { \"R5: in\" always q inside z; }\n" +
+                           robot(c);
   const auto checked = check(text, Until::kernel);
   ASSERT_EQ(checked->problem, "");
   const auto reference = driver::make_interpreter(*checked->compilation.spec);
@@ -103,8 +117,11 @@ TEST_P(PointsAndZones, AreJudgedConservativelyAndTightly) {
   for (std::int64_t tick = 0; tick < 3000; ++tick) {
     const auto [x, y] = place(c);
     const std::int64_t now_us = tick * 1000000;
-    const std::vector<driver::Observed> inputs = {observed(x, now_us), observed(y, now_us),
-                                                  observed(x, now_us), observed(y, now_us)};
+    std::vector<driver::Observed> inputs;  // of p, q and the robot
+    for (std::size_t k = 0; k < checked->compilation.spec->inputs.size(); ++k) {
+      inputs.push_back(observed(x, now_us));
+      inputs.push_back(observed(y, now_us));
+    }
     reference->step(now_us, inputs, exact);
     kernel.engine->step(now_us, inputs, found);
     const bool on_grid = c.on_grid && x % 1000 == 0 && y % 1000 == 0;
