@@ -18,6 +18,7 @@ PlanExecutor<Output>::PlanExecutor(int index, int robots, const RobotParts<Outpu
       watchdog_(parts.period_us, options.late_periods) {
   observation_.self = index;
   observation_.robots = robots;
+  observation_.others.reserve(static_cast<std::size_t>(robots));
 }
 
 template <class Output>

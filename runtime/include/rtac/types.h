@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 
 namespace rtac {
 
@@ -107,6 +108,29 @@ struct Announcement {
   Path plan;             // what it follows, or would follow if the way were free
 };
 
+// What each robot of a fleet has said, by fleet index (below max_robots). It holds those that were
+// written to or reserved, and takes no room for others: of these nothing was heard. References stay
+// valid when it grows. Only growing allocates.
+class Announcements {
+ public:
+  void reserve(std::size_t robots) {
+    if (robots > heard_.size()) heard_.resize(robots);
+  }
+  [[nodiscard]] std::size_t size() const { return heard_.size(); }
+  Announcement& operator[](std::size_t robot) {
+    reserve(robot + 1);
+    return heard_[robot];
+  }
+  const Announcement& operator[](std::size_t robot) const {
+    return robot < heard_.size() ? heard_[robot] : nothing;
+  }
+
+ private:
+  static const Announcement nothing;
+  std::deque<Announcement> heard_;
+};
+inline const Announcement Announcements::nothing{};
+
 // What a controller and a decision module see of one robot: measurements, never the true state.
 struct Observation {
   TimeUs now_us = 0;
@@ -116,7 +140,7 @@ struct Observation {
   Sample<double> battery;  // 1 = full
   Path plan;
   // By fleet index; the own entry stays empty. A robot never heard of has stamp never_us.
-  std::array<Announcement, max_robots> others{};
+  Announcements others;
   int robots = 1;
   // The place of this robot in the order of the way, as others hear it (see goes_first).
   bool claims = true;
