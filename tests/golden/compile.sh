@@ -6,7 +6,7 @@ set -euo pipefail
 
 include=$1 chunk=$2 chunks=$3
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-strict=(-Wall -Wextra -Wpedantic -Wconversion -Werror)
+strict=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 failures=0
 
 # Some warnings need the optimiser; the first case of each chunk is compiled with it.

@@ -297,6 +297,7 @@ namespace {
 
 constexpr rtac::bridge::MarginUnit margin_units[] = {
   {"", 1.0},
+  {"m", 1.0},
   {"m/s", 1.0},
 };
 constexpr const char* input_names[] = {
@@ -310,6 +311,7 @@ constexpr const char* input_names[] = {
   "clock",
   "gate_open",
   "wind",
+  "d1.position",
 };
 
 }  // namespace
@@ -325,6 +327,12 @@ Monitors& Monitors::gate_open(bool value, rtac::TimeUs stamp_us) {
 
 Monitors& Monitors::wind(rtac::Speed value, rtac::TimeUs stamp_us) {
   rtac::bridge::put_number(in_.wind, value.si(), 1000.0, 1, stamp_us);
+  return *this;
+}
+
+Monitors& Monitors::d1_position(rtac::Position value, rtac::TimeUs stamp_us) {
+  rtac::bridge::put_number(in_.d1_position_x, value.x.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::put_number(in_.d1_position_y, value.y.si(), 1000.0, 1, stamp_us);
   return *this;
 }
 
@@ -352,9 +360,12 @@ void Monitors::reset() {
 
 const std::array<rtac::PlainMonitorInfo, Monitors::count>& Monitors::info() {
   static const std::array<rtac::PlainMonitorInfo, count> all = { {
+    {"fenced", "SR-3",
+     "from afar the drone is seen in the room",
+     "spec.rta", 16},
     {"calm", "SR-2",
      "the gate is shut in a strong wind",
-     "spec.rta", 16},
+     "spec.rta", 17},
   }};
   return all;
 }

@@ -50,6 +50,7 @@ class Fly final : public rtac::DecisionModule {
 class Monitors {
   public:
   enum Index : std::size_t {
+    fenced_index,
     calm_index,
     count
   };
@@ -59,6 +60,7 @@ class Monitors {
   // elements of the input in order, of points x before y.
   Monitors& gate_open(bool value, rtac::TimeUs stamp_us);
   Monitors& wind(rtac::Speed value, rtac::TimeUs stamp_us);
+  Monitors& d1_position(rtac::Position value, rtac::TimeUs stamp_us);
 
   // One finding per monitor, by Index.
   const std::array<rtac::Finding, count>& step(rtac::TimeUs now_us);

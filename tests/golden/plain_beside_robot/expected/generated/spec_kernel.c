@@ -203,6 +203,15 @@ static span span_unknown(int32_t input) {
   return s;
 }
 
+static span span_negate(span a) {
+  span s = a;
+  s.lo = -a.hi;
+  s.hi = -a.lo;
+  s.lo_open = a.hi_open;
+  s.hi_open = a.lo_open;
+  return s;
+}
+
 /* a >= b, or a > b when `strict`; `weight` turns grid units into millionths of the scale. */
 static margin margin_at_least(span a, span b, int64_t weight, int64_t strict) {
   margin m;
@@ -890,6 +899,23 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
   return m;
 }
 
+/* What two operands make when one of them is unknown; `*known` is set when neither is. */
+static span quantity_missing(span a, span b, int32_t *known) {
+  *known = a.input == YARD_INPUT_NONE && b.input == YARD_INPUT_NONE;
+  return span_unknown(a.input != YARD_INPUT_NONE ? a.input : b.input);
+}
+
+static span sum_of(span a, span b) {
+  int32_t known;
+  span sum = quantity_missing(a, b, &known);
+  if (known) {
+    sum = span_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+
 /* Of one end of a margin; what is infinite, or the negation of that, stays so. */
 static int64_t millionths(int64_t end) {
   if (end <= -MARGIN_MAX) {
@@ -918,6 +944,116 @@ static yard_finding_of finding_judged(margin m) {
   return f;
 }
 
+typedef struct box {
+  int64_t x0, x1, y0, y1;
+} box;
+
+/* On which sides of the line of the edge the corners of the box lie: 1 left, 2 right, 4 on it. */
+static int32_t box_sides(const edge *e, const box *b) {
+  const int64_t dx = e->bx - (int64_t)e->ax;
+  const int64_t dy = e->by - (int64_t)e->ay;
+  int32_t sides = 0;
+  int32_t k;
+  for (k = 0; k < 4; ++k) {
+    const int64_t x = (k & 1) != 0 ? b->x1 : b->x0;
+    const int64_t y = (k & 2) != 0 ? b->y1 : b->y0;
+    const int64_t c = dx * (y - e->ay) - dy * (x - e->ax);
+    sides |= c > 0 ? 1 : (c < 0 ? 2 : 4);
+  }
+  return sides;
+}
+
+/* Even-odd rule for the middle of the box, its coordinates doubled. Exact; of places on the boundary
+ * it says nothing. */
+static int32_t middle_inside(const zone *z, const box *b) {
+  const int64_t x = b->x0 + b->x1;
+  const int64_t y = b->y0 + b->y1;
+  int32_t inside = 0;
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    const edge *e = &z->edges[i];
+    if ((2 * (int64_t)e->ay > y) != (2 * (int64_t)e->by > y)) {
+      const int64_t c = (e->bx - (int64_t)e->ax) * (y - 2 * (int64_t)e->ay) -
+                        (e->by - (int64_t)e->ay) * (x - 2 * (int64_t)e->ax);
+      if ((e->by > e->ay) == (c > 0)) {
+        inside = !inside;
+      }
+    }
+  }
+  return inside;
+}
+
+/* 1: all of the box lies in the zone, boundary included; -1: none of it does; 0: neither. Exact,
+ * but that 0 may stand for 1 when a vertex of the zone lies on a box without width. */
+static int32_t box_in_zone(const zone *z, const box *b) {
+  int32_t touched = 0; /* the boundary meets the box, all of whose inside is on one side */
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    const edge *e = &z->edges[i];
+    const int64_t left = min_of(e->ax, e->bx), right = max_of(e->ax, e->bx);
+    const int64_t low = min_of(e->ay, e->by), high = max_of(e->ay, e->by);
+    if (left <= b->x1 && right >= b->x0 && low <= b->y1 && high >= b->y0) {
+      const int32_t sides = box_sides(e, b);
+      const int32_t meets_x = b->x0 == b->x1 || (left < b->x1 && right > b->x0);
+      const int32_t meets_y = b->y0 == b->y1 || (low < b->y1 && high > b->y0);
+      if (sides == 4 && left <= b->x0 && right >= b->x1 && low <= b->y0 && high >= b->y1) {
+        return 1; /* a part of the boundary */
+      }
+      if (meets_x && meets_y && ((sides & 3) == 3 || sides == 4)) {
+        return 0;
+      }
+      touched = touched || (sides != 1 && sides != 2);
+    }
+  }
+  if (middle_inside(z, b)) {
+    return 1;
+  }
+  return touched ? 0 : -1;
+}
+
+/* Signed distance from the boundary of every place of the box: that of its middle, and how far the
+ * box reaches from there; 1 mm for a middle that had to be taken down to the grid. */
+static span middle_clearance(const zone *z, const box *b) {
+  const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
+  const vec half = minus(vec_of(b->x1, b->y1), p);
+  const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
+  const int64_t gap = boundary_gap_lo(z, p);
+  return inside_zone(z, p) ? span_of(gap - room, gap + 3 + room)
+                           : span_of(-gap - 3 - room, -gap + room);
+}
+
+/* The same of a place that was measured without error: it lies in one cell of the grid at most. What
+ * is known of a place with an error is how far from its middle it may be. */
+static int32_t cell_in_zone(const zone *z, const box *b) {
+  return b->x1 - b->x0 <= 1 && b->y1 - b->y0 <= 1 ? box_in_zone(z, b) : 0;
+}
+
+static box box_of(span x, span y) {
+  box b;
+  b.x0 = x.lo;
+  b.x1 = x.hi;
+  b.y0 = y.lo;
+  b.y1 = y.hi;
+  return b;
+}
+
+/* Signed distance of a place from the boundary of a zone that contains `within` and lies in
+ * `around`; `least`, `most`: what it can be at all. */
+static span clearance_of(const zone *within, const zone *around, span x, span y, int64_t least,
+                         int64_t most) {
+  int32_t known;
+  const span missing = quantity_missing(x, y, &known);
+  if (!known) {
+    return missing;
+  } else {
+    const box b = box_of(x, y);
+    span c = middle_clearance(within, &b);
+    c.hi = min_of(middle_clearance(around, &b).hi, most);
+    c.lo = max_of(c.lo, cell_in_zone(within, &b) > 0 ? 0 : least);
+    return c;
+  }
+}
+
 /* Zone room: 4 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
 static const edge zone_room_edges[] = {
   {0, 0, 5000, 0, 1073741824, 0},
@@ -926,6 +1062,15 @@ static const edge zone_room_edges[] = {
   {0, 5000, 0, 0, 0, -1073741824}
 };
 static const zone zone_room = {zone_room_edges, 4};
+
+/* Zone room: 4 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
+static const edge region_within_room_edges[] = {
+  {0, 0, 5000, 0, 1073741824, 0},
+  {5000, 0, 5000, 5000, 0, 1073741824},
+  {5000, 5000, 0, 5000, -1073741824, 0},
+  {0, 5000, 0, 0, 0, -1073741824}
+};
+static const zone region_within_room = {region_within_room_edges, 4};
 
 /* ---- decision fly for Drone ---- */
 #define BODY fly_body
@@ -1125,12 +1270,24 @@ typedef struct yard_view {
   yard_monitors_state *s;
   margin gate_open;
   span wind;
+  span d1_position_x;
+  span d1_position_y;
 } yard_view;
 
-/* SR-2: the gate is shut in a strong wind (spec.rta:16). wind <= 12 m/s or not gate_open */
+/* SR-3: from afar the drone is seen in the room (spec.rta:16). d1 inside room */
+static inline margin fenced_now(const yard_view *v) {
+  /* d1 inside room */
+  const span v2 = clearance_of(&region_within_room, &region_within_room, v->d1_position_x,
+      v->d1_position_y, -141421385, 2500);
+  const span v4 = span_negate(span_of(80, 80));
+  const span v5 = sum_of(v2, v4);
+  return at_least(v5, span_of(0, 0), 1000, 0, 1);
+}
+
+/* SR-2: the gate is shut in a strong wind (spec.rta:17). wind <= 12 m/s or not gate_open */
 static inline margin calm_now(const yard_view *v) {
   /* wind <= 12 m/s */
-  const margin v2 = at_least(span_of(12000, 12000), v->wind, 1000, 0, 1);
+  const margin v2 = at_least(span_of(12000, 12000), v->wind, 1000, 0, 2);
   /* not (gate_open) */
   const margin v4 = opposite(v->gate_open);
   return either(v2, v4);
@@ -1145,6 +1302,13 @@ static inline void yard_look(yard_view *v, const yard_monitors_in *in, int64_t n
   const int32_t good_wind = sample_good(&in->wind, &v->s->last_wind_us, now_us);
   const int32_t fresh_wind = good_wind && elapsed_us(in->wind.stamp_us, now_us) <= 1000000;
   v->wind = number_of(&in->wind, fresh_wind, 0, 40000, 0, YARD_MONITORS_INPUT_WIND);
+  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us, now_us);
+  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us, now_us) <= 50000;
+  v->d1_position_x = number_of(&in->d1_position_x, fresh_d1_position, -100000000, 100000000, 20,
+      YARD_MONITORS_INPUT_D1_POSITION);
+  v->d1_position_y = number_of(&in->d1_position_y,
+      fresh_d1_position && in->d1_position_y.stamp_us == in->d1_position_x.stamp_us, -100000000,
+      100000000, 20, YARD_MONITORS_INPUT_D1_POSITION);
   (void)since_us;
 }
 
@@ -1184,6 +1348,7 @@ void yard_monitors_init(yard_monitors_state *s) {
   ticks_start(&s->ticks);
   s->last_gate_open_us = INT64_MIN;
   s->last_wind_us = INT64_MIN;
+  s->last_d1_position_us = INT64_MIN;
 }
 
 void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
@@ -1198,6 +1363,7 @@ void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int6
     return;
   }
   out->tick = s->clock.tick;
+  out->monitors[YARD_MONITORS_FENCED] = finding_judged(fenced_now(&v));
   out->monitors[YARD_MONITORS_CALM] = finding_judged(calm_now(&v));
   s->ticks.now += 1;
 }
@@ -1212,6 +1378,7 @@ void yard_monitors_verdicts(yard_monitors_state *s, const yard_monitors_in *in, 
     }
     return;
   }
+  verdicts[YARD_MONITORS_FENCED] = verdict_of(fenced_now(&v));
   verdicts[YARD_MONITORS_CALM] = verdict_of(calm_now(&v));
   s->ticks.now += 1;
 }

@@ -167,14 +167,16 @@ void yard_fly_step(yard_fly_state *s, const yard_fly_in *in,
 
 /* Monitors without a robot, every 20000 us, in the order of the specification. */
 enum {
-  YARD_MONITORS_CALM = 0,
-  YARD_MONITORS = 1
+  YARD_MONITORS_FENCED = 0,
+  YARD_MONITORS_CALM = 1,
+  YARD_MONITORS = 2
 };
 
 /* Inputs, as a finding names the one that is missing. */
 enum {
   YARD_MONITORS_INPUT_GATE_OPEN = 8,
-  YARD_MONITORS_INPUT_WIND = 9
+  YARD_MONITORS_INPUT_WIND = 9,
+  YARD_MONITORS_INPUT_D1_POSITION = 10
 };
 
 /* One number of an input: the grid values below and above what was measured, so that it is never
@@ -196,20 +198,23 @@ typedef struct yard_ticks {
 typedef struct yard_monitors_in {
   yard_signal gate_open; /* 0 or 1; for 500000 us */
   yard_signal wind; /* steps of 1/1000 m/s, 0 to 40000; for 1000000 us */
+  yard_signal d1_position_x; /* steps of mm, -100000000 to 100000000; for 50000 us */
+  yard_signal d1_position_y; /* steps of mm, -100000000 to 100000000; for 50000 us */
 } yard_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 72 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 80 bytes in all. */
 typedef struct yard_monitors_state {
   yard_clock clock;
   yard_ticks ticks;
   int64_t judged_us;
   int64_t last_gate_open_us;
   int64_t last_wind_us;
+  int64_t last_d1_position_us;
 } yard_monitors_state;
 
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
  * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
- * value, none, 1: 1 m/s. input: the one that is missing. */
+ * value, none, 1: 1 m, 2: 1 m/s. input: the one that is missing. */
 typedef struct yard_finding_of {
   int32_t verdict, reason, input, unit;
   int64_t lo, hi;

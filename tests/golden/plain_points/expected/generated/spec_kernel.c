@@ -687,8 +687,8 @@ static int32_t box_in_zone(const zone *z, const box *b) {
  * box reaches from there; 1 mm for a middle that had to be taken down to the grid. */
 static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
-  const vec reach = minus(vec_of(b->x1, b->y1), p);
-  const int64_t room = root_up(dot(reach, reach)) + (reach.x > 0 || reach.y > 0);
+  const vec half = minus(vec_of(b->x1, b->y1), p);
+  const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
   const int64_t gap = boundary_gap_lo(z, p);
   return inside_zone(z, p) ? span_of(gap - room, gap + 3 + room)
                            : span_of(-gap - 3 - room, -gap + room);
