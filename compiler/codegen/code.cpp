@@ -1,5 +1,6 @@
 #include "compiler/codegen/code.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace rtac::codegen {
@@ -109,6 +110,39 @@ std::string signature(const std::string& start, const std::vector<std::string>& 
     head += part;
   }
   return head;
+}
+
+namespace {
+// Behind the next place where a line may break.
+std::size_t next_break(const std::string& text, std::size_t from) {
+  std::size_t next = text.size();
+  for (const char* behind : {", ", " && ", " || "}) {
+    const std::size_t found = text.find(behind, from);
+    if (found != std::string::npos) next = std::min(next, found + std::string(behind).size());
+  }
+  for (const char* before : {" ? ", " : "}) {
+    const std::size_t found = text.find(before, from);
+    if (found != std::string::npos) next = std::min(next, found + 1);
+  }
+  return next;
+}
+}  // namespace
+
+void wrapped(Code& out, const std::string& text) {
+  constexpr std::size_t width = 96;
+  std::string line;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = next_break(text, from);
+    const std::string part = text.substr(from, to - from);
+    if (!line.empty() && line.size() + part.size() > width) {
+      line.pop_back();
+      out.line(line);
+      line = "    ";
+    }
+    line += part;
+    from = to;
+  }
+  out.line(line);
 }
 
 std::string quoted(const std::string& text) {

@@ -53,6 +53,8 @@ class Code {
 
 // `start(a, b)`, one parameter below the other where they do not fit a line.
 std::string signature(const std::string& start, const std::vector<std::string>& parameters);
+// One line, or several that break behind commas and && and ||, and before the branches of ?:.
+void wrapped(Code& out, const std::string& text);
 // A C or C++ string literal, quotes included.
 std::string quoted(const std::string& text);
 // An integer constant.

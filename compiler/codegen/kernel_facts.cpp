@@ -33,15 +33,15 @@ bool FactPrinter::facts_of_robot() const {
 void FactPrinter::print_signals() {
   if (!look_) return;
   look_->view();
-  if (any_remembers(d_.facts)) look_->blind();
-  look_->look();
+  if (has_past(d_.facts, Telling::margins)) look_->blind();
+  look_->channels();
 }
 
 void FactPrinter::print_facts() {
   if (!look_) return;
   BlockPrinter blocks(module_, d_, names_, view_, uses_);
   for (std::size_t k = 0; k < d_.facts.monitors.size(); ++k) fact(k, blocks);
-  if (any_remembers(d_.facts)) catch_up();
+  if (has_past(d_.facts, Telling::margins)) catch_up();
   judge();
 }
 
@@ -97,17 +97,17 @@ void FactPrinter::blind_robot(Code& body) {
 
 void FactPrinter::catch_up() {
   const std::string most = num(missed_ticks_max), facts = look_->kernel().functions;
-  use({"ticks_forget"});
   out_.comment("Ticks that were missed saw nothing. Beyond " + most +
                " of them the past is forgotten.");
   out_.block(
       "static void " + facts + "_catch_up(const " + view_ + " *v, int64_t missed)",
       [&](Code& body) {
-        body.line(look_->kernel().types + "_state *s = v->facts.s;");
+        body.line(look_->kernel().state + " *s = v->facts.s;");
         body.line(view_ + " blind;").line("int64_t k;");
         if (facts_of_robot() && pairs()) body.line("int32_t j;");
         body.block("if (missed > " + most + ")", [&](Code& gap) {
-          gap.line("ticks_forget(&s->ticks, s->ticks.now + missed);").line("return;");
+          look_->forget("s->", "s->ticks.now + missed", gap);
+          gap.line("return;");
         });
         blind_robot(body);
         body.line(facts + "_blind(&blind.facts, s);");
@@ -117,16 +117,31 @@ void FactPrinter::catch_up() {
             const std::string at = num(std::int64_t(i));
             each.line("blind.fact[" + at + "] = fact_margin(" + id_ + "_fact_" + at + "(&blind));");
           }
-          each.line("s->ticks.now += 1;");
+          look_->next_tick("s->", each);
         });
       });
   out_.blank();
 }
 
+// The newest samples and parameters.
+void FactPrinter::look(Code& tick) {
+  if (!d_.facts.inputs.empty()) tick.line("v->facts.now_us = v->now_us;");
+  if (arrives_each_tick(d_.facts)) {
+    use({"before"});
+    wrapped(tick, "v->facts.since_us = first || elapsed > 1 ? before(v->now_us, " +
+                      num(d_.period_us) + ") : s->facts.judged_us;");
+    tick.line("s->facts.judged_us = v->now_us;");
+  }
+  look_->params("s->facts.", "v->in->facts.", tick);
+  for (std::size_t c = 0; c < d_.facts.inputs.size(); ++c) {
+    if (is_used(d_.facts, c)) tick.line(look_->call(c, "&v->facts", "&v->in->facts"));
+  }
+}
+
 void FactPrinter::judge() {
   const std::string facts = look_->kernel().functions;
   const bool judges = !d_.facts.monitors.empty();
-  const bool remembers = any_remembers(d_.facts);
+  const bool each_tick = arrives_each_tick(d_.facts);
   out_.comment(
       "Once a tick: a second step within it finds what the first one found, and one back in time "
       "knows nothing.");
@@ -136,20 +151,12 @@ void FactPrinter::judge() {
       [&](Code& body) {
         if (judges) body.line("margin found;").line("int32_t k;");
         body.line("v->facts.s = &s->facts;");
-        if (remembers) {
+        if (has_past(d_.facts, Telling::margins)) {
           body.block("if (elapsed > 1)",
                      [&](Code& gap) { gap.line(facts + "_catch_up(v, elapsed - 1);"); });
         }
         body.block("if (elapsed > 0)", [&](Code& tick) {
-          std::string since = "INT64_MIN";
-          if (!d_.facts.inputs.empty()) {
-            use({"before"});
-            since = "first || elapsed > 1 ? before(v->now_us, " + num(d_.period_us) +
-                    ") : s->facts.judged_us";
-          }
-          tick.line(facts + "_look(&v->facts, &v->in->facts, v->now_us,");
-          tick.line("    " + since + ");");
-          if (!d_.facts.inputs.empty()) tick.line("s->facts.judged_us = v->now_us;");
+          look(tick);
           for (std::size_t i = 0; i < d_.facts.monitors.size(); ++i) {
             use({"kept_of", "fact_margin"});
             const std::string at = num(std::int64_t(i));
@@ -157,10 +164,10 @@ void FactPrinter::judge() {
             tick.line("s->facts.found[" + at + "] = kept_of(found);");
             tick.line("v->fact[" + at + "] = fact_margin(found);");
           }
-          if (remembers) tick.line("s->facts.ticks.now += 1;");
+          look_->next_tick("s->facts.", tick);
           tick.line("return;");
         });
-        if (d_.facts.inputs.empty()) body.line("(void)first;");
+        if (!each_tick) body.line("(void)first;");
         if (!judges) return;
         use({"margin_kept", "margin_unknown"});
         body.block(
@@ -177,12 +184,7 @@ void FactPrinter::judge() {
 
 void FactPrinter::init_facts(Code& to) const {
   if (!look_) return;
-  if (any_remembers(d_.facts)) {
-    uses_.insert("ticks_start");
-    to.line("ticks_start(&s->facts.ticks);");
-  }
-  if (!d_.facts.inputs.empty()) to.line("s->facts.judged_us = 0;");
-  look_->forget_signals("s->facts.", to);
+  look_->start("s->facts.", to);
 }
 
 }  // namespace rtac::codegen

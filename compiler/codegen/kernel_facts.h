@@ -27,6 +27,7 @@ class FactPrinter : public DecisionPrinter {
   void fact(std::size_t index, BlockPrinter& blocks);
   void catch_up();
   void blind_robot(Code& body);
+  void look(Code& tick);
   void judge();
 
   std::optional<WatchLook> look_;  // none: no signals

@@ -242,10 +242,7 @@ class Header {
     code_.comment("Plain inputs and parameters of " + d.name + "." +
                   (numbers.empty() ? "" : numbers + "."));
     record(names_(d.name) + "_facts_in", watch_input_fields(kernel));
-    std::vector<std::string> memory;
-    if (any_remembers(d.facts)) memory.push_back(temporal_ticks_member(p_));
-    if (!d.facts.inputs.empty()) memory.emplace_back("int64_t judged_us;");
-    for (std::string& field : watch_memory_fields(kernel)) memory.push_back(std::move(field));
+    std::vector<std::string> memory = watch_memory_fields(kernel);
     if (!d.facts.monitors.empty()) {
       memory.push_back(p_ + "_kept found[" + std::to_string(d.facts.monitors.size()) + "];");
     }

@@ -8,6 +8,7 @@
 
 #include "compiler/codegen/code.h"
 #include "compiler/codegen/names.h"
+#include "compiler/codegen/temporal.h"
 #include "compiler/ir/module.h"
 
 namespace rtac::codegen {
@@ -30,24 +31,40 @@ WatchNames watch_names(const ir::Watch& watch);
 // robots of a decision say that is judged now, its facts.
 struct WatchKernel {
   const ir::Watch& watch;
-  std::string prefix;  // of the module: `door`
-  std::string types;   // of its structs: `door_monitors` of door_monitors_in, door_monitors_state
-  std::string functions;  // of its functions and its view: `door` of door_look, door_view
+  std::string prefix;     // of the module: `door`
+  std::string types;      // of its structs: `door_monitors` of door_monitors_in
+  std::string state;      // the type of what it remembers: `door_monitors_state`
+  std::string functions;  // of its functions and its view: `door` of door_begin, door_view
   std::string at;         // what leads a function to its view: `v->`
   std::vector<std::string> numbers;  // of its inputs in findings
+  Telling telling = Telling::margins;
+  [[nodiscard]] bool is_full() const { return telling == Telling::margins; }
 };
-WatchKernel kernel_of_monitors(const ir::Module& module);
+// What tells verdicts alone has a state, a view and functions of its own.
+WatchKernel kernel_of_monitors(const ir::Module& module, Telling telling = Telling::margins);
 WatchKernel kernel_of_facts(const ir::Module& module, const ir::Decision& decision,
                             const Names& names);
 // Whether the decision has facts, or inputs or parameters at all.
 bool has_signals(const ir::Decision& decision);
-bool remembers(const ir::PlainMonitor& monitor);
-bool any_remembers(const ir::Watch& watch);
 
 // Beyond so many missed ticks the past is forgotten (language: ticks).
 inline constexpr std::int64_t missed_ticks_max = 4;
 // The table of a region in the kernel.
 std::string region_symbol(const ir::Region& region);
+
+// Whether a monitor asks for an input, or for its age; an input that none asks for is not looked
+// at.
+bool is_used(const ir::Watch& watch, std::size_t channel);
+bool reads_age(const ir::Watch& watch, std::size_t channel);
+bool uses_channel(const ir::PlainMonitor& monitor, std::size_t channel);
+// Whether a monitor has an operator that remembers.
+bool remembers(const ir::PlainMonitor& monitor);
+// Whether an operator needs to know which tick it is.
+bool counts_ticks(const ir::Watch& watch, Telling telling);
+// Whether a tick that was missed matters: to what is remembered, or to the number of the tick.
+bool has_past(const ir::Watch& watch, Telling telling);
+// Whether some input has to arrive every tick: then it matters when the last one was.
+bool arrives_each_tick(const ir::Watch& watch);
 
 // Number of an input in a finding; 0: none, and that of the clock below the first input.
 std::int64_t watch_input_number(const ir::Module& module, std::size_t channel);
@@ -67,8 +84,8 @@ std::int64_t facts_state_bytes(const ir::Watch& facts);
 std::int64_t region_bytes(const ir::Region& region);
 std::int64_t table_bytes(const ir::Watch& watch);
 
-// The members of the structs: what the application fills in; the newest stamp of each input, the
-// value of each parameter and what each operator remembers.
+// The members of the structs: what the application fills in; which tick it is, if that matters, the
+// newest stamp of each input, the value of each parameter and what each operator remembers.
 std::vector<std::string> watch_input_fields(const WatchKernel& kernel);
 std::vector<std::string> watch_memory_fields(const WatchKernel& kernel);
 // The types of inputs and of what is remembered.

@@ -1,4 +1,6 @@
 // The structs of a watch in the kernel: what is given to it, what it remembers.
+#include <initializer_list>
+
 #include "compiler/codegen/kernel_library.h"
 #include "compiler/codegen/temporal.h"
 #include "compiler/codegen/watch.h"
@@ -43,10 +45,12 @@ void record(Code& out, const std::string& name, const std::vector<std::string>& 
   out.blank();
 }
 
-void collect_types(const Watch& watch, std::set<std::string>& parts) {
+void collect_types(const Watch& watch, std::initializer_list<Telling> tellings,
+                   std::set<std::string>& parts) {
   for (const PlainMonitor& m : watch.monitors) {
     for (const Value& v : m.property.values) {
-      if (is_temporal(v.op)) collect_temporal_types(v.op, parts);
+      if (!is_temporal(v.op)) continue;
+      for (const Telling telling : tellings) collect_temporal_types(v.op, parts, telling);
     }
   }
 }
@@ -77,6 +81,10 @@ std::vector<std::string> watch_input_fields(const WatchKernel& kernel) {
 std::vector<std::string> watch_memory_fields(const WatchKernel& kernel) {
   const WatchNames members = watch_names(kernel.watch);
   std::vector<std::string> fields;
+  if (counts_ticks(kernel.watch, kernel.telling)) {
+    fields.push_back(temporal_ticks_member(kernel.prefix));
+  }
+  if (arrives_each_tick(kernel.watch)) fields.emplace_back("int64_t judged_us;");
   for (const std::string& channel : members.channels) {
     fields.push_back("int64_t last_" + channel + "_us;");
   }
@@ -88,7 +96,7 @@ std::vector<std::string> watch_memory_fields(const WatchKernel& kernel) {
     for (const Value& v : m.property.values) {
       if (is_temporal(v.op) && first) fields.push_back("/* " + m.name + " */");
       first = first && !is_temporal(v.op);
-      for (std::string& field : temporal_members(v.op, kernel.prefix)) {
+      for (std::string& field : temporal_members(v.op, kernel.prefix, kernel.telling)) {
         fields.push_back(std::move(field));
       }
     }
@@ -105,9 +113,11 @@ void print_watch_types(const Module& module, Code& out) {
       "stamp_us: when it was measured; valid 0: never received, or not finite.");
   record(out, p + "_signal", {"int64_t lo, hi;", "int64_t stamp_us;", "int32_t valid;"});
   std::set<std::string> parts{"ticks_state"};
-  if (module.watch) collect_types(*module.watch, parts);
+  if (module.watch) {
+    collect_types(*module.watch, {Telling::margins, Telling::verdicts}, parts);
+  }
   for (const Decision& d : module.decisions) {
-    collect_types(d.facts, parts);
+    collect_types(d.facts, {Telling::margins}, parts);
     if (!d.facts.monitors.empty()) parts.insert("kept_state");
   }
   out.text(kernel_types(parts, p));

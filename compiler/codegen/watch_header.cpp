@@ -79,10 +79,16 @@ class WatchHeader {
   void state() {
     out_.comment("Opaque; start with _init. What each monitor remembers, " +
                  num(watch_state_bytes(watch_)) + " bytes in all.");
-    std::vector<std::string> fields = {p_ + "_clock clock;", temporal_ticks_member(p_),
-                                       "int64_t judged_us;"};
-    for (std::string& field : watch_memory_fields(kernel_)) fields.push_back(std::move(field));
-    record("monitors_state", fields);
+    record("monitors_state", state_fields(Telling::margins));
+    out_.comment("The same for verdicts alone; start with _verdicts_init.");
+    record("monitors_verdicts_state", state_fields(Telling::verdicts));
+  }
+  [[nodiscard]] std::vector<std::string> state_fields(Telling telling) const {
+    std::vector<std::string> fields = {p_ + "_clock clock;", "int64_t until_us;"};
+    for (std::string& field : watch_memory_fields(kernel_of_monitors(module_, telling))) {
+      fields.push_back(std::move(field));
+    }
+    return fields;
   }
 
   void outputs() {
@@ -92,7 +98,7 @@ class WatchHeader {
     }
     out_.comment(
         "One monitor in a tick. lo, hi: the margin lies between them, in millionths of its "
-        "unit; infinite, +-10^18, when only truth values decide or nothing is known. unit: "
+        "unit; infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: "
         "0: of a truth value, none" +
         units + ". input: the one that is missing.");
     record("finding_of", {"int32_t verdict, reason, input, unit;", "int64_t lo, hi;"});
@@ -107,12 +113,16 @@ class WatchHeader {
         "what is missing, too old, from the future or out of range is unknown. Up to 4 missed "
         "ticks count as unknown ones, more of them forget the past. A second step within a tick, "
         "or one back in time, tells nothing and changes nothing. _verdicts is the same without "
-        "margins.");
+        "margins, reasons and units, in less time and with less memory: its state is its own, and "
+        "a "
+        "program steps one of both.");
     out_.line("void " + name + "_init(" + name + "_state *s);");
     out_.line("void " + name + "_step(" + name + "_state *s, const " + name + "_in *in,");
     out_.line(std::string(name.size() + 11, ' ') + "int64_t now_us, " + name + "_out *out);");
-    out_.line("void " + name + "_verdicts(" + name + "_state *s, const " + name + "_in *in,");
-    out_.line(std::string(name.size() + 15, ' ') + "int64_t now_us, int32_t verdicts[" + upper(p_) +
+    out_.line("void " + name + "_verdicts_init(" + name + "_verdicts_state *s);");
+    out_.line("void " + name + "_verdicts(" + name + "_verdicts_state *s,");
+    out_.line(std::string(name.size() + 15, ' ') + "const " + name + "_in *in, int64_t now_us,");
+    out_.line(std::string(name.size() + 15, ' ') + "int32_t verdicts[" + upper(p_) +
               "_MONITORS]);");
     out_.blank();
   }

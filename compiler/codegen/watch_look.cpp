@@ -1,31 +1,10 @@
 #include "compiler/codegen/watch_look.h"
 
+#include "compiler/codegen/temporal.h"
+
 namespace rtac::codegen {
 
 using namespace ir;
-
-namespace {
-
-// One line, or several that break behind commas.
-void wrapped(Code& out, const std::string& text) {
-  constexpr std::size_t width = 96;
-  std::string line;
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t comma = text.find(", ", from);
-    const std::size_t to = comma == std::string::npos ? text.size() : comma + 2;
-    const std::string part = text.substr(from, to - from);
-    if (!line.empty() && line.size() + part.size() > width) {
-      line.pop_back();
-      out.line(line);
-      line = "    ";
-    }
-    line += part;
-    from = to;
-  }
-  out.line(line);
-}
-
-}  // namespace
 
 WatchLook::WatchLook(WatchKernel kernel, std::set<std::string>& uses, Code& out)
     : kernel_(std::move(kernel)),
@@ -36,57 +15,52 @@ WatchLook::WatchLook(WatchKernel kernel, std::set<std::string>& uses, Code& out)
       uses_(uses),
       out_(out) {}
 
-// `head(`, the parameters, the body.
-void WatchLook::function(const std::string& head, const std::vector<std::string>& parameters,
+void WatchLook::function(const std::string& start, const std::vector<std::string>& parameters,
                          const std::function<void(Code&)>& body) {
-  constexpr std::size_t width = 96;
-  std::string text = head;
-  std::size_t line = head.size();
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const std::string part = parameters[i] + (i + 1 < parameters.size() ? "," : ")");
-    if (i > 0 && line + part.size() > width) {
-      text += "\n" + std::string(head.size(), ' ');
-      line = head.size();
-    } else if (i > 0) {
-      text += " ";
-      line += 1;
-    }
-    text += part;
-    line += part.size();
-  }
-  out_.block(text, body);
+  out_.block(signature(start, parameters), body);
 }
 
-bool WatchLook::reads_age(std::size_t channel) const {
-  for (const PlainMonitor& m : watch_.monitors) {
-    for (const Value& v : m.property.values) {
-      if (const auto* age = std::get_if<Age>(&v.op); age && age->channel == channel) return true;
-    }
-  }
-  return false;
+std::string WatchLook::use(const std::string& function, const std::string& arguments) {
+  uses_.insert(function);
+  return function + "(" + arguments + ")";
 }
-bool WatchLook::is_truth(const WatchSignal& s) const {
-  return watch_.inputs[s.channel].kind == ChannelKind::truth;
+bool WatchLook::is_truth(std::size_t channel) const {
+  return watch_.inputs[channel].kind == ChannelKind::truth;
+}
+std::string WatchLook::type_of(std::size_t channel) const {
+  if (kernel_.is_full()) return is_truth(channel) ? "margin" : "span";
+  return is_truth(channel) ? "int32_t" : "bounds";
+}
+std::string WatchLook::unknown(bool is_truth) {
+  if (kernel_.is_full()) return use(is_truth ? "margin_unknown" : "span_unknown", clock_);
+  return is_truth ? "BITS_UNKNOWN" : use("bounds_nothing", "");
+}
+std::string WatchLook::call(std::size_t channel, const std::string& view,
+                            const std::string& in) const {
+  return kernel_.functions + "_look_" + members_.channels[channel] + "(" + view + ", " + in + ");";
 }
 
 void WatchLook::view() {
-  out_.comment("What a tick knows of its inputs.");
+  out_.comment(kernel_.is_full() ? "What a tick knows of its inputs."
+                                 : "What a tick knows of its inputs, for verdicts alone.");
   out_.block(
       "typedef struct " + view_,
       [&](Code& body) {
-        body.line(kernel_.types + "_state *s;");
+        body.line(kernel_.state + " *s;");
+        body.line("int64_t now_us, since_us; /* after since_us a sample is one of this tick */");
         for (const WatchSignal& s : members_.signals) {
-          body.line((is_truth(s) ? "margin " : "span ") + s.seen + ";");
+          if (is_used(watch_, s.channel)) body.line(type_of(s.channel) + " " + s.seen + ";");
         }
         for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
-          if (reads_age(c)) body.line("span age_of_" + members_.channels[c] + "; /* us */");
+          if (!reads_age(watch_, c)) continue;
+          body.line(std::string(kernel_.is_full() ? "span" : "bounds") + " age_of_" +
+                    members_.channels[c] + "; /* us */");
         }
       },
       "} " + view_ + ";");
   out_.blank();
-  for (const WatchSignal& s : members_.signals)
-    uses_.insert(is_truth(s) ? "margin_type" : "span_type");
-  uses_.insert("margin_type");
+  for (const char* part : {"span_type", "margin_type"}) uses_.insert(part);
+  if (!kernel_.is_full()) uses_.insert({"bounds_type", "bits_type"});
 }
 
 bool WatchLook::property(const Block& block, WatchValuePrinter& values, Code& body) {
@@ -108,68 +82,53 @@ bool WatchLook::property(const Block& block, WatchValuePrinter& values, Code& bo
 
 void WatchLook::blind() {
   out_.comment("A tick that sees nothing: it was missed.");
-  out_.block(
-      "static void " + kernel_.functions + "_blind(" + view_ + " *v, " + kernel_.types +
-          "_state *s)",
-      [&](Code& body) {
-        body.line("v->s = s;");
-        for (const WatchSignal& s : members_.signals) {
-          const std::string unknown = is_truth(s) ? "margin_unknown" : "span_unknown";
-          uses_.insert(unknown);
-          body.line("v->" + s.seen + " = " + unknown + "(" + clock_ + ");");
-        }
-        for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
-          if (!reads_age(c)) continue;
-          uses_.insert("span_unknown");
-          body.line("v->age_of_" + members_.channels[c] + " = span_unknown(" + clock_ + ");");
-        }
-      });
+  function("static void " + kernel_.functions + "_blind", {view_ + " *v", kernel_.state + " *s"},
+           [&](Code& body) {
+             body.line("v->s = s;");
+             for (const WatchSignal& s : members_.signals) {
+               if (!is_used(watch_, s.channel)) continue;
+               body.line("v->" + s.seen + " = " + unknown(is_truth(s.channel)) + ";");
+             }
+             for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
+               if (!reads_age(watch_, c)) continue;
+               body.line("v->age_of_" + members_.channels[c] + " = " + unknown(false) + ";");
+             }
+           });
   out_.blank();
 }
 
-void WatchLook::look() {
-  out_.comment("The newest samples; since_us: after it a sample is one of this tick.");
-  function(
-      "static inline void " + kernel_.functions + "_look(",
-      {view_ + " *v", "const " + kernel_.types + "_in *in", "int64_t now_us", "int64_t since_us"},
-      [&](Code& body) {
-        for (std::size_t c = 0; c < watch_.inputs.size(); ++c) channel(c, body);
-        for (std::size_t k = 0; k < watch_.params.size(); ++k) param(k, body);
-        bool each_tick = false;
-        for (const Channel& c : watch_.inputs) each_tick |= !c.held && !c.max_age_us;
-        if (!each_tick) body.line("(void)since_us;");
-        if (watch_.inputs.empty()) body.line("(void)now_us;");
-        if (watch_.inputs.empty() && watch_.params.empty()) {
-          body.line("(void)v;").line("(void)in;");
-        }
-      });
-  out_.blank();
+void WatchLook::channels() {
+  for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
+    if (!is_used(watch_, c)) continue;
+    function("static inline void " + kernel_.functions + "_look_" + members_.channels[c],
+             {view_ + " *v", "const " + kernel_.types + "_in *in"},
+             [&](Code& body) { channel(c, body); });
+    out_.blank();
+  }
 }
 void WatchLook::channel(std::size_t index, Code& out) {
   const Channel& c = watch_.inputs[index];
   const std::string& name = members_.channels[index];
   const std::string first = "in->" + members_.signal(std::uint32_t(index), 0).name;
-  const std::string good = "good_" + name, fresh = "fresh_" + name;
-  uses_.insert("sample_good");
-  out.line("const int32_t " + good + " = sample_good(&" + first + ", &v->s->last_" + name +
-           "_us, now_us);");
-  std::string is_fresh = good;
+  const std::string good = "good_" + name;
+  out.line("const int32_t " + good + " = " +
+           use("sample_good", "&" + first + ", &v->s->last_" + name + "_us, v->now_us") + ";");
+  std::string fresh = good;
   if (c.max_age_us) {
-    uses_.insert("elapsed_us");
-    is_fresh += " && elapsed_us(" + first + ".stamp_us, now_us) <= " + num(*c.max_age_us);
+    fresh +=
+        " && " + use("elapsed_us", first + ".stamp_us, v->now_us") + " <= " + num(*c.max_age_us);
   } else if (!c.held) {
-    is_fresh += " && " + first + ".stamp_us > since_us";
+    fresh += " && " + first + ".stamp_us > v->since_us";
   }
-  out.line("const int32_t " + fresh + " = " + is_fresh + ";");
-  for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, fresh, out);
-  if (reads_age(index)) {
-    uses_.insert("age_span");
-    const std::string whole = whole_sample(index, out);
-    out.line("v->age_of_" + name + " = age_span(&" + first + ", " + whole + ", now_us, " +
-             kernel_.numbers[index] + ");");
-  }
+  out.line("const int32_t fresh_" + name + " = " + fresh + ";");
+  for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, out);
+  if (!reads_age(watch_, index)) return;
+  const std::string of = "&" + first + ", " + whole_sample(index, out) + ", v->now_us";
+  const std::string age = kernel_.is_full() ? use("age_span", of + ", " + kernel_.numbers[index])
+                                            : use("bounds_age", of);
+  out.line("v->age_of_" + name + " = " + age + ";");
 }
-// A sample has an age when all of it has a value; age_span looks at the first component.
+// A sample has an age when all of it has a value; the library looks at the first component.
 std::string WatchLook::whole_sample(std::size_t index, Code& out) {
   const std::string& name = members_.channels[index];
   const std::size_t count = watch_.inputs[index].components.size();
@@ -181,45 +140,74 @@ std::string WatchLook::whole_sample(std::size_t index, Code& out) {
   }
   return "whole_" + name;
 }
-void WatchLook::component(std::size_t index, std::uint32_t k, const std::string& all_fresh,
-                          Code& body) {
+void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
   const Channel& c = watch_.inputs[index];
   const WatchSignal& signal = members_.signal(std::uint32_t(index), k);
   const std::string& name = signal.name;
   const std::string& first = members_.signal(std::uint32_t(index), 0).name;
+  std::string arguments = "&in->" + name + ", fresh_" + members_.channels[index];
   // the components of an input arrive together
-  const std::string fresh =
-      k == 0 ? all_fresh
-             : all_fresh + " && in->" + name + ".stamp_us == in->" + first + ".stamp_us";
-  std::string text = "v->" + signal.seen + " = ";
-  if (c.kind == ChannelKind::truth) {
-    uses_.insert("truth_of");
-    text += "truth_of(&in->" + name + ", " + fresh + ", ";
-  } else {
-    uses_.insert("number_of");
+  if (k > 0) arguments += " && in->" + name + ".stamp_us == in->" + first + ".stamp_us";
+  const bool truth = c.kind == ChannelKind::truth;
+  if (!truth) {
     const ChannelGrid& grid = c.grid(k);
-    text += "number_of(&in->" + name + ", " + fresh + ", " + num(grid.range.lo) + ", " +
-            num(grid.range.hi) + ", " + num(grid.error_steps) + ", ";
+    arguments +=
+        ", " + num(grid.range.lo) + ", " + num(grid.range.hi) + ", " + num(grid.error_steps);
   }
-  wrapped(body, text + kernel_.numbers[index] + ");");
+  const char* const full = truth ? "truth_of" : "number_of";
+  const char* const alone = truth ? "bits_truth" : "bounds_number";
+  const std::string value = kernel_.is_full() ? use(full, arguments + ", " + kernel_.numbers[index])
+                                              : use(alone, arguments);
+  wrapped(body, "v->" + signal.seen + " = " + value + ";");
 }
-void WatchLook::param(std::size_t index, Code& body) {
-  const Param& param = watch_.params[index];
-  if (param.tightens == 0) return;
-  uses_.insert("tighter");
-  const std::string value = "v->s->tightest_" + members_.params[index];
-  body.line(value + " = tighter(" + value + ", in->" + members_.params[index] + ", " +
-            num(param.range.lo) + ", " + num(param.range.hi) + ", " +
-            (param.tightens > 0 ? "1" : "0") + ");");
+bool WatchLook::params(const std::string& state, const std::string& in, Code& body) const {
+  bool moves = false;
+  for (std::size_t k = 0; k < watch_.params.size(); ++k) {
+    const Param& param = watch_.params[k];
+    if (param.tightens == 0) continue;
+    moves = true;
+    uses_.insert("tighter");
+    const std::string value = state + "tightest_" + members_.params[k];
+    body.line(value + " = tighter(" + value + ", " + in + members_.params[k] + ", " +
+              num(param.range.lo) + ", " + num(param.range.hi) + ", " +
+              (param.tightens > 0 ? "1" : "0") + ");");
+  }
+  return moves;
 }
 
-void WatchLook::forget_signals(const std::string& state, Code& body) const {
+void WatchLook::start(const std::string& state, Code& body) const {
+  if (arrives_each_tick(watch_)) body.line(state + "judged_us = 0;");
+  if (counts_ticks(watch_, kernel_.telling)) {
+    uses_.insert("ticks_start");
+    body.line("ticks_start(&" + state + "ticks);");
+  }
   for (const std::string& channel : members_.channels) {
     body.line(state + "last_" + channel + "_us = INT64_MIN;");
   }
   for (std::size_t k = 0; k < watch_.params.size(); ++k) {
     body.line(state + "tightest_" + members_.params[k] + " = " + num(watch_.params[k].value) + ";");
   }
+  for (const PlainMonitor& m : watch_.monitors) {
+    for (const Value& v : m.property.values) {
+      const std::string text = temporal_starts(v.op, state, uses_, kernel_.telling);
+      if (!text.empty()) body.line(text);
+    }
+  }
+}
+void WatchLook::forget(const std::string& state, const std::string& tick, Code& body) const {
+  if (counts_ticks(watch_, kernel_.telling)) {
+    uses_.insert("ticks_forget");
+    body.line("ticks_forget(&" + state + "ticks, " + tick + ");");
+  }
+  for (const PlainMonitor& m : watch_.monitors) {
+    for (const Value& v : m.property.values) {
+      const std::string text = temporal_forgets(v.op, state, uses_, kernel_.telling);
+      if (!text.empty()) body.line(text);
+    }
+  }
+}
+void WatchLook::next_tick(const std::string& state, Code& body) const {
+  if (counts_ticks(watch_, kernel_.telling)) body.line(state + "ticks.now += 1;");
 }
 
 }  // namespace rtac::codegen

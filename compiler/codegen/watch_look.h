@@ -1,5 +1,6 @@
-// How a watch sees a tick: the view of its inputs, what a missed tick sees, and how the newest
-// samples come into it. The same for monitors without a robot and for the facts of a decision.
+// How a watch sees a tick: the view of its inputs, what a missed tick sees, and one function for
+// each input that looks at its newest sample. The same for monitors without a robot, with margins
+// and for verdicts alone, and for the facts of a decision.
 #pragma once
 
 #include <functional>
@@ -16,15 +17,24 @@ class WatchLook {
  public:
   WatchLook(WatchKernel kernel, std::set<std::string>& uses, Code& out);
 
-  void view();   // the type
-  void blind();  // _blind(v, s): nothing is known of the inputs
-  void look();   // _look(v, in, now_us, since_us): the newest samples and parameters
+  void view();      // the type
+  void blind();     // _blind(v, s): nothing is known of the inputs
+  void channels();  // _look_...(v, in), for each input that is used
+  // The statement that looks at an input; `view`, `in`: pointers.
+  [[nodiscard]] std::string call(std::size_t channel, const std::string& view,
+                                 const std::string& in) const;
+  // The newest parameters; `state`, `in`: what leads to the members. False: none moves.
+  bool params(const std::string& state, const std::string& in, Code& body) const;
   // The body of the function of a property; false: it does not look at the view.
   bool property(const ir::Block& block, WatchValuePrinter& values, Code& body);
-  // No sample was seen, parameters have their first values; `state`: what leads to the members.
-  void forget_signals(const std::string& state, Code& body) const;
-  // `head(`, the parameters, the body.
-  void function(const std::string& head, const std::vector<std::string>& parameters,
+  // Starts what is remembered: no sample was seen, parameters have their first values.
+  void start(const std::string& state, Code& body) const;
+  // All before `tick` is unknown.
+  void forget(const std::string& state, const std::string& tick, Code& body) const;
+  // Behind the calls of a tick.
+  void next_tick(const std::string& state, Code& body) const;
+  // `start(`, the parameters, the body.
+  void function(const std::string& start, const std::vector<std::string>& parameters,
                 const std::function<void(Code&)>& body);
 
   [[nodiscard]] const WatchKernel& kernel() const { return kernel_; }
@@ -32,12 +42,13 @@ class WatchLook {
   [[nodiscard]] const std::string& view_type() const { return view_; }
 
  private:
-  [[nodiscard]] bool reads_age(std::size_t channel) const;
-  [[nodiscard]] bool is_truth(const WatchSignal& s) const;
+  [[nodiscard]] bool is_truth(std::size_t channel) const;
+  [[nodiscard]] std::string type_of(std::size_t channel) const;
   void channel(std::size_t index, Code& out);
   std::string whole_sample(std::size_t index, Code& out);
-  void component(std::size_t index, std::uint32_t k, const std::string& all_fresh, Code& body);
-  void param(std::size_t index, Code& body);
+  void component(std::size_t index, std::uint32_t k, Code& body);
+  std::string unknown(bool is_truth);
+  std::string use(const std::string& function, const std::string& arguments);
 
   const WatchKernel kernel_;
   const ir::Watch& watch_;

@@ -43,7 +43,7 @@ const WatchSignal& WatchNames::signal(std::uint32_t channel, std::uint32_t compo
 WatchNames watch_names(const Watch& watch) {
   WatchNames out;
   std::set<std::string> members, numbers;
-  std::set<std::string> seen = {"s"};  // the state
+  std::set<std::string> seen = {"s", "now_us", "since_us"};  // the state, the tick
   for (const PlainMonitor& monitor : watch.monitors) numbers.insert(upper(legal(monitor.name)));
   for (const Channel& channel : watch.inputs) {
     out.channels.push_back(numbered(signal_word(channel.name), numbers));
@@ -63,9 +63,14 @@ WatchNames watch_names(const Watch& watch) {
   return out;
 }
 
-WatchKernel kernel_of_monitors(const Module& module) {
+WatchKernel kernel_of_monitors(const Module& module, Telling telling) {
   const std::string& p = module.name;
-  WatchKernel kernel{*module.watch, p, p + "_monitors", p, "v->", {}};
+  const std::string types = p + "_monitors";
+  WatchKernel kernel{*module.watch, p, types, types + "_state", p, "v->", {}, telling};
+  if (telling == Telling::verdicts) {
+    kernel.state = types + "_verdicts_state";
+    kernel.functions = p + "_verdicts";
+  }
   for (const std::string& channel : watch_names(*module.watch).channels) {
     kernel.numbers.push_back(upper(p) + "_MONITORS_INPUT_" + upper(channel));
   }
@@ -73,7 +78,9 @@ WatchKernel kernel_of_monitors(const Module& module) {
 }
 WatchKernel kernel_of_facts(const Module& module, const Decision& decision, const Names& names) {
   const std::string id = names(decision.name) + "_facts";
-  WatchKernel kernel{decision.facts, module.name, module.name + "_" + id, id, "v->facts.", {}};
+  const std::string types = module.name + "_" + id;
+  WatchKernel kernel{decision.facts, module.name, types,           types + "_state", id,
+                     "v->facts.",    {},          Telling::margins};
   for (std::size_t c = 0; c < decision.facts.inputs.size(); ++c) {
     kernel.numbers.push_back(std::to_string(watch_input_number(module, c)));
   }
@@ -83,17 +90,60 @@ bool has_signals(const Decision& decision) {
   const Watch& facts = decision.facts;
   return !facts.inputs.empty() || !facts.params.empty() || !facts.monitors.empty();
 }
-bool remembers(const PlainMonitor& monitor) {
-  const auto& values = monitor.property.values;
-  return std::any_of(values.begin(), values.end(),
-                     [](const Value& v) { return is_temporal(v.op); });
-}
-bool any_remembers(const Watch& watch) {
-  return std::any_of(watch.monitors.begin(), watch.monitors.end(), remembers);
-}
 
 std::string region_symbol(const Region& region) {
   return (region.around ? "region_around_" : "region_within_") + region.name;
+}
+
+bool uses_channel(const PlainMonitor& monitor, std::size_t channel) {
+  const auto is = [&](std::uint32_t c) { return c == channel; };
+  const auto reads = [&](const Value& value) {
+    if (const auto* v = std::get_if<InputSame>(&value.op)) {
+      return is(v->channel) || is(v->other_channel);
+    }
+    return std::visit(
+        [&](const auto& op) {
+          if constexpr (requires { op.channel; }) {
+            return is(op.channel);
+          } else {
+            return false;
+          }
+        },
+        value.op);
+  };
+  return std::any_of(monitor.property.values.begin(), monitor.property.values.end(), reads);
+}
+bool is_used(const Watch& watch, std::size_t channel) {
+  return std::any_of(watch.monitors.begin(), watch.monitors.end(),
+                     [&](const PlainMonitor& m) { return uses_channel(m, channel); });
+}
+bool reads_age(const Watch& watch, std::size_t channel) {
+  for (const PlainMonitor& m : watch.monitors) {
+    for (const Value& v : m.property.values) {
+      if (const auto* age = std::get_if<Age>(&v.op); age && age->channel == channel) return true;
+    }
+  }
+  return false;
+}
+bool remembers(const PlainMonitor& monitor) {
+  return std::any_of(monitor.property.values.begin(), monitor.property.values.end(),
+                     [](const Value& v) { return is_temporal(v.op); });
+}
+bool counts_ticks(const Watch& watch, Telling telling) {
+  for (const PlainMonitor& m : watch.monitors) {
+    for (const Value& v : m.property.values) {
+      if (counts_ticks(v.op, telling)) return true;
+    }
+  }
+  return false;
+}
+bool has_past(const Watch& watch, Telling telling) {
+  return counts_ticks(watch, telling) ||
+         std::any_of(watch.monitors.begin(), watch.monitors.end(), remembers);
+}
+bool arrives_each_tick(const Watch& watch) {
+  return std::any_of(watch.inputs.begin(), watch.inputs.end(),
+                     [](const Channel& c) { return !c.held && !c.max_age_us; });
 }
 
 std::int64_t watch_clock_number(const Module& module) {
@@ -126,10 +176,12 @@ std::int64_t watch_monitor_bytes(const PlainMonitor& monitor) {
 }
 
 std::int64_t watch_state_bytes(const Watch& watch) {
-  // clock, time of the last tick, then the newest stamp of each input and the value of each
-  // parameter
+  // clock, end of the present tick, time of the last one, then the newest stamp of each input and
+  // the value of each parameter
   constexpr std::int64_t clock_bytes = 32, word_bytes = 8;
-  std::int64_t bytes = clock_bytes + temporal_ticks_bytes + word_bytes;
+  std::int64_t bytes = clock_bytes + word_bytes;
+  if (counts_ticks(watch, Telling::margins)) bytes += temporal_ticks_bytes;
+  if (arrives_each_tick(watch)) bytes += word_bytes;
   bytes += word_bytes * static_cast<std::int64_t>(watch.inputs.size() + watch.params.size());
   for (const PlainMonitor& monitor : watch.monitors) bytes += watch_monitor_bytes(monitor);
   return bytes;
@@ -150,8 +202,8 @@ std::int64_t facts_state_bytes(const Watch& facts) {
   constexpr std::int64_t found_bytes = 32, word_bytes = 8;
   std::int64_t bytes = found_bytes * static_cast<std::int64_t>(facts.monitors.size());
   bytes += word_bytes * static_cast<std::int64_t>(facts.inputs.size() + facts.params.size());
-  if (!facts.inputs.empty()) bytes += word_bytes;  // time of the last tick
-  if (any_remembers(facts)) bytes += temporal_ticks_bytes;
+  if (arrives_each_tick(facts)) bytes += word_bytes;  // time of the last tick
+  if (counts_ticks(facts, Telling::margins)) bytes += temporal_ticks_bytes;
   for (const PlainMonitor& fact : facts.monitors) bytes += watch_monitor_bytes(fact);
   return bytes;
 }

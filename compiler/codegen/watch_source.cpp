@@ -1,10 +1,12 @@
-// The step of the monitors without a robot: the tick, one function per monitor.
+// The step of the monitors without a robot: the tick, its inputs, one function per monitor.
 #include <algorithm>
 #include <functional>
 #include <vector>
 
 #include "compiler/codegen/watch.h"
 #include "compiler/codegen/watch_look.h"
+#include "compiler/codegen/watch_values.h"
+#include "compiler/codegen/watch_verdicts.h"
 
 namespace rtac::codegen {
 namespace {
@@ -19,148 +21,211 @@ std::string requirement(const PlainMonitor& m) {
 
 class WatchSource {
  public:
-  WatchSource(const Module& module, const Names& names, std::set<std::string>& uses, Code& out)
-      : module_(module),
-        watch_(*module.watch),
+  WatchSource(const Module& module, const Names& names, Telling telling,
+              std::set<std::string>& uses, Code& out)
+      : watch_(*module.watch),
         names_(names),
-        look_(kernel_of_monitors(module), uses, out),
         p_(module.name),
         up_(upper(p_)),
-        view_(p_ + "_view"),
+        look_(kernel_of_monitors(module, telling), uses, out),
+        side_(look_.kernel()),
         uses_(uses),
         out_(out) {}
 
   void print() {
-    out_.comment("---- monitors without a robot ----");
     look_.view();
-    for (const PlainMonitor& m : watch_.monitors) monitor(m);
-    if (any_remembers(watch_)) look_.blind();
-    look_.look();
-    catch_up();
+    for (const PlainMonitor& m : watch_.monitors) {
+      side_.is_full() ? monitor(m) : verdict(m);
+    }
+    look_.channels();
+    if (has_past(watch_, side_.telling)) {
+      look_.blind();
+      catch_up();
+    }
+    resume();
     begin();
     init();
-    step();
-    verdicts();
+    side_.is_full() ? step() : verdicts();
   }
 
  private:
+  [[nodiscard]] const std::string& view() const { return look_.view_type(); }
   [[nodiscard]] std::string clock() const { return up_ + "_INPUT_CLOCK"; }
   [[nodiscard]] std::string monitors() const { return up_ + "_MONITORS"; }
+  [[nodiscard]] std::string function_of(const PlainMonitor& m) const {
+    return names_(m.name) + (side_.is_full() ? "_now" : "_verdict");
+  }
 
   void monitor(const PlainMonitor& m) {
     out_.comment(requirement(m));
-    WatchValuePrinter values(look_.kernel(), look_.members(), uses_);
+    WatchValuePrinter values(side_, look_.members(), uses_);
     Code body;
     const bool sees = look_.property(m.property, values, body);
-    out_.block("static inline margin " + names_(m.name) + "_now(const " + view_ + " *v)",
+    judge(m, "margin", sees, std::move(body));
+  }
+  void verdict(const PlainMonitor& m) {
+    VerdictBody body = verdict_body(side_, look_.members(), m.property, up_ + "_VERDICT_", uses_);
+    out_.comment(m.text);
+    judge(m, "int32_t", body.looks, std::move(body.lines));
+  }
+  void judge(const PlainMonitor& m, const std::string& result, bool sees, Code body) {
+    out_.block("static inline " + result + " " + function_of(m) + "(const " + view() + " *v)",
                [&](Code& to) {
                  if (!sees) to.line("(void)v;");
-                 to.append(body);
+                 to.append(std::move(body));
                });
     out_.blank();
   }
 
   void catch_up() {
     const std::string most = num(missed_ticks_max);
-    uses_.insert("ticks_forget");
     out_.comment("Ticks that were missed saw nothing. Beyond " + most +
                  " of them the past is forgotten.");
-    out_.block("static void " + p_ + "_catch_up(" + p_ + "_monitors_state *s, int64_t missed)",
-               [&](Code& body) {
-                 if (any_remembers(watch_)) body.line(view_ + " v;").line("int64_t k;");
-                 body.block("if (missed > " + most + ")", [&](Code& gap) {
-                   gap.line("ticks_forget(&s->ticks, s->clock.tick);").line("return;");
-                 });
-                 if (!any_remembers(watch_)) {
-                   body.line("s->ticks.now += missed;");
-                   return;
-                 }
-                 body.line(p_ + "_blind(&v, s);");
-                 body.block("for (k = 0; k < missed; ++k)", [&](Code& each) {
-                   for (const PlainMonitor& m : watch_.monitors) {
-                     if (remembers(m)) each.line("(void)" + names_(m.name) + "_now(&v);");
-                   }
-                   each.line("s->ticks.now += 1;");
-                 });
-               });
+    look_.function("static void " + side_.functions + "_catch_up",
+                   {side_.state + " *s", "int64_t missed"}, [&](Code& body) {
+                     body.line(view() + " v;").line("int64_t k;");
+                     body.block("if (missed > " + most + ")", [&](Code& gap) {
+                       look_.forget("s->", "s->clock.tick", gap);
+                       gap.line("return;");
+                     });
+                     body.line(side_.functions + "_blind(&v, s);");
+                     body.block("for (k = 0; k < missed; ++k)", [&](Code& each) {
+                       for (const PlainMonitor& m : watch_.monitors) {
+                         if (remembers(m)) each.line("(void)" + function_of(m) + "(&v);");
+                       }
+                       look_.next_tick("s->", each);
+                     });
+                   });
     out_.blank();
   }
 
+  // What happens at the first tick, and at all that do not follow the one before.
+  void resume() {
+    uses_.insert({"next_tick", "tick_until"});
+    out_.comment("A tick that does not follow the last one; 0: there is none since then.");
+    std::vector<std::string> parameters = {side_.state + " *s", "int64_t now_us"};
+    if (each_tick()) parameters.emplace_back("int64_t *since_us");
+    look_.function("static int32_t " + side_.functions + "_resume", parameters, [&](Code& body) {
+      const std::string period = num(watch_.period_us);
+      if (each_tick()) body.line("const int32_t first = s->clock.started == 0;");
+      body.line("const int64_t elapsed = next_tick(&s->clock, now_us, " + period + ", INT64_MAX);");
+      body.block("if (elapsed < 1)", [&](Code& none) { none.line("return 0;"); });
+      body.line("s->until_us = tick_until(&s->clock, " + period + ");");
+      if (has_past(watch_, side_.telling)) {
+        body.block("if (elapsed > 1)",
+                   [&](Code& gap) { gap.line(side_.functions + "_catch_up(s, elapsed - 1);"); });
+      }
+      if (each_tick()) {
+        uses_.insert("before");
+        body.line("*since_us = first || elapsed > 1 ? before(now_us, " + period +
+                  ") : s->judged_us;");
+      }
+      body.line("return 1;");
+    });
+    out_.blank();
+  }
+  [[nodiscard]] bool each_tick() const { return arrives_each_tick(watch_); }
+
   void begin() {
-    uses_.insert({"next_tick", "ticks_start", "before"});
-    out_.comment("Looks at the tick that has come; 0: there is none since the last step.");
-    look_.function("static inline int32_t " + p_ + "_begin(",
-                   {view_ + " *v", p_ + "_monitors_state *s", "const " + p_ + "_monitors_in *in",
-                    "int64_t now_us"},
-                   [&](Code& body) {
-                     const std::string period = num(watch_.period_us);
-                     body.line("const int32_t first = s->clock.started == 0;");
-                     body.line("const int64_t before_us = s->judged_us;");
-                     body.line("const int64_t elapsed = next_tick(&s->clock, now_us, " + period +
-                               ", INT64_MAX);");
-                     body.block("if (elapsed < 1)", [&](Code& none) { none.line("return 0;"); });
-                     body.block("if (elapsed > 1)",
-                                [&](Code& gap) { gap.line(p_ + "_catch_up(s, elapsed - 1);"); });
-                     body.line("v->s = s;");
-                     body.line(p_ + "_look(v, in, now_us, first || elapsed > 1 ? before(now_us, " +
-                               period + ") : before_us);");
-                     body.line("s->judged_us = now_us;");
-                     body.line("return 1;");
-                   });
+    uses_.insert("tick_follows");
+    out_.comment("Which tick has come; 0: there is none since the last step.");
+    look_.function(
+        "static inline int32_t " + side_.functions + "_begin",
+        {view() + " *v", side_.state + " *s", "const " + p_ + "_monitors_in *in", "int64_t now_us"},
+        [&](Code& body) {
+          if (each_tick()) body.line("int64_t since_us = s->judged_us;");
+          body.block("if (tick_follows(&s->clock, &s->until_us, now_us, " + num(watch_.period_us) +
+                         ") == 0 && " + side_.functions + "_resume(s, now_us" +
+                         (each_tick() ? ", &since_us" : "") + ") == 0)",
+                     [](Code& none) { none.line("return 0;"); });
+          body.line("v->s = s;");
+          body.line("v->now_us = now_us;");
+          if (each_tick()) {
+            body.line("v->since_us = since_us;");
+            body.line("s->judged_us = now_us;");
+          }
+          if (!look_.params("v->s->", "in->", body)) body.line("(void)in;");
+          body.line("return 1;");
+        });
     out_.blank();
   }
 
   void init() {
-    const std::string name = p_ + "_monitors";
-    out_.block("void " + name + "_init(" + name + "_state *s)", [&](Code& body) {
+    const std::string name =
+        p_ + (side_.is_full() ? "_monitors_init(" : "_monitors_verdicts_init(");
+    out_.block("void " + name + side_.state + " *s)", [&](Code& body) {
       body.line("s->clock.started = 0;");
       body.line("s->clock.origin_us = 0;");
       body.line("s->clock.last_us = 0;");
       body.line("s->clock.tick = 0;");
-      body.line("s->judged_us = 0;");
-      body.line("ticks_start(&s->ticks);");
-      look_.forget_signals("s->", body);
+      body.line("s->until_us = INT64_MAX;");
+      look_.start("s->", body);
     });
     out_.blank();
   }
-  // Each operator that remembers is evaluated once a tick, whatever the others say. A monitor is
-  // called where its finding is used: what is not asked for is then not computed.
-  void entry(const std::string& result, const std::string& target, const std::string& what) {
-    const std::string name = p_ + "_monitors";
-    uses_.insert({what, "margin_unknown"});
-    look_.function("void " + name + (what == "verdict_of" ? "_verdicts(" : "_step("),
-                   {name + "_state *s", "const " + name + "_in *in", "int64_t now_us", result},
-                   [&](Code& body) {
-                     const bool full = what != "verdict_of";
-                     body.line(view_ + " v;");
-                     body.line("int32_t k;");
-                     const std::string none = p_ + "_begin(&v, s, in, now_us) == 0";
-                     body.block("if (" + none + ")", [&](Code& unknown) {
-                       unknown.block("for (k = 0; k < " + monitors() + "; ++k)", [&](Code& each) {
-                         each.line(target + "[k] = " + what + "(margin_unknown(" + clock() + "));");
-                       });
-                       if (full) unknown.line("out->tick = s->clock.tick;");
+
+  // Each operator that remembers is evaluated once a tick, whatever the others say. An input is
+  // looked at where it is first asked for, and a monitor is called where its finding is used: so
+  // little has to be kept at hand.
+  void judge_all(const std::string& target, Code& body) {
+    std::vector<bool> seen(watch_.inputs.size(), false);
+    for (const PlainMonitor& m : watch_.monitors) {
+      for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
+        if (seen[c] || !uses_channel(m, c)) continue;
+        seen[c] = true;
+        body.line(look_.call(c, "&v", "in"));
+      }
+      std::string found = function_of(m) + "(&v)";
+      if (side_.is_full()) {
+        uses_.insert("finding_judged");
+        found = "finding_judged(" + found + ")";
+      }
+      body.line(target + "[" + up_ + "_MONITORS_" + upper(names_(m.name)) + "] = " + found + ";");
+    }
+    look_.next_tick("s->", body);
+  }
+  void entry(const std::string& name, const std::string& result,
+             const std::function<void(Code&)>& none, const std::function<void(Code&)>& judged) {
+    look_.function(
+        "void " + name,
+        {side_.state + " *s", "const " + p_ + "_monitors_in *in", "int64_t now_us", result},
+        [&](Code& body) {
+          body.line(view() + " v;");
+          body.line("int32_t k;");
+          body.block("if (" + side_.functions + "_begin(&v, s, in, now_us) == 0)",
+                     [&](Code& unknown) {
+                       unknown.block("for (k = 0; k < " + monitors() + "; ++k)", none);
+                       if (side_.is_full()) unknown.line("out->tick = s->clock.tick;");
                        unknown.line("return;");
                      });
-                     if (full) body.line("out->tick = s->clock.tick;");
-                     for (const PlainMonitor& m : watch_.monitors) {
-                       body.line(target + "[" + up_ + "_MONITORS_" + upper(names_(m.name)) +
-                                 "] = " + what + "(" + names_(m.name) + "_now(&v));");
-                     }
-                     body.line("s->ticks.now += 1;");
-                   });
+          judged(body);
+        });
   }
   void step() {
-    entry(p_ + "_monitors_out *out", "out->monitors", "finding_judged");
+    uses_.insert({"finding_judged", "margin_unknown"});
+    entry(
+        p_ + "_monitors_step", p_ + "_monitors_out *out",
+        [&](Code& each) {
+          each.line("out->monitors[k] = finding_judged(margin_unknown(" + clock() + "));");
+        },
+        [&](Code& body) {
+          body.line("out->tick = s->clock.tick;");
+          judge_all("out->monitors", body);
+        });
     out_.blank();
   }
-  void verdicts() { entry("int32_t verdicts[" + monitors() + "]", "verdicts", "verdict_of"); }
+  void verdicts() {
+    entry(
+        p_ + "_monitors_verdicts", "int32_t verdicts[" + monitors() + "]",
+        [&](Code& each) { each.line("verdicts[k] = " + up_ + "_VERDICT_UNKNOWN;"); },
+        [&](Code& body) { judge_all("verdicts", body); });
+  }
 
-  const Module& module_;
   const Watch& watch_;
   const Names& names_;
+  const std::string p_, up_;
   WatchLook look_;
-  const std::string p_, up_, view_;
+  const WatchKernel& side_;
   std::set<std::string>& uses_;
   Code& out_;
 };
@@ -169,7 +234,10 @@ class WatchSource {
 
 void print_watch_source(const Module& module, const Names& names, std::set<std::string>& uses,
                         Code& out) {
-  WatchSource(module, names, uses, out).print();
+  out.comment("---- monitors without a robot ----");
+  WatchSource(module, names, Telling::margins, uses, out).print();
+  out.comment("---- verdicts without margins ----");
+  WatchSource(module, names, Telling::verdicts, uses, out).print();
 }
 
 }  // namespace rtac::codegen

@@ -29,6 +29,7 @@ bool WatchValuePrinter::is_leaf(const Op& op) {
          std::holds_alternative<Truth>(op);
 }
 std::string WatchValuePrinter::operand(ValueId id) {
+  if (operands_) return operands_(id);
   const Op& op = (*block_)[id].op;
   return is_leaf(op) ? std::visit(*this, op) : value_name(id);
 }
@@ -61,8 +62,8 @@ std::string WatchValuePrinter::operator()(const AtLeast& v) {
   const Unit& unit = *(*block_)[v.a].unit;
   const Weight weight = weight_of(unit);
   const std::string operands = operand(v.a) + ", " + operand(v.b) + ", ";
-  const std::string end = std::string(v.strict ? "1, " : "0, ") +
-                          num(static_cast<std::int64_t>(watch_unit(kernel_.watch, unit)));
+  const std::string unit_number = num(static_cast<std::int64_t>(watch_unit(kernel_.watch, unit)));
+  const std::string end = std::string(v.strict ? "1, " : "0, ") + unit_number;
   if (is_plain_margin(*block_, v)) {
     return use("at_least", operands + num(weight.num) + ", " + end);
   }

@@ -15,11 +15,17 @@ class WatchValuePrinter {
  public:
   // What a value of a robot is, in a fact.
   using OfRobot = std::function<std::string(const ir::Value&, const ir::Block&)>;
+  // How an operand is written.
+  using Operands = std::function<std::string(ir::ValueId)>;
 
   // `uses` collects library functions. In the text, `v` is the view of a tick.
   WatchValuePrinter(const WatchKernel& kernel, const WatchNames& names, std::set<std::string>& uses,
-                    OfRobot of_robot = nullptr)
-      : kernel_(kernel), names_(names), uses_(uses), of_robot_(std::move(of_robot)) {}
+                    OfRobot of_robot = nullptr, Operands operands = nullptr)
+      : kernel_(kernel),
+        names_(names),
+        uses_(uses),
+        of_robot_(std::move(of_robot)),
+        operands_(std::move(operands)) {}
 
   std::string value(const ir::Value& value, const ir::Block& block);
   // Inputs, parameters and constants are written where they are used; all else is `vN`.
@@ -78,6 +84,7 @@ class WatchValuePrinter {
   const WatchNames& names_;
   std::set<std::string>& uses_;
   const OfRobot of_robot_;
+  const Operands operands_;  // none: by its name, a leaf by its text
   const ir::Block* block_ = nullptr;
   const ir::Value* value_ = nullptr;
 };

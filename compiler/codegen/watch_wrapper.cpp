@@ -18,7 +18,7 @@ class WatchWrapper {
         kernel_(module.name + "_monitors"),
         setters_(watch_, names, {"Monitors", "in_.", "state_."},
                  {"Monitors", "Index", "count", "step", "verdicts", "reset", "info", "state_",
-                  "in_", "findings_", "verdicts_"}),
+                  "in_", "findings_", "verdicts_", "verdicts_state_"}),
         out_(out) {}
 
   void print_class() {
@@ -39,7 +39,9 @@ class WatchWrapper {
           body.blank();
           body.comment("One finding per monitor, by Index.");
           body.line("const std::array<rtac::Finding, count>& step(rtac::TimeUs now_us);");
-          body.comment("The same without margins and reasons.");
+          body.comment(
+              "The same without margins and reasons, faster and with a memory of its own: call one "
+              "of both.");
           body.line("const std::array<rtac::Verdict, count>& verdicts(rtac::TimeUs now_us);");
           body.comment("Starts anew; parameters keep the tightest values that they were given.");
           body.line("void reset();");
@@ -47,6 +49,7 @@ class WatchWrapper {
               "[[nodiscard]] static const std::array<rtac::PlainMonitorInfo, count>& info();");
           body.blank().line("private:");
           body.line(kernel_ + "_state state_;");
+          body.line(kernel_ + "_verdicts_state verdicts_state_;");
           body.line(kernel_ + "_in in_;");
           body.line("std::array<rtac::Finding, count> findings_;");
           body.line("std::array<rtac::Verdict, count> verdicts_;");
@@ -57,10 +60,12 @@ class WatchWrapper {
 
   void print_methods() {
     tables();
-    out_.block("Monitors::Monitors() : state_(), in_(), findings_(), verdicts_()", [&](Code& body) {
-      setters_.first_values(body);
-      body.line(kernel_ + "_init(&state_);");
-    });
+    out_.line("Monitors::Monitors()");
+    out_.block("    : state_(), verdicts_state_(), in_(), findings_(), verdicts_()",
+               [&](Code& body) {
+                 setters_.first_values(body);
+                 start(body);
+               });
     out_.blank();
     setters_.define(out_);
     define_steps();
@@ -114,7 +119,7 @@ class WatchWrapper {
         "now_us)",
         [&](Code& body) {
           body.line("std::int32_t verdicts[count];");
-          body.line(kernel_ + "_verdicts(&state_, &in_, now_us, verdicts);");
+          body.line(kernel_ + "_verdicts(&verdicts_state_, &in_, now_us, verdicts);");
           body.block("for (std::size_t k = 0; k < count; ++k)", [&](Code& each) {
             each.line("verdicts_[k] = static_cast<rtac::Verdict>(verdicts[k]);");
           });
@@ -138,10 +143,13 @@ class WatchWrapper {
                });
     out_.blank();
   }
+  void start(Code& body) const {
+    body.line(kernel_ + "_init(&state_);");
+    body.line(kernel_ + "_verdicts_init(&verdicts_state_);");
+  }
+  // The inputs stay, and with them the tightest values of parameters.
   void define_reset() {
-    out_.block("void Monitors::reset()", [&](Code& body) {
-      setters_.keep_params(body, [&] { body.line(kernel_ + "_init(&state_);"); });
-    });
+    out_.block("void Monitors::reset()", [&](Code& body) { start(body); });
     out_.blank();
   }
 

@@ -34,7 +34,7 @@ std::string glue(const KernelInterface& kernel) {
          "_signal), (int64_t)sizeof(" + p + "_monitors_in), (int64_t)sizeof(" + p +
          "_monitors_state), (int64_t)sizeof(" + p + "_monitors_out)};\n" +  //
          "const int64_t rtac_replay_values[] = {" + up + "_VERDICT_TRUE, " + up +
-         "_VERDICT_FALSE, MARGIN_MAX};\n" +  //
+         "_VERDICT_FALSE, MARGIN_MAX / 2};\n" +  //
          "void rtac_replay_init(void *state) {\n  " + p + "_monitors_init((" + p +
          "_monitors_state *)state);\n}\n" +  //
          "void rtac_replay_step(void *state, const void *in, int64_t now_us, void *out) {\n  " + p +

@@ -7,8 +7,9 @@
 
 namespace rtac::ir {
 
-template <class Visit>
-void for_each_operand(Op& op, const Visit& visit) {
+// `AnyOp`: Op or const Op.
+template <class AnyOp, class Visit>
+void for_each_operand(AnyOp& op, const Visit& visit) {
   std::visit(
       [&](auto& node) {
         using Node = std::decay_t<decltype(node)>;

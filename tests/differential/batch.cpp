@@ -170,6 +170,17 @@ Batch::Result Batch::compare(driver::Engine& kernel) const {
   return result;
 }
 
+std::string Batch::disagreement(driver::Engine& one, driver::Engine& other) const {
+  one.restart();
+  other.restart();
+  const std::vector<std::string> first = judge(one, run_), second = judge(other, run_);
+  for (std::size_t k = 0; k < monitors_.size(); ++k) {
+    if (first[k] == second[k]) continue;
+    return monitors_[k] + "  one   " + first[k] + "\n  other " + second[k] + "\n";
+  }
+  return "";
+}
+
 std::string Batch::described(std::size_t k, std::size_t step, const std::string& fault,
                              const std::vector<Finding>& found) const {
   constexpr std::size_t shown_steps = 12;

@@ -40,6 +40,8 @@ class Batch {
     std::size_t sharp = 0;
   };
   [[nodiscard]] Result compare(driver::Engine& kernel) const;
+  // Where two kernels first differ; empty: nowhere.
+  [[nodiscard]] std::string disagreement(driver::Engine& one, driver::Engine& other) const;
 
  private:
   [[nodiscard]] std::string specification() const;

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "compiler/diagnostics/render.h"
 #include "compiler/driver/process.h"
@@ -39,6 +40,28 @@ driver::LoadedKernel load(const driver::KernelCode& code, const Edit& edit, Spee
     if (speed == Speed::of_building) file.text = "#pragma GCC optimize (\"O0\")\n" + file.text;
   }
   return driver::load_kernel(files, code.interface);
+}
+
+driver::LoadedKernel load_verdicts(const driver::KernelCode& code, const Edit& edit, Speed speed) {
+  const std::string p = code.interface.prefix + "_monitors";
+  const Edit both = [&](std::string text) {
+    if (edit) text = edit(text);
+    const auto rename = [&](const std::string& entry) {
+      const std::string head = "void " + p + entry + "(";
+      text.replace(text.find(head), head.size(), "static void whole" + entry + "(");
+    };
+    rename("_init");
+    rename("_step");
+    return text + "static " + p + "_verdicts_state verdicts_state;\nvoid " + p + "_init(" + p +
+           "_state *s) {\n  whole_init(s);\n  " + p + "_verdicts_init(&verdicts_state);\n}\nvoid " +
+           p + "_step(" + p + "_state *s, const " + p + "_in *in, int64_t now_us, " + p +
+           "_out *out) {\n  int32_t alone[sizeof out->monitors / sizeof out->monitors[0]];\n" +
+           "  int32_t k;\n  whole_step(s, in, now_us, out);\n  " + p +
+           "_verdicts(&verdicts_state, in, now_us, alone);\n" +
+           "  for (k = 0; k < (int32_t)(sizeof alone / sizeof *alone); ++k) {\n" +
+           "    out->monitors[k].verdict = alone[k];\n  }\n}\n";
+  };
+  return load(code, both, speed);
 }
 
 namespace {

@@ -28,6 +28,9 @@ using Edit = std::function<std::string(const std::string&)>;
 enum class Speed { of_steps, of_building };
 driver::LoadedKernel load(const driver::KernelCode& code, const Edit& edit = {},
                           Speed speed = Speed::of_steps);
+// The verdicts of the step are replaced by those of the entry that tells nothing else.
+driver::LoadedKernel load_verdicts(const driver::KernelCode& code, const Edit& edit = {},
+                                   Speed speed = Speed::of_steps);
 
 // One call of `step`, and what the application sets before it.
 struct ParamChange {

@@ -148,6 +148,13 @@ TEST_F(SmallScope, TheKernelFollowsTheDefinitions) {
   compare(*loaded.engine);
 }
 
+TEST_F(SmallScope, TheVerdictsAloneFollowTheDefinitions) {
+  const auto code = driver::kernel_code(checked_->compilation);
+  const driver::LoadedKernel loaded = load_verdicts(code);
+  ASSERT_NE(loaded.engine, nullptr) << loaded.problem;
+  compare(*loaded.engine);
+}
+
 TEST_F(SmallScope, TheReferenceFollowsTheDefinitions) {
   compare(*driver::make_interpreter(*checked_->compilation.spec));
 }

@@ -95,8 +95,9 @@ class PointsAndZones : public ::testing::TestWithParam<std::size_t> {
   std::mt19937 random_{7};
 };
 
-// Verdicts refine the exact ones, and are as exact where both lie on the grid; margins are below
-// the exact ones by 3 mm at most on the grid, by 15 mm elsewhere.
+// Verdicts refine the exact ones, are the same when they are computed alone, and are as exact where
+// both lie on the grid; margins are below the exact ones by 3 mm at most on the grid, by 15 mm
+// elsewhere.
 TEST_P(PointsAndZones, AreJudgedConservativelyAndTightly) {
   const Case& c = cases()[GetParam()];
   const std::string text = std::string("spec s;\nperiod 1 s;\nzone z = ") + c.zone +
@@ -110,9 +111,12 @@ TEST_P(PointsAndZones, AreJudgedConservativelyAndTightly) {
   const auto checked = check(text, Until::kernel);
   ASSERT_EQ(checked->problem, "");
   const auto reference = driver::make_interpreter(*checked->compilation.spec);
-  const driver::LoadedKernel kernel = load(driver::kernel_code(checked->compilation));
+  const driver::KernelCode code = driver::kernel_code(checked->compilation);
+  const driver::LoadedKernel kernel = load(code);
   ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
-  std::vector<driver::Judgement> exact, found;
+  const driver::LoadedKernel alone = load_verdicts(code);
+  ASSERT_NE(alone.engine, nullptr) << alone.problem;
+  std::vector<driver::Judgement> exact, found, verdicts;
   std::size_t decided = 0, inside = 0;
   for (std::int64_t tick = 0; tick < 3000; ++tick) {
     const auto [x, y] = place(c);
@@ -124,11 +128,13 @@ TEST_P(PointsAndZones, AreJudgedConservativelyAndTightly) {
     }
     reference->step(now_us, inputs, exact);
     kernel.engine->step(now_us, inputs, found);
+    alone.engine->step(now_us, inputs, verdicts);
     const bool on_grid = c.on_grid && x % 1000 == 0 && y % 1000 == 0;
     for (std::size_t k = 0; k < exact.size(); ++k) {
       SCOPED_TRACE(std::string(c.name) + " monitor " + std::to_string(k) + " at " +
                    std::to_string(x) + " " + std::to_string(y) + " um: exact " + exact[k].margin +
                    ", found " + found[k].margin);
+      ASSERT_EQ(verdicts[k].verdict, found[k].verdict);
       const bool is_unknown = found[k].verdict == interp::Verdict::unknown;
       ASSERT_TRUE(is_unknown || found[k].verdict == exact[k].verdict);
       if (on_grid && k < 2) {

@@ -34,6 +34,11 @@ TEST_P(RandomFormulas, AreJudgedConservativelyAndTightly) {
   EXPECT_GT(result.rounded, result.margins / 10);
   // The bounds are no excuse: many of them are reached.
   EXPECT_GT(result.sharp, formulas / 10);
+  // The entry that tells verdicts alone computes them in another way, without margins: it finds the
+  // same at every step.
+  const driver::LoadedKernel alone = load_verdicts(batch.code());
+  ASSERT_NE(alone.engine, nullptr) << alone.problem;
+  EXPECT_EQ(batch.disagreement(*loaded.engine, *alone.engine), "");
 }
 
 // What the reference is given is what the rules of inputs and ticks are about.

@@ -4,10 +4,12 @@
 
 namespace rtac::mutation {
 
-const std::vector<Mutant>& mutants() {
+namespace {
+
+std::vector<Mutant> mutants_of_formulas() {
   // Calls end with the window, a and b in ticks (-1: for ever), and the ticks.
 #define RTAC_TICKS R"(,(\s+)&v->s->ticks\))"
-  static const std::vector<Mutant> all = {
+  return {
       // windows
       {"b_of_verdicts_one_less",
        R"(((?:once|historically|since)_verdict\([^;]*), (\d+),(\s+)(\d+))" RTAC_TICKS,
@@ -105,21 +107,28 @@ const std::vector<Mutant>& mutants() {
       {"size_is_signed", R"(= absolute_of\(([^)]+)\))", "= $1"},
       {"margins_without_the_other_error", R"(\(a\.lo - b\.hi\) \* 2)", "(a.lo - b.lo) * 2"},
       {"unknown_ticks_have_no_range", R"(_over\(span_fill\(([^,]+), [^)]+\))", "_over($1"},
+      {"margins_not_halved", R"(\(end \+ \(end & 1\)\) / 2)", "end"},
+  };
+#undef RTAC_TICKS
+}
+
+std::vector<Mutant> mutants_of_inputs() {
+  return {
       // inputs
       {"error_not_applied", R"(s->lo - error, s->hi \+ error)", "s->lo, s->hi"},
       {"error_applied_twice", R"(s->lo - error, s->hi \+ error)",
        "s->lo - 2 * error, s->hi + 2 * error"},
       {"error_on_one_side", R"(s->lo - error, s->hi \+ error)", "s->lo, s->hi + error"},
-      {"range_not_checked", R"(s->lo < least \|\| s->hi > most)", "0"},
-      {"upper_end_not_checked", R"( \|\| s->hi > most)", ""},
+      {"range_not_checked", R"(\((s->lo < least|s->hi > most)\))", "(0)"},
+      {"upper_end_not_checked", R"(\(s->hi > most\))", "(0)"},
       {"age_not_checked", R"((fresh_\w+ = good_\w+) && elapsed_us\([^)]*\) <= \d+)", "$1"},
       {"age_is_strict", R"((fresh_\w+ = good_\w+ && elapsed_us\([^)]*\)) <= (\d+))", "$1 < $2"},
       {"held_must_arrive", R"(fresh_(\w+) = good_\w+;)",
-       "fresh_$1 = good_$1 && v->s->last_$1_us > since_us;"},
-      {"arrived_once_is_enough", R"( && in->\w+\.stamp_us > since_us)", ""},
-      {"future_stamps_count", R"(s->stamp_us > now_us \|\| )", ""},
-      {"stamps_may_go_backwards", R"( \|\| s->stamp_us < \*last_us)", ""},
-      {"values_that_are_none_count", R"(s->valid == 0 \|\| )", ""},
+       "fresh_$1 = good_$1 && v->s->last_$1_us > v->since_us;"},
+      {"arrived_once_is_enough", R"( && in->\w+\.stamp_us > v->since_us)", ""},
+      {"future_stamps_count", R"(\(s->stamp_us > now_us\))", "(0)"},
+      {"stamps_may_go_backwards", R"(\(s->stamp_us < \*last_us\))", "(0)"},
+      {"values_that_are_none_count", R"(\(s->valid == 0\))", "(0)"},
       {"age_of_no_sample", R"(good && s->valid != 0)", "good"},
       // parameters
       {"parameters_stay", R"(up \? max_of\(so_far, given\) : min_of\(so_far, given\))", "so_far"},
@@ -130,7 +139,33 @@ const std::vector<Mutant>& mutants() {
       {"long_gaps_forget_nothing", R"(ticks_forget\(&s->ticks, s->clock\.tick\))",
        "s->ticks.now = s->clock.tick"},
   };
-#undef RTAC_TICKS
+}
+
+}  // namespace
+
+const std::vector<Mutant>& mutants() {
+  static const std::vector<Mutant> all = [] {
+    std::vector<Mutant> both = mutants_of_formulas();
+    for (const Mutant& mutant : mutants_of_inputs()) both.push_back(mutant);
+    return both;
+  }();
+  return all;
+}
+
+const std::vector<Mutant>& verdict_mutants() {
+  static const std::vector<Mutant> all = {
+      {"unknown_is_false", R"(\? (\w+)_VERDICT_UNKNOWN)", "? $1_VERDICT_FALSE"},
+      {"perhaps_is_surely", R"((v->\w+)\.lo >= )", "$1.hi >= "},
+      {"negation_keeps_its_side", R"(\((v->\w+|v\d+) & 2\) == 0)", "($1 & 1) == 0"},
+      {"unknown_condition_is_true", R"(condition == BITS_TRUE)", "condition != BITS_FALSE"},
+      {"any_value_is_the_same", R"(a\.lo == b\.lo && a\.hi == b\.lo)", "1"},
+      {"since_needs_no_hold", R"(\(\*so_far & hold\) \| x)", "*so_far | x"},
+      {"once_is_now", R"(\*so_far = \*so_far \| x;)", "*so_far = x;"},
+      {"historically_is_now", R"(\*so_far = \*so_far & x;)", "*so_far = x;"},
+      {"historically_starts_false", R"((historically_\d+) = BITS_TRUE)", "$1 = BITS_FALSE"},
+      {"gaps_forget_nothing", R"(s->\w+_\d+ = BITS_UNKNOWN;)", ""},
+      {"previously_is_now", R"(= previously_bits\(([^,]+), [^;]*;)", "= $1;"},
+  };
   return all;
 }
 
@@ -143,6 +178,8 @@ std::vector<std::string> witnesses() {
       "a implies c",
       "a since[2 s, 5 s] c",
       "c since b",
+      "once a",
+      "historically c",
       "once[1 s, 3 s] a",
       "historically[2 s, 4 s] c",
       "once[1 s, inf] (w == park and a and c)",

@@ -13,6 +13,8 @@ struct Mutant {
   const char* replacement;  // $1, $2, ...: groups
 };
 const std::vector<Mutant>& mutants();
+// In what tells verdicts alone; what both entries share is among the others.
+const std::vector<Mutant>& verdict_mutants();
 
 // All places that match; the same text when none does.
 std::string mutated(const Mutant& mutant, const std::string& kernel);

@@ -11,6 +11,7 @@ namespace {
 
 using differential::Batch;
 using differential::load;
+using differential::load_verdicts;
 using differential::Speed;
 
 // One batch for all mutants of a process: what is found does not depend on them.
@@ -49,6 +50,27 @@ TEST_P(Mutants, AreNoticed) {
   std::cout << GetParam().name << ": noticed by " << noticed << " of " << batch().size()
             << " monitors\n";
 }
+
+class VerdictMutants : public ::testing::TestWithParam<Mutant> {};
+
+TEST_P(VerdictMutants, AreNoticed) {
+  ASSERT_EQ(batch().problem(), "");
+  bool matches = false;
+  const driver::LoadedKernel kernel = load_verdicts(
+      batch().code(),
+      [&](const std::string& text) {
+        std::string result = mutated(GetParam(), text);
+        matches = result != text;
+        return result;
+      },
+      Speed::of_building);
+  ASSERT_TRUE(matches) << "the kernel has no such text any more";
+  ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
+  EXPECT_GT(batch().compare(*kernel.engine).different, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Compiler, VerdictMutants, ::testing::ValuesIn(verdict_mutants()),
+                         [](const auto& param) { return std::string(param.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Compiler, Mutants, ::testing::ValuesIn(mutants()),
                          [](const auto& param) { return std::string(param.param.name); });

@@ -25,6 +25,27 @@ typedef struct KERNEL_change {
 typedef struct KERNEL_tally {
   int64_t must, may, at;
 } KERNEL_tally;
+/*= span_bounds : bounds_known span_of span_unknown open_ends */
+/* For what works on spans. */
+static span span_bounds(bounds a) {
+  span s = span_unknown(INPUT_CLOCK);
+  if (bounds_known(a)) {
+    s = span_of(a.lo, a.hi);
+    s.lo_open = a.lo_open;
+    s.hi_open = a.hi_open;
+  }
+  return s;
+}
+/*= bounds_span : bounds_of bounds_nothing span_type open_ends */
+static bounds bounds_span(span a) {
+  bounds b = bounds_nothing();
+  if (a.input == INPUT_NONE) {
+    b = bounds_of(a.lo, a.hi);
+    b.lo_open = a.lo_open;
+    b.hi_open = a.hi_open;
+  }
+  return b;
+}
 /*= kept_of_span : span_type lower_end upper_end */
 static KERNEL_kept kept_of_span(span s) {
   KERNEL_kept k;
@@ -126,13 +147,13 @@ static span mean_over(span x, span none, KERNEL_total *s, KERNEL_pair *ring, int
   const span sum = sum_over(x, none, s, ring, from, to, t);
   return ticks > 0 ? span_scale(sum, 1, ticks) : span_unknown(INPUT_CLOCK);
 }
-/*= count_over : bits_of bits_at bits_put forgotten_in next_place span_of */
+/*= count_bits : bits_at bits_put forgotten_in next_place span_of */
 /* How many ticks of the window the operand was true: at least, and at most. The ring holds
  * [now - to, now], or what has not entered a window without an end. */
-static span count_over(margin x, KERNEL_tally *s, uint8_t *ring, int64_t from, int64_t to,
+static span count_bits(int32_t x, KERNEL_tally *s, uint8_t *ring, int64_t from, int64_t to,
                        const KERNEL_ticks *t) {
   const int64_t size = to < 0 ? from : to + 1;
-  int32_t bits = bits_of(x);
+  int32_t bits = x;
   int32_t left = 0;
   if (t->now == t->known) {
     s->must = 0;
@@ -156,6 +177,11 @@ static span count_over(margin x, KERNEL_tally *s, uint8_t *ring, int64_t from, i
   s->must += (bits & 1) - (left & 1);
   s->may += (bits >> 1) - (left >> 1);
   return span_of(s->must, s->may + forgotten_in(t, from, to));
+}
+/*= count_over : count_bits bits_of */
+static span count_over(margin x, KERNEL_tally *s, uint8_t *ring, int64_t from, int64_t to,
+                       const KERNEL_ticks *t) {
+  return count_bits(bits_of(x), s, ring, from, to, t);
 }
 /*= change_at : span_of span_unknown */
 /* The quantity at an earlier tick. */

@@ -113,11 +113,12 @@ static int64_t lower_end(span a) {
 static int64_t upper_end(span a) {
   return 2 * a.hi - a.hi_open;
 }
-/*= span_between : span_of open_ends */
+/*= span_between : span_of bounds_between open_ends */
 static span span_between(int64_t lower, int64_t upper) {
-  span s = span_of(lower / 2 - (lower % 2 < 0), upper / 2 + (upper % 2 > 0));
-  s.lo_open = lower % 2 != 0;
-  s.hi_open = upper % 2 != 0;
+  const bounds b = bounds_between(lower, upper);
+  span s = span_of(b.lo, b.hi);
+  s.lo_open = b.lo_open;
+  s.hi_open = b.hi_open;
   return s;
 }
 /*= span_add : span_type */
@@ -139,16 +140,18 @@ static span span_negate(span a) {
   /*? open_ends */ s.hi_open = a.lo_open;
   return s;
 }
-/*= span_scale : span_type min_of max_of */
-/* a * num / den with outward rounding, den > 0. An unknown stays what it is: its ends are no
- * measurements, and need not fit the product. */
+/*= span_ends : span_type ends_of */
+static inline ends span_ends(span a) {
+  return ends_of(a.lo, a.hi);
+}
+/*= span_scale : span_ends ends_scaled */
+/* An unknown stays what it is: its ends are no measurements, and need not fit the product. */
 static span span_scale(span a, int64_t num, int64_t den) {
   span s = a;
   if (a.input == INPUT_NONE) {
-    const int64_t p = min_of(a.lo * num, a.hi * num);
-    const int64_t q = max_of(a.lo * num, a.hi * num);
-    s.lo = p / den - (p % den < 0 ? 1 : 0);
-    s.hi = q / den + (q % den > 0 ? 1 : 0);
+    const ends scaled = ends_scaled(span_ends(a), num, den);
+    s.lo = scaled.lo;
+    s.hi = scaled.hi;
     /*? open_ends */ s.lo_open = num > 0 ? a.lo_open : 0;
     /*? open_ends */ s.hi_open = num > 0 ? a.hi_open : 0;
   }

@@ -111,6 +111,20 @@ static span clearance_of(const zone *within, const zone *around, span x, span y,
     return c;
   }
 }
+/*= bits_inside : cell_in_zone box_of span_bounds bounds_known bits_type */
+/* The verdict of inside_of; `bits`: that of `m`. */
+static int32_t bits_inside(int32_t bits, const zone *within, const zone *around, bounds x, bounds y) {
+  if (bits == BITS_UNKNOWN && bounds_known(x) && bounds_known(y)) {
+    const box b = box_of(span_bounds(x), span_bounds(y));
+    if (cell_in_zone(within, &b) > 0) {
+      return BITS_TRUE;
+    }
+    if (cell_in_zone(around, &b) < 0) {
+      return BITS_FALSE;
+    }
+  }
+  return bits;
+}
 /*= inside_of : cell_in_zone box_of margin_type span_type min_of max_of */
 /* `m`: the margin of the clearance of a place that is at least 0. Its bounds are some mm wide;
  * whether a place without error is in the zone is known better. */

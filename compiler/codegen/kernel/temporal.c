@@ -16,20 +16,29 @@ typedef struct KERNEL_kept {
   int64_t lo, hi;
   int32_t reason, index, input, other;
 } KERNEL_kept;
-/*= witness_state : kept_state */
+/*= sight_state */
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false
- * (may); -1: none. `at`: place in the ring of verdicts; why: the latest operand that was
- * unknown. */
-typedef struct KERNEL_witness {
+ * (may); -1: none. `at`: place in the ring of verdicts. */
+typedef struct KERNEL_sight {
   int64_t must, may, at;
+} KERNEL_sight;
+/*= witness_state : sight_state kept_state */
+/* why: the latest operand that was unknown. */
+typedef struct KERNEL_witness {
+  KERNEL_sight sight;
   KERNEL_kept why;
 } KERNEL_witness;
-/*= bond_state : witness_state */
+/*= hold_state : sight_state */
 /* Of `since`: the witness, and the latest ticks at which what must hold since then was not true
  * (must) and was false (may); -1: none. */
-typedef struct KERNEL_bond {
-  KERNEL_witness witness;
+typedef struct KERNEL_hold {
+  KERNEL_sight witness;
   int64_t must, may;
+} KERNEL_hold;
+/*= bond_state : hold_state kept_state */
+typedef struct KERNEL_bond {
+  KERNEL_hold hold;
+  KERNEL_kept why;
 } KERNEL_bond;
 /*= slide_state : kept_state */
 /* A sliding window in two halves of a ring: `head` joins the half that is being filled, up to `at`,
@@ -163,18 +172,27 @@ static margin margin_bits(int32_t bits, margin x, const KERNEL_kept *why) {
   }
   return m;
 }
-/*= witness_start : margin_unknown kept_of */
-static void witness_start(KERNEL_witness *s) {
+/*= why_known : bits_of kept_of margin_unknown */
+/* Keeps the latest operand that was unknown. */
+static void why_known(KERNEL_kept *why, margin x, const KERNEL_ticks *t) {
+  if (t->now == t->known) {
+    *why = kept_of(margin_unknown(INPUT_CLOCK));
+  }
+  if (bits_of(x) == 2) {
+    *why = kept_of(x);
+  }
+}
+/*= sight_start */
+static void sight_start(KERNEL_sight *s) {
   s->must = -1;
   s->may = -1;
   s->at = 0;
-  s->why = kept_of(margin_unknown(INPUT_CLOCK));
 }
-/*= witness_look : bits_delay min_of max_of */
+/*= sight_look : bits_delay min_of max_of */
 /* Brings the witness up to the end of the window, and returns the latest tick at which the operand
  * may have been true. Only the latest matters: it is the last one to leave the window. */
-static int64_t witness_look(int32_t bits, KERNEL_witness *s, uint8_t *ring, int64_t from,
-                            const KERNEL_ticks *t) {
+static int64_t sight_look(int32_t bits, KERNEL_sight *s, uint8_t *ring, int64_t from,
+                          const KERNEL_ticks *t) {
   const int64_t end = t->now - from;
   const int32_t then = bits_delay(bits, ring, from, &s->at);
   if (end >= t->known) {
@@ -183,56 +201,84 @@ static int64_t witness_look(int32_t bits, KERNEL_witness *s, uint8_t *ring, int6
   }
   return max_of(s->may, min_of(t->known - 1, end));
 }
-/*= once_bits : bits_of witness_start witness_look window_start kept_of */
-static int32_t once_bits(int32_t bits, margin x, KERNEL_witness *s, uint8_t *ring, int64_t from,
-                         int64_t to, const KERNEL_ticks *t) {
+/*= once_within : sight_start sight_look window_start */
+static inline int32_t once_within(int32_t x, KERNEL_sight *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const KERNEL_ticks *t) {
   const int64_t start = window_start(t, to);
   int64_t may;
   if (t->now == t->known) {
-    witness_start(s);
+    sight_start(s);
   }
-  if (bits_of(x) == 2) {
-    s->why = kept_of(x);
-  }
-  may = witness_look(bits, s, ring, from, t);
+  may = sight_look(x, s, ring, from, t);
   return (s->must >= start ? 1 : 0) + (may >= start ? 2 : 0);
 }
-/*= once_verdict : once_bits bits_of margin_bits */
-static inline margin once_verdict(margin x, KERNEL_witness *s, uint8_t *ring, int64_t from,
-                                  int64_t to, const KERNEL_ticks *t) {
-  return margin_bits(once_bits(bits_of(x), x, s, ring, from, to, t), x, &s->why);
-}
-/*= historically_verdict : once_bits bits_of bits_not margin_bits */
+/*= historically_within : once_within bits_not */
 /* Never otherwise. */
-static inline margin historically_verdict(margin x, KERNEL_witness *s, uint8_t *ring,
-                                          int64_t from, int64_t to, const KERNEL_ticks *t) {
-  const int32_t otherwise = once_bits(bits_not(bits_of(x)), x, s, ring, from, to, t);
-  return margin_bits(bits_not(otherwise), x, &s->why);
+static inline int32_t historically_within(int32_t x, KERNEL_sight *s, uint8_t *ring, int64_t from,
+                                          int64_t to, const KERNEL_ticks *t) {
+  return bits_not(once_within(bits_not(x), s, ring, from, to, t));
 }
-/*= since_verdict : bits_of witness_start witness_look window_start kept_of margin_bits max_of */
+/*= since_within : sight_start sight_look window_start max_of */
 /* `hold` at every tick after the latest `x` of the window: at the tick of x itself it need not, so
  * a witness counts from the latest break on. An earlier x is no better: it has left the window
  * sooner, and there are more ticks to hold. */
-static inline margin since_verdict(margin hold, margin x, KERNEL_bond *s, uint8_t *ring,
+static inline int32_t since_within(int32_t hold, int32_t x, KERNEL_hold *s, uint8_t *ring,
                                    int64_t from, int64_t to, const KERNEL_ticks *t) {
   const int64_t start = window_start(t, to);
-  const int32_t bits = bits_of(hold);
   int64_t may;
-  int32_t found;
   if (t->now == t->known) {
-    witness_start(&s->witness);
+    sight_start(&s->witness);
     s->must = -1; /* a sure witness is never among what is forgotten */
     s->may = -1;
   }
-  if (bits == 2 || bits_of(x) == 2) {
-    s->witness.why = kept_of(bits == 2 ? hold : x);
-  }
-  s->must = bits & 1 ? s->must : t->now;
-  s->may = bits & 2 ? s->may : t->now;
-  may = witness_look(bits_of(x), &s->witness, ring, from, t);
-  found = (s->witness.must >= max_of(start, s->must) ? 1 : 0) +
-          (may >= max_of(start, s->may) ? 2 : 0);
-  return margin_bits(found, found == bits ? hold : x, &s->witness.why);
+  s->must = hold & 1 ? s->must : t->now;
+  s->may = hold & 2 ? s->may : t->now;
+  may = sight_look(x, &s->witness, ring, from, t);
+  return (s->witness.must >= max_of(start, s->must) ? 1 : 0) +
+         (may >= max_of(start, s->may) ? 2 : 0);
+}
+/*= once_verdict : once_within bits_of why_known margin_bits */
+static inline margin once_verdict(margin x, KERNEL_witness *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const KERNEL_ticks *t) {
+  why_known(&s->why, x, t);
+  return margin_bits(once_within(bits_of(x), &s->sight, ring, from, to, t), x, &s->why);
+}
+/*= historically_verdict : historically_within bits_of why_known margin_bits */
+static inline margin historically_verdict(margin x, KERNEL_witness *s, uint8_t *ring,
+                                          int64_t from, int64_t to, const KERNEL_ticks *t) {
+  why_known(&s->why, x, t);
+  return margin_bits(historically_within(bits_of(x), &s->sight, ring, from, to, t), x, &s->why);
+}
+/*= since_verdict : since_within bits_of why_known margin_bits */
+static inline margin since_verdict(margin hold, margin x, KERNEL_bond *s, uint8_t *ring,
+                                   int64_t from, int64_t to, const KERNEL_ticks *t) {
+  const int32_t bits = bits_of(hold);
+  int32_t found;
+  why_known(&s->why, bits == 2 ? hold : x, t);
+  found = since_within(bits, bits_of(x), &s->hold, ring, from, to, t);
+  return margin_bits(found, found == bits ? hold : x, &s->why);
+}
+/*= once_ever */
+/* Without a window the verdict so far is all that there is to remember. */
+static inline int32_t once_ever(int32_t x, int32_t *so_far) {
+  *so_far = *so_far | x;
+  return *so_far;
+}
+/*= historically_ever */
+static inline int32_t historically_ever(int32_t x, int32_t *so_far) {
+  *so_far = *so_far & x;
+  return *so_far;
+}
+/*= since_ever */
+static inline int32_t since_ever(int32_t hold, int32_t x, int32_t *so_far) {
+  *so_far = (*so_far & hold) | x;
+  return *so_far;
+}
+/*= previously_bits */
+static inline int32_t previously_bits(int32_t x, int32_t *before) {
+  const int32_t then = *before;
+  *before = x;
+  return then;
 }
 /*= slide_join : kept_join */
 /* Joins the latest `ticks` entries, with `x` the newest one. The window covers what is filled of
@@ -313,6 +359,34 @@ static margin historically_margin(margin x, KERNEL_slide *s, KERNEL_kept *ring,
   return margin_kept(window_join(kept_of(x), kept_of(margin_true()),
                                  kept_of(margin_unknown(INPUT_CLOCK)), s, ring, delay, from, to, 0,
                                  t));
+}
+/*= kept_true : kept_of margin_true */
+static KERNEL_kept kept_true(void) {
+  return kept_of(margin_true());
+}
+/*= kept_false : kept_of margin_false */
+static KERNEL_kept kept_false(void) {
+  return kept_of(margin_false());
+}
+/*= kept_forgotten : kept_of margin_unknown */
+static KERNEL_kept kept_forgotten(void) {
+  return kept_of(margin_unknown(INPUT_CLOCK));
+}
+/*= once_margin_ever : kept_join kept_of margin_kept */
+/* Without a window the margin so far is all that there is to remember. */
+static inline margin once_margin_ever(margin x, KERNEL_kept *so_far) {
+  *so_far = kept_join(*so_far, kept_of(x), 1);
+  return margin_kept(*so_far);
+}
+/*= historically_margin_ever : kept_join kept_of margin_kept */
+static inline margin historically_margin_ever(margin x, KERNEL_kept *so_far) {
+  *so_far = kept_join(*so_far, kept_of(x), 0);
+  return margin_kept(*so_far);
+}
+/*= since_margin_ever : kept_join kept_of margin_kept */
+static inline margin since_margin_ever(margin hold, margin x, KERNEL_kept *so_far) {
+  *so_far = kept_join(kept_join(*so_far, kept_of(hold), 0), kept_of(x), 1);
+  return margin_kept(*so_far);
 }
 /*= since_margin : window_join kept_join kept_delay kept_of margin_kept margin_false margin_true margin_unknown */
 /* With h the margin of `hold` and m that of x, the margin is the greatest over j in [i - b, i - a]

@@ -7,23 +7,114 @@
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const KERNEL_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+/*= tick_follows */
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(KERNEL_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+/*= tick_until : later */
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const KERNEL_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 /*= before */
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
 static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
+/*= bounds_number : bounds_of bounds_nothing */
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const KERNEL_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+/*= bits_truth : bits_type */
+static inline int32_t bits_truth(const KERNEL_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+/*= age_known : elapsed_us */
+/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
+static inline int64_t age_known(const KERNEL_signal *s, int32_t good, int64_t now_us) {
+  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+  return age_us > AGE_MAX_US ? -1 : age_us;
+}
+/*= bounds_age : age_known bounds_of bounds_nothing */
+static inline bounds bounds_age(const KERNEL_signal *s, int32_t good, int64_t now_us) {
+  const int64_t age_us = age_known(s, good, now_us);
+  return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
+}
+/*= age_span : age_known span_of span_unknown */
+static inline span age_span(const KERNEL_signal *s, int32_t good, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(s, good, now_us);
+  return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
+}
 /*= number_of : span_of span_unknown open_ends */
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const KERNEL_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const KERNEL_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -31,23 +122,13 @@ static span number_of(const KERNEL_signal *s, int32_t fresh, int64_t least, int6
   seen.hi_open = s->lo < s->hi;
   return seen;
 }
-/*= truth_of : margin_true margin_false margin_unknown */
-static margin truth_of(const KERNEL_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+/*= truth_of : bits_truth margin_true margin_false margin_unknown */
+static inline margin truth_of(const KERNEL_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
-}
-/*= age_span : span_of span_unknown elapsed_us */
-/* Time since the stamp of the newest sample; unknown when there is none, or beyond 35 years. */
-static span age_span(const KERNEL_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
-  return age_us < 0 || age_us > AGE_MAX_US ? span_unknown(input) : span_of(age_us, age_us);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 /*= tighter : min_of max_of */
 /* The tightest value of its range that a parameter was ever given; it tightens upwards when `up`. */
@@ -155,15 +236,15 @@ static span sum_of(span a, span b) {
   }
   return sum;
 }
-/*= product_of : quantity_missing span_of min_of max_of */
-static span product_of(span a, span b) {
+/*= span_within : span_of ends_type */
+static inline span span_within(ends a) {
+  return span_of(a.lo, a.hi);
+}
+/*= product_of : quantity_missing ends_product span_ends span_within */
+static inline span product_of(span a, span b) {
   int32_t known;
   const span missing = quantity_missing(a, b, &known);
-  if (known == 0) {
-    return missing;
-  }
-  return span_of(min_of(min_of(a.lo * b.lo, a.lo * b.hi), min_of(a.hi * b.lo, a.hi * b.hi)),
-                 max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
+  return known ? span_within(ends_product(span_ends(a), span_ends(b))) : missing;
 }
 /*= absolute_of : span_between lower_end upper_end magnitude min_of max_of span_type */
 static span absolute_of(span a) {
@@ -176,10 +257,9 @@ static span absolute_of(span a) {
   }
   return span_between(lower <= 0 && upper >= 0 ? 0 : min_of(one, two), max_of(one, two));
 }
-/*= square_of : product_of absolute_of */
-static span square_of(span a) {
-  const span size = absolute_of(a);
-  return product_of(size, size);
+/*= square_of : ends_square span_ends span_within */
+static inline span square_of(span a) {
+  return a.input != INPUT_NONE ? a : span_within(ends_square(span_ends(a)));
 }
 /*= smaller_of : quantity_missing span_between lower_end upper_end min_of */
 static span smaller_of(span a, span b) {
@@ -195,14 +275,15 @@ static span greater_of(span a, span b) {
   return known ? span_between(max_of(lower_end(a), lower_end(b)), max_of(upper_end(a), upper_end(b)))
                : missing;
 }
-/*= root_of : root_down root_up span_of max_of span_type */
-/* Rounded outward. What is below 0 within its error counts as 0. */
-static span root_of(span a) {
-  return a.input != INPUT_NONE ? a : span_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
+/*= root_of : ends_root span_ends span_within */
+static inline span root_of(span a) {
+  return a.input != INPUT_NONE ? a : span_within(ends_root(span_ends(a)));
 }
-/*= norm_of : square_of sum_of root_of */
-static span norm_of(span a, span b) {
-  return root_of(sum_of(square_of(a), square_of(b)));
+/*= norm_of : quantity_missing ends_squares ends_root span_ends span_within */
+static inline span norm_of(span a, span b) {
+  int32_t known;
+  const span missing = quantity_missing(a, b, &known);
+  return known ? span_within(ends_root(ends_squares(span_ends(a), span_ends(b)))) : missing;
 }
 /*= chosen : quantity_missing span_between lower_end upper_end min_of max_of verdict_of */
 /* a where the condition is true, b where it is false, anything of both where it is unknown. */
@@ -220,23 +301,18 @@ static span chosen(margin condition, span a, span b) {
                : missing;
 }
 /*= millionths */
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 /*= finding_judged : verdict_of millionths */
-static KERNEL_finding_of finding_judged(margin m) {
+static inline KERNEL_finding_of finding_judged(margin m) {
   KERNEL_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = REASON_NONE;
   f.input = INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == VERDICT_FALSE) {

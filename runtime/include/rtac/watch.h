@@ -85,7 +85,7 @@ inline void tighten(std::int64_t& param, double si, double per_unit, std::int64_
 // KernelFinding { verdict, reason, input, unit, lo, hi }
 template <class KernelFinding>
 Finding finding_of(const KernelFinding& from, const MarginUnit* units, const char* const* inputs) {
-  constexpr std::int64_t infinite = 1'000'000'000'000'000'000;
+  constexpr std::int64_t infinite = 500'000'000'000'000'000;
   Finding to;
   to.verdict = static_cast<Verdict>(from.verdict);
   to.reason = static_cast<Reason>(from.reason);

@@ -30,10 +30,10 @@ using Seen = std::array<int, 3>;  // ticks of each verdict
 void patrol_agrees(const Faults& faults) {
   const PatrolTrace trace = patrol_trace(7, 60'000, faults);
   patrol_monitors_state kernel;
-  patrol_monitors_state verdicts_only;
+  patrol_monitors_verdicts_state verdicts_only;
   hand_patrol_state hand;
   patrol_monitors_init(&kernel);
-  patrol_monitors_init(&verdicts_only);
+  patrol_monitors_verdicts_init(&verdicts_only);
   hand_patrol_init(&hand);
   std::array<Seen, PATROL_MONITORS> seen{};
   for (std::size_t i = 0; i < trace.now_us.size(); ++i) {
@@ -70,9 +70,9 @@ TEST(PatrolByHand, agrees_when_ticks_are_missed) {
 // the generated code is sure, they say the same.
 TEST(PatrolByHand, naive_checks_agree_where_the_kernel_is_sure) {
   const PatrolTrace trace = patrol_trace(7, 20'000, {.samples = false, .ticks = false});
-  patrol_monitors_state kernel;
+  patrol_monitors_verdicts_state kernel;
   naive_patrol_state naive{};
-  patrol_monitors_init(&kernel);
+  patrol_monitors_verdicts_init(&kernel);
   std::array<int, PATROL_MONITORS> sure{};
   for (std::size_t i = 0; i < trace.now_us.size(); ++i) {
     std::int32_t verdicts[PATROL_MONITORS];
@@ -91,7 +91,9 @@ TEST(PatrolByHand, naive_checks_agree_where_the_kernel_is_sure) {
 template <class Generated, class State, class Step>
 void window_agrees(State& hand, const Step& step, const Faults& faults) {
   auto kernel = std::make_unique<typename Generated::State>();
+  auto verdicts = std::make_unique<typename Generated::VerdictsState>();
   Generated::init(kernel.get());
+  Generated::verdicts_init(verdicts.get());
   Seen seen{};
   int i = 0;
   for (const WindowTick& tick : window_trace(11, 300'000, faults)) {
@@ -103,11 +105,14 @@ void window_agrees(State& hand, const Step& step, const Faults& faults) {
     if constexpr (HasCalm<typename Generated::In>) put_condition(in.calm, tick.calm, tick.now_us);
     put_condition(calm, tick.calm, tick.now_us);
     put_condition(alarm, tick.alarm, tick.now_us);
+    std::int32_t verdict[1];
     Generated::step(kernel.get(), &in, tick.now_us, &k);
+    Generated::verdicts(verdicts.get(), &in, tick.now_us, verdict);
     step(&hand, calm, alarm, tick.now_us, &h);
     ASSERT_EQ(k.tick, h.tick);
     ASSERT_TRUE(same(k.monitors[0], h.finding))
         << "at step " << i << ": " << text(k.monitors[0]) << ", by hand: " << text(h.finding);
+    ASSERT_EQ(verdict[0], k.monitors[0].verdict) << "at step " << i;
     ++seen[static_cast<std::size_t>(h.finding.verdict)];
     ++i;
   }

@@ -10,19 +10,23 @@
 
 namespace rtac::bench {
 
-template <class StateOf, class InOf, class OutOf, auto init_of, auto step_of, auto verdicts_of>
+template <class StateOf, class VerdictsStateOf, class InOf, class OutOf, auto init_of, auto step_of,
+          auto verdicts_init_of, auto verdicts_of>
 struct Module {
   using State = StateOf;
+  using VerdictsState = VerdictsStateOf;
   using In = InOf;
   using Out = OutOf;
   static constexpr auto init = init_of;
   static constexpr auto step = step_of;
+  static constexpr auto verdicts_init = verdicts_init_of;
   static constexpr auto verdicts = verdicts_of;
 };
 
-#define RTAC_BENCH_MODULE(name)                                                                \
-  Module<name##_monitors_state, name##_monitors_in, name##_monitors_out, name##_monitors_init, \
-         name##_monitors_step, name##_monitors_verdicts>
+#define RTAC_BENCH_MODULE(name)                                                     \
+  Module<name##_monitors_state, name##_monitors_verdicts_state, name##_monitors_in, \
+         name##_monitors_out, name##_monitors_init, name##_monitors_step,           \
+         name##_monitors_verdicts_init, name##_monitors_verdicts>
 using OnceShort = RTAC_BENCH_MODULE(once_10);
 using OnceMiddle = RTAC_BENCH_MODULE(once_1000);
 using OnceLong = RTAC_BENCH_MODULE(once_1000000);

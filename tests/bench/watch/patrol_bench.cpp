@@ -42,8 +42,8 @@ std::function<double()> by_hand() {
   });
 }
 std::function<double()> verdicts() {
-  auto state = std::make_shared<patrol_monitors_state>();
-  patrol_monitors_init(state.get());
+  auto state = std::make_shared<patrol_monitors_verdicts_state>();
+  patrol_monitors_verdicts_init(state.get());
   return replay([state](const PatrolTrace& trace, std::size_t i) {
     std::int32_t found[PATROL_MONITORS];
     patrol_monitors_verdicts(state.get(), &trace.kernel[i], trace.now_us[i], found);

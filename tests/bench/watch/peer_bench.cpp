@@ -136,20 +136,20 @@ void measure_peer(int rounds, Report& report) {
   };
   std::vector<Pair> pairs;
   pairs.push_back({"charged", "unbounded since (target: at most 1.1)",
-                   generated(peer_charged_monitors_init, peer_charged_monitors_verdicts,
+                   generated(peer_charged_monitors_verdicts_init, peer_charged_monitors_verdicts,
                              [](auto& to, const patrol_monitors_in& from, std::int64_t now_us) {
                                copy(to.battery, from.battery, now_us);
                              }),
                    peer(peer_charged_step)});
   pairs.push_back({"fence", "box (target: below 1)",
-                   generated(peer_fence_monitors_init, peer_fence_monitors_verdicts,
+                   generated(peer_fence_monitors_verdicts_init, peer_fence_monitors_verdicts,
                              [](auto& to, const patrol_monitors_in& from, std::int64_t now_us) {
                                copy(to.first_x, from.first_x, now_us);
                                copy(to.first_y, from.first_y, now_us);
                              }),
                    peer(peer_fence_step)});
   pairs.push_back({"apart", "pair (target: below 1)",
-                   generated(peer_apart_monitors_init, peer_apart_monitors_verdicts,
+                   generated(peer_apart_monitors_verdicts_init, peer_apart_monitors_verdicts,
                              [](auto& to, const patrol_monitors_in& from, std::int64_t now_us) {
                                copy(to.first_x, from.first_x, now_us);
                                copy(to.first_y, from.first_y, now_us);

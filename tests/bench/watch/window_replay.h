@@ -63,8 +63,8 @@ std::function<double()> generated_window() {
 }
 template <class Generated>
 std::function<double()> window_verdicts() {
-  auto state = std::make_shared<typename Generated::State>();
-  Generated::init(state.get());
+  auto state = std::make_shared<typename Generated::VerdictsState>();
+  Generated::verdicts_init(state.get());
   return replay_windows<typename Generated::In>(
       [state](const typename Generated::In& in, std::int64_t now_us) {
         std::int32_t found[1];

@@ -7,9 +7,11 @@ enum { REASON_NONE, REASON_MARGIN, REASON_WITHIN_ERROR = 5, REASON_INPUT };
 enum { INPUT_NONE, INPUT_CLOCK = 7 };
 enum { UNIT_NONE };
 
-#include PROBE_TEXT_ARITH
-#include PROBE_TEXT_MARGIN
-#include PROBE_TEXT_ANGLE
+#include "arith.c"
+#include "ends.c"
+#include "verdict.c"
+#include "margin.c"
+#include "angle.c"
 
 static probe_span shown(span s) {
   probe_span out;

@@ -6,9 +6,8 @@ compiler=$1 kernel=$2 program=$3 work=$4
 here=$(dirname "$0")
 
 build() {
-  "$compiler" -std=c99 -O1 -w -fPIC -shared -I"$here" \
-    -DPROBE_TEXT_ARITH="\"$kernel/arith.c\"" -DPROBE_TEXT_MARGIN="\"$kernel/margin.c\"" \
-    -DPROBE_TEXT_ANGLE="\"$1/angle.c\"" "$here/angle_probe.c" -o "$work/mutant.so"
+  "$compiler" -std=c99 -O1 -w -fPIC -shared -I"$1" -I"$kernel" \
+    "$here/angle_probe.c" -o "$work/mutant.so"
 }
 passes() {
   LD_PRELOAD="$work/mutant.so" timeout 60 "$program" --gtest_brief=1 --gtest_fail_fast \

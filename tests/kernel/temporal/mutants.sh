@@ -6,9 +6,7 @@ compiler=$1 kernel=$2 program=$3 work=$4
 here=$(dirname "$0")
 
 build() {
-  "$compiler" -std=c99 -O1 -w -fPIC -shared \
-    -DPROBE_TEXT_ARITH="\"$kernel/arith.c\"" -DPROBE_TEXT_MARGIN="\"$kernel/margin.c\"" \
-    -DPROBE_TEXT_TEMPORAL="\"$1/temporal.c\"" -DPROBE_TEXT_AGGREGATE="\"$1/aggregate.c\"" \
+  "$compiler" -std=c99 -O1 -w -fPIC -shared -I"$1" -I"$kernel" \
     "$here/temporal_probe.c" -o "$work/mutant.so"
 }
 # five million traces more find nothing that the shorter ones do not

@@ -81,6 +81,7 @@ std::string print_all() {
     codegen::collect_temporal_types(op, types);
     print_case(op, index, uses, cases);
     starts.line("ticks_start(&state_" + index + ".ticks);");
+    starts.line(codegen::temporal_starts(op, "state_" + index + ".", uses));
     steps.line("step_" + index + ",");
     sizes.line("sizeof(case_" + index + "),");
   }

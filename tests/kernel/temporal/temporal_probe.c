@@ -10,10 +10,12 @@ enum { REASON_NONE, REASON_MARGIN, REASON_WITHIN_ERROR = 5, REASON_INPUT };
 enum { INPUT_NONE, INPUT_CLOCK = 7 };
 enum { UNIT_NONE };
 
-#include PROBE_TEXT_ARITH
-#include PROBE_TEXT_MARGIN
-#include PROBE_TEXT_TEMPORAL
-#include PROBE_TEXT_AGGREGATE
+#include "arith.c"
+#include "ends.c"
+#include "verdict.c"
+#include "margin.c"
+#include "temporal.c"
+#include "aggregate.c"
 
 struct probe_op {
   int32_t kind, full;

@@ -9,7 +9,7 @@ enum { HAND_NO_REASON = 0, HAND_MARGIN = 1, HAND_WITHIN_ERROR = 5, HAND_INPUT = 
 enum { HAND_NONE = 0, HAND_CLOCK = 1 };
 enum { HAND_MISSED_MAX = 4 }; /* ticks that may be missed before the past is forgotten */
 
-#define HAND_INFINITE INT64_C(1000000000000000000)
+#define HAND_INFINITE INT64_C(500000000000000000)
 
 /* Grid values below and above what was measured. */
 typedef struct hand_signal {

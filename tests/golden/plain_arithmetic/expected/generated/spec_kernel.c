@@ -26,6 +26,11 @@ static int64_t elapsed_us(int64_t from, int64_t to) {
   return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
 }
 
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
+}
+
 /* The root of `top`, 2^14 to 2^16, times 2^8: a parabola that is within 0.6 % of it. */
 static uint32_t root_seed(uint32_t top) {
   const uint64_t square = (uint64_t)top * top >> 16;
@@ -89,6 +94,140 @@ static int64_t root_down(int64_t a) {
 static int64_t root_up(int64_t a) {
   const int64_t root = root_down(a);
   return root * root == a ? root : root + 1;
+}
+
+typedef struct ends {
+  int64_t lo, hi;
+} ends;
+
+static inline ends ends_of(int64_t lo, int64_t hi) {
+  ends e;
+  e.lo = lo;
+  e.hi = hi;
+  return e;
+}
+
+static inline ends ends_product(ends a, ends b) {
+  return ends_of(min_of(min_of(a.lo * b.lo, a.lo * b.hi), min_of(a.hi * b.lo, a.hi * b.hi)),
+                 max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
+}
+
+static inline ends ends_square(ends a) {
+  const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  const int64_t most = max_of(-a.lo, a.hi);
+  return ends_of(least * least, most * most);
+}
+
+/* What is below 0 within its error counts as 0. */
+static inline ends ends_root(ends a) {
+  return ends_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
+}
+
+/* a * num / den, den > 0. */
+static inline ends ends_scaled(ends a, int64_t num, int64_t den) {
+  const int64_t p = min_of(a.lo * num, a.hi * num);
+  const int64_t q = max_of(a.lo * num, a.hi * num);
+  return ends_of(p / den - (p % den < 0 ? 1 : 0), q / den + (q % den > 0 ? 1 : 0));
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+
+static inline ends bounds_ends(bounds a) {
+  return ends_of(a.lo, a.hi);
+}
+
+static inline bounds bounds_within(ends a) {
+  return bounds_of(a.lo, a.hi);
+}
+
+/* In half steps, an open bound half a step inside: such bounds are in the order of what they bound. */
+static inline int64_t lower_half(bounds a) {
+  return 2 * a.lo + a.lo_open;
+}
+
+static inline int64_t upper_half(bounds a) {
+  return 2 * a.hi - a.hi_open;
+}
+
+static inline bounds bounds_between(int64_t lower, int64_t upper) {
+  bounds b = bounds_of((lower - (lower & 1)) / 2, (upper + (upper & 1)) / 2);
+  b.lo_open = lower % 2 != 0;
+  b.hi_open = upper % 2 != 0;
+  return b;
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  bounds sum = bounds_nothing();
+  if (bounds_known(a) && bounds_known(b)) {
+    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+
+static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
+  bounds b = a;
+  if (bounds_known(a)) {
+    b = bounds_within(ends_scaled(bounds_ends(a), num, den));
+    b.lo_open = num > 0 ? a.lo_open : 0;
+    b.hi_open = num > 0 ? a.hi_open : 0;
+  }
+  return b;
+}
+
+static inline bounds bounds_square(bounds a) {
+  return bounds_known(a) ? bounds_within(ends_square(bounds_ends(a))) : a;
+}
+
+static inline bounds bounds_size(bounds a) {
+  bounds size = a;
+  if (bounds_known(a)) {
+    const int64_t lower = lower_half(a);
+    const int64_t upper = upper_half(a);
+    size = bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
+  }
+  return size;
+}
+
+/* a where the condition is true, b where it is false, anything of both where it is unknown. */
+static inline bounds bounds_chosen(int32_t condition, bounds a, bounds b) {
+  if (condition == BITS_TRUE) {
+    return a;
+  }
+  if (condition == BITS_FALSE) {
+    return b;
+  }
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_between(min_of(lower_half(a), lower_half(b)),
+                              max_of(upper_half(a), upper_half(b)))
+             : bounds_nothing();
 }
 
 typedef struct margin {
@@ -172,21 +311,24 @@ static int64_t upper_end(span a) {
 }
 
 static span span_between(int64_t lower, int64_t upper) {
-  span s = span_of(lower / 2 - (lower % 2 < 0), upper / 2 + (upper % 2 > 0));
-  s.lo_open = lower % 2 != 0;
-  s.hi_open = upper % 2 != 0;
+  const bounds b = bounds_between(lower, upper);
+  span s = span_of(b.lo, b.hi);
+  s.lo_open = b.lo_open;
+  s.hi_open = b.hi_open;
   return s;
 }
 
-/* a * num / den with outward rounding, den > 0. An unknown stays what it is: its ends are no
- * measurements, and need not fit the product. */
+static inline ends span_ends(span a) {
+  return ends_of(a.lo, a.hi);
+}
+
+/* An unknown stays what it is: its ends are no measurements, and need not fit the product. */
 static span span_scale(span a, int64_t num, int64_t den) {
   span s = a;
   if (a.input == ARM_INPUT_NONE) {
-    const int64_t p = min_of(a.lo * num, a.hi * num);
-    const int64_t q = max_of(a.lo * num, a.hi * num);
-    s.lo = p / den - (p % den < 0 ? 1 : 0);
-    s.hi = q / den + (q % den > 0 ? 1 : 0);
+    const ends scaled = ends_scaled(span_ends(a), num, den);
+    s.lo = scaled.lo;
+    s.hi = scaled.hi;
     s.lo_open = num > 0 ? a.lo_open : 0;
     s.hi_open = num > 0 ? a.hi_open : 0;
   }
@@ -220,25 +362,39 @@ static int64_t next_tick(arm_clock *clock, int64_t now_us, int64_t period_us,
   return gap_us > longest_us && elapsed < 2 ? 2 : elapsed;
 }
 
-static void ticks_start(arm_ticks *t) {
-  t->now = 0;
-  t->known = 0;
-}
-
-/* What was before `tick`, which comes next, is unknown from now on. */
-static void ticks_forget(arm_ticks *t, int64_t tick) {
-  t->now = tick;
-  t->known = tick;
-}
-
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const arm_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(arm_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const arm_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
@@ -246,11 +402,61 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const arm_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const arm_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+static inline int32_t bits_truth(const arm_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const arm_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -259,16 +465,12 @@ static span number_of(const arm_signal *s, int32_t fresh, int64_t least, int64_t
   return seen;
 }
 
-static margin truth_of(const arm_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+static inline margin truth_of(const arm_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 
 /* The smaller end decides; of equal ones that whose input is missing, which is worth telling. */
@@ -340,14 +542,14 @@ static span sum_of(span a, span b) {
   return sum;
 }
 
-static span product_of(span a, span b) {
+static inline span span_within(ends a) {
+  return span_of(a.lo, a.hi);
+}
+
+static inline span product_of(span a, span b) {
   int32_t known;
   const span missing = quantity_missing(a, b, &known);
-  if (known == 0) {
-    return missing;
-  }
-  return span_of(min_of(min_of(a.lo * b.lo, a.lo * b.hi), min_of(a.hi * b.lo, a.hi * b.hi)),
-                 max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
+  return known ? span_within(ends_product(span_ends(a), span_ends(b))) : missing;
 }
 
 static span absolute_of(span a) {
@@ -361,9 +563,8 @@ static span absolute_of(span a) {
   return span_between(lower <= 0 && upper >= 0 ? 0 : min_of(one, two), max_of(one, two));
 }
 
-/* Rounded outward. What is below 0 within its error counts as 0. */
-static span root_of(span a) {
-  return a.input != ARM_INPUT_NONE ? a : span_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
+static inline span root_of(span a) {
+  return a.input != ARM_INPUT_NONE ? a : span_within(ends_root(span_ends(a)));
 }
 
 /* a where the condition is true, b where it is false, anything of both where it is unknown. */
@@ -381,23 +582,18 @@ static span chosen(margin condition, span a, span b) {
                : missing;
 }
 
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static arm_finding_of finding_judged(margin m) {
+static inline arm_finding_of finding_judged(margin m) {
   arm_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = ARM_REASON_NONE;
   f.input = ARM_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == ARM_VERDICT_FALSE) {
@@ -413,6 +609,7 @@ static arm_finding_of finding_judged(margin m) {
 /* What a tick knows of its inputs. */
 typedef struct arm_view {
   arm_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   margin lifted;
   span v;
   span w;
@@ -479,47 +676,54 @@ static inline margin side_now(const arm_view *v) {
   return at_least(span_of(1200, 1200), v3, 1000, 0, 3);
 }
 
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void arm_look(arm_view *v, const arm_monitors_in *in, int64_t now_us,
-                            int64_t since_us) {
-  const int32_t good_lifted = sample_good(&in->lifted, &v->s->last_lifted_us, now_us);
-  const int32_t fresh_lifted = good_lifted && in->lifted.stamp_us > since_us;
+static inline void arm_look_lifted(arm_view *v, const arm_monitors_in *in) {
+  const int32_t good_lifted = sample_good(&in->lifted, &v->s->last_lifted_us, v->now_us);
+  const int32_t fresh_lifted = good_lifted && in->lifted.stamp_us > v->since_us;
   v->lifted = truth_of(&in->lifted, fresh_lifted, ARM_MONITORS_INPUT_LIFTED);
-  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, now_us);
-  const int32_t fresh_v = good_v && in->v.stamp_us > since_us;
+}
+
+static inline void arm_look_v(arm_view *v, const arm_monitors_in *in) {
+  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, v->now_us);
+  const int32_t fresh_v = good_v && in->v.stamp_us > v->since_us;
   v->v = number_of(&in->v, fresh_v, -4000, 4000, 20, ARM_MONITORS_INPUT_V);
-  const int32_t good_w = sample_good(&in->w, &v->s->last_w_us, now_us);
-  const int32_t fresh_w = good_w && in->w.stamp_us > since_us;
+}
+
+static inline void arm_look_w(arm_view *v, const arm_monitors_in *in) {
+  const int32_t good_w = sample_good(&in->w, &v->s->last_w_us, v->now_us);
+  const int32_t fresh_w = good_w && in->w.stamp_us > v->since_us;
   v->w = number_of(&in->w, fresh_w, -4000, 4000, 20, ARM_MONITORS_INPUT_W);
-  const int32_t good_lever = sample_good(&in->lever, &v->s->last_lever_us, now_us);
-  const int32_t fresh_lever = good_lever && in->lever.stamp_us > since_us;
+}
+
+static inline void arm_look_lever(arm_view *v, const arm_monitors_in *in) {
+  const int32_t good_lever = sample_good(&in->lever, &v->s->last_lever_us, v->now_us);
+  const int32_t fresh_lever = good_lever && in->lever.stamp_us > v->since_us;
   v->lever = number_of(&in->lever, fresh_lever, 0, 2000, 0, ARM_MONITORS_INPUT_LEVER);
 }
 
-/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
-static void arm_catch_up(arm_monitors_state *s, int64_t missed) {
-  if (missed > 4) {
-    ticks_forget(&s->ticks, s->clock.tick);
-    return;
-  }
-  s->ticks.now += missed;
-}
-
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, const arm_monitors_in *in,
-                                int64_t now_us) {
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t arm_resume(arm_monitors_state *s, int64_t now_us, int64_t *since_us) {
   const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
-  if (elapsed > 1) {
-    arm_catch_up(s, elapsed - 1);
+  s->until_us = tick_until(&s->clock, 10000);
+  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, const arm_monitors_in *in,
+                                int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && arm_resume(s, now_us, &since_us) == 0) {
+    return 0;
   }
   v->s = s;
-  arm_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 10000) : before_us);
+  v->now_us = now_us;
+  v->since_us = since_us;
   s->judged_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -528,8 +732,8 @@ void arm_monitors_init(arm_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
+  s->until_us = INT64_MAX;
   s->judged_us = 0;
-  ticks_start(&s->ticks);
   s->last_lifted_us = INT64_MIN;
   s->last_v_us = INT64_MIN;
   s->last_w_us = INT64_MIN;
@@ -548,28 +752,180 @@ void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t
     return;
   }
   out->tick = s->clock.tick;
+  arm_look_v(&v, in);
+  arm_look_w(&v, in);
   out->monitors[ARM_MONITORS_SLOW] = finding_judged(slow_now(&v));
   out->monitors[ARM_MONITORS_ENERGY_] = finding_judged(energy__now(&v));
   out->monitors[ARM_MONITORS_MEAN_SPEED] = finding_judged(mean_speed_now(&v));
+  arm_look_lifted(&v, in);
+  arm_look_lever(&v, in);
   out->monitors[ARM_MONITORS_REACH] = finding_judged(reach_now(&v));
   out->monitors[ARM_MONITORS_SIDE] = finding_judged(side_now(&v));
-  s->ticks.now += 1;
 }
 
-void arm_monitors_verdicts(arm_monitors_state *s, const arm_monitors_in *in, int64_t now_us,
-                           int32_t verdicts[ARM_MONITORS]) {
-  arm_view v;
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct arm_verdicts_view {
+  arm_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  int32_t lifted;
+  bounds v;
+  bounds w;
+  bounds lever;
+} arm_verdicts_view;
+
+/* sqrt(v * v + w * w) <= 3 m/s and calm(v, 2 m/s) */
+static inline int32_t slow_verdict(const arm_verdicts_view *v) {
+  /* v * v */
+  const bounds v1 = bounds_size(v->v);
+  const bounds v2 = bounds_square(v1);
+  /* w * w */
+  const bounds v4 = bounds_size(v->w);
+  const bounds v5 = bounds_square(v4);
+  /* v * v + w * w */
+  const bounds v6 = bounds_sum(v2, v5);
+  /* sqrt(v * v + w * w) <= 3 m/s and calm(v, 2 m/s) */
+  if (v6.hi <= 9000000 && v1.hi <= 2000) {
+    return ARM_VERDICT_TRUE;
+  }
+  return (v6.lo < 9006001 && v1.lo + v1.lo_open <= 2000) ? ARM_VERDICT_UNKNOWN
+      : ARM_VERDICT_FALSE;
+}
+
+/* v * v + w * w <= 9 m^2/s^2 */
+static inline int32_t energy__verdict(const arm_verdicts_view *v) {
+  /* v * v */
+  const bounds v1 = bounds_size(v->v);
+  const bounds v2 = bounds_square(v1);
+  /* w * w */
+  const bounds v4 = bounds_size(v->w);
+  const bounds v5 = bounds_square(v4);
+  /* v * v + w * w */
+  const bounds v6 = bounds_sum(v2, v5);
+  /* v * v + w * w <= 9 m^2/s^2 */
+  if (v6.hi <= 9000000) {
+    return ARM_VERDICT_TRUE;
+  }
+  return v6.lo <= 9000000 ? ARM_VERDICT_UNKNOWN : ARM_VERDICT_FALSE;
+}
+
+/* (v + 2 * w) / 3 < 2 m/s */
+static inline int32_t mean_speed_verdict(const arm_verdicts_view *v) {
+  /* 2 * w */
+  const bounds v2 = bounds_scaled(v->w, 2, 1);
+  /* v + 2 * w */
+  const bounds v3 = bounds_sum(v->v, v2);
+  /* (v + 2 * w) / 3 < 2 m/s */
+  if (v3.hi - v3.hi_open < 6000) {
+    return ARM_VERDICT_TRUE;
+  }
+  return v3.lo < 6000 ? ARM_VERDICT_UNKNOWN : ARM_VERDICT_FALSE;
+}
+
+/* lever <= (if lifted then 0.5 m else 1.5 m) */
+static inline int32_t reach_verdict(const arm_verdicts_view *v) {
+  /* if lifted then 0.5 m else 1.5 m */
+  const bounds v4 = bounds_chosen(v->lifted, bounds_of(500, 500), bounds_of(1500, 1500));
+  /* lever <= (if lifted then 0.5 m else 1.5 m) */
+  if (v4.lo >= v->lever.hi) {
+    return ARM_VERDICT_TRUE;
+  }
+  return v4.hi - v->lever.lo_open >= v->lever.lo ? ARM_VERDICT_UNKNOWN : ARM_VERDICT_FALSE;
+}
+
+/* sqrt(lever * 1 m) <= 1.2 m */
+static inline int32_t side_verdict(const arm_verdicts_view *v) {
+  /* sqrt(lever * 1 m) */
+  const bounds v2 = bounds_scaled(v->lever, 1000, 1);
+  /* sqrt(lever * 1 m) <= 1.2 m */
+  if (v2.hi <= 1440000) {
+    return ARM_VERDICT_TRUE;
+  }
+  return v2.lo < 1442401 ? ARM_VERDICT_UNKNOWN : ARM_VERDICT_FALSE;
+}
+
+static inline void arm_verdicts_look_lifted(arm_verdicts_view *v, const arm_monitors_in *in) {
+  const int32_t good_lifted = sample_good(&in->lifted, &v->s->last_lifted_us, v->now_us);
+  const int32_t fresh_lifted = good_lifted && in->lifted.stamp_us > v->since_us;
+  v->lifted = bits_truth(&in->lifted, fresh_lifted);
+}
+
+static inline void arm_verdicts_look_v(arm_verdicts_view *v, const arm_monitors_in *in) {
+  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, v->now_us);
+  const int32_t fresh_v = good_v && in->v.stamp_us > v->since_us;
+  v->v = bounds_number(&in->v, fresh_v, -4000, 4000, 20);
+}
+
+static inline void arm_verdicts_look_w(arm_verdicts_view *v, const arm_monitors_in *in) {
+  const int32_t good_w = sample_good(&in->w, &v->s->last_w_us, v->now_us);
+  const int32_t fresh_w = good_w && in->w.stamp_us > v->since_us;
+  v->w = bounds_number(&in->w, fresh_w, -4000, 4000, 20);
+}
+
+static inline void arm_verdicts_look_lever(arm_verdicts_view *v, const arm_monitors_in *in) {
+  const int32_t good_lever = sample_good(&in->lever, &v->s->last_lever_us, v->now_us);
+  const int32_t fresh_lever = good_lever && in->lever.stamp_us > v->since_us;
+  v->lever = bounds_number(&in->lever, fresh_lever, 0, 2000, 0);
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t arm_verdicts_resume(arm_monitors_verdicts_state *s, int64_t now_us,
+                                   int64_t *since_us) {
+  const int32_t first = s->clock.started == 0;
+  const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 10000);
+  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t arm_verdicts_begin(arm_verdicts_view *v, arm_monitors_verdicts_state *s,
+                                         const arm_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && arm_verdicts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  v->since_us = since_us;
+  s->judged_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void arm_monitors_verdicts_init(arm_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->judged_us = 0;
+  s->last_lifted_us = INT64_MIN;
+  s->last_v_us = INT64_MIN;
+  s->last_w_us = INT64_MIN;
+  s->last_lever_us = INT64_MIN;
+}
+
+void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in *in,
+                           int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
+  arm_verdicts_view v;
   int32_t k;
-  if (arm_begin(&v, s, in, now_us) == 0) {
+  if (arm_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < ARM_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(ARM_INPUT_CLOCK));
+      verdicts[k] = ARM_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[ARM_MONITORS_SLOW] = verdict_of(slow_now(&v));
-  verdicts[ARM_MONITORS_ENERGY_] = verdict_of(energy__now(&v));
-  verdicts[ARM_MONITORS_MEAN_SPEED] = verdict_of(mean_speed_now(&v));
-  verdicts[ARM_MONITORS_REACH] = verdict_of(reach_now(&v));
-  verdicts[ARM_MONITORS_SIDE] = verdict_of(side_now(&v));
-  s->ticks.now += 1;
+  arm_verdicts_look_v(&v, in);
+  arm_verdicts_look_w(&v, in);
+  verdicts[ARM_MONITORS_SLOW] = slow_verdict(&v);
+  verdicts[ARM_MONITORS_ENERGY_] = energy__verdict(&v);
+  verdicts[ARM_MONITORS_MEAN_SPEED] = mean_speed_verdict(&v);
+  arm_verdicts_look_lifted(&v, in);
+  arm_verdicts_look_lever(&v, in);
+  verdicts[ARM_MONITORS_REACH] = reach_verdict(&v);
+  verdicts[ARM_MONITORS_SIDE] = side_verdict(&v);
 }

@@ -76,10 +76,10 @@ typedef struct arm_monitors_in {
   arm_signal lever; /* steps of mm, 0 to 2000; new every tick */
 } arm_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 88 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 80 bytes in all. */
 typedef struct arm_monitors_state {
   arm_clock clock;
-  arm_ticks ticks;
+  int64_t until_us;
   int64_t judged_us;
   int64_t last_lifted_us;
   int64_t last_v_us;
@@ -87,8 +87,19 @@ typedef struct arm_monitors_state {
   int64_t last_lever_us;
 } arm_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct arm_monitors_verdicts_state {
+  arm_clock clock;
+  int64_t until_us;
+  int64_t judged_us;
+  int64_t last_lifted_us;
+  int64_t last_v_us;
+  int64_t last_w_us;
+  int64_t last_lever_us;
+} arm_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 m/s, 2: 1 m^2/s^2, 3: 1 m. input: the one that is missing. */
 typedef struct arm_finding_of {
   int32_t verdict, reason, input, unit;
@@ -103,12 +114,15 @@ typedef struct arm_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void arm_monitors_init(arm_monitors_state *s);
 void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in,
                        int64_t now_us, arm_monitors_out *out);
-void arm_monitors_verdicts(arm_monitors_state *s, const arm_monitors_in *in,
-                           int64_t now_us, int32_t verdicts[ARM_MONITORS]);
+void arm_monitors_verdicts_init(arm_monitors_verdicts_state *s);
+void arm_monitors_verdicts(arm_monitors_verdicts_state *s,
+                           const arm_monitors_in *in, int64_t now_us,
+                           int32_t verdicts[ARM_MONITORS]);
 
 #ifdef __cplusplus
 }

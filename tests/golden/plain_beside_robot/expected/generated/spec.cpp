@@ -316,8 +316,10 @@ constexpr const char* input_names[] = {
 
 }  // namespace
 
-Monitors::Monitors() : state_(), in_(), findings_(), verdicts_() {
+Monitors::Monitors()
+    : state_(), verdicts_state_(), in_(), findings_(), verdicts_() {
   yard_monitors_init(&state_);
+  yard_monitors_verdicts_init(&verdicts_state_);
 }
 
 Monitors& Monitors::gate_open(bool value, rtac::TimeUs stamp_us) {
@@ -347,7 +349,7 @@ const std::array<rtac::Finding, Monitors::count>& Monitors::step(rtac::TimeUs no
 
 const std::array<rtac::Verdict, Monitors::count>& Monitors::verdicts(rtac::TimeUs now_us) {
   std::int32_t verdicts[count];
-  yard_monitors_verdicts(&state_, &in_, now_us, verdicts);
+  yard_monitors_verdicts(&verdicts_state_, &in_, now_us, verdicts);
   for (std::size_t k = 0; k < count; ++k) {
     verdicts_[k] = static_cast<rtac::Verdict>(verdicts[k]);
   }
@@ -356,6 +358,7 @@ const std::array<rtac::Verdict, Monitors::count>& Monitors::verdicts(rtac::TimeU
 
 void Monitors::reset() {
   yard_monitors_init(&state_);
+  yard_monitors_verdicts_init(&verdicts_state_);
 }
 
 const std::array<rtac::PlainMonitorInfo, Monitors::count>& Monitors::info() {

@@ -22,6 +22,35 @@ static int64_t elapsed_us(int64_t from, int64_t to) {
   return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
 }
 
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
@@ -203,17 +232,26 @@ static margin margin_bits(int32_t bits, margin x, const door_kept *why) {
   return m;
 }
 
-static void witness_start(door_witness *s) {
+/* Keeps the latest operand that was unknown. */
+static void why_known(door_kept *why, margin x, const door_ticks *t) {
+  if (t->now == t->known) {
+    *why = kept_of(margin_unknown(DOOR_INPUT_CLOCK));
+  }
+  if (bits_of(x) == 2) {
+    *why = kept_of(x);
+  }
+}
+
+static void sight_start(door_sight *s) {
   s->must = -1;
   s->may = -1;
   s->at = 0;
-  s->why = kept_of(margin_unknown(DOOR_INPUT_CLOCK));
 }
 
 /* Brings the witness up to the end of the window, and returns the latest tick at which the operand
  * may have been true. Only the latest matters: it is the last one to leave the window. */
-static int64_t witness_look(int32_t bits, door_witness *s, uint8_t *ring, int64_t from,
-                            const door_ticks *t) {
+static int64_t sight_look(int32_t bits, door_sight *s, uint8_t *ring, int64_t from,
+                          const door_ticks *t) {
   const int64_t end = t->now - from;
   const int32_t then = bits_delay(bits, ring, from, &s->at);
   if (end >= t->known) {
@@ -223,35 +261,62 @@ static int64_t witness_look(int32_t bits, door_witness *s, uint8_t *ring, int64_
   return max_of(s->may, min_of(t->known - 1, end));
 }
 
-static int32_t once_bits(int32_t bits, margin x, door_witness *s, uint8_t *ring, int64_t from,
-                         int64_t to, const door_ticks *t) {
+static inline int32_t once_within(int32_t x, door_sight *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const door_ticks *t) {
   const int64_t start = window_start(t, to);
   int64_t may;
   if (t->now == t->known) {
-    witness_start(s);
+    sight_start(s);
   }
-  if (bits_of(x) == 2) {
-    s->why = kept_of(x);
-  }
-  may = witness_look(bits, s, ring, from, t);
+  may = sight_look(x, s, ring, from, t);
   return (s->must >= start ? 1 : 0) + (may >= start ? 2 : 0);
 }
 
 /* Never otherwise. */
+static inline int32_t historically_within(int32_t x, door_sight *s, uint8_t *ring, int64_t from,
+                                          int64_t to, const door_ticks *t) {
+  return bits_not(once_within(bits_not(x), s, ring, from, to, t));
+}
+
 static inline margin historically_verdict(margin x, door_witness *s, uint8_t *ring,
                                           int64_t from, int64_t to, const door_ticks *t) {
-  const int32_t otherwise = once_bits(bits_not(bits_of(x)), x, s, ring, from, to, t);
-  return margin_bits(bits_not(otherwise), x, &s->why);
+  why_known(&s->why, x, t);
+  return margin_bits(historically_within(bits_of(x), &s->sight, ring, from, to, t), x, &s->why);
 }
 
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const door_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(door_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const door_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
@@ -259,11 +324,61 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const door_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const door_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+static inline int32_t bits_truth(const door_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const door_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -272,16 +387,12 @@ static span number_of(const door_signal *s, int32_t fresh, int64_t least, int64_
   return seen;
 }
 
-static margin truth_of(const door_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+static inline margin truth_of(const door_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 
 static margin either(margin a, margin b) {
@@ -314,23 +425,18 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
   return m;
 }
 
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static door_finding_of finding_judged(margin m) {
+static inline door_finding_of finding_judged(margin m) {
   door_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = DOOR_REASON_NONE;
   f.input = DOOR_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == DOOR_VERDICT_FALSE) {
@@ -346,6 +452,7 @@ static door_finding_of finding_judged(margin m) {
 /* What a tick knows of its inputs. */
 typedef struct door_view {
   door_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   margin open;
   margin moving;
   span speed;
@@ -371,26 +478,30 @@ static inline margin one_at_a_time_now(const door_view *v) {
   return either(v1, v3);
 }
 
+static inline void door_look_open(door_view *v, const door_monitors_in *in) {
+  const int32_t good_open = sample_good(&in->open, &v->s->last_open_us, v->now_us);
+  const int32_t fresh_open = good_open && in->open.stamp_us > v->since_us;
+  v->open = truth_of(&in->open, fresh_open, DOOR_MONITORS_INPUT_OPEN);
+}
+
+static inline void door_look_moving(door_view *v, const door_monitors_in *in) {
+  const int32_t good_moving = sample_good(&in->moving, &v->s->last_moving_us, v->now_us);
+  const int32_t fresh_moving = good_moving && in->moving.stamp_us > v->since_us;
+  v->moving = truth_of(&in->moving, fresh_moving, DOOR_MONITORS_INPUT_MOVING);
+}
+
+static inline void door_look_speed(door_view *v, const door_monitors_in *in) {
+  const int32_t good_speed = sample_good(&in->speed, &v->s->last_speed_us, v->now_us);
+  const int32_t fresh_speed = good_speed && elapsed_us(in->speed.stamp_us, v->now_us) <= 100000;
+  v->speed = number_of(&in->speed, fresh_speed, 0, 3000, 10, DOOR_MONITORS_INPUT_SPEED);
+}
+
 /* A tick that sees nothing: it was missed. */
 static void door_blind(door_view *v, door_monitors_state *s) {
   v->s = s;
   v->open = margin_unknown(DOOR_INPUT_CLOCK);
   v->moving = margin_unknown(DOOR_INPUT_CLOCK);
   v->speed = span_unknown(DOOR_INPUT_CLOCK);
-}
-
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void door_look(door_view *v, const door_monitors_in *in, int64_t now_us,
-                             int64_t since_us) {
-  const int32_t good_open = sample_good(&in->open, &v->s->last_open_us, now_us);
-  const int32_t fresh_open = good_open && in->open.stamp_us > since_us;
-  v->open = truth_of(&in->open, fresh_open, DOOR_MONITORS_INPUT_OPEN);
-  const int32_t good_moving = sample_good(&in->moving, &v->s->last_moving_us, now_us);
-  const int32_t fresh_moving = good_moving && in->moving.stamp_us > since_us;
-  v->moving = truth_of(&in->moving, fresh_moving, DOOR_MONITORS_INPUT_MOVING);
-  const int32_t good_speed = sample_good(&in->speed, &v->s->last_speed_us, now_us);
-  const int32_t fresh_speed = good_speed && elapsed_us(in->speed.stamp_us, now_us) <= 100000;
-  v->speed = number_of(&in->speed, fresh_speed, 0, 3000, 10, DOOR_MONITORS_INPUT_SPEED);
 }
 
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
@@ -408,21 +519,33 @@ static void door_catch_up(door_monitors_state *s, int64_t missed) {
   }
 }
 
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t door_begin(door_view *v, door_monitors_state *s,
-                                 const door_monitors_in *in, int64_t now_us) {
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t door_resume(door_monitors_state *s, int64_t now_us, int64_t *since_us) {
   const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
+  s->until_us = tick_until(&s->clock, 10000);
   if (elapsed > 1) {
     door_catch_up(s, elapsed - 1);
   }
+  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t door_begin(door_view *v, door_monitors_state *s,
+                                 const door_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && door_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
   v->s = s;
-  door_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 10000) : before_us);
+  v->now_us = now_us;
+  v->since_us = since_us;
   s->judged_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -431,6 +554,7 @@ void door_monitors_init(door_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
+  s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_open_us = INT64_MIN;
@@ -450,22 +574,147 @@ void door_monitors_step(door_monitors_state *s, const door_monitors_in *in, int6
     return;
   }
   out->tick = s->clock.tick;
+  door_look_open(&v, in);
+  door_look_speed(&v, in);
   out->monitors[DOOR_MONITORS_NO_RUN_WITH_OPEN_DOOR] = finding_judged(no_run_with_open_door_now(&v));
+  door_look_moving(&v, in);
   out->monitors[DOOR_MONITORS_ONE_AT_A_TIME] = finding_judged(one_at_a_time_now(&v));
   s->ticks.now += 1;
 }
 
-void door_monitors_verdicts(door_monitors_state *s, const door_monitors_in *in, int64_t now_us,
-                            int32_t verdicts[DOOR_MONITORS]) {
-  door_view v;
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct door_verdicts_view {
+  door_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  int32_t open;
+  int32_t moving;
+  bounds speed;
+} door_verdicts_view;
+
+/* once[0 s, 2 s] open implies speed <= 0.3 m/s */
+static inline int32_t no_run_with_open_door_verdict(const door_verdicts_view *v) {
+  /* not (open) */
+  const int32_t v1 = (v->open & 2) == 0 ? BITS_TRUE : (v->open & 1) == 0 ? BITS_UNKNOWN
+      : BITS_FALSE;
+  /* not (once[0 s, 2 s] open) */
+  const int32_t v2 = historically_within(v1, &v->s->historically_0, 0, 0, 200, &v->s->ticks);
+  /* once[0 s, 2 s] open implies speed <= 0.3 m/s */
+  if ((v2 & 1) != 0 || v->speed.hi <= 300) {
+    return DOOR_VERDICT_TRUE;
+  }
+  return ((v2 & 2) != 0 || v->speed.lo + v->speed.lo_open <= 300) ? DOOR_VERDICT_UNKNOWN
+      : DOOR_VERDICT_FALSE;
+}
+
+/* not (open and moving) */
+static inline int32_t one_at_a_time_verdict(const door_verdicts_view *v) {
+  /* not (open and moving) */
+  if ((v->open & 2) == 0 || (v->moving & 2) == 0) {
+    return DOOR_VERDICT_TRUE;
+  }
+  return ((v->open & 1) == 0 || (v->moving & 1) == 0) ? DOOR_VERDICT_UNKNOWN : DOOR_VERDICT_FALSE;
+}
+
+static inline void door_verdicts_look_open(door_verdicts_view *v, const door_monitors_in *in) {
+  const int32_t good_open = sample_good(&in->open, &v->s->last_open_us, v->now_us);
+  const int32_t fresh_open = good_open && in->open.stamp_us > v->since_us;
+  v->open = bits_truth(&in->open, fresh_open);
+}
+
+static inline void door_verdicts_look_moving(door_verdicts_view *v, const door_monitors_in *in) {
+  const int32_t good_moving = sample_good(&in->moving, &v->s->last_moving_us, v->now_us);
+  const int32_t fresh_moving = good_moving && in->moving.stamp_us > v->since_us;
+  v->moving = bits_truth(&in->moving, fresh_moving);
+}
+
+static inline void door_verdicts_look_speed(door_verdicts_view *v, const door_monitors_in *in) {
+  const int32_t good_speed = sample_good(&in->speed, &v->s->last_speed_us, v->now_us);
+  const int32_t fresh_speed = good_speed && elapsed_us(in->speed.stamp_us, v->now_us) <= 100000;
+  v->speed = bounds_number(&in->speed, fresh_speed, 0, 3000, 10);
+}
+
+/* A tick that sees nothing: it was missed. */
+static void door_verdicts_blind(door_verdicts_view *v, door_monitors_verdicts_state *s) {
+  v->s = s;
+  v->open = BITS_UNKNOWN;
+  v->moving = BITS_UNKNOWN;
+  v->speed = bounds_nothing();
+}
+
+/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
+static void door_verdicts_catch_up(door_monitors_verdicts_state *s, int64_t missed) {
+  door_verdicts_view v;
+  int64_t k;
+  if (missed > 4) {
+    ticks_forget(&s->ticks, s->clock.tick);
+    return;
+  }
+  door_verdicts_blind(&v, s);
+  for (k = 0; k < missed; ++k) {
+    (void)no_run_with_open_door_verdict(&v);
+    s->ticks.now += 1;
+  }
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t door_verdicts_resume(door_monitors_verdicts_state *s, int64_t now_us,
+                                    int64_t *since_us) {
+  const int32_t first = s->clock.started == 0;
+  const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 10000);
+  if (elapsed > 1) {
+    door_verdicts_catch_up(s, elapsed - 1);
+  }
+  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t door_verdicts_begin(door_verdicts_view *v, door_monitors_verdicts_state *s,
+                                          const door_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && door_verdicts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  v->since_us = since_us;
+  s->judged_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void door_monitors_verdicts_init(door_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->judged_us = 0;
+  ticks_start(&s->ticks);
+  s->last_open_us = INT64_MIN;
+  s->last_moving_us = INT64_MIN;
+  s->last_speed_us = INT64_MIN;
+}
+
+void door_monitors_verdicts(door_monitors_verdicts_state *s, const door_monitors_in *in,
+                            int64_t now_us, int32_t verdicts[DOOR_MONITORS]) {
+  door_verdicts_view v;
   int32_t k;
-  if (door_begin(&v, s, in, now_us) == 0) {
+  if (door_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < DOOR_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(DOOR_INPUT_CLOCK));
+      verdicts[k] = DOOR_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[DOOR_MONITORS_NO_RUN_WITH_OPEN_DOOR] = verdict_of(no_run_with_open_door_now(&v));
-  verdicts[DOOR_MONITORS_ONE_AT_A_TIME] = verdict_of(one_at_a_time_now(&v));
+  door_verdicts_look_open(&v, in);
+  door_verdicts_look_speed(&v, in);
+  verdicts[DOOR_MONITORS_NO_RUN_WITH_OPEN_DOOR] = no_run_with_open_door_verdict(&v);
+  door_verdicts_look_moving(&v, in);
+  verdicts[DOOR_MONITORS_ONE_AT_A_TIME] = one_at_a_time_verdict(&v);
   s->ticks.now += 1;
 }

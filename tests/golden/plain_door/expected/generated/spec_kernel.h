@@ -67,10 +67,14 @@ typedef struct door_kept {
 } door_kept;
 
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false
- * (may); -1: none. `at`: place in the ring of verdicts; why: the latest operand that was
- * unknown. */
-typedef struct door_witness {
+ * (may); -1: none. `at`: place in the ring of verdicts. */
+typedef struct door_sight {
   int64_t must, may, at;
+} door_sight;
+
+/* why: the latest operand that was unknown. */
+typedef struct door_witness {
+  door_sight sight;
   door_kept why;
 } door_witness;
 
@@ -85,9 +89,10 @@ typedef struct door_monitors_in {
   door_signal speed; /* steps of 1/1000 m/s, 0 to 3000; for 100000 us */
 } door_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 136 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 144 bytes in all. */
 typedef struct door_monitors_state {
   door_clock clock;
+  int64_t until_us;
   door_ticks ticks;
   int64_t judged_us;
   int64_t last_open_us;
@@ -97,8 +102,21 @@ typedef struct door_monitors_state {
   door_witness historically_0;
 } door_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct door_monitors_verdicts_state {
+  door_clock clock;
+  int64_t until_us;
+  door_ticks ticks;
+  int64_t judged_us;
+  int64_t last_open_us;
+  int64_t last_moving_us;
+  int64_t last_speed_us;
+  /* no_run_with_open_door */
+  door_sight historically_0;
+} door_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 m/s. input: the one that is missing. */
 typedef struct door_finding_of {
   int32_t verdict, reason, input, unit;
@@ -113,12 +131,15 @@ typedef struct door_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void door_monitors_init(door_monitors_state *s);
 void door_monitors_step(door_monitors_state *s, const door_monitors_in *in,
                         int64_t now_us, door_monitors_out *out);
-void door_monitors_verdicts(door_monitors_state *s, const door_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[DOOR_MONITORS]);
+void door_monitors_verdicts_init(door_monitors_verdicts_state *s);
+void door_monitors_verdicts(door_monitors_verdicts_state *s,
+                            const door_monitors_in *in, int64_t now_us,
+                            int32_t verdicts[DOOR_MONITORS]);
 
 #ifdef __cplusplus
 }

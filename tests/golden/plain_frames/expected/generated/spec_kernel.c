@@ -31,6 +31,11 @@ static int64_t elapsed_us(int64_t from, int64_t to) {
   return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
 }
 
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
+}
+
 /* The root of `top`, 2^14 to 2^16, times 2^8: a parabola that is within 0.6 % of it. */
 static uint32_t root_seed(uint32_t top) {
   const uint64_t square = (uint64_t)top * top >> 16;
@@ -94,6 +99,152 @@ static int64_t root_down(int64_t a) {
 static int64_t root_up(int64_t a) {
   const int64_t root = root_down(a);
   return root * root == a ? root : root + 1;
+}
+
+typedef struct ends {
+  int64_t lo, hi;
+} ends;
+
+static inline ends ends_of(int64_t lo, int64_t hi) {
+  ends e;
+  e.lo = lo;
+  e.hi = hi;
+  return e;
+}
+
+static inline ends ends_product(ends a, ends b) {
+  return ends_of(min_of(min_of(a.lo * b.lo, a.lo * b.hi), min_of(a.hi * b.lo, a.hi * b.hi)),
+                 max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
+}
+
+static inline ends ends_square(ends a) {
+  const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  const int64_t most = max_of(-a.lo, a.hi);
+  return ends_of(least * least, most * most);
+}
+
+/* a^2 + b^2. */
+static inline ends ends_squares(ends a, ends b) {
+  const ends x = ends_square(a);
+  const ends y = ends_square(b);
+  return ends_of(x.lo + y.lo, x.hi + y.hi);
+}
+
+/* What is below 0 within its error counts as 0. */
+static inline ends ends_root(ends a) {
+  return ends_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
+}
+
+/* a * num / den, den > 0. */
+static inline ends ends_scaled(ends a, int64_t num, int64_t den) {
+  const int64_t p = min_of(a.lo * num, a.hi * num);
+  const int64_t q = max_of(a.lo * num, a.hi * num);
+  return ends_of(p / den - (p % den < 0 ? 1 : 0), q / den + (q % den > 0 ? 1 : 0));
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+
+static inline ends bounds_ends(bounds a) {
+  return ends_of(a.lo, a.hi);
+}
+
+static inline bounds bounds_within(ends a) {
+  return bounds_of(a.lo, a.hi);
+}
+
+/* In half steps, an open bound half a step inside: such bounds are in the order of what they bound. */
+static inline int64_t lower_half(bounds a) {
+  return 2 * a.lo + a.lo_open;
+}
+
+static inline int64_t upper_half(bounds a) {
+  return 2 * a.hi - a.hi_open;
+}
+
+static inline bounds bounds_between(int64_t lower, int64_t upper) {
+  bounds b = bounds_of((lower - (lower & 1)) / 2, (upper + (upper & 1)) / 2);
+  b.lo_open = lower % 2 != 0;
+  b.hi_open = upper % 2 != 0;
+  return b;
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  bounds sum = bounds_nothing();
+  if (bounds_known(a) && bounds_known(b)) {
+    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+
+static inline bounds bounds_negative(bounds a) {
+  bounds b = bounds_of(-a.hi, -a.lo);
+  b.lo_open = a.hi_open;
+  b.hi_open = a.lo_open;
+  return b;
+}
+
+static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
+  bounds b = a;
+  if (bounds_known(a)) {
+    b = bounds_within(ends_scaled(bounds_ends(a), num, den));
+    b.lo_open = num > 0 ? a.lo_open : 0;
+    b.hi_open = num > 0 ? a.hi_open : 0;
+  }
+  return b;
+}
+
+static inline bounds bounds_product(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_within(ends_product(bounds_ends(a), bounds_ends(b)))
+             : bounds_nothing();
+}
+
+static inline bounds bounds_square(bounds a) {
+  return bounds_known(a) ? bounds_within(ends_square(bounds_ends(a))) : a;
+}
+
+static inline bounds bounds_squares(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)))
+             : bounds_nothing();
+}
+
+static inline bounds bounds_size(bounds a) {
+  bounds size = a;
+  if (bounds_known(a)) {
+    const int64_t lower = lower_half(a);
+    const int64_t upper = upper_half(a);
+    size = bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
+  }
+  return size;
 }
 
 typedef struct margin {
@@ -184,9 +335,10 @@ static int64_t upper_end(span a) {
 }
 
 static span span_between(int64_t lower, int64_t upper) {
-  span s = span_of(lower / 2 - (lower % 2 < 0), upper / 2 + (upper % 2 > 0));
-  s.lo_open = lower % 2 != 0;
-  s.hi_open = upper % 2 != 0;
+  const bounds b = bounds_between(lower, upper);
+  span s = span_of(b.lo, b.hi);
+  s.lo_open = b.lo_open;
+  s.hi_open = b.hi_open;
   return s;
 }
 
@@ -199,15 +351,17 @@ static span span_negate(span a) {
   return s;
 }
 
-/* a * num / den with outward rounding, den > 0. An unknown stays what it is: its ends are no
- * measurements, and need not fit the product. */
+static inline ends span_ends(span a) {
+  return ends_of(a.lo, a.hi);
+}
+
+/* An unknown stays what it is: its ends are no measurements, and need not fit the product. */
 static span span_scale(span a, int64_t num, int64_t den) {
   span s = a;
   if (a.input == GRIPPER_INPUT_NONE) {
-    const int64_t p = min_of(a.lo * num, a.hi * num);
-    const int64_t q = max_of(a.lo * num, a.hi * num);
-    s.lo = p / den - (p % den < 0 ? 1 : 0);
-    s.hi = q / den + (q % den > 0 ? 1 : 0);
+    const ends scaled = ends_scaled(span_ends(a), num, den);
+    s.lo = scaled.lo;
+    s.hi = scaled.hi;
     s.lo_open = num > 0 ? a.lo_open : 0;
     s.hi_open = num > 0 ? a.hi_open : 0;
   }
@@ -415,8 +569,28 @@ static gripper_kept kept_join(gripper_kept a, gripper_kept b, int32_t greatest) 
   return k;
 }
 
+static int32_t bits_at(const uint8_t *ring, int64_t at) {
+  return (ring[at / 4] >> (at % 4 * 2)) & 3;
+}
+
+static void bits_put(uint8_t *ring, int64_t at, int32_t bits) {
+  const int32_t shift = (int32_t)(at % 4 * 2);
+  ring[at / 4] = (uint8_t)((ring[at / 4] & ~(3 << shift)) | (bits << shift));
+}
+
 static int64_t next_place(int64_t at, int64_t size) {
   return at + 1 == size ? 0 : at + 1;
+}
+
+/* What was put in `ticks` ticks ago; arbitrary until then. */
+static int32_t bits_delay(int32_t bits, uint8_t *ring, int64_t ticks, int64_t *at) {
+  int32_t then = bits;
+  if (ticks > 0) {
+    then = bits_at(ring, *at);
+    bits_put(ring, *at, bits);
+    *at = next_place(*at, ticks);
+  }
+  return then;
 }
 
 static gripper_kept kept_delay(gripper_kept k, gripper_kept *ring, int64_t ticks, int64_t *at) {
@@ -427,6 +601,36 @@ static gripper_kept kept_delay(gripper_kept k, gripper_kept *ring, int64_t ticks
     *at = next_place(*at, ticks);
   }
   return then;
+}
+
+static void sight_start(gripper_sight *s) {
+  s->must = -1;
+  s->may = -1;
+  s->at = 0;
+}
+
+/* Brings the witness up to the end of the window, and returns the latest tick at which the operand
+ * may have been true. Only the latest matters: it is the last one to leave the window. */
+static int64_t sight_look(int32_t bits, gripper_sight *s, uint8_t *ring, int64_t from,
+                          const gripper_ticks *t) {
+  const int64_t end = t->now - from;
+  const int32_t then = bits_delay(bits, ring, from, &s->at);
+  if (end >= t->known) {
+    s->must = then & 1 ? end : s->must;
+    s->may = then & 2 ? end : s->may;
+  }
+  return max_of(s->may, min_of(t->known - 1, end));
+}
+
+static inline int32_t once_within(int32_t x, gripper_sight *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const gripper_ticks *t) {
+  const int64_t start = window_start(t, to);
+  int64_t may;
+  if (t->now == t->known) {
+    sight_start(s);
+  }
+  may = sight_look(x, s, ring, from, t);
+  return (s->must >= start ? 1 : 0) + (may >= start ? 2 : 0);
 }
 
 /* Joins the latest `ticks` entries, with `x` the newest one. The window covers what is filled of
@@ -501,14 +705,60 @@ static margin once_margin(margin x, gripper_slide *s, gripper_kept *ring, grippe
                                  t));
 }
 
+/* For what works on spans. */
+static span span_bounds(bounds a) {
+  span s = span_unknown(GRIPPER_INPUT_CLOCK);
+  if (bounds_known(a)) {
+    s = span_of(a.lo, a.hi);
+    s.lo_open = a.lo_open;
+    s.hi_open = a.hi_open;
+  }
+  return s;
+}
+
+static bounds bounds_span(span a) {
+  bounds b = bounds_nothing();
+  if (a.input == GRIPPER_INPUT_NONE) {
+    b = bounds_of(a.lo, a.hi);
+    b.lo_open = a.lo_open;
+    b.hi_open = a.hi_open;
+  }
+  return b;
+}
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const gripper_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(gripper_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const gripper_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
@@ -516,11 +766,61 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const gripper_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const gripper_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+static inline int32_t bits_truth(const gripper_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const gripper_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -529,16 +829,12 @@ static span number_of(const gripper_signal *s, int32_t fresh, int64_t least, int
   return seen;
 }
 
-static margin truth_of(const gripper_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+static inline margin truth_of(const gripper_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 
 /* The smaller end decides; of equal ones that whose input is missing, which is worth telling. */
@@ -603,14 +899,14 @@ static span sum_of(span a, span b) {
   return sum;
 }
 
-static span product_of(span a, span b) {
+static inline span span_within(ends a) {
+  return span_of(a.lo, a.hi);
+}
+
+static inline span product_of(span a, span b) {
   int32_t known;
   const span missing = quantity_missing(a, b, &known);
-  if (known == 0) {
-    return missing;
-  }
-  return span_of(min_of(min_of(a.lo * b.lo, a.lo * b.hi), min_of(a.hi * b.lo, a.hi * b.hi)),
-                 max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
+  return known ? span_within(ends_product(span_ends(a), span_ends(b))) : missing;
 }
 
 static span absolute_of(span a) {
@@ -624,37 +920,28 @@ static span absolute_of(span a) {
   return span_between(lower <= 0 && upper >= 0 ? 0 : min_of(one, two), max_of(one, two));
 }
 
-static span square_of(span a) {
-  const span size = absolute_of(a);
-  return product_of(size, size);
+static inline span root_of(span a) {
+  return a.input != GRIPPER_INPUT_NONE ? a : span_within(ends_root(span_ends(a)));
 }
 
-/* Rounded outward. What is below 0 within its error counts as 0. */
-static span root_of(span a) {
-  return a.input != GRIPPER_INPUT_NONE ? a : span_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
+static inline span norm_of(span a, span b) {
+  int32_t known;
+  const span missing = quantity_missing(a, b, &known);
+  return known ? span_within(ends_root(ends_squares(span_ends(a), span_ends(b)))) : missing;
 }
 
-static span norm_of(span a, span b) {
-  return root_of(sum_of(square_of(a), square_of(b)));
-}
-
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static gripper_finding_of finding_judged(margin m) {
+static inline gripper_finding_of finding_judged(margin m) {
   gripper_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = GRIPPER_REASON_NONE;
   f.input = GRIPPER_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == GRIPPER_VERDICT_FALSE) {
@@ -670,6 +957,7 @@ static gripper_finding_of finding_judged(margin m) {
 /* What a tick knows of its inputs. */
 typedef struct gripper_view {
   gripper_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   span at_x;
   span at_y;
   span at_heading;
@@ -827,6 +1115,74 @@ static inline margin rested_now(const gripper_view *v) {
   return once_margin(v3, &v->s->once_0, v->s->once_0_window, 0, 0, 3000, &v->s->ticks);
 }
 
+static inline void gripper_look_at(gripper_view *v, const gripper_monitors_in *in) {
+  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, v->now_us);
+  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, v->now_us) <= 500000;
+  v->at_x = number_of(&in->at_x, fresh_at, -200000, 200000, 100, GRIPPER_MONITORS_INPUT_AT);
+  v->at_y = number_of(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -200000,
+      200000, 100, GRIPPER_MONITORS_INPUT_AT);
+  v->at_heading = number_of(&in->at_heading, fresh_at &&
+      in->at_heading.stamp_us == in->at_x.stamp_us, -3141, 3141, 2, GRIPPER_MONITORS_INPUT_AT);
+}
+
+static inline void gripper_look_move(gripper_view *v, const gripper_monitors_in *in) {
+  const int32_t good_move = sample_good(&in->move_linear, &v->s->last_move_us, v->now_us);
+  const int32_t fresh_move = good_move && in->move_linear.stamp_us > v->since_us;
+  v->move_linear = number_of(&in->move_linear, fresh_move, -1000, 1000, 0,
+      GRIPPER_MONITORS_INPUT_MOVE);
+  v->move_angular = number_of(&in->move_angular, fresh_move &&
+      in->move_angular.stamp_us == in->move_linear.stamp_us, -2000, 2000, 0,
+      GRIPPER_MONITORS_INPUT_MOVE);
+}
+
+static inline void gripper_look_hand(gripper_view *v, const gripper_monitors_in *in) {
+  const int32_t good_hand = sample_good(&in->hand_x, &v->s->last_hand_us, v->now_us);
+  const int32_t fresh_hand = good_hand && in->hand_x.stamp_us > v->since_us;
+  v->hand_x = number_of(&in->hand_x, fresh_hand, -20000, 20000, 0, GRIPPER_MONITORS_INPUT_HAND);
+  v->hand_y = number_of(&in->hand_y, fresh_hand && in->hand_y.stamp_us == in->hand_x.stamp_us,
+      -20000, 20000, 0, GRIPPER_MONITORS_INPUT_HAND);
+}
+
+static inline void gripper_look_goal(gripper_view *v, const gripper_monitors_in *in) {
+  const int32_t good_goal = sample_good(&in->goal_x, &v->s->last_goal_us, v->now_us);
+  const int32_t fresh_goal = good_goal;
+  v->goal_x = number_of(&in->goal_x, fresh_goal, -200000, 200000, 0, GRIPPER_MONITORS_INPUT_GOAL);
+  v->goal_y = number_of(&in->goal_y, fresh_goal && in->goal_y.stamp_us == in->goal_x.stamp_us,
+      -200000, 200000, 0, GRIPPER_MONITORS_INPUT_GOAL);
+}
+
+static inline void gripper_look_load(gripper_view *v, const gripper_monitors_in *in) {
+  const int32_t good_load = sample_good(&in->load_x, &v->s->last_load_us, v->now_us);
+  const int32_t fresh_load = good_load;
+  v->load_x = number_of(&in->load_x, fresh_load, -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
+  v->load_y = number_of(&in->load_y, fresh_load && in->load_y.stamp_us == in->load_x.stamp_us,
+      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
+  v->load_z = number_of(&in->load_z, fresh_load && in->load_z.stamp_us == in->load_x.stamp_us,
+      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
+}
+
+static inline void gripper_look_hook(gripper_view *v, const gripper_monitors_in *in) {
+  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, v->now_us);
+  const int32_t fresh_hook = good_hook;
+  v->hook_x = number_of(&in->hook_x, fresh_hook, -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
+  v->hook_y = number_of(&in->hook_y, fresh_hook && in->hook_y.stamp_us == in->hook_x.stamp_us,
+      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
+  v->hook_z = number_of(&in->hook_z, fresh_hook && in->hook_z.stamp_us == in->hook_x.stamp_us,
+      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
+}
+
+static inline void gripper_look_busy(gripper_view *v, const gripper_monitors_in *in) {
+  const int32_t good_busy = sample_good(&in->busy, &v->s->last_busy_us, v->now_us);
+  const int32_t fresh_busy = good_busy && in->busy.stamp_us > v->since_us;
+  v->busy = truth_of(&in->busy, fresh_busy, GRIPPER_MONITORS_INPUT_BUSY);
+}
+
+static inline void gripper_look_gear(gripper_view *v, const gripper_monitors_in *in) {
+  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
+  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, GRIPPER_MONITORS_INPUT_GEAR);
+}
+
 /* A tick that sees nothing: it was missed. */
 static void gripper_blind(gripper_view *v, gripper_monitors_state *s) {
   v->s = s;
@@ -849,56 +1205,6 @@ static void gripper_blind(gripper_view *v, gripper_monitors_state *s) {
   v->gear = span_unknown(GRIPPER_INPUT_CLOCK);
 }
 
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void gripper_look(gripper_view *v, const gripper_monitors_in *in, int64_t now_us,
-                                int64_t since_us) {
-  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, now_us);
-  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, now_us) <= 500000;
-  v->at_x = number_of(&in->at_x, fresh_at, -200000, 200000, 100, GRIPPER_MONITORS_INPUT_AT);
-  v->at_y = number_of(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -200000,
-      200000, 100, GRIPPER_MONITORS_INPUT_AT);
-  v->at_heading = number_of(&in->at_heading,
-      fresh_at && in->at_heading.stamp_us == in->at_x.stamp_us, -3141, 3141, 2,
-      GRIPPER_MONITORS_INPUT_AT);
-  const int32_t good_move = sample_good(&in->move_linear, &v->s->last_move_us, now_us);
-  const int32_t fresh_move = good_move && in->move_linear.stamp_us > since_us;
-  v->move_linear = number_of(&in->move_linear, fresh_move, -1000, 1000, 0,
-      GRIPPER_MONITORS_INPUT_MOVE);
-  v->move_angular = number_of(&in->move_angular,
-      fresh_move && in->move_angular.stamp_us == in->move_linear.stamp_us, -2000, 2000, 0,
-      GRIPPER_MONITORS_INPUT_MOVE);
-  const int32_t good_hand = sample_good(&in->hand_x, &v->s->last_hand_us, now_us);
-  const int32_t fresh_hand = good_hand && in->hand_x.stamp_us > since_us;
-  v->hand_x = number_of(&in->hand_x, fresh_hand, -20000, 20000, 0, GRIPPER_MONITORS_INPUT_HAND);
-  v->hand_y = number_of(&in->hand_y, fresh_hand && in->hand_y.stamp_us == in->hand_x.stamp_us,
-      -20000, 20000, 0, GRIPPER_MONITORS_INPUT_HAND);
-  const int32_t good_goal = sample_good(&in->goal_x, &v->s->last_goal_us, now_us);
-  const int32_t fresh_goal = good_goal;
-  v->goal_x = number_of(&in->goal_x, fresh_goal, -200000, 200000, 0, GRIPPER_MONITORS_INPUT_GOAL);
-  v->goal_y = number_of(&in->goal_y, fresh_goal && in->goal_y.stamp_us == in->goal_x.stamp_us,
-      -200000, 200000, 0, GRIPPER_MONITORS_INPUT_GOAL);
-  const int32_t good_load = sample_good(&in->load_x, &v->s->last_load_us, now_us);
-  const int32_t fresh_load = good_load;
-  v->load_x = number_of(&in->load_x, fresh_load, -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
-  v->load_y = number_of(&in->load_y, fresh_load && in->load_y.stamp_us == in->load_x.stamp_us,
-      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
-  v->load_z = number_of(&in->load_z, fresh_load && in->load_z.stamp_us == in->load_x.stamp_us,
-      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
-  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, now_us);
-  const int32_t fresh_hook = good_hook;
-  v->hook_x = number_of(&in->hook_x, fresh_hook, -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
-  v->hook_y = number_of(&in->hook_y, fresh_hook && in->hook_y.stamp_us == in->hook_x.stamp_us,
-      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
-  v->hook_z = number_of(&in->hook_z, fresh_hook && in->hook_z.stamp_us == in->hook_x.stamp_us,
-      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
-  const int32_t good_busy = sample_good(&in->busy, &v->s->last_busy_us, now_us);
-  const int32_t fresh_busy = good_busy && in->busy.stamp_us > since_us;
-  v->busy = truth_of(&in->busy, fresh_busy, GRIPPER_MONITORS_INPUT_BUSY);
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > since_us;
-  v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, GRIPPER_MONITORS_INPUT_GEAR);
-}
-
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
 static void gripper_catch_up(gripper_monitors_state *s, int64_t missed) {
   gripper_view v;
@@ -914,21 +1220,33 @@ static void gripper_catch_up(gripper_monitors_state *s, int64_t missed) {
   }
 }
 
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s,
-                                    const gripper_monitors_in *in, int64_t now_us) {
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t gripper_resume(gripper_monitors_state *s, int64_t now_us, int64_t *since_us) {
   const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
+  s->until_us = tick_until(&s->clock, 100000);
   if (elapsed > 1) {
     gripper_catch_up(s, elapsed - 1);
   }
+  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s,
+                                    const gripper_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && gripper_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
   v->s = s;
-  gripper_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 100000) : before_us);
+  v->now_us = now_us;
+  v->since_us = since_us;
   s->judged_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -937,6 +1255,7 @@ void gripper_monitors_init(gripper_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
+  s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_at_us = INT64_MIN;
@@ -961,30 +1280,376 @@ void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in 
     return;
   }
   out->tick = s->clock.tick;
+  gripper_look_at(&v, in);
+  gripper_look_hand(&v, in);
+  gripper_look_goal(&v, in);
   out->monitors[GRIPPER_MONITORS_NEAR] = finding_judged(near_now(&v));
+  gripper_look_move(&v, in);
   out->monitors[GRIPPER_MONITORS_SLOW] = finding_judged(slow_now(&v));
+  gripper_look_load(&v, in);
+  gripper_look_hook(&v, in);
   out->monitors[GRIPPER_MONITORS_HUNG] = finding_judged(hung_now(&v));
+  gripper_look_busy(&v, in);
+  gripper_look_gear(&v, in);
   out->monitors[GRIPPER_MONITORS_GEARED] = finding_judged(geared_now(&v));
   out->monitors[GRIPPER_MONITORS_AHEAD] = finding_judged(ahead_now(&v));
   out->monitors[GRIPPER_MONITORS_RESTED] = finding_judged(rested_now(&v));
   s->ticks.now += 1;
 }
 
-void gripper_monitors_verdicts(gripper_monitors_state *s, const gripper_monitors_in *in,
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct gripper_verdicts_view {
+  gripper_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  bounds at_x;
+  bounds at_y;
+  bounds at_heading;
+  bounds move_linear;
+  bounds move_angular;
+  bounds hand_x;
+  bounds hand_y;
+  bounds goal_x;
+  bounds goal_y;
+  bounds load_x;
+  bounds load_y;
+  bounds load_z;
+  bounds hook_x;
+  bounds hook_y;
+  bounds hook_z;
+  int32_t busy;
+  bounds gear;
+} gripper_verdicts_view;
+
+/* distance(transform(at, hand), goal) <= 0.5 m */
+static inline int32_t near_verdict(const gripper_verdicts_view *v) {
+  /* transform(at, hand) */
+  const bounds v2 = bounds_span(phase_of(span_bounds(v->at_heading), 44798133900, 44798133901));
+  const bounds v3 = bounds_span(cosine_of(span_bounds(v2)));
+  const bounds v5 = bounds_product(v3, v->hand_x);
+  const bounds v6 = bounds_scaled(v5, 25, 268435456);
+  const bounds v7 = bounds_span(sine_of(span_bounds(v2)));
+  const bounds v9 = bounds_product(v7, v->hand_y);
+  const bounds v10 = bounds_scaled(v9, 25, 268435456);
+  const bounds v11 = bounds_negative(v10);
+  const bounds v12 = bounds_sum(v6, v11);
+  const bounds v13 = bounds_scaled(v->at_x, 100, 1);
+  const bounds v14 = bounds_sum(v13, v12);
+  /* goal */
+  const bounds v16 = bounds_scaled(v->goal_x, 100, 1);
+  const bounds v17 = bounds_negative(v16);
+  /* distance(transform(at, hand), goal) */
+  const bounds v18 = bounds_sum(v14, v17);
+  /* transform(at, hand) */
+  const bounds v20 = bounds_product(v7, v->hand_x);
+  const bounds v21 = bounds_scaled(v20, 25, 268435456);
+  const bounds v22 = bounds_product(v3, v->hand_y);
+  const bounds v23 = bounds_scaled(v22, 25, 268435456);
+  const bounds v24 = bounds_sum(v21, v23);
+  const bounds v25 = bounds_scaled(v->at_y, 100, 1);
+  const bounds v26 = bounds_sum(v25, v24);
+  /* goal */
+  const bounds v28 = bounds_scaled(v->goal_y, 100, 1);
+  const bounds v29 = bounds_negative(v28);
+  /* distance(transform(at, hand), goal) */
+  const bounds v30 = bounds_sum(v26, v29);
+  const bounds v31 = bounds_squares(v18, v30);
+  /* distance(transform(at, hand), goal) <= 0.5 m */
+  if (v31.hi <= 250000000000) {
+    return GRIPPER_VERDICT_TRUE;
+  }
+  return v31.lo < 250001000001 ? GRIPPER_VERDICT_UNKNOWN : GRIPPER_VERDICT_FALSE;
+}
+
+/* abs(move.linear) <= 0.5 m/s and abs(move.angular) <= 1 rad/s */
+static inline int32_t slow_verdict(const gripper_verdicts_view *v) {
+  /* abs(move.linear) */
+  const bounds v1 = bounds_size(v->move_linear);
+  /* abs(move.angular) */
+  const bounds v5 = bounds_size(v->move_angular);
+  /* abs(move.linear) <= 0.5 m/s and abs(move.angular) <= 1 rad/s */
+  if (v1.hi <= 500 && v5.hi <= 1000) {
+    return GRIPPER_VERDICT_TRUE;
+  }
+  return (v1.lo + v1.lo_open <= 500 && v5.lo + v5.lo_open <= 1000) ? GRIPPER_VERDICT_UNKNOWN
+      : GRIPPER_VERDICT_FALSE;
+}
+
+/* load.z <= hook.z and norm(cross(load - hook, (0 m, 0 m, 1 m))) <= 0.2 m^2 */
+static inline int32_t hung_verdict(const gripper_verdicts_view *v) {
+  /* hook */
+  const bounds v5 = bounds_negative(v->hook_y);
+  /* load - hook */
+  const bounds v6 = bounds_sum(v->load_y, v5);
+  /* hook */
+  const bounds v8 = bounds_negative(v->hook_z);
+  /* load - hook */
+  const bounds v9 = bounds_sum(v->load_z, v8);
+  /* cross(load - hook, (0 m, 0 m, 1 m)) */
+  const bounds v10 = bounds_scaled(v9, 0, 1);
+  const bounds v11 = bounds_negative(v10);
+  const bounds v12 = bounds_sum(v6, v11);
+  /* norm(cross(load - hook, (0 m, 0 m, 1 m))) */
+  const bounds v13 = bounds_size(v12);
+  const bounds v14 = bounds_square(v13);
+  /* hook */
+  const bounds v17 = bounds_negative(v->hook_x);
+  /* load - hook */
+  const bounds v18 = bounds_sum(v->load_x, v17);
+  /* cross(load - hook, (0 m, 0 m, 1 m)) */
+  const bounds v20 = bounds_negative(v18);
+  const bounds v21 = bounds_sum(v10, v20);
+  /* norm(cross(load - hook, (0 m, 0 m, 1 m))) */
+  const bounds v22 = bounds_size(v21);
+  const bounds v23 = bounds_square(v22);
+  const bounds v24 = bounds_scaled(v14, 1, 100);
+  const bounds v25 = bounds_scaled(v23, 1, 100);
+  const bounds v26 = bounds_sum(v24, v25);
+  /* cross(load - hook, (0 m, 0 m, 1 m)) */
+  const bounds v27 = bounds_scaled(v18, 0, 1);
+  const bounds v28 = bounds_scaled(v6, 0, 1);
+  const bounds v29 = bounds_negative(v28);
+  const bounds v30 = bounds_sum(v27, v29);
+  /* norm(cross(load - hook, (0 m, 0 m, 1 m))) */
+  const bounds v31 = bounds_size(v30);
+  const bounds v32 = bounds_square(v31);
+  const bounds v33 = bounds_scaled(v32, 1, 100);
+  const bounds v34 = bounds_sum(v26, v33);
+  /* load.z <= hook.z and norm(cross(load - hook, (0 m, 0 m, 1 m))) <= 0.2 m^2 */
+  if (v->hook_z.lo >= v->load_z.hi && v34.hi <= 40000) {
+    return GRIPPER_VERDICT_TRUE;
+  }
+  return (v->hook_z.hi - (v->hook_z.hi_open | v->load_z.lo_open) >= v->load_z.lo &&
+      v34.lo < 40401) ? GRIPPER_VERDICT_UNKNOWN : GRIPPER_VERDICT_FALSE;
+}
+
+/* gear == (if busy then drive else park) */
+static inline int32_t geared_verdict(const gripper_verdicts_view *v) {
+  /* gear == (if busy then drive else park) */
+  if (((v->busy & 1) != 0 && v->gear.lo == 1 && v->gear.hi == 1) || ((v->busy & 2) == 0 &&
+      v->gear.lo == 0 && v->gear.hi == 0)) {
+    return GRIPPER_VERDICT_TRUE;
+  }
+  return (((v->busy & 2) != 0 && v->gear.lo <= 1 && v->gear.hi >= 1) || ((v->busy & 1) == 0 &&
+      v->gear.lo <= 0 && v->gear.hi >= 0)) ? GRIPPER_VERDICT_UNKNOWN : GRIPPER_VERDICT_FALSE;
+}
+
+/* rotate((1 m, 0 m), at.heading).x >= 0 m */
+static inline int32_t ahead_verdict(const gripper_verdicts_view *v) {
+  /* rotate((1 m, 0 m), at.heading) */
+  const bounds v1 = bounds_span(phase_of(span_bounds(v->at_heading), 44798133900, 44798133901));
+  const bounds v2 = bounds_span(cosine_of(span_bounds(v1)));
+  const bounds v3 = bounds_scaled(v2, 15625, 16777216);
+  const bounds v4 = bounds_span(sine_of(span_bounds(v1)));
+  const bounds v5 = bounds_scaled(v4, 0, 1);
+  const bounds v6 = bounds_negative(v5);
+  const bounds v7 = bounds_sum(v3, v6);
+  /* rotate((1 m, 0 m), at.heading).x >= 0 m */
+  if (v7.lo >= 0) {
+    return GRIPPER_VERDICT_TRUE;
+  }
+  return v7.hi >= 0 ? GRIPPER_VERDICT_UNKNOWN : GRIPPER_VERDICT_FALSE;
+}
+
+/* once[0 s, 5 min] abs(move.linear) <= 0.1 m/s */
+static inline int32_t rested_verdict(const gripper_verdicts_view *v) {
+  /* abs(move.linear) */
+  const bounds v1 = bounds_size(v->move_linear);
+  /* abs(move.linear) <= 0.1 m/s */
+  const int32_t v3 = v1.hi <= 100 ? BITS_TRUE : v1.lo + v1.lo_open <= 100 ? BITS_UNKNOWN
+      : BITS_FALSE;
+  /* once[0 s, 5 min] abs(move.linear) <= 0.1 m/s */
+  const int32_t v4 = once_within(v3, &v->s->once_0, 0, 0, 3000, &v->s->ticks);
+  if ((v4 & 1) != 0) {
+    return GRIPPER_VERDICT_TRUE;
+  }
+  return (v4 & 2) != 0 ? GRIPPER_VERDICT_UNKNOWN : GRIPPER_VERDICT_FALSE;
+}
+
+static inline void gripper_verdicts_look_at(gripper_verdicts_view *v,
+                                            const gripper_monitors_in *in) {
+  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, v->now_us);
+  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, v->now_us) <= 500000;
+  v->at_x = bounds_number(&in->at_x, fresh_at, -200000, 200000, 100);
+  v->at_y = bounds_number(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -200000,
+      200000, 100);
+  v->at_heading = bounds_number(&in->at_heading, fresh_at &&
+      in->at_heading.stamp_us == in->at_x.stamp_us, -3141, 3141, 2);
+}
+
+static inline void gripper_verdicts_look_move(gripper_verdicts_view *v,
+                                              const gripper_monitors_in *in) {
+  const int32_t good_move = sample_good(&in->move_linear, &v->s->last_move_us, v->now_us);
+  const int32_t fresh_move = good_move && in->move_linear.stamp_us > v->since_us;
+  v->move_linear = bounds_number(&in->move_linear, fresh_move, -1000, 1000, 0);
+  v->move_angular = bounds_number(&in->move_angular, fresh_move &&
+      in->move_angular.stamp_us == in->move_linear.stamp_us, -2000, 2000, 0);
+}
+
+static inline void gripper_verdicts_look_hand(gripper_verdicts_view *v,
+                                              const gripper_monitors_in *in) {
+  const int32_t good_hand = sample_good(&in->hand_x, &v->s->last_hand_us, v->now_us);
+  const int32_t fresh_hand = good_hand && in->hand_x.stamp_us > v->since_us;
+  v->hand_x = bounds_number(&in->hand_x, fresh_hand, -20000, 20000, 0);
+  v->hand_y = bounds_number(&in->hand_y, fresh_hand &&
+      in->hand_y.stamp_us == in->hand_x.stamp_us, -20000, 20000, 0);
+}
+
+static inline void gripper_verdicts_look_goal(gripper_verdicts_view *v,
+                                              const gripper_monitors_in *in) {
+  const int32_t good_goal = sample_good(&in->goal_x, &v->s->last_goal_us, v->now_us);
+  const int32_t fresh_goal = good_goal;
+  v->goal_x = bounds_number(&in->goal_x, fresh_goal, -200000, 200000, 0);
+  v->goal_y = bounds_number(&in->goal_y, fresh_goal &&
+      in->goal_y.stamp_us == in->goal_x.stamp_us, -200000, 200000, 0);
+}
+
+static inline void gripper_verdicts_look_load(gripper_verdicts_view *v,
+                                              const gripper_monitors_in *in) {
+  const int32_t good_load = sample_good(&in->load_x, &v->s->last_load_us, v->now_us);
+  const int32_t fresh_load = good_load;
+  v->load_x = bounds_number(&in->load_x, fresh_load, -50000, 50000, 0);
+  v->load_y = bounds_number(&in->load_y, fresh_load &&
+      in->load_y.stamp_us == in->load_x.stamp_us, -50000, 50000, 0);
+  v->load_z = bounds_number(&in->load_z, fresh_load &&
+      in->load_z.stamp_us == in->load_x.stamp_us, -50000, 50000, 0);
+}
+
+static inline void gripper_verdicts_look_hook(gripper_verdicts_view *v,
+                                              const gripper_monitors_in *in) {
+  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, v->now_us);
+  const int32_t fresh_hook = good_hook;
+  v->hook_x = bounds_number(&in->hook_x, fresh_hook, -50000, 50000, 0);
+  v->hook_y = bounds_number(&in->hook_y, fresh_hook &&
+      in->hook_y.stamp_us == in->hook_x.stamp_us, -50000, 50000, 0);
+  v->hook_z = bounds_number(&in->hook_z, fresh_hook &&
+      in->hook_z.stamp_us == in->hook_x.stamp_us, -50000, 50000, 0);
+}
+
+static inline void gripper_verdicts_look_busy(gripper_verdicts_view *v,
+                                              const gripper_monitors_in *in) {
+  const int32_t good_busy = sample_good(&in->busy, &v->s->last_busy_us, v->now_us);
+  const int32_t fresh_busy = good_busy && in->busy.stamp_us > v->since_us;
+  v->busy = bits_truth(&in->busy, fresh_busy);
+}
+
+static inline void gripper_verdicts_look_gear(gripper_verdicts_view *v,
+                                              const gripper_monitors_in *in) {
+  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
+  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  v->gear = bounds_number(&in->gear, fresh_gear, 0, 1, 0);
+}
+
+/* A tick that sees nothing: it was missed. */
+static void gripper_verdicts_blind(gripper_verdicts_view *v, gripper_monitors_verdicts_state *s) {
+  v->s = s;
+  v->at_x = bounds_nothing();
+  v->at_y = bounds_nothing();
+  v->at_heading = bounds_nothing();
+  v->move_linear = bounds_nothing();
+  v->move_angular = bounds_nothing();
+  v->hand_x = bounds_nothing();
+  v->hand_y = bounds_nothing();
+  v->goal_x = bounds_nothing();
+  v->goal_y = bounds_nothing();
+  v->load_x = bounds_nothing();
+  v->load_y = bounds_nothing();
+  v->load_z = bounds_nothing();
+  v->hook_x = bounds_nothing();
+  v->hook_y = bounds_nothing();
+  v->hook_z = bounds_nothing();
+  v->busy = BITS_UNKNOWN;
+  v->gear = bounds_nothing();
+}
+
+/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
+static void gripper_verdicts_catch_up(gripper_monitors_verdicts_state *s, int64_t missed) {
+  gripper_verdicts_view v;
+  int64_t k;
+  if (missed > 4) {
+    ticks_forget(&s->ticks, s->clock.tick);
+    return;
+  }
+  gripper_verdicts_blind(&v, s);
+  for (k = 0; k < missed; ++k) {
+    (void)rested_verdict(&v);
+    s->ticks.now += 1;
+  }
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t gripper_verdicts_resume(gripper_monitors_verdicts_state *s, int64_t now_us,
+                                       int64_t *since_us) {
+  const int32_t first = s->clock.started == 0;
+  const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 100000);
+  if (elapsed > 1) {
+    gripper_verdicts_catch_up(s, elapsed - 1);
+  }
+  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t gripper_verdicts_begin(gripper_verdicts_view *v,
+                                             gripper_monitors_verdicts_state *s,
+                                             const gripper_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && gripper_verdicts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  v->since_us = since_us;
+  s->judged_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void gripper_monitors_verdicts_init(gripper_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->judged_us = 0;
+  ticks_start(&s->ticks);
+  s->last_at_us = INT64_MIN;
+  s->last_move_us = INT64_MIN;
+  s->last_hand_us = INT64_MIN;
+  s->last_goal_us = INT64_MIN;
+  s->last_load_us = INT64_MIN;
+  s->last_hook_us = INT64_MIN;
+  s->last_busy_us = INT64_MIN;
+  s->last_gear_us = INT64_MIN;
+}
+
+void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s, const gripper_monitors_in *in,
                                int64_t now_us, int32_t verdicts[GRIPPER_MONITORS]) {
-  gripper_view v;
+  gripper_verdicts_view v;
   int32_t k;
-  if (gripper_begin(&v, s, in, now_us) == 0) {
+  if (gripper_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < GRIPPER_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(GRIPPER_INPUT_CLOCK));
+      verdicts[k] = GRIPPER_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[GRIPPER_MONITORS_NEAR] = verdict_of(near_now(&v));
-  verdicts[GRIPPER_MONITORS_SLOW] = verdict_of(slow_now(&v));
-  verdicts[GRIPPER_MONITORS_HUNG] = verdict_of(hung_now(&v));
-  verdicts[GRIPPER_MONITORS_GEARED] = verdict_of(geared_now(&v));
-  verdicts[GRIPPER_MONITORS_AHEAD] = verdict_of(ahead_now(&v));
-  verdicts[GRIPPER_MONITORS_RESTED] = verdict_of(rested_now(&v));
+  gripper_verdicts_look_at(&v, in);
+  gripper_verdicts_look_hand(&v, in);
+  gripper_verdicts_look_goal(&v, in);
+  verdicts[GRIPPER_MONITORS_NEAR] = near_verdict(&v);
+  gripper_verdicts_look_move(&v, in);
+  verdicts[GRIPPER_MONITORS_SLOW] = slow_verdict(&v);
+  gripper_verdicts_look_load(&v, in);
+  gripper_verdicts_look_hook(&v, in);
+  verdicts[GRIPPER_MONITORS_HUNG] = hung_verdict(&v);
+  gripper_verdicts_look_busy(&v, in);
+  gripper_verdicts_look_gear(&v, in);
+  verdicts[GRIPPER_MONITORS_GEARED] = geared_verdict(&v);
+  verdicts[GRIPPER_MONITORS_AHEAD] = ahead_verdict(&v);
+  verdicts[GRIPPER_MONITORS_RESTED] = rested_verdict(&v);
   s->ticks.now += 1;
 }

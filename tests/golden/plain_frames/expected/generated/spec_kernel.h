@@ -75,6 +75,12 @@ typedef struct gripper_kept {
   int32_t reason, index, input, other;
 } gripper_kept;
 
+/* Latest ticks, up to the end of the window, at which the operand was true (must) and not false
+ * (may); -1: none. `at`: place in the ring of verdicts. */
+typedef struct gripper_sight {
+  int64_t must, may, at;
+} gripper_sight;
+
 /* A sliding window in two halves of a ring: `head` joins the half that is being filled, up to `at`,
  * `full` the half before it. `halves`: filled ones, at most 2; base: where the present one starts;
  * wait: place in the ring of what is not in the window yet. */
@@ -109,9 +115,10 @@ typedef struct gripper_monitors_in {
   gripper_signal gear; /* 0 park, 1 drive; new every tick */
 } gripper_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 96216 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 96224 bytes in all. */
 typedef struct gripper_monitors_state {
   gripper_clock clock;
+  int64_t until_us;
   gripper_ticks ticks;
   int64_t judged_us;
   int64_t last_at_us;
@@ -127,8 +134,26 @@ typedef struct gripper_monitors_state {
   gripper_kept once_0_window[3000];
 } gripper_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct gripper_monitors_verdicts_state {
+  gripper_clock clock;
+  int64_t until_us;
+  gripper_ticks ticks;
+  int64_t judged_us;
+  int64_t last_at_us;
+  int64_t last_move_us;
+  int64_t last_hand_us;
+  int64_t last_goal_us;
+  int64_t last_load_us;
+  int64_t last_hook_us;
+  int64_t last_busy_us;
+  int64_t last_gear_us;
+  /* rested */
+  gripper_sight once_0;
+} gripper_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 m, 2: 1 m/s, 3: 1 rad/s, 4: 1 m^2. input: the one that is missing. */
 typedef struct gripper_finding_of {
   int32_t verdict, reason, input, unit;
@@ -143,12 +168,15 @@ typedef struct gripper_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void gripper_monitors_init(gripper_monitors_state *s);
 void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in *in,
                            int64_t now_us, gripper_monitors_out *out);
-void gripper_monitors_verdicts(gripper_monitors_state *s, const gripper_monitors_in *in,
-                               int64_t now_us, int32_t verdicts[GRIPPER_MONITORS]);
+void gripper_monitors_verdicts_init(gripper_monitors_verdicts_state *s);
+void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s,
+                               const gripper_monitors_in *in, int64_t now_us,
+                               int32_t verdicts[GRIPPER_MONITORS]);
 
 #ifdef __cplusplus
 }

@@ -36,8 +36,10 @@ constexpr const char* input_names[] = {
 
 }  // namespace
 
-Monitors::Monitors() : state_(), in_(), findings_(), verdicts_() {
+Monitors::Monitors()
+    : state_(), verdicts_state_(), in_(), findings_(), verdicts_() {
   signal_monitors_init(&state_);
+  signal_monitors_verdicts_init(&verdicts_state_);
 }
 
 Monitors& Monitors::s(bool value, rtac::TimeUs stamp_us) {
@@ -132,7 +134,7 @@ const std::array<rtac::Finding, Monitors::count>& Monitors::step(rtac::TimeUs no
 
 const std::array<rtac::Verdict, Monitors::count>& Monitors::verdicts(rtac::TimeUs now_us) {
   std::int32_t verdicts[count];
-  signal_monitors_verdicts(&state_, &in_, now_us, verdicts);
+  signal_monitors_verdicts(&verdicts_state_, &in_, now_us, verdicts);
   for (std::size_t k = 0; k < count; ++k) {
     verdicts_[k] = static_cast<rtac::Verdict>(verdicts[k]);
   }
@@ -141,6 +143,7 @@ const std::array<rtac::Verdict, Monitors::count>& Monitors::verdicts(rtac::TimeU
 
 void Monitors::reset() {
   signal_monitors_init(&state_);
+  signal_monitors_verdicts_init(&verdicts_state_);
 }
 
 const std::array<rtac::PlainMonitorInfo, Monitors::count>& Monitors::info() {

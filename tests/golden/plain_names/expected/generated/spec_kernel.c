@@ -22,6 +22,35 @@ static int64_t elapsed_us(int64_t from, int64_t to) {
   return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
 }
 
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
@@ -210,17 +239,26 @@ static margin margin_bits(int32_t bits, margin x, const signal_kept *why) {
   return m;
 }
 
-static void witness_start(signal_witness *s) {
+/* Keeps the latest operand that was unknown. */
+static void why_known(signal_kept *why, margin x, const signal_ticks *t) {
+  if (t->now == t->known) {
+    *why = kept_of(margin_unknown(SIGNAL_INPUT_CLOCK));
+  }
+  if (bits_of(x) == 2) {
+    *why = kept_of(x);
+  }
+}
+
+static void sight_start(signal_sight *s) {
   s->must = -1;
   s->may = -1;
   s->at = 0;
-  s->why = kept_of(margin_unknown(SIGNAL_INPUT_CLOCK));
 }
 
 /* Brings the witness up to the end of the window, and returns the latest tick at which the operand
  * may have been true. Only the latest matters: it is the last one to leave the window. */
-static int64_t witness_look(int32_t bits, signal_witness *s, uint8_t *ring, int64_t from,
-                            const signal_ticks *t) {
+static int64_t sight_look(int32_t bits, signal_sight *s, uint8_t *ring, int64_t from,
+                          const signal_ticks *t) {
   const int64_t end = t->now - from;
   const int32_t then = bits_delay(bits, ring, from, &s->at);
   if (end >= t->known) {
@@ -230,23 +268,33 @@ static int64_t witness_look(int32_t bits, signal_witness *s, uint8_t *ring, int6
   return max_of(s->may, min_of(t->known - 1, end));
 }
 
-static int32_t once_bits(int32_t bits, margin x, signal_witness *s, uint8_t *ring, int64_t from,
-                         int64_t to, const signal_ticks *t) {
+static inline int32_t once_within(int32_t x, signal_sight *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const signal_ticks *t) {
   const int64_t start = window_start(t, to);
   int64_t may;
   if (t->now == t->known) {
-    witness_start(s);
+    sight_start(s);
   }
-  if (bits_of(x) == 2) {
-    s->why = kept_of(x);
-  }
-  may = witness_look(bits, s, ring, from, t);
+  may = sight_look(x, s, ring, from, t);
   return (s->must >= start ? 1 : 0) + (may >= start ? 2 : 0);
 }
 
 static inline margin once_verdict(margin x, signal_witness *s, uint8_t *ring, int64_t from,
                                   int64_t to, const signal_ticks *t) {
-  return margin_bits(once_bits(bits_of(x), x, s, ring, from, to, t), x, &s->why);
+  why_known(&s->why, x, t);
+  return margin_bits(once_within(bits_of(x), &s->sight, ring, from, to, t), x, &s->why);
+}
+
+/* Without a window the verdict so far is all that there is to remember. */
+static inline int32_t once_ever(int32_t x, int32_t *so_far) {
+  *so_far = *so_far | x;
+  return *so_far;
+}
+
+static inline int32_t previously_bits(int32_t x, int32_t *before) {
+  const int32_t then = *before;
+  *before = x;
+  return then;
 }
 
 static margin previously_margin(margin x, signal_kept *s, const signal_ticks *t) {
@@ -261,11 +309,36 @@ static margin previously_margin(margin x, signal_kept *s, const signal_ticks *t)
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const signal_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(signal_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const signal_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
@@ -273,11 +346,77 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const signal_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const signal_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+static inline int32_t bits_truth(const signal_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+
+/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
+static inline int64_t age_known(const signal_signal *s, int32_t good, int64_t now_us) {
+  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+  return age_us > AGE_MAX_US ? -1 : age_us;
+}
+
+static inline bounds bounds_age(const signal_signal *s, int32_t good, int64_t now_us) {
+  const int64_t age_us = age_known(s, good, now_us);
+  return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
+}
+
+static inline span age_span(const signal_signal *s, int32_t good, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(s, good, now_us);
+  return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const signal_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -286,22 +425,12 @@ static span number_of(const signal_signal *s, int32_t fresh, int64_t least, int6
   return seen;
 }
 
-static margin truth_of(const signal_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+static inline margin truth_of(const signal_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
-}
-
-/* Time since the stamp of the newest sample; unknown when there is none, or beyond 35 years. */
-static span age_span(const signal_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
-  return age_us < 0 || age_us > AGE_MAX_US ? span_unknown(input) : span_of(age_us, age_us);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 
 /* The smaller end decides; of equal ones that whose input is missing, which is worth telling. */
@@ -342,23 +471,18 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
   return m;
 }
 
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static signal_finding_of finding_judged(margin m) {
+static inline signal_finding_of finding_judged(margin m) {
   signal_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = SIGNAL_REASON_NONE;
   f.input = SIGNAL_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == SIGNAL_VERDICT_FALSE) {
@@ -374,6 +498,7 @@ static signal_finding_of finding_judged(margin m) {
 /* What a tick knows of its inputs. */
 typedef struct signal_view {
   signal_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   margin s_;
   margin v;
   margin k;
@@ -445,6 +570,105 @@ static inline margin x_now(const signal_view *v) {
   return both(v2, v->p_x_);
 }
 
+static inline void signal_look_s(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_s = sample_good(&in->s, &v->s->last_s_us, v->now_us);
+  const int32_t fresh_s = good_s && in->s.stamp_us > v->since_us;
+  v->s_ = truth_of(&in->s, fresh_s, SIGNAL_MONITORS_INPUT_S);
+}
+
+static inline void signal_look_v(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, v->now_us);
+  const int32_t fresh_v = good_v && in->v.stamp_us > v->since_us;
+  v->v = truth_of(&in->v, fresh_v, SIGNAL_MONITORS_INPUT_V);
+}
+
+static inline void signal_look_k(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_k = sample_good(&in->k, &v->s->last_k_us, v->now_us);
+  const int32_t fresh_k = good_k && in->k.stamp_us > v->since_us;
+  v->k = truth_of(&in->k, fresh_k, SIGNAL_MONITORS_INPUT_K);
+}
+
+static inline void signal_look_in(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_in = sample_good(&in->in, &v->s->last_in_us, v->now_us);
+  const int32_t fresh_in = good_in && in->in.stamp_us > v->since_us;
+  v->in = truth_of(&in->in, fresh_in, SIGNAL_MONITORS_INPUT_IN);
+}
+
+static inline void signal_look_out(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_out = sample_good(&in->out, &v->s->last_out_us, v->now_us);
+  const int32_t fresh_out = good_out && in->out.stamp_us > v->since_us;
+  v->out = truth_of(&in->out, fresh_out, SIGNAL_MONITORS_INPUT_OUT);
+}
+
+static inline void signal_look_a_(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_a_ = sample_good(&in->a, &v->s->last_a__us, v->now_us);
+  const int32_t fresh_a_ = good_a_ && elapsed_us(in->a.stamp_us, v->now_us) <= 1000000;
+  v->a = truth_of(&in->a, fresh_a_, SIGNAL_MONITORS_INPUT_A_);
+  v->age_of_a_ = age_span(&in->a, good_a_, v->now_us, SIGNAL_MONITORS_INPUT_A_);
+}
+
+static inline void signal_look_age_of_a(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_age_of_a = sample_good(&in->age_of_a, &v->s->last_age_of_a_us, v->now_us);
+  const int32_t fresh_age_of_a = good_age_of_a && in->age_of_a.stamp_us > v->since_us;
+  v->age_of_a = truth_of(&in->age_of_a, fresh_age_of_a, SIGNAL_MONITORS_INPUT_AGE_OF_A);
+}
+
+static inline void signal_look_Index(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_Index = sample_good(&in->Index, &v->s->last_Index_us, v->now_us);
+  const int32_t fresh_Index = good_Index && in->Index.stamp_us > v->since_us;
+  v->Index = truth_of(&in->Index, fresh_Index, SIGNAL_MONITORS_INPUT_INDEX);
+}
+
+static inline void signal_look_index_(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_index_ = sample_good(&in->index, &v->s->last_index__us, v->now_us);
+  const int32_t fresh_index_ = good_index_ && in->index.stamp_us > v->since_us;
+  v->index = truth_of(&in->index, fresh_index_, SIGNAL_MONITORS_INPUT_INDEX_);
+}
+
+static inline void signal_look_tick(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_tick = sample_good(&in->tick, &v->s->last_tick_us, v->now_us);
+  const int32_t fresh_tick = good_tick && in->tick.stamp_us > v->since_us;
+  v->tick = truth_of(&in->tick, fresh_tick, SIGNAL_MONITORS_INPUT_TICK);
+}
+
+static inline void signal_look_clock(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_clock = sample_good(&in->clock, &v->s->last_clock_us, v->now_us);
+  const int32_t fresh_clock = good_clock && in->clock.stamp_us > v->since_us;
+  v->clock = truth_of(&in->clock, fresh_clock, SIGNAL_MONITORS_INPUT_CLOCK);
+}
+
+static inline void signal_look_NULL_(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_NULL_ = sample_good(&in->NULL__, &v->s->last_NULL__us, v->now_us);
+  const int32_t fresh_NULL_ = good_NULL_ && in->NULL__.stamp_us > v->since_us;
+  v->NULL__ = truth_of(&in->NULL__, fresh_NULL_, SIGNAL_MONITORS_INPUT_NULL_);
+}
+
+static inline void signal_look_double_(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_double_ = sample_good(&in->double_, &v->s->last_double__us, v->now_us);
+  const int32_t fresh_double_ = good_double_ && in->double_.stamp_us > v->since_us;
+  v->double_ = truth_of(&in->double_, fresh_double_, SIGNAL_MONITORS_INPUT_DOUBLE_);
+}
+
+static inline void signal_look_lo(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_lo = sample_good(&in->lo, &v->s->last_lo_us, v->now_us);
+  const int32_t fresh_lo = good_lo && in->lo.stamp_us > v->since_us;
+  v->lo = number_of(&in->lo, fresh_lo, 0, 9000, 0, SIGNAL_MONITORS_INPUT_LO);
+}
+
+static inline void signal_look_p(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
+  const int32_t fresh_p = good_p && in->p_x.stamp_us > v->since_us;
+  v->p_x = number_of(&in->p_x, fresh_p, -1000, 1000, 0, SIGNAL_MONITORS_INPUT_P);
+  v->p_y = number_of(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -1000, 1000, 0,
+      SIGNAL_MONITORS_INPUT_P);
+}
+
+static inline void signal_look_p_x(signal_view *v, const signal_monitors_in *in) {
+  const int32_t good_p_x = sample_good(&in->p_x_, &v->s->last_p_x_us, v->now_us);
+  const int32_t fresh_p_x = good_p_x && in->p_x_.stamp_us > v->since_us;
+  v->p_x_ = truth_of(&in->p_x_, fresh_p_x, SIGNAL_MONITORS_INPUT_P_X);
+}
+
 /* A tick that sees nothing: it was missed. */
 static void signal_blind(signal_view *v, signal_monitors_state *s) {
   v->s = s;
@@ -468,62 +692,6 @@ static void signal_blind(signal_view *v, signal_monitors_state *s) {
   v->age_of_a_ = span_unknown(SIGNAL_INPUT_CLOCK);
 }
 
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void signal_look(signal_view *v, const signal_monitors_in *in, int64_t now_us,
-                               int64_t since_us) {
-  const int32_t good_s = sample_good(&in->s, &v->s->last_s_us, now_us);
-  const int32_t fresh_s = good_s && in->s.stamp_us > since_us;
-  v->s_ = truth_of(&in->s, fresh_s, SIGNAL_MONITORS_INPUT_S);
-  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, now_us);
-  const int32_t fresh_v = good_v && in->v.stamp_us > since_us;
-  v->v = truth_of(&in->v, fresh_v, SIGNAL_MONITORS_INPUT_V);
-  const int32_t good_k = sample_good(&in->k, &v->s->last_k_us, now_us);
-  const int32_t fresh_k = good_k && in->k.stamp_us > since_us;
-  v->k = truth_of(&in->k, fresh_k, SIGNAL_MONITORS_INPUT_K);
-  const int32_t good_in = sample_good(&in->in, &v->s->last_in_us, now_us);
-  const int32_t fresh_in = good_in && in->in.stamp_us > since_us;
-  v->in = truth_of(&in->in, fresh_in, SIGNAL_MONITORS_INPUT_IN);
-  const int32_t good_out = sample_good(&in->out, &v->s->last_out_us, now_us);
-  const int32_t fresh_out = good_out && in->out.stamp_us > since_us;
-  v->out = truth_of(&in->out, fresh_out, SIGNAL_MONITORS_INPUT_OUT);
-  const int32_t good_a_ = sample_good(&in->a, &v->s->last_a__us, now_us);
-  const int32_t fresh_a_ = good_a_ && elapsed_us(in->a.stamp_us, now_us) <= 1000000;
-  v->a = truth_of(&in->a, fresh_a_, SIGNAL_MONITORS_INPUT_A_);
-  v->age_of_a_ = age_span(&in->a, good_a_, now_us, SIGNAL_MONITORS_INPUT_A_);
-  const int32_t good_age_of_a = sample_good(&in->age_of_a, &v->s->last_age_of_a_us, now_us);
-  const int32_t fresh_age_of_a = good_age_of_a && in->age_of_a.stamp_us > since_us;
-  v->age_of_a = truth_of(&in->age_of_a, fresh_age_of_a, SIGNAL_MONITORS_INPUT_AGE_OF_A);
-  const int32_t good_Index = sample_good(&in->Index, &v->s->last_Index_us, now_us);
-  const int32_t fresh_Index = good_Index && in->Index.stamp_us > since_us;
-  v->Index = truth_of(&in->Index, fresh_Index, SIGNAL_MONITORS_INPUT_INDEX);
-  const int32_t good_index_ = sample_good(&in->index, &v->s->last_index__us, now_us);
-  const int32_t fresh_index_ = good_index_ && in->index.stamp_us > since_us;
-  v->index = truth_of(&in->index, fresh_index_, SIGNAL_MONITORS_INPUT_INDEX_);
-  const int32_t good_tick = sample_good(&in->tick, &v->s->last_tick_us, now_us);
-  const int32_t fresh_tick = good_tick && in->tick.stamp_us > since_us;
-  v->tick = truth_of(&in->tick, fresh_tick, SIGNAL_MONITORS_INPUT_TICK);
-  const int32_t good_clock = sample_good(&in->clock, &v->s->last_clock_us, now_us);
-  const int32_t fresh_clock = good_clock && in->clock.stamp_us > since_us;
-  v->clock = truth_of(&in->clock, fresh_clock, SIGNAL_MONITORS_INPUT_CLOCK);
-  const int32_t good_NULL_ = sample_good(&in->NULL__, &v->s->last_NULL__us, now_us);
-  const int32_t fresh_NULL_ = good_NULL_ && in->NULL__.stamp_us > since_us;
-  v->NULL__ = truth_of(&in->NULL__, fresh_NULL_, SIGNAL_MONITORS_INPUT_NULL_);
-  const int32_t good_double_ = sample_good(&in->double_, &v->s->last_double__us, now_us);
-  const int32_t fresh_double_ = good_double_ && in->double_.stamp_us > since_us;
-  v->double_ = truth_of(&in->double_, fresh_double_, SIGNAL_MONITORS_INPUT_DOUBLE_);
-  const int32_t good_lo = sample_good(&in->lo, &v->s->last_lo_us, now_us);
-  const int32_t fresh_lo = good_lo && in->lo.stamp_us > since_us;
-  v->lo = number_of(&in->lo, fresh_lo, 0, 9000, 0, SIGNAL_MONITORS_INPUT_LO);
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, now_us);
-  const int32_t fresh_p = good_p && in->p_x.stamp_us > since_us;
-  v->p_x = number_of(&in->p_x, fresh_p, -1000, 1000, 0, SIGNAL_MONITORS_INPUT_P);
-  v->p_y = number_of(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -1000, 1000, 0,
-      SIGNAL_MONITORS_INPUT_P);
-  const int32_t good_p_x = sample_good(&in->p_x_, &v->s->last_p_x_us, now_us);
-  const int32_t fresh_p_x = good_p_x && in->p_x_.stamp_us > since_us;
-  v->p_x_ = truth_of(&in->p_x_, fresh_p_x, SIGNAL_MONITORS_INPUT_P_X);
-}
-
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
 static void signal_catch_up(signal_monitors_state *s, int64_t missed) {
   signal_view v;
@@ -540,21 +708,33 @@ static void signal_catch_up(signal_monitors_state *s, int64_t missed) {
   }
 }
 
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s,
-                                   const signal_monitors_in *in, int64_t now_us) {
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t signal_resume(signal_monitors_state *s, int64_t now_us, int64_t *since_us) {
   const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
+  s->until_us = tick_until(&s->clock, 10000);
   if (elapsed > 1) {
     signal_catch_up(s, elapsed - 1);
   }
+  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s,
+                                   const signal_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && signal_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
   v->s = s;
-  signal_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 10000) : before_us);
+  v->now_us = now_us;
+  v->since_us = since_us;
   s->judged_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -563,6 +743,7 @@ void signal_monitors_init(signal_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
+  s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_s_us = INT64_MIN;
@@ -595,28 +776,350 @@ void signal_monitors_step(signal_monitors_state *s, const signal_monitors_in *in
     return;
   }
   out->tick = s->clock.tick;
+  signal_look_s(&v, in);
+  signal_look_v(&v, in);
+  signal_look_k(&v, in);
+  signal_look_in(&v, in);
+  signal_look_out(&v, in);
   out->monitors[SIGNAL_MONITORS_STATE] = finding_judged(state_now(&v));
+  signal_look_a_(&v, in);
+  signal_look_age_of_a(&v, in);
+  signal_look_tick(&v, in);
   out->monitors[SIGNAL_MONITORS_INPUT_A] = finding_judged(input_a_now(&v));
+  signal_look_Index(&v, in);
+  signal_look_index_(&v, in);
+  signal_look_clock(&v, in);
+  signal_look_lo(&v, in);
   out->monitors[SIGNAL_MONITORS_CLOCK] = finding_judged(Clock_now(&v));
+  signal_look_NULL_(&v, in);
+  signal_look_double_(&v, in);
   out->monitors[SIGNAL_MONITORS_CLOCK_] = finding_judged(CLOCK__now(&v));
+  signal_look_p(&v, in);
+  signal_look_p_x(&v, in);
   out->monitors[SIGNAL_MONITORS_X] = finding_judged(x_now(&v));
   s->ticks.now += 1;
 }
 
-void signal_monitors_verdicts(signal_monitors_state *s, const signal_monitors_in *in,
-                              int64_t now_us, int32_t verdicts[SIGNAL_MONITORS]) {
-  signal_view v;
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct signal_verdicts_view {
+  signal_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  int32_t s_;
+  int32_t v;
   int32_t k;
-  if (signal_begin(&v, s, in, now_us) == 0) {
+  int32_t in;
+  int32_t out;
+  int32_t a;
+  int32_t age_of_a;
+  int32_t Index;
+  int32_t index;
+  int32_t tick;
+  int32_t clock;
+  int32_t NULL__;
+  int32_t double_;
+  bounds lo;
+  bounds p_x;
+  bounds p_y;
+  int32_t p_x_;
+  bounds age_of_a_; /* us */
+} signal_verdicts_view;
+
+/* s and v and k and in and out */
+static inline int32_t state_verdict(const signal_verdicts_view *v) {
+  /* s and v and k and in and out */
+  if ((v->s_ & 1) != 0 && (v->v & 1) != 0 && (v->k & 1) != 0 && (v->in & 1) != 0 &&
+      (v->out & 1) != 0) {
+    return SIGNAL_VERDICT_TRUE;
+  }
+  return ((v->s_ & 2) != 0 && (v->v & 2) != 0 && (v->k & 2) != 0 && (v->in & 2) != 0 &&
+      (v->out & 2) != 0) ? SIGNAL_VERDICT_UNKNOWN : SIGNAL_VERDICT_FALSE;
+}
+
+/* age(a) <= 1 s and age_of_a and tick */
+static inline int32_t input_a_verdict(const signal_verdicts_view *v) {
+  /* age(a) <= 1 s and age_of_a and tick */
+  if (v->age_of_a_.hi <= 1000000 && (v->age_of_a & 1) != 0 && (v->tick & 1) != 0) {
+    return SIGNAL_VERDICT_TRUE;
+  }
+  return (v->age_of_a_.lo <= 1000000 && (v->age_of_a & 2) != 0 && (v->tick & 2) != 0)
+      ? SIGNAL_VERDICT_UNKNOWN : SIGNAL_VERDICT_FALSE;
+}
+
+/* previously (Index iff index) and clock and lo <= 1 m */
+static inline int32_t Clock_verdict(const signal_verdicts_view *v) {
+  /* Index iff index */
+  const int32_t v6 = (((v->Index & 2) == 0 || (v->index & 1) != 0) && ((v->index & 2) == 0 ||
+      (v->Index & 1) != 0)) ? BITS_TRUE : (((v->Index & 1) == 0 || (v->index & 2) != 0) &&
+      ((v->index & 1) == 0 || (v->Index & 2) != 0)) ? BITS_UNKNOWN : BITS_FALSE;
+  /* previously (Index iff index) */
+  const int32_t v7 = previously_bits(v6, &v->s->previously_0);
+  /* previously (Index iff index) and clock and lo <= 1 m */
+  if ((v7 & 1) != 0 && (v->clock & 1) != 0 && v->lo.hi <= 1000) {
+    return SIGNAL_VERDICT_TRUE;
+  }
+  return ((v7 & 2) != 0 && (v->clock & 2) != 0 && v->lo.lo + v->lo.lo_open <= 1000)
+      ? SIGNAL_VERDICT_UNKNOWN : SIGNAL_VERDICT_FALSE;
+}
+
+/* once (NULL or double) */
+static inline int32_t CLOCK__verdict(const signal_verdicts_view *v) {
+  /* NULL or double */
+  const int32_t v2 = ((v->NULL__ & 1) != 0 || (v->double_ & 1) != 0) ? BITS_TRUE
+      : ((v->NULL__ & 2) != 0 || (v->double_ & 2) != 0) ? BITS_UNKNOWN : BITS_FALSE;
+  /* once (NULL or double) */
+  const int32_t v3 = once_ever(v2, &v->s->once_1);
+  if ((v3 & 1) != 0) {
+    return SIGNAL_VERDICT_TRUE;
+  }
+  return (v3 & 2) != 0 ? SIGNAL_VERDICT_UNKNOWN : SIGNAL_VERDICT_FALSE;
+}
+
+/* p.x <= 1 m and p_x */
+static inline int32_t x_verdict(const signal_verdicts_view *v) {
+  /* p.x <= 1 m and p_x */
+  if (v->p_x.hi <= 1000 && (v->p_x_ & 1) != 0) {
+    return SIGNAL_VERDICT_TRUE;
+  }
+  return (v->p_x.lo + v->p_x.lo_open <= 1000 && (v->p_x_ & 2) != 0) ? SIGNAL_VERDICT_UNKNOWN
+      : SIGNAL_VERDICT_FALSE;
+}
+
+static inline void signal_verdicts_look_s(signal_verdicts_view *v, const signal_monitors_in *in) {
+  const int32_t good_s = sample_good(&in->s, &v->s->last_s_us, v->now_us);
+  const int32_t fresh_s = good_s && in->s.stamp_us > v->since_us;
+  v->s_ = bits_truth(&in->s, fresh_s);
+}
+
+static inline void signal_verdicts_look_v(signal_verdicts_view *v, const signal_monitors_in *in) {
+  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, v->now_us);
+  const int32_t fresh_v = good_v && in->v.stamp_us > v->since_us;
+  v->v = bits_truth(&in->v, fresh_v);
+}
+
+static inline void signal_verdicts_look_k(signal_verdicts_view *v, const signal_monitors_in *in) {
+  const int32_t good_k = sample_good(&in->k, &v->s->last_k_us, v->now_us);
+  const int32_t fresh_k = good_k && in->k.stamp_us > v->since_us;
+  v->k = bits_truth(&in->k, fresh_k);
+}
+
+static inline void signal_verdicts_look_in(signal_verdicts_view *v, const signal_monitors_in *in) {
+  const int32_t good_in = sample_good(&in->in, &v->s->last_in_us, v->now_us);
+  const int32_t fresh_in = good_in && in->in.stamp_us > v->since_us;
+  v->in = bits_truth(&in->in, fresh_in);
+}
+
+static inline void signal_verdicts_look_out(signal_verdicts_view *v,
+                                            const signal_monitors_in *in) {
+  const int32_t good_out = sample_good(&in->out, &v->s->last_out_us, v->now_us);
+  const int32_t fresh_out = good_out && in->out.stamp_us > v->since_us;
+  v->out = bits_truth(&in->out, fresh_out);
+}
+
+static inline void signal_verdicts_look_a_(signal_verdicts_view *v, const signal_monitors_in *in) {
+  const int32_t good_a_ = sample_good(&in->a, &v->s->last_a__us, v->now_us);
+  const int32_t fresh_a_ = good_a_ && elapsed_us(in->a.stamp_us, v->now_us) <= 1000000;
+  v->a = bits_truth(&in->a, fresh_a_);
+  v->age_of_a_ = bounds_age(&in->a, good_a_, v->now_us);
+}
+
+static inline void signal_verdicts_look_age_of_a(signal_verdicts_view *v,
+                                                 const signal_monitors_in *in) {
+  const int32_t good_age_of_a = sample_good(&in->age_of_a, &v->s->last_age_of_a_us, v->now_us);
+  const int32_t fresh_age_of_a = good_age_of_a && in->age_of_a.stamp_us > v->since_us;
+  v->age_of_a = bits_truth(&in->age_of_a, fresh_age_of_a);
+}
+
+static inline void signal_verdicts_look_Index(signal_verdicts_view *v,
+                                              const signal_monitors_in *in) {
+  const int32_t good_Index = sample_good(&in->Index, &v->s->last_Index_us, v->now_us);
+  const int32_t fresh_Index = good_Index && in->Index.stamp_us > v->since_us;
+  v->Index = bits_truth(&in->Index, fresh_Index);
+}
+
+static inline void signal_verdicts_look_index_(signal_verdicts_view *v,
+                                               const signal_monitors_in *in) {
+  const int32_t good_index_ = sample_good(&in->index, &v->s->last_index__us, v->now_us);
+  const int32_t fresh_index_ = good_index_ && in->index.stamp_us > v->since_us;
+  v->index = bits_truth(&in->index, fresh_index_);
+}
+
+static inline void signal_verdicts_look_tick(signal_verdicts_view *v,
+                                             const signal_monitors_in *in) {
+  const int32_t good_tick = sample_good(&in->tick, &v->s->last_tick_us, v->now_us);
+  const int32_t fresh_tick = good_tick && in->tick.stamp_us > v->since_us;
+  v->tick = bits_truth(&in->tick, fresh_tick);
+}
+
+static inline void signal_verdicts_look_clock(signal_verdicts_view *v,
+                                              const signal_monitors_in *in) {
+  const int32_t good_clock = sample_good(&in->clock, &v->s->last_clock_us, v->now_us);
+  const int32_t fresh_clock = good_clock && in->clock.stamp_us > v->since_us;
+  v->clock = bits_truth(&in->clock, fresh_clock);
+}
+
+static inline void signal_verdicts_look_NULL_(signal_verdicts_view *v,
+                                              const signal_monitors_in *in) {
+  const int32_t good_NULL_ = sample_good(&in->NULL__, &v->s->last_NULL__us, v->now_us);
+  const int32_t fresh_NULL_ = good_NULL_ && in->NULL__.stamp_us > v->since_us;
+  v->NULL__ = bits_truth(&in->NULL__, fresh_NULL_);
+}
+
+static inline void signal_verdicts_look_double_(signal_verdicts_view *v,
+                                                const signal_monitors_in *in) {
+  const int32_t good_double_ = sample_good(&in->double_, &v->s->last_double__us, v->now_us);
+  const int32_t fresh_double_ = good_double_ && in->double_.stamp_us > v->since_us;
+  v->double_ = bits_truth(&in->double_, fresh_double_);
+}
+
+static inline void signal_verdicts_look_lo(signal_verdicts_view *v, const signal_monitors_in *in) {
+  const int32_t good_lo = sample_good(&in->lo, &v->s->last_lo_us, v->now_us);
+  const int32_t fresh_lo = good_lo && in->lo.stamp_us > v->since_us;
+  v->lo = bounds_number(&in->lo, fresh_lo, 0, 9000, 0);
+}
+
+static inline void signal_verdicts_look_p(signal_verdicts_view *v, const signal_monitors_in *in) {
+  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
+  const int32_t fresh_p = good_p && in->p_x.stamp_us > v->since_us;
+  v->p_x = bounds_number(&in->p_x, fresh_p, -1000, 1000, 0);
+  v->p_y = bounds_number(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -1000, 1000,
+      0);
+}
+
+static inline void signal_verdicts_look_p_x(signal_verdicts_view *v,
+                                            const signal_monitors_in *in) {
+  const int32_t good_p_x = sample_good(&in->p_x_, &v->s->last_p_x_us, v->now_us);
+  const int32_t fresh_p_x = good_p_x && in->p_x_.stamp_us > v->since_us;
+  v->p_x_ = bits_truth(&in->p_x_, fresh_p_x);
+}
+
+/* A tick that sees nothing: it was missed. */
+static void signal_verdicts_blind(signal_verdicts_view *v, signal_monitors_verdicts_state *s) {
+  v->s = s;
+  v->s_ = BITS_UNKNOWN;
+  v->v = BITS_UNKNOWN;
+  v->k = BITS_UNKNOWN;
+  v->in = BITS_UNKNOWN;
+  v->out = BITS_UNKNOWN;
+  v->a = BITS_UNKNOWN;
+  v->age_of_a = BITS_UNKNOWN;
+  v->Index = BITS_UNKNOWN;
+  v->index = BITS_UNKNOWN;
+  v->tick = BITS_UNKNOWN;
+  v->clock = BITS_UNKNOWN;
+  v->NULL__ = BITS_UNKNOWN;
+  v->double_ = BITS_UNKNOWN;
+  v->lo = bounds_nothing();
+  v->p_x = bounds_nothing();
+  v->p_y = bounds_nothing();
+  v->p_x_ = BITS_UNKNOWN;
+  v->age_of_a_ = bounds_nothing();
+}
+
+/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
+static void signal_verdicts_catch_up(signal_monitors_verdicts_state *s, int64_t missed) {
+  signal_verdicts_view v;
+  int64_t k;
+  if (missed > 4) {
+    s->previously_0 = BITS_UNKNOWN;
+    s->once_1 = BITS_UNKNOWN;
+    return;
+  }
+  signal_verdicts_blind(&v, s);
+  for (k = 0; k < missed; ++k) {
+    (void)Clock_verdict(&v);
+    (void)CLOCK__verdict(&v);
+  }
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t signal_verdicts_resume(signal_monitors_verdicts_state *s, int64_t now_us,
+                                      int64_t *since_us) {
+  const int32_t first = s->clock.started == 0;
+  const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 10000);
+  if (elapsed > 1) {
+    signal_verdicts_catch_up(s, elapsed - 1);
+  }
+  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t signal_verdicts_begin(signal_verdicts_view *v,
+                                            signal_monitors_verdicts_state *s,
+                                            const signal_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && signal_verdicts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  v->since_us = since_us;
+  s->judged_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void signal_monitors_verdicts_init(signal_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->judged_us = 0;
+  s->last_s_us = INT64_MIN;
+  s->last_v_us = INT64_MIN;
+  s->last_k_us = INT64_MIN;
+  s->last_in_us = INT64_MIN;
+  s->last_out_us = INT64_MIN;
+  s->last_a__us = INT64_MIN;
+  s->last_age_of_a_us = INT64_MIN;
+  s->last_Index_us = INT64_MIN;
+  s->last_index__us = INT64_MIN;
+  s->last_tick_us = INT64_MIN;
+  s->last_clock_us = INT64_MIN;
+  s->last_NULL__us = INT64_MIN;
+  s->last_double__us = INT64_MIN;
+  s->last_lo_us = INT64_MIN;
+  s->last_p_us = INT64_MIN;
+  s->last_p_x_us = INT64_MIN;
+  s->previously_0 = BITS_FALSE;
+  s->once_1 = BITS_FALSE;
+}
+
+void signal_monitors_verdicts(signal_monitors_verdicts_state *s, const signal_monitors_in *in,
+                              int64_t now_us, int32_t verdicts[SIGNAL_MONITORS]) {
+  signal_verdicts_view v;
+  int32_t k;
+  if (signal_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < SIGNAL_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(SIGNAL_INPUT_CLOCK));
+      verdicts[k] = SIGNAL_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[SIGNAL_MONITORS_STATE] = verdict_of(state_now(&v));
-  verdicts[SIGNAL_MONITORS_INPUT_A] = verdict_of(input_a_now(&v));
-  verdicts[SIGNAL_MONITORS_CLOCK] = verdict_of(Clock_now(&v));
-  verdicts[SIGNAL_MONITORS_CLOCK_] = verdict_of(CLOCK__now(&v));
-  verdicts[SIGNAL_MONITORS_X] = verdict_of(x_now(&v));
-  s->ticks.now += 1;
+  signal_verdicts_look_s(&v, in);
+  signal_verdicts_look_v(&v, in);
+  signal_verdicts_look_k(&v, in);
+  signal_verdicts_look_in(&v, in);
+  signal_verdicts_look_out(&v, in);
+  verdicts[SIGNAL_MONITORS_STATE] = state_verdict(&v);
+  signal_verdicts_look_a_(&v, in);
+  signal_verdicts_look_age_of_a(&v, in);
+  signal_verdicts_look_tick(&v, in);
+  verdicts[SIGNAL_MONITORS_INPUT_A] = input_a_verdict(&v);
+  signal_verdicts_look_Index(&v, in);
+  signal_verdicts_look_index_(&v, in);
+  signal_verdicts_look_clock(&v, in);
+  signal_verdicts_look_lo(&v, in);
+  verdicts[SIGNAL_MONITORS_CLOCK] = Clock_verdict(&v);
+  signal_verdicts_look_NULL_(&v, in);
+  signal_verdicts_look_double_(&v, in);
+  verdicts[SIGNAL_MONITORS_CLOCK_] = CLOCK__verdict(&v);
+  signal_verdicts_look_p(&v, in);
+  signal_verdicts_look_p_x(&v, in);
+  verdicts[SIGNAL_MONITORS_X] = x_verdict(&v);
 }

@@ -83,10 +83,14 @@ typedef struct signal_kept {
 } signal_kept;
 
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false
- * (may); -1: none. `at`: place in the ring of verdicts; why: the latest operand that was
- * unknown. */
-typedef struct signal_witness {
+ * (may); -1: none. `at`: place in the ring of verdicts. */
+typedef struct signal_sight {
   int64_t must, may, at;
+} signal_sight;
+
+/* why: the latest operand that was unknown. */
+typedef struct signal_witness {
+  signal_sight sight;
   signal_kept why;
 } signal_witness;
 
@@ -115,9 +119,10 @@ typedef struct signal_monitors_in {
   signal_signal p_x_; /* 0 or 1; new every tick */
 } signal_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 272 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 280 bytes in all. */
 typedef struct signal_monitors_state {
   signal_clock clock;
+  int64_t until_us;
   signal_ticks ticks;
   int64_t judged_us;
   int64_t last_s_us;
@@ -142,8 +147,35 @@ typedef struct signal_monitors_state {
   signal_witness once_1;
 } signal_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct signal_monitors_verdicts_state {
+  signal_clock clock;
+  int64_t until_us;
+  int64_t judged_us;
+  int64_t last_s_us;
+  int64_t last_v_us;
+  int64_t last_k_us;
+  int64_t last_in_us;
+  int64_t last_out_us;
+  int64_t last_a__us;
+  int64_t last_age_of_a_us;
+  int64_t last_Index_us;
+  int64_t last_index__us;
+  int64_t last_tick_us;
+  int64_t last_clock_us;
+  int64_t last_NULL__us;
+  int64_t last_double__us;
+  int64_t last_lo_us;
+  int64_t last_p_us;
+  int64_t last_p_x_us;
+  /* Clock */
+  int32_t previously_0;
+  /* CLOCK */
+  int32_t once_1;
+} signal_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 s, 2: 1 m. input: the one that is missing. */
 typedef struct signal_finding_of {
   int32_t verdict, reason, input, unit;
@@ -158,12 +190,15 @@ typedef struct signal_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void signal_monitors_init(signal_monitors_state *s);
 void signal_monitors_step(signal_monitors_state *s, const signal_monitors_in *in,
                           int64_t now_us, signal_monitors_out *out);
-void signal_monitors_verdicts(signal_monitors_state *s, const signal_monitors_in *in,
-                              int64_t now_us, int32_t verdicts[SIGNAL_MONITORS]);
+void signal_monitors_verdicts_init(signal_monitors_verdicts_state *s);
+void signal_monitors_verdicts(signal_monitors_verdicts_state *s,
+                              const signal_monitors_in *in, int64_t now_us,
+                              int32_t verdicts[SIGNAL_MONITORS]);
 
 #ifdef __cplusplus
 }

@@ -26,6 +26,118 @@ static int64_t elapsed_us(int64_t from, int64_t to) {
   return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
 }
 
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
+}
+
+typedef struct ends {
+  int64_t lo, hi;
+} ends;
+
+static inline ends ends_of(int64_t lo, int64_t hi) {
+  ends e;
+  e.lo = lo;
+  e.hi = hi;
+  return e;
+}
+
+/* a * num / den, den > 0. */
+static inline ends ends_scaled(ends a, int64_t num, int64_t den) {
+  const int64_t p = min_of(a.lo * num, a.hi * num);
+  const int64_t q = max_of(a.lo * num, a.hi * num);
+  return ends_of(p / den - (p % den < 0 ? 1 : 0), q / den + (q % den > 0 ? 1 : 0));
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+
+static inline ends bounds_ends(bounds a) {
+  return ends_of(a.lo, a.hi);
+}
+
+static inline bounds bounds_within(ends a) {
+  return bounds_of(a.lo, a.hi);
+}
+
+/* In half steps, an open bound half a step inside: such bounds are in the order of what they bound. */
+static inline int64_t lower_half(bounds a) {
+  return 2 * a.lo + a.lo_open;
+}
+
+static inline int64_t upper_half(bounds a) {
+  return 2 * a.hi - a.hi_open;
+}
+
+static inline bounds bounds_between(int64_t lower, int64_t upper) {
+  bounds b = bounds_of((lower - (lower & 1)) / 2, (upper + (upper & 1)) / 2);
+  b.lo_open = lower % 2 != 0;
+  b.hi_open = upper % 2 != 0;
+  return b;
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  bounds sum = bounds_nothing();
+  if (bounds_known(a) && bounds_known(b)) {
+    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+
+static inline bounds bounds_negative(bounds a) {
+  bounds b = bounds_of(-a.hi, -a.lo);
+  b.lo_open = a.hi_open;
+  b.hi_open = a.lo_open;
+  return b;
+}
+
+static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
+  bounds b = a;
+  if (bounds_known(a)) {
+    b = bounds_within(ends_scaled(bounds_ends(a), num, den));
+    b.lo_open = num > 0 ? a.lo_open : 0;
+    b.hi_open = num > 0 ? a.hi_open : 0;
+  }
+  return b;
+}
+
+static inline bounds bounds_size(bounds a) {
+  bounds size = a;
+  if (bounds_known(a)) {
+    const int64_t lower = lower_half(a);
+    const int64_t upper = upper_half(a);
+    size = bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
+  }
+  return size;
+}
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
@@ -114,9 +226,10 @@ static int64_t upper_end(span a) {
 }
 
 static span span_between(int64_t lower, int64_t upper) {
-  span s = span_of(lower / 2 - (lower % 2 < 0), upper / 2 + (upper % 2 > 0));
-  s.lo_open = lower % 2 != 0;
-  s.hi_open = upper % 2 != 0;
+  const bounds b = bounds_between(lower, upper);
+  span s = span_of(b.lo, b.hi);
+  s.lo_open = b.lo_open;
+  s.hi_open = b.hi_open;
   return s;
 }
 
@@ -139,15 +252,17 @@ static span span_negate(span a) {
   return s;
 }
 
-/* a * num / den with outward rounding, den > 0. An unknown stays what it is: its ends are no
- * measurements, and need not fit the product. */
+static inline ends span_ends(span a) {
+  return ends_of(a.lo, a.hi);
+}
+
+/* An unknown stays what it is: its ends are no measurements, and need not fit the product. */
 static span span_scale(span a, int64_t num, int64_t den) {
   span s = a;
   if (a.input == PUMP_INPUT_NONE) {
-    const int64_t p = min_of(a.lo * num, a.hi * num);
-    const int64_t q = max_of(a.lo * num, a.hi * num);
-    s.lo = p / den - (p % den < 0 ? 1 : 0);
-    s.hi = q / den + (q % den > 0 ? 1 : 0);
+    const ends scaled = ends_scaled(span_ends(a), num, den);
+    s.lo = scaled.lo;
+    s.hi = scaled.hi;
     s.lo_open = num > 0 ? a.lo_open : 0;
     s.hi_open = num > 0 ? a.hi_open : 0;
   }
@@ -295,17 +410,26 @@ static margin margin_bits(int32_t bits, margin x, const pump_kept *why) {
   return m;
 }
 
-static void witness_start(pump_witness *s) {
+/* Keeps the latest operand that was unknown. */
+static void why_known(pump_kept *why, margin x, const pump_ticks *t) {
+  if (t->now == t->known) {
+    *why = kept_of(margin_unknown(PUMP_INPUT_CLOCK));
+  }
+  if (bits_of(x) == 2) {
+    *why = kept_of(x);
+  }
+}
+
+static void sight_start(pump_sight *s) {
   s->must = -1;
   s->may = -1;
   s->at = 0;
-  s->why = kept_of(margin_unknown(PUMP_INPUT_CLOCK));
 }
 
 /* Brings the witness up to the end of the window, and returns the latest tick at which the operand
  * may have been true. Only the latest matters: it is the last one to leave the window. */
-static int64_t witness_look(int32_t bits, pump_witness *s, uint8_t *ring, int64_t from,
-                            const pump_ticks *t) {
+static int64_t sight_look(int32_t bits, pump_sight *s, uint8_t *ring, int64_t from,
+                          const pump_ticks *t) {
   const int64_t end = t->now - from;
   const int32_t then = bits_delay(bits, ring, from, &s->at);
   if (end >= t->known) {
@@ -315,55 +439,72 @@ static int64_t witness_look(int32_t bits, pump_witness *s, uint8_t *ring, int64_
   return max_of(s->may, min_of(t->known - 1, end));
 }
 
-static int32_t once_bits(int32_t bits, margin x, pump_witness *s, uint8_t *ring, int64_t from,
-                         int64_t to, const pump_ticks *t) {
+static inline int32_t once_within(int32_t x, pump_sight *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const pump_ticks *t) {
   const int64_t start = window_start(t, to);
   int64_t may;
   if (t->now == t->known) {
-    witness_start(s);
+    sight_start(s);
   }
-  if (bits_of(x) == 2) {
-    s->why = kept_of(x);
-  }
-  may = witness_look(bits, s, ring, from, t);
+  may = sight_look(x, s, ring, from, t);
   return (s->must >= start ? 1 : 0) + (may >= start ? 2 : 0);
 }
 
-static inline margin once_verdict(margin x, pump_witness *s, uint8_t *ring, int64_t from,
-                                  int64_t to, const pump_ticks *t) {
-  return margin_bits(once_bits(bits_of(x), x, s, ring, from, to, t), x, &s->why);
-}
-
 /* Never otherwise. */
-static inline margin historically_verdict(margin x, pump_witness *s, uint8_t *ring,
-                                          int64_t from, int64_t to, const pump_ticks *t) {
-  const int32_t otherwise = once_bits(bits_not(bits_of(x)), x, s, ring, from, to, t);
-  return margin_bits(bits_not(otherwise), x, &s->why);
+static inline int32_t historically_within(int32_t x, pump_sight *s, uint8_t *ring, int64_t from,
+                                          int64_t to, const pump_ticks *t) {
+  return bits_not(once_within(bits_not(x), s, ring, from, to, t));
 }
 
 /* `hold` at every tick after the latest `x` of the window: at the tick of x itself it need not, so
  * a witness counts from the latest break on. An earlier x is no better: it has left the window
  * sooner, and there are more ticks to hold. */
-static inline margin since_verdict(margin hold, margin x, pump_bond *s, uint8_t *ring,
+static inline int32_t since_within(int32_t hold, int32_t x, pump_hold *s, uint8_t *ring,
                                    int64_t from, int64_t to, const pump_ticks *t) {
   const int64_t start = window_start(t, to);
-  const int32_t bits = bits_of(hold);
   int64_t may;
-  int32_t found;
   if (t->now == t->known) {
-    witness_start(&s->witness);
+    sight_start(&s->witness);
     s->must = -1; /* a sure witness is never among what is forgotten */
     s->may = -1;
   }
-  if (bits == 2 || bits_of(x) == 2) {
-    s->witness.why = kept_of(bits == 2 ? hold : x);
-  }
-  s->must = bits & 1 ? s->must : t->now;
-  s->may = bits & 2 ? s->may : t->now;
-  may = witness_look(bits_of(x), &s->witness, ring, from, t);
-  found = (s->witness.must >= max_of(start, s->must) ? 1 : 0) +
-          (may >= max_of(start, s->may) ? 2 : 0);
-  return margin_bits(found, found == bits ? hold : x, &s->witness.why);
+  s->must = hold & 1 ? s->must : t->now;
+  s->may = hold & 2 ? s->may : t->now;
+  may = sight_look(x, &s->witness, ring, from, t);
+  return (s->witness.must >= max_of(start, s->must) ? 1 : 0) +
+         (may >= max_of(start, s->may) ? 2 : 0);
+}
+
+static inline margin once_verdict(margin x, pump_witness *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const pump_ticks *t) {
+  why_known(&s->why, x, t);
+  return margin_bits(once_within(bits_of(x), &s->sight, ring, from, to, t), x, &s->why);
+}
+
+static inline margin historically_verdict(margin x, pump_witness *s, uint8_t *ring,
+                                          int64_t from, int64_t to, const pump_ticks *t) {
+  why_known(&s->why, x, t);
+  return margin_bits(historically_within(bits_of(x), &s->sight, ring, from, to, t), x, &s->why);
+}
+
+static inline margin since_verdict(margin hold, margin x, pump_bond *s, uint8_t *ring,
+                                   int64_t from, int64_t to, const pump_ticks *t) {
+  const int32_t bits = bits_of(hold);
+  int32_t found;
+  why_known(&s->why, bits == 2 ? hold : x, t);
+  found = since_within(bits, bits_of(x), &s->hold, ring, from, to, t);
+  return margin_bits(found, found == bits ? hold : x, &s->why);
+}
+
+static inline int32_t since_ever(int32_t hold, int32_t x, int32_t *so_far) {
+  *so_far = (*so_far & hold) | x;
+  return *so_far;
+}
+
+static inline int32_t previously_bits(int32_t x, int32_t *before) {
+  const int32_t then = *before;
+  *before = x;
+  return then;
 }
 
 /* Joins the latest `ticks` entries, with `x` the newest one. The window covers what is filled of
@@ -438,6 +579,27 @@ static margin previously_margin(margin x, pump_kept *s, const pump_ticks *t) {
   }
   *s = kept_of(x);
   return m;
+}
+
+/* For what works on spans. */
+static span span_bounds(bounds a) {
+  span s = span_unknown(PUMP_INPUT_CLOCK);
+  if (bounds_known(a)) {
+    s = span_of(a.lo, a.hi);
+    s.lo_open = a.lo_open;
+    s.hi_open = a.hi_open;
+  }
+  return s;
+}
+
+static bounds bounds_span(span a) {
+  bounds b = bounds_nothing();
+  if (a.input == PUMP_INPUT_NONE) {
+    b = bounds_of(a.lo, a.hi);
+    b.lo_open = a.lo_open;
+    b.hi_open = a.hi_open;
+  }
+  return b;
 }
 
 static pump_kept kept_of_span(span s) {
@@ -539,10 +701,10 @@ static span mean_over(span x, span none, pump_total *s, pump_pair *ring, int64_t
 
 /* How many ticks of the window the operand was true: at least, and at most. The ring holds
  * [now - to, now], or what has not entered a window without an end. */
-static span count_over(margin x, pump_tally *s, uint8_t *ring, int64_t from, int64_t to,
+static span count_bits(int32_t x, pump_tally *s, uint8_t *ring, int64_t from, int64_t to,
                        const pump_ticks *t) {
   const int64_t size = to < 0 ? from : to + 1;
-  int32_t bits = bits_of(x);
+  int32_t bits = x;
   int32_t left = 0;
   if (t->now == t->known) {
     s->must = 0;
@@ -566,6 +728,11 @@ static span count_over(margin x, pump_tally *s, uint8_t *ring, int64_t from, int
   s->must += (bits & 1) - (left & 1);
   s->may += (bits >> 1) - (left >> 1);
   return span_of(s->must, s->may + forgotten_in(t, from, to));
+}
+
+static span count_over(margin x, pump_tally *s, uint8_t *ring, int64_t from, int64_t to,
+                       const pump_ticks *t) {
+  return count_bits(bits_of(x), s, ring, from, to, t);
 }
 
 /* The quantity at an earlier tick. */
@@ -600,11 +767,36 @@ static span change_over(span x, span none, pump_change *s, pump_pair *ring, int6
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const pump_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(pump_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const pump_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
@@ -612,11 +804,61 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const pump_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const pump_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+static inline int32_t bits_truth(const pump_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const pump_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -625,16 +867,12 @@ static span number_of(const pump_signal *s, int32_t fresh, int64_t least, int64_
   return seen;
 }
 
-static margin truth_of(const pump_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+static inline margin truth_of(const pump_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 
 /* The smaller end decides; of equal ones that whose input is missing, which is worth telling. */
@@ -703,23 +941,18 @@ static span absolute_of(span a) {
   return span_between(lower <= 0 && upper >= 0 ? 0 : min_of(one, two), max_of(one, two));
 }
 
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static pump_finding_of finding_judged(margin m) {
+static inline pump_finding_of finding_judged(margin m) {
   pump_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = PUMP_REASON_NONE;
   f.input = PUMP_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == PUMP_VERDICT_FALSE) {
@@ -735,6 +968,7 @@ static pump_finding_of finding_judged(margin m) {
 /* What a tick knows of its inputs. */
 typedef struct pump_view {
   pump_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   margin on;
   margin alarm;
   span pressure;
@@ -833,27 +1067,31 @@ static inline margin smooth_now(const pump_view *v) {
   return both(v5, v8);
 }
 
+static inline void pump_look_on(pump_view *v, const pump_monitors_in *in) {
+  const int32_t good_on = sample_good(&in->on, &v->s->last_on_us, v->now_us);
+  const int32_t fresh_on = good_on && in->on.stamp_us > v->since_us;
+  v->on = truth_of(&in->on, fresh_on, PUMP_MONITORS_INPUT_ON);
+}
+
+static inline void pump_look_alarm(pump_view *v, const pump_monitors_in *in) {
+  const int32_t good_alarm = sample_good(&in->alarm, &v->s->last_alarm_us, v->now_us);
+  const int32_t fresh_alarm = good_alarm && in->alarm.stamp_us > v->since_us;
+  v->alarm = truth_of(&in->alarm, fresh_alarm, PUMP_MONITORS_INPUT_ALARM);
+}
+
+static inline void pump_look_pressure(pump_view *v, const pump_monitors_in *in) {
+  const int32_t good_pressure = sample_good(&in->pressure, &v->s->last_pressure_us, v->now_us);
+  const int32_t fresh_pressure = good_pressure && in->pressure.stamp_us > v->since_us;
+  v->pressure = number_of(&in->pressure, fresh_pressure, 0, 100000, 10,
+      PUMP_MONITORS_INPUT_PRESSURE);
+}
+
 /* A tick that sees nothing: it was missed. */
 static void pump_blind(pump_view *v, pump_monitors_state *s) {
   v->s = s;
   v->on = margin_unknown(PUMP_INPUT_CLOCK);
   v->alarm = margin_unknown(PUMP_INPUT_CLOCK);
   v->pressure = span_unknown(PUMP_INPUT_CLOCK);
-}
-
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void pump_look(pump_view *v, const pump_monitors_in *in, int64_t now_us,
-                             int64_t since_us) {
-  const int32_t good_on = sample_good(&in->on, &v->s->last_on_us, now_us);
-  const int32_t fresh_on = good_on && in->on.stamp_us > since_us;
-  v->on = truth_of(&in->on, fresh_on, PUMP_MONITORS_INPUT_ON);
-  const int32_t good_alarm = sample_good(&in->alarm, &v->s->last_alarm_us, now_us);
-  const int32_t fresh_alarm = good_alarm && in->alarm.stamp_us > since_us;
-  v->alarm = truth_of(&in->alarm, fresh_alarm, PUMP_MONITORS_INPUT_ALARM);
-  const int32_t good_pressure = sample_good(&in->pressure, &v->s->last_pressure_us, now_us);
-  const int32_t fresh_pressure = good_pressure && in->pressure.stamp_us > since_us;
-  v->pressure = number_of(&in->pressure, fresh_pressure, 0, 100000, 10,
-      PUMP_MONITORS_INPUT_PRESSURE);
 }
 
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
@@ -877,21 +1115,33 @@ static void pump_catch_up(pump_monitors_state *s, int64_t missed) {
   }
 }
 
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s,
-                                 const pump_monitors_in *in, int64_t now_us) {
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t pump_resume(pump_monitors_state *s, int64_t now_us, int64_t *since_us) {
   const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
+  s->until_us = tick_until(&s->clock, 100000);
   if (elapsed > 1) {
     pump_catch_up(s, elapsed - 1);
   }
+  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s,
+                                 const pump_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && pump_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
   v->s = s;
-  pump_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 100000) : before_us);
+  v->now_us = now_us;
+  v->since_us = since_us;
   s->judged_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -900,6 +1150,7 @@ void pump_monitors_init(pump_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
+  s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_on_us = INT64_MIN;
@@ -919,9 +1170,12 @@ void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int6
     return;
   }
   out->tick = s->clock.tick;
+  pump_look_on(&v, in);
   out->monitors[PUMP_MONITORS_STARTS_ONCE] = finding_judged(starts_once_now(&v));
+  pump_look_alarm(&v, in);
   out->monitors[PUMP_MONITORS_WARNED] = finding_judged(warned_now(&v));
   out->monitors[PUMP_MONITORS_ANSWERED] = finding_judged(answered_now(&v));
+  pump_look_pressure(&v, in);
   out->monitors[PUMP_MONITORS_PRIMED] = finding_judged(primed_now(&v));
   out->monitors[PUMP_MONITORS_STEADY] = finding_judged(steady_now(&v));
   out->monitors[PUMP_MONITORS_SELDOM] = finding_judged(seldom_now(&v));
@@ -929,22 +1183,237 @@ void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int6
   s->ticks.now += 1;
 }
 
-void pump_monitors_verdicts(pump_monitors_state *s, const pump_monitors_in *in, int64_t now_us,
-                            int32_t verdicts[PUMP_MONITORS]) {
-  pump_view v;
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct pump_verdicts_view {
+  pump_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  int32_t on;
+  int32_t alarm;
+  bounds pressure;
+} pump_verdicts_view;
+
+/* (on and not previously on) implies not once[100 ms, 1 s] on */
+static inline int32_t starts_once_verdict(const pump_verdicts_view *v) {
+  /* not (on) */
+  const int32_t v1 = (v->on & 2) == 0 ? BITS_TRUE : (v->on & 1) == 0 ? BITS_UNKNOWN : BITS_FALSE;
+  /* previously on */
+  const int32_t v2 = previously_bits(v->on, &v->s->previously_0);
+  /* not (once[100 ms, 1 s] on) */
+  const int32_t v4 = historically_within(v1, &v->s->historically_1,
+      v->s->historically_1_verdicts, 1, 10, &v->s->ticks);
+  /* (on and not previously on) implies not once[100 ms, 1 s] on */
+  if ((v1 & 1) != 0 || (v2 & 1) != 0 || (v4 & 1) != 0) {
+    return PUMP_VERDICT_TRUE;
+  }
+  return ((v1 & 2) != 0 || (v2 & 2) != 0 || (v4 & 2) != 0) ? PUMP_VERDICT_UNKNOWN
+      : PUMP_VERDICT_FALSE;
+}
+
+/* alarm since[0 s, inf] (alarm and on) or not on */
+static inline int32_t warned_verdict(const pump_verdicts_view *v) {
+  /* alarm and on */
+  const int32_t v2 = ((v->alarm & 1) != 0 && (v->on & 1) != 0) ? BITS_TRUE
+      : ((v->alarm & 2) != 0 && (v->on & 2) != 0) ? BITS_UNKNOWN : BITS_FALSE;
+  /* alarm since[0 s, inf] (alarm and on) */
+  const int32_t v3 = since_ever(v->alarm, v2, &v->s->since_2);
+  /* alarm since[0 s, inf] (alarm and on) or not on */
+  if ((v3 & 1) != 0 || (v->on & 2) == 0) {
+    return PUMP_VERDICT_TRUE;
+  }
+  return ((v3 & 2) != 0 || (v->on & 1) == 0) ? PUMP_VERDICT_UNKNOWN : PUMP_VERDICT_FALSE;
+}
+
+/* not on within 3 s of alarm */
+static inline int32_t answered_verdict(const pump_verdicts_view *v) {
+  /* not on within 3 s of alarm */
+  const int32_t v2 = ((v->alarm & 1) != 0 && (v->on & 1) != 0) ? BITS_TRUE
+      : ((v->alarm & 2) != 0 && (v->on & 2) != 0) ? BITS_UNKNOWN : BITS_FALSE;
+  const int32_t v3 = since_within(v->on, v2, &v->s->since_3, v->s->since_3_verdicts, 30, -1,
+      &v->s->ticks);
+  /* not on within 3 s of alarm */
+  if ((v3 & 2) == 0) {
+    return PUMP_VERDICT_TRUE;
+  }
+  return (v3 & 1) == 0 ? PUMP_VERDICT_UNKNOWN : PUMP_VERDICT_FALSE;
+}
+
+/* on for 5 s implies pressure >= 2000 kg/m/s^2 */
+static inline int32_t primed_verdict(const pump_verdicts_view *v) {
+  /* not (on) */
+  const int32_t v1 = (v->on & 2) == 0 ? BITS_TRUE : (v->on & 1) == 0 ? BITS_UNKNOWN : BITS_FALSE;
+  /* on for 5 s */
+  const int32_t v2 = once_within(v1, &v->s->once_4, 0, 0, 50, &v->s->ticks);
+  /* on for 5 s implies pressure >= 2000 kg/m/s^2 */
+  if (v->s->ticks.now < 50 || (v2 & 1) != 0 || v->pressure.lo >= 2000) {
+    return PUMP_VERDICT_TRUE;
+  }
+  return (v->s->ticks.now < 50 || (v2 & 2) != 0 || v->pressure.hi - v->pressure.hi_open >= 2000)
+      ? PUMP_VERDICT_UNKNOWN : PUMP_VERDICT_FALSE;
+}
+
+/* max[0 s, 1 s](pressure) - min[0 s, 1 s](pressure) <= 500 kg/m/s^2 */
+static inline int32_t steady_verdict(const pump_verdicts_view *v) {
+  /* max[0 s, 1 s](pressure) */
+  const bounds v1 = bounds_span(greatest_over(span_fill(span_bounds(v->pressure), -10, 100010),
+      span_of(-10, 100010), &v->s->max_5, v->s->max_5_window, 0, 0, 10, &v->s->ticks));
+  /* min[0 s, 1 s](pressure) */
+  const bounds v2 = bounds_span(least_over(span_fill(span_bounds(v->pressure), -10, 100010),
+      span_of(-10, 100010), &v->s->min_6, v->s->min_6_window, 0, 0, 10, &v->s->ticks));
+  const bounds v3 = bounds_negative(v2);
+  /* max[0 s, 1 s](pressure) - min[0 s, 1 s](pressure) */
+  const bounds v4 = bounds_sum(v1, v3);
+  /* max[0 s, 1 s](pressure) - min[0 s, 1 s](pressure) <= 500 kg/m/s^2 */
+  if (v4.hi <= 500) {
+    return PUMP_VERDICT_TRUE;
+  }
+  return v4.lo + v4.lo_open <= 500 ? PUMP_VERDICT_UNKNOWN : PUMP_VERDICT_FALSE;
+}
+
+/* count[0 s, 60 s](alarm) <= 5 */
+static inline int32_t seldom_verdict(const pump_verdicts_view *v) {
+  /* count[0 s, 60 s](alarm) */
+  const bounds v1 = bounds_span(count_bits(v->alarm, &v->s->count_7, v->s->count_7_verdicts, 0,
+      600, &v->s->ticks));
+  /* count[0 s, 60 s](alarm) <= 5 */
+  if (v1.hi <= 5) {
+    return PUMP_VERDICT_TRUE;
+  }
+  return v1.lo <= 5 ? PUMP_VERDICT_UNKNOWN : PUMP_VERDICT_FALSE;
+}
+
+/* abs(rate[0 s, 1 s](pressure)) <= 8000 kg/m/s^3 and mean[0 s, 10 s](pressure) <= 90000 kg/m/s^2 */
+static inline int32_t smooth_verdict(const pump_verdicts_view *v) {
+  /* rate[0 s, 1 s](pressure) */
+  const bounds v1 = bounds_span(change_over(span_fill(span_bounds(v->pressure), -10, 100010),
+      span_of(-10, 100010), &v->s->rate_8, v->s->rate_8_ticks, 0, 10, &v->s->ticks));
+  const bounds v2 = bounds_scaled(v1, 1000, 1);
+  /* abs(rate[0 s, 1 s](pressure)) */
+  const bounds v3 = bounds_size(v2);
+  /* mean[0 s, 10 s](pressure) */
+  const bounds v6 = bounds_span(mean_over(span_fill(span_bounds(v->pressure), -10, 100010),
+      span_of(-10, 100010), &v->s->mean_9, v->s->mean_9_ticks, 0, 100, &v->s->ticks));
+  /* abs(rate[0 s, 1 s](pressure)) <= 8000 kg/m/s^3 and mean[0 s, 10 s](pressure) ... */
+  if (v3.hi <= 8000000 && v6.hi <= 90000) {
+    return PUMP_VERDICT_TRUE;
+  }
+  return (v3.lo <= 8000000 && v6.lo <= 90000) ? PUMP_VERDICT_UNKNOWN : PUMP_VERDICT_FALSE;
+}
+
+static inline void pump_verdicts_look_on(pump_verdicts_view *v, const pump_monitors_in *in) {
+  const int32_t good_on = sample_good(&in->on, &v->s->last_on_us, v->now_us);
+  const int32_t fresh_on = good_on && in->on.stamp_us > v->since_us;
+  v->on = bits_truth(&in->on, fresh_on);
+}
+
+static inline void pump_verdicts_look_alarm(pump_verdicts_view *v, const pump_monitors_in *in) {
+  const int32_t good_alarm = sample_good(&in->alarm, &v->s->last_alarm_us, v->now_us);
+  const int32_t fresh_alarm = good_alarm && in->alarm.stamp_us > v->since_us;
+  v->alarm = bits_truth(&in->alarm, fresh_alarm);
+}
+
+static inline void pump_verdicts_look_pressure(pump_verdicts_view *v, const pump_monitors_in *in) {
+  const int32_t good_pressure = sample_good(&in->pressure, &v->s->last_pressure_us, v->now_us);
+  const int32_t fresh_pressure = good_pressure && in->pressure.stamp_us > v->since_us;
+  v->pressure = bounds_number(&in->pressure, fresh_pressure, 0, 100000, 10);
+}
+
+/* A tick that sees nothing: it was missed. */
+static void pump_verdicts_blind(pump_verdicts_view *v, pump_monitors_verdicts_state *s) {
+  v->s = s;
+  v->on = BITS_UNKNOWN;
+  v->alarm = BITS_UNKNOWN;
+  v->pressure = bounds_nothing();
+}
+
+/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
+static void pump_verdicts_catch_up(pump_monitors_verdicts_state *s, int64_t missed) {
+  pump_verdicts_view v;
+  int64_t k;
+  if (missed > 4) {
+    ticks_forget(&s->ticks, s->clock.tick);
+    s->previously_0 = BITS_UNKNOWN;
+    s->since_2 = BITS_UNKNOWN;
+    return;
+  }
+  pump_verdicts_blind(&v, s);
+  for (k = 0; k < missed; ++k) {
+    (void)starts_once_verdict(&v);
+    (void)warned_verdict(&v);
+    (void)answered_verdict(&v);
+    (void)primed_verdict(&v);
+    (void)steady_verdict(&v);
+    (void)seldom_verdict(&v);
+    (void)smooth_verdict(&v);
+    s->ticks.now += 1;
+  }
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t pump_verdicts_resume(pump_monitors_verdicts_state *s, int64_t now_us,
+                                    int64_t *since_us) {
+  const int32_t first = s->clock.started == 0;
+  const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 100000);
+  if (elapsed > 1) {
+    pump_verdicts_catch_up(s, elapsed - 1);
+  }
+  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t pump_verdicts_begin(pump_verdicts_view *v, pump_monitors_verdicts_state *s,
+                                          const pump_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && pump_verdicts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  v->since_us = since_us;
+  s->judged_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void pump_monitors_verdicts_init(pump_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->judged_us = 0;
+  ticks_start(&s->ticks);
+  s->last_on_us = INT64_MIN;
+  s->last_alarm_us = INT64_MIN;
+  s->last_pressure_us = INT64_MIN;
+  s->previously_0 = BITS_FALSE;
+  s->since_2 = BITS_FALSE;
+}
+
+void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors_in *in,
+                            int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
+  pump_verdicts_view v;
   int32_t k;
-  if (pump_begin(&v, s, in, now_us) == 0) {
+  if (pump_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < PUMP_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(PUMP_INPUT_CLOCK));
+      verdicts[k] = PUMP_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[PUMP_MONITORS_STARTS_ONCE] = verdict_of(starts_once_now(&v));
-  verdicts[PUMP_MONITORS_WARNED] = verdict_of(warned_now(&v));
-  verdicts[PUMP_MONITORS_ANSWERED] = verdict_of(answered_now(&v));
-  verdicts[PUMP_MONITORS_PRIMED] = verdict_of(primed_now(&v));
-  verdicts[PUMP_MONITORS_STEADY] = verdict_of(steady_now(&v));
-  verdicts[PUMP_MONITORS_SELDOM] = verdict_of(seldom_now(&v));
-  verdicts[PUMP_MONITORS_SMOOTH] = verdict_of(smooth_now(&v));
+  pump_verdicts_look_on(&v, in);
+  verdicts[PUMP_MONITORS_STARTS_ONCE] = starts_once_verdict(&v);
+  pump_verdicts_look_alarm(&v, in);
+  verdicts[PUMP_MONITORS_WARNED] = warned_verdict(&v);
+  verdicts[PUMP_MONITORS_ANSWERED] = answered_verdict(&v);
+  pump_verdicts_look_pressure(&v, in);
+  verdicts[PUMP_MONITORS_PRIMED] = primed_verdict(&v);
+  verdicts[PUMP_MONITORS_STEADY] = steady_verdict(&v);
+  verdicts[PUMP_MONITORS_SELDOM] = seldom_verdict(&v);
+  verdicts[PUMP_MONITORS_SMOOTH] = smooth_verdict(&v);
   s->ticks.now += 1;
 }

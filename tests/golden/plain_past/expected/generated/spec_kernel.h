@@ -72,18 +72,27 @@ typedef struct pump_kept {
 } pump_kept;
 
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false
- * (may); -1: none. `at`: place in the ring of verdicts; why: the latest operand that was
- * unknown. */
-typedef struct pump_witness {
+ * (may); -1: none. `at`: place in the ring of verdicts. */
+typedef struct pump_sight {
   int64_t must, may, at;
+} pump_sight;
+
+/* why: the latest operand that was unknown. */
+typedef struct pump_witness {
+  pump_sight sight;
   pump_kept why;
 } pump_witness;
 
 /* Of `since`: the witness, and the latest ticks at which what must hold since then was not true
  * (must) and was false (may); -1: none. */
-typedef struct pump_bond {
-  pump_witness witness;
+typedef struct pump_hold {
+  pump_sight witness;
   int64_t must, may;
+} pump_hold;
+
+typedef struct pump_bond {
+  pump_hold hold;
+  pump_kept why;
 } pump_bond;
 
 /* A sliding window in two halves of a ring: `head` joins the half that is being filled, up to `at`,
@@ -129,9 +138,10 @@ typedef struct pump_monitors_in {
   pump_signal pressure; /* steps of 1 kg/m/s^2, 0 to 100000; new every tick */
 } pump_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 3224 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 3232 bytes in all. */
 typedef struct pump_monitors_state {
   pump_clock clock;
+  int64_t until_us;
   pump_ticks ticks;
   int64_t judged_us;
   int64_t last_on_us;
@@ -163,8 +173,43 @@ typedef struct pump_monitors_state {
   pump_pair mean_9_ticks[101];
 } pump_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct pump_monitors_verdicts_state {
+  pump_clock clock;
+  int64_t until_us;
+  pump_ticks ticks;
+  int64_t judged_us;
+  int64_t last_on_us;
+  int64_t last_alarm_us;
+  int64_t last_pressure_us;
+  /* starts_once */
+  int32_t previously_0;
+  pump_sight historically_1;
+  uint8_t historically_1_verdicts[1];
+  /* warned */
+  int32_t since_2;
+  /* answered */
+  pump_hold since_3;
+  uint8_t since_3_verdicts[8];
+  /* primed */
+  pump_sight once_4;
+  /* steady */
+  pump_slide max_5;
+  pump_kept max_5_window[10];
+  pump_slide min_6;
+  pump_kept min_6_window[10];
+  /* seldom */
+  pump_tally count_7;
+  uint8_t count_7_verdicts[151];
+  /* smooth */
+  pump_change rate_8;
+  pump_pair rate_8_ticks[10];
+  pump_total mean_9;
+  pump_pair mean_9_ticks[101];
+} pump_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 kg/m/s^2, 2: 1, 3: 1 kg/m/s^3. input: the one that is missing. */
 typedef struct pump_finding_of {
   int32_t verdict, reason, input, unit;
@@ -179,12 +224,15 @@ typedef struct pump_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void pump_monitors_init(pump_monitors_state *s);
 void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in,
                         int64_t now_us, pump_monitors_out *out);
-void pump_monitors_verdicts(pump_monitors_state *s, const pump_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[PUMP_MONITORS]);
+void pump_monitors_verdicts_init(pump_monitors_verdicts_state *s);
+void pump_monitors_verdicts(pump_monitors_verdicts_state *s,
+                            const pump_monitors_in *in, int64_t now_us,
+                            int32_t verdicts[PUMP_MONITORS]);
 
 #ifdef __cplusplus
 }

@@ -27,6 +27,11 @@ static int64_t elapsed_us(int64_t from, int64_t to) {
   return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
 }
 
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
+}
+
 /* The root of `top`, 2^14 to 2^16, times 2^8: a parabola that is within 0.6 % of it. */
 static uint32_t root_seed(uint32_t top) {
   const uint64_t square = (uint64_t)top * top >> 16;
@@ -90,6 +95,74 @@ static int64_t root_down(int64_t a) {
 static int64_t root_up(int64_t a) {
   const int64_t root = root_down(a);
   return root * root == a ? root : root + 1;
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+
+/* In half steps, an open bound half a step inside: such bounds are in the order of what they bound. */
+static inline int64_t lower_half(bounds a) {
+  return 2 * a.lo + a.lo_open;
+}
+
+static inline int64_t upper_half(bounds a) {
+  return 2 * a.hi - a.hi_open;
+}
+
+static inline bounds bounds_between(int64_t lower, int64_t upper) {
+  bounds b = bounds_of((lower - (lower & 1)) / 2, (upper + (upper & 1)) / 2);
+  b.lo_open = lower % 2 != 0;
+  b.hi_open = upper % 2 != 0;
+  return b;
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  bounds sum = bounds_nothing();
+  if (bounds_known(a) && bounds_known(b)) {
+    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+
+static inline bounds bounds_negative(bounds a) {
+  bounds b = bounds_of(-a.hi, -a.lo);
+  b.lo_open = a.hi_open;
+  b.hi_open = a.lo_open;
+  return b;
+}
+
+static inline bounds bounds_greatest(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_between(max_of(lower_half(a), lower_half(b)),
+                              max_of(upper_half(a), upper_half(b)))
+             : bounds_nothing();
 }
 
 typedef struct margin {
@@ -180,9 +253,10 @@ static int64_t upper_end(span a) {
 }
 
 static span span_between(int64_t lower, int64_t upper) {
-  span s = span_of(lower / 2 - (lower % 2 < 0), upper / 2 + (upper % 2 > 0));
-  s.lo_open = lower % 2 != 0;
-  s.hi_open = upper % 2 != 0;
+  const bounds b = bounds_between(lower, upper);
+  span s = span_of(b.lo, b.hi);
+  s.lo_open = b.lo_open;
+  s.hi_open = b.hi_open;
   return s;
 }
 
@@ -455,6 +529,27 @@ static crane_kept window_join(crane_kept x, crane_kept empty, crane_kept forgott
   return forgotten_in(t, from, to) > 0 ? kept_join(forgotten, all, greatest) : all;
 }
 
+/* For what works on spans. */
+static span span_bounds(bounds a) {
+  span s = span_unknown(CRANE_INPUT_CLOCK);
+  if (bounds_known(a)) {
+    s = span_of(a.lo, a.hi);
+    s.lo_open = a.lo_open;
+    s.hi_open = a.hi_open;
+  }
+  return s;
+}
+
+static bounds bounds_span(span a) {
+  bounds b = bounds_nothing();
+  if (a.input == CRANE_INPUT_NONE) {
+    b = bounds_of(a.lo, a.hi);
+    b.lo_open = a.lo_open;
+    b.hi_open = a.hi_open;
+  }
+  return b;
+}
+
 static crane_kept kept_of_span(span s) {
   crane_kept k;
   k.lo = lower_end(s);
@@ -489,11 +584,36 @@ static span least_over(span x, span none, crane_slide *s, crane_kept *ring, cran
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const crane_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(crane_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const crane_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
@@ -501,11 +621,61 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const crane_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const crane_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+static inline int32_t bits_truth(const crane_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const crane_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -514,16 +684,12 @@ static span number_of(const crane_signal *s, int32_t fresh, int64_t least, int64
   return seen;
 }
 
-static margin truth_of(const crane_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+static inline margin truth_of(const crane_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 
 /* The smaller end decides; of equal ones that whose input is missing, which is worth telling. */
@@ -588,23 +754,18 @@ static span greater_of(span a, span b) {
                : missing;
 }
 
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static crane_finding_of finding_judged(margin m) {
+static inline crane_finding_of finding_judged(margin m) {
   crane_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = CRANE_REASON_NONE;
   f.input = CRANE_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == CRANE_VERDICT_FALSE) {
@@ -724,6 +885,20 @@ static span clearance_of(const zone *within, const zone *around, span x, span y,
     c.lo = max_of(c.lo, cell_in_zone(within, &b) > 0 ? 0 : least);
     return c;
   }
+}
+
+/* The verdict of inside_of; `bits`: that of `m`. */
+static int32_t bits_inside(int32_t bits, const zone *within, const zone *around, bounds x, bounds y) {
+  if (bits == BITS_UNKNOWN && bounds_known(x) && bounds_known(y)) {
+    const box b = box_of(span_bounds(x), span_bounds(y));
+    if (cell_in_zone(within, &b) > 0) {
+      return BITS_TRUE;
+    }
+    if (cell_in_zone(around, &b) < 0) {
+      return BITS_FALSE;
+    }
+  }
+  return bits;
 }
 
 /* `m`: the margin of the clearance of a place that is at least 0. Its bounds are some mm wide;
@@ -861,6 +1036,7 @@ static const zone region_around_zone_of_line_17 = {region_around_zone_of_line_17
 /* What a tick knows of its inputs. */
 typedef struct crane_view {
   crane_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   span hook_x;
   span hook_y;
   span swing_x;
@@ -952,6 +1128,36 @@ static inline margin spare_now(const crane_view *v) {
   return at_least(v2, span_of(500, 500), 1000, 0, 1);
 }
 
+static inline void crane_look_hook(crane_view *v, const crane_monitors_in *in) {
+  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, v->now_us);
+  const int32_t fresh_hook = good_hook && elapsed_us(in->hook_x.stamp_us, v->now_us) <= 500000;
+  v->hook_x = number_of(&in->hook_x, fresh_hook, -5000, 60000, 50, CRANE_MONITORS_INPUT_HOOK);
+  v->hook_y = number_of(&in->hook_y, fresh_hook && in->hook_y.stamp_us == in->hook_x.stamp_us,
+      -5000, 60000, 50, CRANE_MONITORS_INPUT_HOOK);
+}
+
+static inline void crane_look_swing(crane_view *v, const crane_monitors_in *in) {
+  const int32_t good_swing = sample_good(&in->swing_x, &v->s->last_swing_us, v->now_us);
+  const int32_t fresh_swing = good_swing && elapsed_us(in->swing_x.stamp_us, v->now_us) <= 500000;
+  v->swing_x = number_of(&in->swing_x, fresh_swing, -2000, 2000, 0, CRANE_MONITORS_INPUT_SWING);
+  v->swing_y = number_of(&in->swing_y, fresh_swing &&
+      in->swing_y.stamp_us == in->swing_x.stamp_us, -2000, 2000, 0, CRANE_MONITORS_INPUT_SWING);
+}
+
+static inline void crane_look_loaded(crane_view *v, const crane_monitors_in *in) {
+  const int32_t good_loaded = sample_good(&in->loaded, &v->s->last_loaded_us, v->now_us);
+  const int32_t fresh_loaded = good_loaded && in->loaded.stamp_us > v->since_us;
+  v->loaded = truth_of(&in->loaded, fresh_loaded, CRANE_MONITORS_INPUT_LOADED);
+}
+
+static inline void crane_look_mark(crane_view *v, const crane_monitors_in *in) {
+  const int32_t good_mark = sample_good(&in->mark_x, &v->s->last_mark_us, v->now_us);
+  const int32_t fresh_mark = good_mark && in->mark_x.stamp_us > v->since_us;
+  v->mark_x = number_of(&in->mark_x, fresh_mark, -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
+  v->mark_y = number_of(&in->mark_y, fresh_mark && in->mark_y.stamp_us == in->mark_x.stamp_us,
+      -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
+}
+
 /* A tick that sees nothing: it was missed. */
 static void crane_blind(crane_view *v, crane_monitors_state *s) {
   v->s = s;
@@ -962,30 +1168,6 @@ static void crane_blind(crane_view *v, crane_monitors_state *s) {
   v->loaded = margin_unknown(CRANE_INPUT_CLOCK);
   v->mark_x = span_unknown(CRANE_INPUT_CLOCK);
   v->mark_y = span_unknown(CRANE_INPUT_CLOCK);
-}
-
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void crane_look(crane_view *v, const crane_monitors_in *in, int64_t now_us,
-                              int64_t since_us) {
-  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, now_us);
-  const int32_t fresh_hook = good_hook && elapsed_us(in->hook_x.stamp_us, now_us) <= 500000;
-  v->hook_x = number_of(&in->hook_x, fresh_hook, -5000, 60000, 50, CRANE_MONITORS_INPUT_HOOK);
-  v->hook_y = number_of(&in->hook_y, fresh_hook && in->hook_y.stamp_us == in->hook_x.stamp_us,
-      -5000, 60000, 50, CRANE_MONITORS_INPUT_HOOK);
-  const int32_t good_swing = sample_good(&in->swing_x, &v->s->last_swing_us, now_us);
-  const int32_t fresh_swing = good_swing && elapsed_us(in->swing_x.stamp_us, now_us) <= 500000;
-  v->swing_x = number_of(&in->swing_x, fresh_swing, -2000, 2000, 0, CRANE_MONITORS_INPUT_SWING);
-  v->swing_y = number_of(&in->swing_y,
-      fresh_swing && in->swing_y.stamp_us == in->swing_x.stamp_us, -2000, 2000, 0,
-      CRANE_MONITORS_INPUT_SWING);
-  const int32_t good_loaded = sample_good(&in->loaded, &v->s->last_loaded_us, now_us);
-  const int32_t fresh_loaded = good_loaded && in->loaded.stamp_us > since_us;
-  v->loaded = truth_of(&in->loaded, fresh_loaded, CRANE_MONITORS_INPUT_LOADED);
-  const int32_t good_mark = sample_good(&in->mark_x, &v->s->last_mark_us, now_us);
-  const int32_t fresh_mark = good_mark && in->mark_x.stamp_us > since_us;
-  v->mark_x = number_of(&in->mark_x, fresh_mark, -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
-  v->mark_y = number_of(&in->mark_y, fresh_mark && in->mark_y.stamp_us == in->mark_x.stamp_us,
-      -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
 }
 
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
@@ -1003,21 +1185,33 @@ static void crane_catch_up(crane_monitors_state *s, int64_t missed) {
   }
 }
 
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s,
-                                  const crane_monitors_in *in, int64_t now_us) {
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t crane_resume(crane_monitors_state *s, int64_t now_us, int64_t *since_us) {
   const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
+  s->until_us = tick_until(&s->clock, 100000);
   if (elapsed > 1) {
     crane_catch_up(s, elapsed - 1);
   }
+  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s,
+                                  const crane_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && crane_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
   v->s = s;
-  crane_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 100000) : before_us);
+  v->now_us = now_us;
+  v->since_us = since_us;
   s->judged_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -1026,6 +1220,7 @@ void crane_monitors_init(crane_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
+  s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_hook_us = INT64_MIN;
@@ -1046,32 +1241,264 @@ void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, i
     return;
   }
   out->tick = s->clock.tick;
+  crane_look_hook(&v, in);
   out->monitors[CRANE_MONITORS_OVER_GROUND] = finding_judged(over_ground_now(&v));
   out->monitors[CRANE_MONITORS_OFF_MAST] = finding_judged(off_mast_now(&v));
+  crane_look_swing(&v, in);
+  crane_look_loaded(&v, in);
   out->monitors[CRANE_MONITORS_LOAD] = finding_judged(load_now(&v));
   out->monitors[CRANE_MONITORS_EDGE] = finding_judged(edge_now(&v));
+  crane_look_mark(&v, in);
   out->monitors[CRANE_MONITORS_MARKED] = finding_judged(marked_now(&v));
   out->monitors[CRANE_MONITORS_BARE] = finding_judged(bare_now(&v));
   out->monitors[CRANE_MONITORS_SPARE] = finding_judged(spare_now(&v));
   s->ticks.now += 1;
 }
 
-void crane_monitors_verdicts(crane_monitors_state *s, const crane_monitors_in *in,
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct crane_verdicts_view {
+  crane_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  bounds hook_x;
+  bounds hook_y;
+  bounds swing_x;
+  bounds swing_y;
+  int32_t loaded;
+  bounds mark_x;
+  bounds mark_y;
+} crane_verdicts_view;
+
+/* hook inside ground */
+static inline int32_t over_ground_verdict(const crane_verdicts_view *v) {
+  /* hook inside ground */
+  const bounds v2 = bounds_span(clearance_of(&region_within_ground, &region_within_ground,
+      span_bounds(v->hook_x), span_bounds(v->hook_y), -57079, 15000));
+  const int32_t v4 = v2.lo >= 0 ? BITS_TRUE : v2.hi >= 0 ? BITS_UNKNOWN : BITS_FALSE;
+  const int32_t v5 = bits_inside(v4, &region_within_ground, &region_within_ground, v->hook_x,
+      v->hook_y);
+  if ((v5 & 1) != 0) {
+    return CRANE_VERDICT_TRUE;
+  }
+  return (v5 & 2) != 0 ? CRANE_VERDICT_UNKNOWN : CRANE_VERDICT_FALSE;
+}
+
+/* not hook inside mast and distance(hook, mast) >= 50 cm */
+static inline int32_t off_mast_verdict(const crane_verdicts_view *v) {
+  /* hook inside mast */
+  const bounds v2 = bounds_span(clearance_of(&region_within_mast, &region_around_mast,
+      span_bounds(v->hook_x), span_bounds(v->hook_y), -60562, 2000));
+  const int32_t v4 = v2.lo >= 0 ? BITS_TRUE : v2.hi >= 0 ? BITS_UNKNOWN : BITS_FALSE;
+  const int32_t v5 = bits_inside(v4, &region_within_mast, &region_around_mast, v->hook_x,
+      v->hook_y);
+  /* distance(hook, mast) */
+  const bounds v7 = bounds_negative(v2);
+  const bounds v8 = bounds_greatest(bounds_of(0, 0), v7);
+  /* not hook inside mast and distance(hook, mast) >= 50 cm */
+  if ((v5 & 2) == 0 && v8.lo >= 500) {
+    return CRANE_VERDICT_TRUE;
+  }
+  return ((v5 & 1) == 0 && v8.hi >= 500) ? CRANE_VERDICT_UNKNOWN : CRANE_VERDICT_FALSE;
+}
+
+/* loaded implies (hook + swing) inside shrink(ground, 3 m) */
+static inline int32_t load_verdict(const crane_verdicts_view *v) {
+  /* hook + swing */
+  const bounds v4 = bounds_sum(v->hook_x, v->swing_x);
+  const bounds v7 = bounds_sum(v->hook_y, v->swing_y);
+  /* (hook + swing) inside shrink(ground, 3 m) */
+  const bounds v8 = bounds_span(clearance_of(&region_within_zone_of_line_17,
+      &region_around_zone_of_line_17, span_bounds(v4), span_bounds(v7), -56543, 11803));
+  const int32_t v10 = v8.lo >= 0 ? BITS_TRUE : v8.hi >= 0 ? BITS_UNKNOWN : BITS_FALSE;
+  const int32_t v11 = bits_inside(v10, &region_within_zone_of_line_17,
+      &region_around_zone_of_line_17, v4, v7);
+  /* loaded implies (hook + swing) inside shrink(ground, 3 m) */
+  if ((v->loaded & 2) == 0 || (v11 & 1) != 0) {
+    return CRANE_VERDICT_TRUE;
+  }
+  return ((v->loaded & 1) == 0 || (v11 & 2) != 0) ? CRANE_VERDICT_UNKNOWN : CRANE_VERDICT_FALSE;
+}
+
+/* min[0 s, 1 s](clearance(hook, ground)) >= 1 m */
+static inline int32_t edge_verdict(const crane_verdicts_view *v) {
+  /* clearance(hook, ground) */
+  const bounds v2 = bounds_span(clearance_of(&region_within_ground, &region_within_ground,
+      span_bounds(v->hook_x), span_bounds(v->hook_y), -57079, 15000));
+  /* min[0 s, 1 s](clearance(hook, ground)) */
+  const bounds v3 = bounds_span(least_over(span_fill(span_bounds(v2), -57079, 15000),
+      span_of(-57079, 15000), &v->s->min_0, v->s->min_0_window, 0, 0, 10, &v->s->ticks));
+  /* min[0 s, 1 s](clearance(hook, ground)) >= 1 m */
+  if (v3.lo >= 1000) {
+    return CRANE_VERDICT_TRUE;
+  }
+  return v3.hi >= 1000 ? CRANE_VERDICT_UNKNOWN : CRANE_VERDICT_FALSE;
+}
+
+/* mark inside pad */
+static inline int32_t marked_verdict(const crane_verdicts_view *v) {
+  /* mark inside pad */
+  const bounds v2 = bounds_span(clearance_of(&region_within_pad, &region_within_pad,
+      span_bounds(v->mark_x), span_bounds(v->mark_y), -12728, 2000));
+  const int32_t v4 = v2.lo >= 0 ? BITS_TRUE : v2.hi >= 0 ? BITS_UNKNOWN : BITS_FALSE;
+  const int32_t v5 = bits_inside(v4, &region_within_pad, &region_within_pad, v->mark_x,
+      v->mark_y);
+  if ((v5 & 1) != 0) {
+    return CRANE_VERDICT_TRUE;
+  }
+  return (v5 & 2) != 0 ? CRANE_VERDICT_UNKNOWN : CRANE_VERDICT_FALSE;
+}
+
+/* not mark inside pad */
+static inline int32_t bare_verdict(const crane_verdicts_view *v) {
+  /* mark inside pad */
+  const bounds v2 = bounds_span(clearance_of(&region_within_pad, &region_within_pad,
+      span_bounds(v->mark_x), span_bounds(v->mark_y), -12728, 2000));
+  const int32_t v4 = v2.lo >= 0 ? BITS_TRUE : v2.hi >= 0 ? BITS_UNKNOWN : BITS_FALSE;
+  const int32_t v5 = bits_inside(v4, &region_within_pad, &region_within_pad, v->mark_x,
+      v->mark_y);
+  /* not (mark inside pad) */
+  if ((v5 & 2) == 0) {
+    return CRANE_VERDICT_TRUE;
+  }
+  return (v5 & 1) == 0 ? CRANE_VERDICT_UNKNOWN : CRANE_VERDICT_FALSE;
+}
+
+/* clearance(mark, pad) >= 50 cm */
+static inline int32_t spare_verdict(const crane_verdicts_view *v) {
+  /* clearance(mark, pad) */
+  const bounds v2 = bounds_span(clearance_of(&region_within_pad, &region_within_pad,
+      span_bounds(v->mark_x), span_bounds(v->mark_y), -12728, 2000));
+  /* clearance(mark, pad) >= 50 cm */
+  if (v2.lo >= 500) {
+    return CRANE_VERDICT_TRUE;
+  }
+  return v2.hi >= 500 ? CRANE_VERDICT_UNKNOWN : CRANE_VERDICT_FALSE;
+}
+
+static inline void crane_verdicts_look_hook(crane_verdicts_view *v, const crane_monitors_in *in) {
+  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, v->now_us);
+  const int32_t fresh_hook = good_hook && elapsed_us(in->hook_x.stamp_us, v->now_us) <= 500000;
+  v->hook_x = bounds_number(&in->hook_x, fresh_hook, -5000, 60000, 50);
+  v->hook_y = bounds_number(&in->hook_y, fresh_hook &&
+      in->hook_y.stamp_us == in->hook_x.stamp_us, -5000, 60000, 50);
+}
+
+static inline void crane_verdicts_look_swing(crane_verdicts_view *v, const crane_monitors_in *in) {
+  const int32_t good_swing = sample_good(&in->swing_x, &v->s->last_swing_us, v->now_us);
+  const int32_t fresh_swing = good_swing && elapsed_us(in->swing_x.stamp_us, v->now_us) <= 500000;
+  v->swing_x = bounds_number(&in->swing_x, fresh_swing, -2000, 2000, 0);
+  v->swing_y = bounds_number(&in->swing_y, fresh_swing &&
+      in->swing_y.stamp_us == in->swing_x.stamp_us, -2000, 2000, 0);
+}
+
+static inline void crane_verdicts_look_loaded(crane_verdicts_view *v,
+                                              const crane_monitors_in *in) {
+  const int32_t good_loaded = sample_good(&in->loaded, &v->s->last_loaded_us, v->now_us);
+  const int32_t fresh_loaded = good_loaded && in->loaded.stamp_us > v->since_us;
+  v->loaded = bits_truth(&in->loaded, fresh_loaded);
+}
+
+static inline void crane_verdicts_look_mark(crane_verdicts_view *v, const crane_monitors_in *in) {
+  const int32_t good_mark = sample_good(&in->mark_x, &v->s->last_mark_us, v->now_us);
+  const int32_t fresh_mark = good_mark && in->mark_x.stamp_us > v->since_us;
+  v->mark_x = bounds_number(&in->mark_x, fresh_mark, -9000, 9000, 0);
+  v->mark_y = bounds_number(&in->mark_y, fresh_mark &&
+      in->mark_y.stamp_us == in->mark_x.stamp_us, -9000, 9000, 0);
+}
+
+/* A tick that sees nothing: it was missed. */
+static void crane_verdicts_blind(crane_verdicts_view *v, crane_monitors_verdicts_state *s) {
+  v->s = s;
+  v->hook_x = bounds_nothing();
+  v->hook_y = bounds_nothing();
+  v->swing_x = bounds_nothing();
+  v->swing_y = bounds_nothing();
+  v->loaded = BITS_UNKNOWN;
+  v->mark_x = bounds_nothing();
+  v->mark_y = bounds_nothing();
+}
+
+/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
+static void crane_verdicts_catch_up(crane_monitors_verdicts_state *s, int64_t missed) {
+  crane_verdicts_view v;
+  int64_t k;
+  if (missed > 4) {
+    ticks_forget(&s->ticks, s->clock.tick);
+    return;
+  }
+  crane_verdicts_blind(&v, s);
+  for (k = 0; k < missed; ++k) {
+    (void)edge_verdict(&v);
+    s->ticks.now += 1;
+  }
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t crane_verdicts_resume(crane_monitors_verdicts_state *s, int64_t now_us,
+                                     int64_t *since_us) {
+  const int32_t first = s->clock.started == 0;
+  const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 100000);
+  if (elapsed > 1) {
+    crane_verdicts_catch_up(s, elapsed - 1);
+  }
+  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t crane_verdicts_begin(crane_verdicts_view *v,
+                                           crane_monitors_verdicts_state *s,
+                                           const crane_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && crane_verdicts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  v->since_us = since_us;
+  s->judged_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void crane_monitors_verdicts_init(crane_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->judged_us = 0;
+  ticks_start(&s->ticks);
+  s->last_hook_us = INT64_MIN;
+  s->last_swing_us = INT64_MIN;
+  s->last_loaded_us = INT64_MIN;
+  s->last_mark_us = INT64_MIN;
+}
+
+void crane_monitors_verdicts(crane_monitors_verdicts_state *s, const crane_monitors_in *in,
                              int64_t now_us, int32_t verdicts[CRANE_MONITORS]) {
-  crane_view v;
+  crane_verdicts_view v;
   int32_t k;
-  if (crane_begin(&v, s, in, now_us) == 0) {
+  if (crane_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < CRANE_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(CRANE_INPUT_CLOCK));
+      verdicts[k] = CRANE_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[CRANE_MONITORS_OVER_GROUND] = verdict_of(over_ground_now(&v));
-  verdicts[CRANE_MONITORS_OFF_MAST] = verdict_of(off_mast_now(&v));
-  verdicts[CRANE_MONITORS_LOAD] = verdict_of(load_now(&v));
-  verdicts[CRANE_MONITORS_EDGE] = verdict_of(edge_now(&v));
-  verdicts[CRANE_MONITORS_MARKED] = verdict_of(marked_now(&v));
-  verdicts[CRANE_MONITORS_BARE] = verdict_of(bare_now(&v));
-  verdicts[CRANE_MONITORS_SPARE] = verdict_of(spare_now(&v));
+  crane_verdicts_look_hook(&v, in);
+  verdicts[CRANE_MONITORS_OVER_GROUND] = over_ground_verdict(&v);
+  verdicts[CRANE_MONITORS_OFF_MAST] = off_mast_verdict(&v);
+  crane_verdicts_look_swing(&v, in);
+  crane_verdicts_look_loaded(&v, in);
+  verdicts[CRANE_MONITORS_LOAD] = load_verdict(&v);
+  verdicts[CRANE_MONITORS_EDGE] = edge_verdict(&v);
+  crane_verdicts_look_mark(&v, in);
+  verdicts[CRANE_MONITORS_MARKED] = marked_verdict(&v);
+  verdicts[CRANE_MONITORS_BARE] = bare_verdict(&v);
+  verdicts[CRANE_MONITORS_SPARE] = spare_verdict(&v);
   s->ticks.now += 1;
 }

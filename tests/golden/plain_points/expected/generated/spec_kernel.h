@@ -96,9 +96,10 @@ typedef struct crane_monitors_in {
   crane_signal mark_y; /* steps of mm, -9000 to 9000; new every tick */
 } crane_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 504 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 512 bytes in all. */
 typedef struct crane_monitors_state {
   crane_clock clock;
+  int64_t until_us;
   crane_ticks ticks;
   int64_t judged_us;
   int64_t last_hook_us;
@@ -110,8 +111,23 @@ typedef struct crane_monitors_state {
   crane_kept min_0_window[10];
 } crane_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct crane_monitors_verdicts_state {
+  crane_clock clock;
+  int64_t until_us;
+  crane_ticks ticks;
+  int64_t judged_us;
+  int64_t last_hook_us;
+  int64_t last_swing_us;
+  int64_t last_loaded_us;
+  int64_t last_mark_us;
+  /* edge */
+  crane_slide min_0;
+  crane_kept min_0_window[10];
+} crane_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 m. input: the one that is missing. */
 typedef struct crane_finding_of {
   int32_t verdict, reason, input, unit;
@@ -126,12 +142,15 @@ typedef struct crane_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void crane_monitors_init(crane_monitors_state *s);
 void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in,
                          int64_t now_us, crane_monitors_out *out);
-void crane_monitors_verdicts(crane_monitors_state *s, const crane_monitors_in *in,
-                             int64_t now_us, int32_t verdicts[CRANE_MONITORS]);
+void crane_monitors_verdicts_init(crane_monitors_verdicts_state *s);
+void crane_monitors_verdicts(crane_monitors_verdicts_state *s,
+                             const crane_monitors_in *in, int64_t now_us,
+                             int32_t verdicts[CRANE_MONITORS]);
 
 #ifdef __cplusplus
 }

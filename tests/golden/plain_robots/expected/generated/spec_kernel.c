@@ -16,14 +16,15 @@ static int64_t max_of(int64_t a, int64_t b) {
   return a > b ? a : b;
 }
 
-static int64_t magnitude(int64_t a) {
-  return a < 0 ? -a : a;
-}
-
 /* Time from `from` to a later `to`, at most INT64_MAX: stamps may be anything. */
 static int64_t elapsed_us(int64_t from, int64_t to) {
   const uint64_t us = (uint64_t)to - (uint64_t)from;
   return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
+}
+
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
 }
 
 /* The root of `top`, 2^14 to 2^16, times 2^8: a parabola that is within 0.6 % of it. */
@@ -89,6 +90,128 @@ static int64_t root_down(int64_t a) {
 static int64_t root_up(int64_t a) {
   const int64_t root = root_down(a);
   return root * root == a ? root : root + 1;
+}
+
+typedef struct ends {
+  int64_t lo, hi;
+} ends;
+
+static inline ends ends_of(int64_t lo, int64_t hi) {
+  ends e;
+  e.lo = lo;
+  e.hi = hi;
+  return e;
+}
+
+static inline ends ends_square(ends a) {
+  const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  const int64_t most = max_of(-a.lo, a.hi);
+  return ends_of(least * least, most * most);
+}
+
+/* a^2 + b^2. */
+static inline ends ends_squares(ends a, ends b) {
+  const ends x = ends_square(a);
+  const ends y = ends_square(b);
+  return ends_of(x.lo + y.lo, x.hi + y.hi);
+}
+
+/* What is below 0 within its error counts as 0. */
+static inline ends ends_root(ends a) {
+  return ends_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+
+static inline ends bounds_ends(bounds a) {
+  return ends_of(a.lo, a.hi);
+}
+
+static inline bounds bounds_within(ends a) {
+  return bounds_of(a.lo, a.hi);
+}
+
+/* In half steps, an open bound half a step inside: such bounds are in the order of what they bound. */
+static inline int64_t lower_half(bounds a) {
+  return 2 * a.lo + a.lo_open;
+}
+
+static inline int64_t upper_half(bounds a) {
+  return 2 * a.hi - a.hi_open;
+}
+
+static inline bounds bounds_between(int64_t lower, int64_t upper) {
+  bounds b = bounds_of((lower - (lower & 1)) / 2, (upper + (upper & 1)) / 2);
+  b.lo_open = lower % 2 != 0;
+  b.hi_open = upper % 2 != 0;
+  return b;
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  bounds sum = bounds_nothing();
+  if (bounds_known(a) && bounds_known(b)) {
+    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+
+static inline bounds bounds_negative(bounds a) {
+  bounds b = bounds_of(-a.hi, -a.lo);
+  b.lo_open = a.hi_open;
+  b.hi_open = a.lo_open;
+  return b;
+}
+
+static inline bounds bounds_squares(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)))
+             : bounds_nothing();
+}
+
+static inline bounds bounds_root(bounds a) {
+  return bounds_known(a) ? bounds_within(ends_root(bounds_ends(a))) : a;
+}
+
+/* a where the condition is true, b where it is false, anything of both where it is unknown. */
+static inline bounds bounds_chosen(int32_t condition, bounds a, bounds b) {
+  if (condition == BITS_TRUE) {
+    return a;
+  }
+  if (condition == BITS_FALSE) {
+    return b;
+  }
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_between(min_of(lower_half(a), lower_half(b)),
+                              max_of(upper_half(a), upper_half(b)))
+             : bounds_nothing();
 }
 
 typedef struct margin {
@@ -168,9 +291,10 @@ static int64_t upper_end(span a) {
 }
 
 static span span_between(int64_t lower, int64_t upper) {
-  span s = span_of(lower / 2 - (lower % 2 < 0), upper / 2 + (upper % 2 > 0));
-  s.lo_open = lower % 2 != 0;
-  s.hi_open = upper % 2 != 0;
+  const bounds b = bounds_between(lower, upper);
+  span s = span_of(b.lo, b.hi);
+  s.lo_open = b.lo_open;
+  s.hi_open = b.hi_open;
   return s;
 }
 
@@ -181,6 +305,10 @@ static span span_negate(span a) {
   s.lo_open = a.hi_open;
   s.hi_open = a.lo_open;
   return s;
+}
+
+static inline ends span_ends(span a) {
+  return ends_of(a.lo, a.hi);
 }
 
 /* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. Ticks are
@@ -264,8 +392,32 @@ static plain_robots_kept kept_join(plain_robots_kept a, plain_robots_kept b, int
   return k;
 }
 
+static int32_t bits_not(int32_t bits) {
+  return (bits & 1 ? 0 : 2) + (bits & 2 ? 0 : 1);
+}
+
+static int32_t bits_at(const uint8_t *ring, int64_t at) {
+  return (ring[at / 4] >> (at % 4 * 2)) & 3;
+}
+
+static void bits_put(uint8_t *ring, int64_t at, int32_t bits) {
+  const int32_t shift = (int32_t)(at % 4 * 2);
+  ring[at / 4] = (uint8_t)((ring[at / 4] & ~(3 << shift)) | (bits << shift));
+}
+
 static int64_t next_place(int64_t at, int64_t size) {
   return at + 1 == size ? 0 : at + 1;
+}
+
+/* What was put in `ticks` ticks ago; arbitrary until then. */
+static int32_t bits_delay(int32_t bits, uint8_t *ring, int64_t ticks, int64_t *at) {
+  int32_t then = bits;
+  if (ticks > 0) {
+    then = bits_at(ring, *at);
+    bits_put(ring, *at, bits);
+    *at = next_place(*at, ticks);
+  }
+  return then;
 }
 
 static plain_robots_kept kept_delay(plain_robots_kept k, plain_robots_kept *ring, int64_t ticks, int64_t *at) {
@@ -276,6 +428,42 @@ static plain_robots_kept kept_delay(plain_robots_kept k, plain_robots_kept *ring
     *at = next_place(*at, ticks);
   }
   return then;
+}
+
+static void sight_start(plain_robots_sight *s) {
+  s->must = -1;
+  s->may = -1;
+  s->at = 0;
+}
+
+/* Brings the witness up to the end of the window, and returns the latest tick at which the operand
+ * may have been true. Only the latest matters: it is the last one to leave the window. */
+static int64_t sight_look(int32_t bits, plain_robots_sight *s, uint8_t *ring, int64_t from,
+                          const plain_robots_ticks *t) {
+  const int64_t end = t->now - from;
+  const int32_t then = bits_delay(bits, ring, from, &s->at);
+  if (end >= t->known) {
+    s->must = then & 1 ? end : s->must;
+    s->may = then & 2 ? end : s->may;
+  }
+  return max_of(s->may, min_of(t->known - 1, end));
+}
+
+static inline int32_t once_within(int32_t x, plain_robots_sight *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const plain_robots_ticks *t) {
+  const int64_t start = window_start(t, to);
+  int64_t may;
+  if (t->now == t->known) {
+    sight_start(s);
+  }
+  may = sight_look(x, s, ring, from, t);
+  return (s->must >= start ? 1 : 0) + (may >= start ? 2 : 0);
+}
+
+/* Never otherwise. */
+static inline int32_t historically_within(int32_t x, plain_robots_sight *s, uint8_t *ring, int64_t from,
+                                          int64_t to, const plain_robots_ticks *t) {
+  return bits_not(once_within(bits_not(x), s, ring, from, to, t));
 }
 
 /* Joins the latest `ticks` entries, with `x` the newest one. The window covers what is filled of
@@ -354,35 +542,103 @@ static margin historically_margin(margin x, plain_robots_slide *s, plain_robots_
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const plain_robots_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
 }
 
-/* `us` before `time_us`, for us >= 0; the start of time is never passed. */
-static int64_t before(int64_t time_us, int64_t us) {
-  return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(plain_robots_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const plain_robots_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const plain_robots_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
+}
+
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const plain_robots_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
+static inline int64_t age_known(const plain_robots_signal *s, int32_t good, int64_t now_us) {
+  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+  return age_us > AGE_MAX_US ? -1 : age_us;
+}
+
+static inline bounds bounds_age(const plain_robots_signal *s, int32_t good, int64_t now_us) {
+  const int64_t age_us = age_known(s, good, now_us);
+  return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
+}
+
+static inline span age_span(const plain_robots_signal *s, int32_t good, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(s, good, now_us);
+  return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const plain_robots_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
   seen.lo_open = s->lo < s->hi;
   seen.hi_open = s->lo < s->hi;
   return seen;
-}
-
-/* Time since the stamp of the newest sample; unknown when there is none, or beyond 35 years. */
-static span age_span(const plain_robots_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
-  return age_us < 0 || age_us > AGE_MAX_US ? span_unknown(input) : span_of(age_us, age_us);
 }
 
 /* The smaller end decides; of equal ones that whose input is missing, which is worth telling. */
@@ -425,39 +681,14 @@ static span sum_of(span a, span b) {
   return sum;
 }
 
-static span product_of(span a, span b) {
+static inline span span_within(ends a) {
+  return span_of(a.lo, a.hi);
+}
+
+static inline span norm_of(span a, span b) {
   int32_t known;
   const span missing = quantity_missing(a, b, &known);
-  if (known == 0) {
-    return missing;
-  }
-  return span_of(min_of(min_of(a.lo * b.lo, a.lo * b.hi), min_of(a.hi * b.lo, a.hi * b.hi)),
-                 max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
-}
-
-static span absolute_of(span a) {
-  const int64_t lower = lower_end(a);
-  const int64_t upper = upper_end(a);
-  const int64_t one = magnitude(lower);
-  const int64_t two = magnitude(upper);
-  if (a.input != PLAIN_ROBOTS_INPUT_NONE) {
-    return a;
-  }
-  return span_between(lower <= 0 && upper >= 0 ? 0 : min_of(one, two), max_of(one, two));
-}
-
-static span square_of(span a) {
-  const span size = absolute_of(a);
-  return product_of(size, size);
-}
-
-/* Rounded outward. What is below 0 within its error counts as 0. */
-static span root_of(span a) {
-  return a.input != PLAIN_ROBOTS_INPUT_NONE ? a : span_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
-}
-
-static span norm_of(span a, span b) {
-  return root_of(sum_of(square_of(a), square_of(b)));
+  return known ? span_within(ends_root(ends_squares(span_ends(a), span_ends(b)))) : missing;
 }
 
 /* a where the condition is true, b where it is false, anything of both where it is unknown. */
@@ -475,23 +706,18 @@ static span chosen(margin condition, span a, span b) {
                : missing;
 }
 
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static plain_robots_finding_of finding_judged(margin m) {
+static inline plain_robots_finding_of finding_judged(margin m) {
   plain_robots_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = PLAIN_ROBOTS_REASON_NONE;
   f.input = PLAIN_ROBOTS_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == PLAIN_ROBOTS_VERDICT_FALSE) {
@@ -507,6 +733,7 @@ static plain_robots_finding_of finding_judged(margin m) {
 /* What a tick knows of its inputs. */
 typedef struct plain_robots_view {
   plain_robots_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   span gate_x;
   span gate_y;
   span lead_position_x;
@@ -620,6 +847,109 @@ static inline margin heard_now(const plain_robots_view *v) {
   return at_least(span_of(300000, 300000), v->age_of_carts_0_position, 1, 0, 5);
 }
 
+static inline void plain_robots_look_gate(plain_robots_view *v,
+                                          const plain_robots_monitors_in *in) {
+  const int32_t good_gate = sample_good(&in->gate_x, &v->s->last_gate_us, v->now_us);
+  const int32_t fresh_gate = good_gate;
+  v->gate_x = number_of(&in->gate_x, fresh_gate, -9000, 9000, 0,
+      PLAIN_ROBOTS_MONITORS_INPUT_GATE);
+  v->gate_y = number_of(&in->gate_y, fresh_gate && in->gate_y.stamp_us == in->gate_x.stamp_us,
+      -9000, 9000, 0, PLAIN_ROBOTS_MONITORS_INPUT_GATE);
+}
+
+static inline void plain_robots_look_lead_position(plain_robots_view *v,
+                                                   const plain_robots_monitors_in *in) {
+  const int32_t good_lead_position = sample_good(&in->lead_position_x, &v->s->last_lead_position_us, v->now_us);
+  const int32_t fresh_lead_position = good_lead_position && elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
+  v->lead_position_x = number_of(&in->lead_position_x, fresh_lead_position, -100000000,
+      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
+  v->lead_position_y = number_of(&in->lead_position_y, fresh_lead_position &&
+      in->lead_position_y.stamp_us == in->lead_position_x.stamp_us, -100000000, 100000000, 20,
+      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
+}
+
+static inline void plain_robots_look_carts_0_position(plain_robots_view *v,
+                                                      const plain_robots_monitors_in *in) {
+  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x, &v->s->last_carts_0_position_us, v->now_us);
+  const int32_t fresh_carts_0_position = good_carts_0_position && elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
+  v->carts_0_position_x = number_of(&in->carts_0_position_x, fresh_carts_0_position, -100000000,
+      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
+  v->carts_0_position_y = number_of(&in->carts_0_position_y, fresh_carts_0_position &&
+      in->carts_0_position_y.stamp_us == in->carts_0_position_x.stamp_us, -100000000, 100000000,
+      20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
+  int32_t whole_carts_0_position = good_carts_0_position;
+  whole_carts_0_position = whole_carts_0_position && in->carts_0_position_y.valid != 0;
+  v->age_of_carts_0_position = age_span(&in->carts_0_position_x, whole_carts_0_position, v->now_us, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
+}
+
+static inline void plain_robots_look_carts_1_position(plain_robots_view *v,
+                                                      const plain_robots_monitors_in *in) {
+  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x, &v->s->last_carts_1_position_us, v->now_us);
+  const int32_t fresh_carts_1_position = good_carts_1_position && elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
+  v->carts_1_position_x = number_of(&in->carts_1_position_x, fresh_carts_1_position, -100000000,
+      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_POSITION);
+  v->carts_1_position_y = number_of(&in->carts_1_position_y, fresh_carts_1_position &&
+      in->carts_1_position_y.stamp_us == in->carts_1_position_x.stamp_us, -100000000, 100000000,
+      20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_POSITION);
+}
+
+static inline void plain_robots_look_lead_battery(plain_robots_view *v,
+                                                  const plain_robots_monitors_in *in) {
+  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us, v->now_us);
+  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us, v->now_us) <= 1000000;
+  v->lead_battery = number_of(&in->lead_battery, fresh_lead_battery, -10000, 1010000, 10000,
+      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_BATTERY);
+}
+
+static inline void plain_robots_look_carts_0_battery(plain_robots_view *v,
+                                                     const plain_robots_monitors_in *in) {
+  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery, &v->s->last_carts_0_battery_us, v->now_us);
+  const int32_t fresh_carts_0_battery = good_carts_0_battery && elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
+  v->carts_0_battery = number_of(&in->carts_0_battery, fresh_carts_0_battery, -10000, 1010000,
+      10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_BATTERY);
+}
+
+static inline void plain_robots_look_carts_1_battery(plain_robots_view *v,
+                                                     const plain_robots_monitors_in *in) {
+  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery, &v->s->last_carts_1_battery_us, v->now_us);
+  const int32_t fresh_carts_1_battery = good_carts_1_battery && elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
+  v->carts_1_battery = number_of(&in->carts_1_battery, fresh_carts_1_battery, -10000, 1010000,
+      10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_BATTERY);
+}
+
+static inline void plain_robots_look_lead_velocity(plain_robots_view *v,
+                                                   const plain_robots_monitors_in *in) {
+  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x, &v->s->last_lead_velocity_us, v->now_us);
+  const int32_t fresh_lead_velocity = good_lead_velocity && elapsed_us(in->lead_velocity_x.stamp_us, v->now_us) <= 200000;
+  v->lead_velocity_x = number_of(&in->lead_velocity_x, fresh_lead_velocity, -1020, 1020, 20,
+      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
+  v->lead_velocity_y = number_of(&in->lead_velocity_y, fresh_lead_velocity &&
+      in->lead_velocity_y.stamp_us == in->lead_velocity_x.stamp_us, -1020, 1020, 20,
+      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
+}
+
+static inline void plain_robots_look_carts_0_velocity(plain_robots_view *v,
+                                                      const plain_robots_monitors_in *in) {
+  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x, &v->s->last_carts_0_velocity_us, v->now_us);
+  const int32_t fresh_carts_0_velocity = good_carts_0_velocity && elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
+  v->carts_0_velocity_x = number_of(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020, 1020,
+      20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_VELOCITY);
+  v->carts_0_velocity_y = number_of(&in->carts_0_velocity_y, fresh_carts_0_velocity &&
+      in->carts_0_velocity_y.stamp_us == in->carts_0_velocity_x.stamp_us, -1020, 1020, 20,
+      PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_VELOCITY);
+}
+
+static inline void plain_robots_look_carts_1_velocity(plain_robots_view *v,
+                                                      const plain_robots_monitors_in *in) {
+  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x, &v->s->last_carts_1_velocity_us, v->now_us);
+  const int32_t fresh_carts_1_velocity = good_carts_1_velocity && elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
+  v->carts_1_velocity_x = number_of(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020, 1020,
+      20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY);
+  v->carts_1_velocity_y = number_of(&in->carts_1_velocity_y, fresh_carts_1_velocity &&
+      in->carts_1_velocity_y.stamp_us == in->carts_1_velocity_x.stamp_us, -1020, 1020, 20,
+      PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY);
+}
+
 /* A tick that sees nothing: it was missed. */
 static void plain_robots_blind(plain_robots_view *v, plain_robots_monitors_state *s) {
   v->s = s;
@@ -643,75 +973,6 @@ static void plain_robots_blind(plain_robots_view *v, plain_robots_monitors_state
   v->age_of_carts_0_position = span_unknown(PLAIN_ROBOTS_INPUT_CLOCK);
 }
 
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void plain_robots_look(plain_robots_view *v, const plain_robots_monitors_in *in,
-                                     int64_t now_us, int64_t since_us) {
-  const int32_t good_gate = sample_good(&in->gate_x, &v->s->last_gate_us, now_us);
-  const int32_t fresh_gate = good_gate;
-  v->gate_x = number_of(&in->gate_x, fresh_gate, -9000, 9000, 0,
-      PLAIN_ROBOTS_MONITORS_INPUT_GATE);
-  v->gate_y = number_of(&in->gate_y, fresh_gate && in->gate_y.stamp_us == in->gate_x.stamp_us,
-      -9000, 9000, 0, PLAIN_ROBOTS_MONITORS_INPUT_GATE);
-  const int32_t good_lead_position = sample_good(&in->lead_position_x, &v->s->last_lead_position_us, now_us);
-  const int32_t fresh_lead_position = good_lead_position && elapsed_us(in->lead_position_x.stamp_us, now_us) <= 200000;
-  v->lead_position_x = number_of(&in->lead_position_x, fresh_lead_position, -100000000,
-      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
-  v->lead_position_y = number_of(&in->lead_position_y,
-      fresh_lead_position && in->lead_position_y.stamp_us == in->lead_position_x.stamp_us,
-      -100000000, 100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
-  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x, &v->s->last_carts_0_position_us, now_us);
-  const int32_t fresh_carts_0_position = good_carts_0_position && elapsed_us(in->carts_0_position_x.stamp_us, now_us) <= 200000;
-  v->carts_0_position_x = number_of(&in->carts_0_position_x, fresh_carts_0_position, -100000000,
-      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
-  v->carts_0_position_y = number_of(&in->carts_0_position_y,
-      fresh_carts_0_position && in->carts_0_position_y.stamp_us == in->carts_0_position_x.stamp_us,
-      -100000000, 100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
-  int32_t whole_carts_0_position = good_carts_0_position;
-  whole_carts_0_position = whole_carts_0_position && in->carts_0_position_y.valid != 0;
-  v->age_of_carts_0_position = age_span(&in->carts_0_position_x, whole_carts_0_position, now_us, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
-  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x, &v->s->last_carts_1_position_us, now_us);
-  const int32_t fresh_carts_1_position = good_carts_1_position && elapsed_us(in->carts_1_position_x.stamp_us, now_us) <= 200000;
-  v->carts_1_position_x = number_of(&in->carts_1_position_x, fresh_carts_1_position, -100000000,
-      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_POSITION);
-  v->carts_1_position_y = number_of(&in->carts_1_position_y,
-      fresh_carts_1_position && in->carts_1_position_y.stamp_us == in->carts_1_position_x.stamp_us,
-      -100000000, 100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_POSITION);
-  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us, now_us);
-  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us, now_us) <= 1000000;
-  v->lead_battery = number_of(&in->lead_battery, fresh_lead_battery, -10000, 1010000, 10000,
-      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_BATTERY);
-  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery, &v->s->last_carts_0_battery_us, now_us);
-  const int32_t fresh_carts_0_battery = good_carts_0_battery && elapsed_us(in->carts_0_battery.stamp_us, now_us) <= 1000000;
-  v->carts_0_battery = number_of(&in->carts_0_battery, fresh_carts_0_battery, -10000, 1010000,
-      10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_BATTERY);
-  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery, &v->s->last_carts_1_battery_us, now_us);
-  const int32_t fresh_carts_1_battery = good_carts_1_battery && elapsed_us(in->carts_1_battery.stamp_us, now_us) <= 1000000;
-  v->carts_1_battery = number_of(&in->carts_1_battery, fresh_carts_1_battery, -10000, 1010000,
-      10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_BATTERY);
-  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x, &v->s->last_lead_velocity_us, now_us);
-  const int32_t fresh_lead_velocity = good_lead_velocity && elapsed_us(in->lead_velocity_x.stamp_us, now_us) <= 200000;
-  v->lead_velocity_x = number_of(&in->lead_velocity_x, fresh_lead_velocity, -1020, 1020, 20,
-      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
-  v->lead_velocity_y = number_of(&in->lead_velocity_y,
-      fresh_lead_velocity && in->lead_velocity_y.stamp_us == in->lead_velocity_x.stamp_us, -1020,
-      1020, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
-  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x, &v->s->last_carts_0_velocity_us, now_us);
-  const int32_t fresh_carts_0_velocity = good_carts_0_velocity && elapsed_us(in->carts_0_velocity_x.stamp_us, now_us) <= 200000;
-  v->carts_0_velocity_x = number_of(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020, 1020,
-      20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_VELOCITY);
-  v->carts_0_velocity_y = number_of(&in->carts_0_velocity_y,
-      fresh_carts_0_velocity && in->carts_0_velocity_y.stamp_us == in->carts_0_velocity_x.stamp_us,
-      -1020, 1020, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_VELOCITY);
-  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x, &v->s->last_carts_1_velocity_us, now_us);
-  const int32_t fresh_carts_1_velocity = good_carts_1_velocity && elapsed_us(in->carts_1_velocity_x.stamp_us, now_us) <= 200000;
-  v->carts_1_velocity_x = number_of(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020, 1020,
-      20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY);
-  v->carts_1_velocity_y = number_of(&in->carts_1_velocity_y,
-      fresh_carts_1_velocity && in->carts_1_velocity_y.stamp_us == in->carts_1_velocity_x.stamp_us,
-      -1020, 1020, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY);
-  (void)since_us;
-}
-
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
 static void plain_robots_catch_up(plain_robots_monitors_state *s, int64_t missed) {
   plain_robots_view v;
@@ -727,21 +988,28 @@ static void plain_robots_catch_up(plain_robots_monitors_state *s, int64_t missed
   }
 }
 
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t plain_robots_begin(plain_robots_view *v, plain_robots_monitors_state *s,
-                                         const plain_robots_monitors_in *in, int64_t now_us) {
-  const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t plain_robots_resume(plain_robots_monitors_state *s, int64_t now_us) {
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
+  s->until_us = tick_until(&s->clock, 100000);
   if (elapsed > 1) {
     plain_robots_catch_up(s, elapsed - 1);
   }
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t plain_robots_begin(plain_robots_view *v, plain_robots_monitors_state *s,
+                                         const plain_robots_monitors_in *in, int64_t now_us) {
+  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && plain_robots_resume(s, now_us) == 0) {
+    return 0;
+  }
   v->s = s;
-  plain_robots_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 100000) : before_us);
-  s->judged_us = now_us;
+  v->now_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -750,7 +1018,7 @@ void plain_robots_monitors_init(plain_robots_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
-  s->judged_us = 0;
+  s->until_us = INT64_MAX;
   ticks_start(&s->ticks);
   s->last_gate_us = INT64_MIN;
   s->last_lead_position_us = INT64_MIN;
@@ -777,29 +1045,361 @@ void plain_robots_monitors_step(plain_robots_monitors_state *s,
     return;
   }
   out->tick = s->clock.tick;
+  plain_robots_look_gate(&v, in);
+  plain_robots_look_lead_position(&v, in);
   out->monitors[PLAIN_ROBOTS_MONITORS_NEAR] = finding_judged(near_now(&v));
+  plain_robots_look_carts_0_position(&v, in);
+  plain_robots_look_carts_1_position(&v, in);
   out->monitors[PLAIN_ROBOTS_MONITORS_APART] = finding_judged(apart_now(&v));
+  plain_robots_look_lead_battery(&v, in);
+  plain_robots_look_carts_0_battery(&v, in);
+  plain_robots_look_carts_1_battery(&v, in);
   out->monitors[PLAIN_ROBOTS_MONITORS_ALIVE] = finding_judged(alive_now(&v));
+  plain_robots_look_lead_velocity(&v, in);
+  plain_robots_look_carts_0_velocity(&v, in);
+  plain_robots_look_carts_1_velocity(&v, in);
   out->monitors[PLAIN_ROBOTS_MONITORS_CALM] = finding_judged(calm_now(&v));
   out->monitors[PLAIN_ROBOTS_MONITORS_HEARD] = finding_judged(heard_now(&v));
   s->ticks.now += 1;
 }
 
-void plain_robots_monitors_verdicts(plain_robots_monitors_state *s,
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct plain_robots_verdicts_view {
+  plain_robots_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  bounds gate_x;
+  bounds gate_y;
+  bounds lead_position_x;
+  bounds lead_position_y;
+  bounds carts_0_position_x;
+  bounds carts_0_position_y;
+  bounds carts_1_position_x;
+  bounds carts_1_position_y;
+  bounds lead_battery;
+  bounds carts_0_battery;
+  bounds carts_1_battery;
+  bounds lead_velocity_x;
+  bounds lead_velocity_y;
+  bounds carts_0_velocity_x;
+  bounds carts_0_velocity_y;
+  bounds carts_1_velocity_x;
+  bounds carts_1_velocity_y;
+  bounds age_of_carts_0_position; /* us */
+} plain_robots_verdicts_view;
+
+/* distance(lead, gate) <= 5 m */
+static inline int32_t near_verdict(const plain_robots_verdicts_view *v) {
+  /* gate */
+  const bounds v2 = bounds_negative(v->gate_x);
+  /* distance(lead, gate) */
+  const bounds v3 = bounds_sum(v->lead_position_x, v2);
+  /* gate */
+  const bounds v6 = bounds_negative(v->gate_y);
+  /* distance(lead, gate) */
+  const bounds v7 = bounds_sum(v->lead_position_y, v6);
+  const bounds v8 = bounds_root(bounds_squares(v3, v7));
+  const bounds v10 = bounds_negative(bounds_of(200, 200));
+  const bounds v11 = bounds_sum(v8, v10);
+  /* distance(lead, gate) <= 5 m */
+  if (v11.hi <= 5000) {
+    return PLAIN_ROBOTS_VERDICT_TRUE;
+  }
+  return v11.lo <= 5000 ? PLAIN_ROBOTS_VERDICT_UNKNOWN : PLAIN_ROBOTS_VERDICT_FALSE;
+}
+
+/* min(c : Cart, c != lead : distance(lead, c)) >= 50 cm */
+static inline int32_t apart_verdict(const plain_robots_verdicts_view *v) {
+  /* c */
+  const bounds v2 = bounds_negative(v->carts_0_position_x);
+  /* distance(lead, c) */
+  const bounds v3 = bounds_sum(v->lead_position_x, v2);
+  /* c */
+  const bounds v6 = bounds_negative(v->carts_0_position_y);
+  /* distance(lead, c) */
+  const bounds v7 = bounds_sum(v->lead_position_y, v6);
+  const bounds v8 = bounds_root(bounds_squares(v3, v7));
+  const bounds v10 = bounds_negative(bounds_of(400, 400));
+  const bounds v11 = bounds_sum(v8, v10);
+  /* c */
+  const bounds v15 = bounds_negative(v->carts_1_position_x);
+  /* distance(lead, c) */
+  const bounds v16 = bounds_sum(v->lead_position_x, v15);
+  /* c */
+  const bounds v18 = bounds_negative(v->carts_1_position_y);
+  /* distance(lead, c) */
+  const bounds v19 = bounds_sum(v->lead_position_y, v18);
+  const bounds v20 = bounds_root(bounds_squares(v16, v19));
+  const bounds v21 = bounds_sum(v20, v10);
+  /* min(c : Cart, c != lead : distance(lead, c)) >= 50 cm */
+  if (v11.lo >= 500 && v21.lo >= 500) {
+    return PLAIN_ROBOTS_VERDICT_TRUE;
+  }
+  return (v11.hi >= 500 && v21.hi >= 500) ? PLAIN_ROBOTS_VERDICT_UNKNOWN
+      : PLAIN_ROBOTS_VERDICT_FALSE;
+}
+
+/* count(c : Cart : c.battery >= 20 %) >= 2 */
+static inline int32_t alive_verdict(const plain_robots_verdicts_view *v) {
+  /* c.battery >= 20 % */
+  const int32_t v2 = v->lead_battery.lo >= 200000 ? BITS_TRUE
+      : v->lead_battery.hi - v->lead_battery.hi_open >= 200000 ? BITS_UNKNOWN : BITS_FALSE;
+  /* count(c : Cart : c.battery >= 20 %) */
+  const bounds v5 = bounds_chosen(v2, bounds_of(1000, 1000), bounds_of(0, 0));
+  /* c.battery >= 20 % */
+  const int32_t v7 = v->carts_0_battery.lo >= 200000 ? BITS_TRUE
+      : v->carts_0_battery.hi - v->carts_0_battery.hi_open >= 200000 ? BITS_UNKNOWN : BITS_FALSE;
+  /* count(c : Cart : c.battery >= 20 %) */
+  const bounds v8 = bounds_chosen(v7, bounds_of(1000, 1000), bounds_of(0, 0));
+  const bounds v9 = bounds_sum(v5, v8);
+  /* c.battery >= 20 % */
+  const int32_t v11 = v->carts_1_battery.lo >= 200000 ? BITS_TRUE
+      : v->carts_1_battery.hi - v->carts_1_battery.hi_open >= 200000 ? BITS_UNKNOWN : BITS_FALSE;
+  /* count(c : Cart : c.battery >= 20 %) */
+  const bounds v12 = bounds_chosen(v11, bounds_of(1000, 1000), bounds_of(0, 0));
+  const bounds v13 = bounds_sum(v9, v12);
+  /* count(c : Cart : c.battery >= 20 %) >= 2 */
+  if (v13.lo >= 2000) {
+    return PLAIN_ROBOTS_VERDICT_TRUE;
+  }
+  return v13.hi >= 2000 ? PLAIN_ROBOTS_VERDICT_UNKNOWN : PLAIN_ROBOTS_VERDICT_FALSE;
+}
+
+/* historically[0 s, 1 s] forall c : Cart : c.speed <= 0.5 m/s */
+static inline int32_t calm_verdict(const plain_robots_verdicts_view *v) {
+  /* c.speed */
+  const bounds v2 = bounds_squares(v->lead_velocity_x, v->lead_velocity_y);
+  const bounds v7 = bounds_squares(v->carts_0_velocity_x, v->carts_0_velocity_y);
+  const bounds v12 = bounds_squares(v->carts_1_velocity_x, v->carts_1_velocity_y);
+  /* forall c : Cart : c.speed <= 0.5 m/s */
+  const int32_t v14 = (v2.hi <= 250000 && v7.hi <= 250000 && v12.hi <= 250000) ? BITS_TRUE
+      : (v2.lo < 251001 && v7.lo < 251001 && v12.lo < 251001) ? BITS_UNKNOWN : BITS_FALSE;
+  /* historically[0 s, 1 s] forall c : Cart : c.speed <= 0.5 m/s */
+  const int32_t v15 = historically_within(v14, &v->s->historically_0, 0, 0, 10, &v->s->ticks);
+  if ((v15 & 1) != 0) {
+    return PLAIN_ROBOTS_VERDICT_TRUE;
+  }
+  return (v15 & 2) != 0 ? PLAIN_ROBOTS_VERDICT_UNKNOWN : PLAIN_ROBOTS_VERDICT_FALSE;
+}
+
+/* age(carts[0].position) <= 300 ms */
+static inline int32_t heard_verdict(const plain_robots_verdicts_view *v) {
+  /* age(carts[0].position) <= 300 ms */
+  if (v->age_of_carts_0_position.hi <= 300000) {
+    return PLAIN_ROBOTS_VERDICT_TRUE;
+  }
+  return v->age_of_carts_0_position.lo <= 300000 ? PLAIN_ROBOTS_VERDICT_UNKNOWN
+      : PLAIN_ROBOTS_VERDICT_FALSE;
+}
+
+static inline void plain_robots_verdicts_look_gate(plain_robots_verdicts_view *v,
+                                                   const plain_robots_monitors_in *in) {
+  const int32_t good_gate = sample_good(&in->gate_x, &v->s->last_gate_us, v->now_us);
+  const int32_t fresh_gate = good_gate;
+  v->gate_x = bounds_number(&in->gate_x, fresh_gate, -9000, 9000, 0);
+  v->gate_y = bounds_number(&in->gate_y, fresh_gate &&
+      in->gate_y.stamp_us == in->gate_x.stamp_us, -9000, 9000, 0);
+}
+
+static inline void plain_robots_verdicts_look_lead_position(plain_robots_verdicts_view *v,
+                                                            const plain_robots_monitors_in *in) {
+  const int32_t good_lead_position = sample_good(&in->lead_position_x, &v->s->last_lead_position_us, v->now_us);
+  const int32_t fresh_lead_position = good_lead_position && elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
+  v->lead_position_x = bounds_number(&in->lead_position_x, fresh_lead_position, -100000000,
+      100000000, 20);
+  v->lead_position_y = bounds_number(&in->lead_position_y, fresh_lead_position &&
+      in->lead_position_y.stamp_us == in->lead_position_x.stamp_us, -100000000, 100000000, 20);
+}
+
+static inline void plain_robots_verdicts_look_carts_0_position(plain_robots_verdicts_view *v,
+                                                               const plain_robots_monitors_in *in) {
+  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x, &v->s->last_carts_0_position_us, v->now_us);
+  const int32_t fresh_carts_0_position = good_carts_0_position && elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
+  v->carts_0_position_x = bounds_number(&in->carts_0_position_x, fresh_carts_0_position,
+      -100000000, 100000000, 20);
+  v->carts_0_position_y = bounds_number(&in->carts_0_position_y, fresh_carts_0_position &&
+      in->carts_0_position_y.stamp_us == in->carts_0_position_x.stamp_us, -100000000, 100000000,
+      20);
+  int32_t whole_carts_0_position = good_carts_0_position;
+  whole_carts_0_position = whole_carts_0_position && in->carts_0_position_y.valid != 0;
+  v->age_of_carts_0_position = bounds_age(&in->carts_0_position_x, whole_carts_0_position, v->now_us);
+}
+
+static inline void plain_robots_verdicts_look_carts_1_position(plain_robots_verdicts_view *v,
+                                                               const plain_robots_monitors_in *in) {
+  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x, &v->s->last_carts_1_position_us, v->now_us);
+  const int32_t fresh_carts_1_position = good_carts_1_position && elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
+  v->carts_1_position_x = bounds_number(&in->carts_1_position_x, fresh_carts_1_position,
+      -100000000, 100000000, 20);
+  v->carts_1_position_y = bounds_number(&in->carts_1_position_y, fresh_carts_1_position &&
+      in->carts_1_position_y.stamp_us == in->carts_1_position_x.stamp_us, -100000000, 100000000,
+      20);
+}
+
+static inline void plain_robots_verdicts_look_lead_battery(plain_robots_verdicts_view *v,
+                                                           const plain_robots_monitors_in *in) {
+  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us, v->now_us);
+  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us, v->now_us) <= 1000000;
+  v->lead_battery = bounds_number(&in->lead_battery, fresh_lead_battery, -10000, 1010000, 10000);
+}
+
+static inline void plain_robots_verdicts_look_carts_0_battery(plain_robots_verdicts_view *v,
+                                                              const plain_robots_monitors_in *in) {
+  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery, &v->s->last_carts_0_battery_us, v->now_us);
+  const int32_t fresh_carts_0_battery = good_carts_0_battery && elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
+  v->carts_0_battery = bounds_number(&in->carts_0_battery, fresh_carts_0_battery, -10000,
+      1010000, 10000);
+}
+
+static inline void plain_robots_verdicts_look_carts_1_battery(plain_robots_verdicts_view *v,
+                                                              const plain_robots_monitors_in *in) {
+  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery, &v->s->last_carts_1_battery_us, v->now_us);
+  const int32_t fresh_carts_1_battery = good_carts_1_battery && elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
+  v->carts_1_battery = bounds_number(&in->carts_1_battery, fresh_carts_1_battery, -10000,
+      1010000, 10000);
+}
+
+static inline void plain_robots_verdicts_look_lead_velocity(plain_robots_verdicts_view *v,
+                                                            const plain_robots_monitors_in *in) {
+  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x, &v->s->last_lead_velocity_us, v->now_us);
+  const int32_t fresh_lead_velocity = good_lead_velocity && elapsed_us(in->lead_velocity_x.stamp_us, v->now_us) <= 200000;
+  v->lead_velocity_x = bounds_number(&in->lead_velocity_x, fresh_lead_velocity, -1020, 1020, 20);
+  v->lead_velocity_y = bounds_number(&in->lead_velocity_y, fresh_lead_velocity &&
+      in->lead_velocity_y.stamp_us == in->lead_velocity_x.stamp_us, -1020, 1020, 20);
+}
+
+static inline void plain_robots_verdicts_look_carts_0_velocity(plain_robots_verdicts_view *v,
+                                                               const plain_robots_monitors_in *in) {
+  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x, &v->s->last_carts_0_velocity_us, v->now_us);
+  const int32_t fresh_carts_0_velocity = good_carts_0_velocity && elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
+  v->carts_0_velocity_x = bounds_number(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020,
+      1020, 20);
+  v->carts_0_velocity_y = bounds_number(&in->carts_0_velocity_y, fresh_carts_0_velocity &&
+      in->carts_0_velocity_y.stamp_us == in->carts_0_velocity_x.stamp_us, -1020, 1020, 20);
+}
+
+static inline void plain_robots_verdicts_look_carts_1_velocity(plain_robots_verdicts_view *v,
+                                                               const plain_robots_monitors_in *in) {
+  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x, &v->s->last_carts_1_velocity_us, v->now_us);
+  const int32_t fresh_carts_1_velocity = good_carts_1_velocity && elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
+  v->carts_1_velocity_x = bounds_number(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020,
+      1020, 20);
+  v->carts_1_velocity_y = bounds_number(&in->carts_1_velocity_y, fresh_carts_1_velocity &&
+      in->carts_1_velocity_y.stamp_us == in->carts_1_velocity_x.stamp_us, -1020, 1020, 20);
+}
+
+/* A tick that sees nothing: it was missed. */
+static void plain_robots_verdicts_blind(plain_robots_verdicts_view *v,
+                                        plain_robots_monitors_verdicts_state *s) {
+  v->s = s;
+  v->gate_x = bounds_nothing();
+  v->gate_y = bounds_nothing();
+  v->lead_position_x = bounds_nothing();
+  v->lead_position_y = bounds_nothing();
+  v->carts_0_position_x = bounds_nothing();
+  v->carts_0_position_y = bounds_nothing();
+  v->carts_1_position_x = bounds_nothing();
+  v->carts_1_position_y = bounds_nothing();
+  v->lead_battery = bounds_nothing();
+  v->carts_0_battery = bounds_nothing();
+  v->carts_1_battery = bounds_nothing();
+  v->lead_velocity_x = bounds_nothing();
+  v->lead_velocity_y = bounds_nothing();
+  v->carts_0_velocity_x = bounds_nothing();
+  v->carts_0_velocity_y = bounds_nothing();
+  v->carts_1_velocity_x = bounds_nothing();
+  v->carts_1_velocity_y = bounds_nothing();
+  v->age_of_carts_0_position = bounds_nothing();
+}
+
+/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
+static void plain_robots_verdicts_catch_up(plain_robots_monitors_verdicts_state *s,
+                                           int64_t missed) {
+  plain_robots_verdicts_view v;
+  int64_t k;
+  if (missed > 4) {
+    ticks_forget(&s->ticks, s->clock.tick);
+    return;
+  }
+  plain_robots_verdicts_blind(&v, s);
+  for (k = 0; k < missed; ++k) {
+    (void)calm_verdict(&v);
+    s->ticks.now += 1;
+  }
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t plain_robots_verdicts_resume(plain_robots_monitors_verdicts_state *s,
+                                            int64_t now_us) {
+  const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 100000);
+  if (elapsed > 1) {
+    plain_robots_verdicts_catch_up(s, elapsed - 1);
+  }
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t plain_robots_verdicts_begin(plain_robots_verdicts_view *v,
+                                                  plain_robots_monitors_verdicts_state *s,
+                                                  const plain_robots_monitors_in *in,
+                                                  int64_t now_us) {
+  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && plain_robots_verdicts_resume(s, now_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void plain_robots_monitors_verdicts_init(plain_robots_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  ticks_start(&s->ticks);
+  s->last_gate_us = INT64_MIN;
+  s->last_lead_position_us = INT64_MIN;
+  s->last_carts_0_position_us = INT64_MIN;
+  s->last_carts_1_position_us = INT64_MIN;
+  s->last_lead_battery_us = INT64_MIN;
+  s->last_carts_0_battery_us = INT64_MIN;
+  s->last_carts_1_battery_us = INT64_MIN;
+  s->last_lead_velocity_us = INT64_MIN;
+  s->last_carts_0_velocity_us = INT64_MIN;
+  s->last_carts_1_velocity_us = INT64_MIN;
+}
+
+void plain_robots_monitors_verdicts(plain_robots_monitors_verdicts_state *s,
                                     const plain_robots_monitors_in *in, int64_t now_us,
                                     int32_t verdicts[PLAIN_ROBOTS_MONITORS]) {
-  plain_robots_view v;
+  plain_robots_verdicts_view v;
   int32_t k;
-  if (plain_robots_begin(&v, s, in, now_us) == 0) {
+  if (plain_robots_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(PLAIN_ROBOTS_INPUT_CLOCK));
+      verdicts[k] = PLAIN_ROBOTS_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[PLAIN_ROBOTS_MONITORS_NEAR] = verdict_of(near_now(&v));
-  verdicts[PLAIN_ROBOTS_MONITORS_APART] = verdict_of(apart_now(&v));
-  verdicts[PLAIN_ROBOTS_MONITORS_ALIVE] = verdict_of(alive_now(&v));
-  verdicts[PLAIN_ROBOTS_MONITORS_CALM] = verdict_of(calm_now(&v));
-  verdicts[PLAIN_ROBOTS_MONITORS_HEARD] = verdict_of(heard_now(&v));
+  plain_robots_verdicts_look_gate(&v, in);
+  plain_robots_verdicts_look_lead_position(&v, in);
+  verdicts[PLAIN_ROBOTS_MONITORS_NEAR] = near_verdict(&v);
+  plain_robots_verdicts_look_carts_0_position(&v, in);
+  plain_robots_verdicts_look_carts_1_position(&v, in);
+  verdicts[PLAIN_ROBOTS_MONITORS_APART] = apart_verdict(&v);
+  plain_robots_verdicts_look_lead_battery(&v, in);
+  plain_robots_verdicts_look_carts_0_battery(&v, in);
+  plain_robots_verdicts_look_carts_1_battery(&v, in);
+  verdicts[PLAIN_ROBOTS_MONITORS_ALIVE] = alive_verdict(&v);
+  plain_robots_verdicts_look_lead_velocity(&v, in);
+  plain_robots_verdicts_look_carts_0_velocity(&v, in);
+  plain_robots_verdicts_look_carts_1_velocity(&v, in);
+  verdicts[PLAIN_ROBOTS_MONITORS_CALM] = calm_verdict(&v);
+  verdicts[PLAIN_ROBOTS_MONITORS_HEARD] = heard_verdict(&v);
   s->ticks.now += 1;
 }

@@ -76,6 +76,12 @@ typedef struct plain_robots_kept {
   int32_t reason, index, input, other;
 } plain_robots_kept;
 
+/* Latest ticks, up to the end of the window, at which the operand was true (must) and not false
+ * (may); -1: none. `at`: place in the ring of verdicts. */
+typedef struct plain_robots_sight {
+  int64_t must, may, at;
+} plain_robots_sight;
+
 /* A sliding window in two halves of a ring: `head` joins the half that is being filled, up to `at`,
  * `full` the half before it. `halves`: filled ones, at most 2; base: where the present one starts;
  * wait: place in the ring of what is not in the window yet. */
@@ -113,8 +119,8 @@ typedef struct plain_robots_monitors_in {
 /* Opaque; start with _init. What each monitor remembers, 552 bytes in all. */
 typedef struct plain_robots_monitors_state {
   plain_robots_clock clock;
+  int64_t until_us;
   plain_robots_ticks ticks;
-  int64_t judged_us;
   int64_t last_gate_us;
   int64_t last_lead_position_us;
   int64_t last_carts_0_position_us;
@@ -130,8 +136,27 @@ typedef struct plain_robots_monitors_state {
   plain_robots_kept historically_0_window[10];
 } plain_robots_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct plain_robots_monitors_verdicts_state {
+  plain_robots_clock clock;
+  int64_t until_us;
+  plain_robots_ticks ticks;
+  int64_t last_gate_us;
+  int64_t last_lead_position_us;
+  int64_t last_carts_0_position_us;
+  int64_t last_carts_1_position_us;
+  int64_t last_lead_battery_us;
+  int64_t last_carts_0_battery_us;
+  int64_t last_carts_1_battery_us;
+  int64_t last_lead_velocity_us;
+  int64_t last_carts_0_velocity_us;
+  int64_t last_carts_1_velocity_us;
+  /* calm */
+  plain_robots_sight historically_0;
+} plain_robots_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 m, 2: 1 %, 3: 1, 4: 1 m/s, 5: 1 s. input: the one that is missing. */
 typedef struct plain_robots_finding_of {
   int32_t verdict, reason, input, unit;
@@ -146,12 +171,15 @@ typedef struct plain_robots_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void plain_robots_monitors_init(plain_robots_monitors_state *s);
 void plain_robots_monitors_step(plain_robots_monitors_state *s, const plain_robots_monitors_in *in,
                                 int64_t now_us, plain_robots_monitors_out *out);
-void plain_robots_monitors_verdicts(plain_robots_monitors_state *s, const plain_robots_monitors_in *in,
-                                    int64_t now_us, int32_t verdicts[PLAIN_ROBOTS_MONITORS]);
+void plain_robots_monitors_verdicts_init(plain_robots_monitors_verdicts_state *s);
+void plain_robots_monitors_verdicts(plain_robots_monitors_verdicts_state *s,
+                                    const plain_robots_monitors_in *in, int64_t now_us,
+                                    int32_t verdicts[PLAIN_ROBOTS_MONITORS]);
 
 #ifdef __cplusplus
 }

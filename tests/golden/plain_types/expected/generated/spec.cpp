@@ -30,9 +30,11 @@ constexpr const char* input_names[] = {
 
 }  // namespace
 
-Monitors::Monitors() : state_(), in_(), findings_(), verdicts_() {
+Monitors::Monitors()
+    : state_(), verdicts_state_(), in_(), findings_(), verdicts_() {
   in_.gap = 200;
   test_stand_monitors_init(&state_);
+  test_stand_monitors_verdicts_init(&verdicts_state_);
 }
 
 Monitors& Monitors::gear(Gear value, rtac::TimeUs stamp_us) {
@@ -90,7 +92,7 @@ const std::array<rtac::Finding, Monitors::count>& Monitors::step(rtac::TimeUs no
 
 const std::array<rtac::Verdict, Monitors::count>& Monitors::verdicts(rtac::TimeUs now_us) {
   std::int32_t verdicts[count];
-  test_stand_monitors_verdicts(&state_, &in_, now_us, verdicts);
+  test_stand_monitors_verdicts(&verdicts_state_, &in_, now_us, verdicts);
   for (std::size_t k = 0; k < count; ++k) {
     verdicts_[k] = static_cast<rtac::Verdict>(verdicts[k]);
   }
@@ -98,9 +100,8 @@ const std::array<rtac::Verdict, Monitors::count>& Monitors::verdicts(rtac::TimeU
 }
 
 void Monitors::reset() {
-  const std::int64_t gap_before = state_.tightest_gap;
   test_stand_monitors_init(&state_);
-  state_.tightest_gap = gap_before;
+  test_stand_monitors_verdicts_init(&verdicts_state_);
 }
 
 const std::array<rtac::PlainMonitorInfo, Monitors::count>& Monitors::info() {

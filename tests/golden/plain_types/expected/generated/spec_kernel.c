@@ -16,14 +16,15 @@ static int64_t max_of(int64_t a, int64_t b) {
   return a > b ? a : b;
 }
 
-static int64_t magnitude(int64_t a) {
-  return a < 0 ? -a : a;
-}
-
 /* Time from `from` to a later `to`, at most INT64_MAX: stamps may be anything. */
 static int64_t elapsed_us(int64_t from, int64_t to) {
   const uint64_t us = (uint64_t)to - (uint64_t)from;
   return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
+}
+
+/* `us` after `time_us`, for us >= 0; the end of time is never passed. */
+static int64_t later(int64_t time_us, int64_t us) {
+  return time_us > INT64_MAX - us ? INT64_MAX : time_us + us;
 }
 
 /* The root of `top`, 2^14 to 2^16, times 2^8: a parabola that is within 0.6 % of it. */
@@ -89,6 +90,131 @@ static int64_t root_down(int64_t a) {
 static int64_t root_up(int64_t a) {
   const int64_t root = root_down(a);
   return root * root == a ? root : root + 1;
+}
+
+typedef struct ends {
+  int64_t lo, hi;
+} ends;
+
+static inline ends ends_of(int64_t lo, int64_t hi) {
+  ends e;
+  e.lo = lo;
+  e.hi = hi;
+  return e;
+}
+
+static inline ends ends_square(ends a) {
+  const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  const int64_t most = max_of(-a.lo, a.hi);
+  return ends_of(least * least, most * most);
+}
+
+/* a^2 + b^2. */
+static inline ends ends_squares(ends a, ends b) {
+  const ends x = ends_square(a);
+  const ends y = ends_square(b);
+  return ends_of(x.lo + y.lo, x.hi + y.hi);
+}
+
+/* What is below 0 within its error counts as 0. */
+static inline ends ends_root(ends a) {
+  return ends_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+
+static inline ends bounds_ends(bounds a) {
+  return ends_of(a.lo, a.hi);
+}
+
+static inline bounds bounds_within(ends a) {
+  return bounds_of(a.lo, a.hi);
+}
+
+/* In half steps, an open bound half a step inside: such bounds are in the order of what they bound. */
+static inline int64_t lower_half(bounds a) {
+  return 2 * a.lo + a.lo_open;
+}
+
+static inline int64_t upper_half(bounds a) {
+  return 2 * a.hi - a.hi_open;
+}
+
+static inline bounds bounds_between(int64_t lower, int64_t upper) {
+  bounds b = bounds_of((lower - (lower & 1)) / 2, (upper + (upper & 1)) / 2);
+  b.lo_open = lower % 2 != 0;
+  b.hi_open = upper % 2 != 0;
+  return b;
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  bounds sum = bounds_nothing();
+  if (bounds_known(a) && bounds_known(b)) {
+    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+
+static inline bounds bounds_negative(bounds a) {
+  bounds b = bounds_of(-a.hi, -a.lo);
+  b.lo_open = a.hi_open;
+  b.hi_open = a.lo_open;
+  return b;
+}
+
+static inline bounds bounds_squares(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)))
+             : bounds_nothing();
+}
+
+static inline bounds bounds_root(bounds a) {
+  return bounds_known(a) ? bounds_within(ends_root(bounds_ends(a))) : a;
+}
+
+static inline bounds bounds_greatest(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_between(max_of(lower_half(a), lower_half(b)),
+                              max_of(upper_half(a), upper_half(b)))
+             : bounds_nothing();
+}
+
+static inline int32_t bits_same(bounds a, bounds b) {
+  if (b.lo != b.hi) {
+    return BITS_UNKNOWN;
+  }
+  if (a.lo == b.lo && a.hi == b.lo) {
+    return BITS_TRUE;
+  }
+  return a.lo <= b.lo && b.lo <= a.hi ? BITS_UNKNOWN : BITS_FALSE;
 }
 
 typedef struct margin {
@@ -172,9 +298,10 @@ static int64_t upper_end(span a) {
 }
 
 static span span_between(int64_t lower, int64_t upper) {
-  span s = span_of(lower / 2 - (lower % 2 < 0), upper / 2 + (upper % 2 > 0));
-  s.lo_open = lower % 2 != 0;
-  s.hi_open = upper % 2 != 0;
+  const bounds b = bounds_between(lower, upper);
+  span s = span_of(b.lo, b.hi);
+  s.lo_open = b.lo_open;
+  s.hi_open = b.hi_open;
   return s;
 }
 
@@ -185,6 +312,10 @@ static span span_negate(span a) {
   s.lo_open = a.hi_open;
   s.hi_open = a.lo_open;
   return s;
+}
+
+static inline ends span_ends(span a) {
+  return ends_of(a.lo, a.hi);
 }
 
 /* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. Ticks are
@@ -214,25 +345,39 @@ static int64_t next_tick(test_stand_clock *clock, int64_t now_us, int64_t period
   return gap_us > longest_us && elapsed < 2 ? 2 : elapsed;
 }
 
-static void ticks_start(test_stand_ticks *t) {
-  t->now = 0;
-  t->known = 0;
-}
-
-/* What was before `tick`, which comes next, is unknown from now on. */
-static void ticks_forget(test_stand_ticks *t, int64_t tick) {
-  t->now = tick;
-  t->known = tick;
-}
-
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const test_stand_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(test_stand_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const test_stand_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
@@ -240,23 +385,71 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const test_stand_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const test_stand_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
+static inline int64_t age_known(const test_stand_signal *s, int32_t good, int64_t now_us) {
+  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+  return age_us > AGE_MAX_US ? -1 : age_us;
+}
+
+static inline bounds bounds_age(const test_stand_signal *s, int32_t good, int64_t now_us) {
+  const int64_t age_us = age_known(s, good, now_us);
+  return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
+}
+
+static inline span age_span(const test_stand_signal *s, int32_t good, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(s, good, now_us);
+  return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const test_stand_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
   seen.lo_open = s->lo < s->hi;
   seen.hi_open = s->lo < s->hi;
   return seen;
-}
-
-/* Time since the stamp of the newest sample; unknown when there is none, or beyond 35 years. */
-static span age_span(const test_stand_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
-  return age_us < 0 || age_us > AGE_MAX_US ? span_unknown(input) : span_of(age_us, age_us);
 }
 
 /* The tightest value of its range that a parameter was ever given; it tightens upwards when `up`. */
@@ -328,30 +521,8 @@ static span sum_of(span a, span b) {
   return sum;
 }
 
-static span product_of(span a, span b) {
-  int32_t known;
-  const span missing = quantity_missing(a, b, &known);
-  if (known == 0) {
-    return missing;
-  }
-  return span_of(min_of(min_of(a.lo * b.lo, a.lo * b.hi), min_of(a.hi * b.lo, a.hi * b.hi)),
-                 max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
-}
-
-static span absolute_of(span a) {
-  const int64_t lower = lower_end(a);
-  const int64_t upper = upper_end(a);
-  const int64_t one = magnitude(lower);
-  const int64_t two = magnitude(upper);
-  if (a.input != TEST_STAND_INPUT_NONE) {
-    return a;
-  }
-  return span_between(lower <= 0 && upper >= 0 ? 0 : min_of(one, two), max_of(one, two));
-}
-
-static span square_of(span a) {
-  const span size = absolute_of(a);
-  return product_of(size, size);
+static inline span span_within(ends a) {
+  return span_of(a.lo, a.hi);
 }
 
 static span greater_of(span a, span b) {
@@ -361,32 +532,24 @@ static span greater_of(span a, span b) {
                : missing;
 }
 
-/* Rounded outward. What is below 0 within its error counts as 0. */
-static span root_of(span a) {
-  return a.input != TEST_STAND_INPUT_NONE ? a : span_of(root_down(max_of(a.lo, 0)), root_up(max_of(a.hi, 0)));
+static inline span norm_of(span a, span b) {
+  int32_t known;
+  const span missing = quantity_missing(a, b, &known);
+  return known ? span_within(ends_root(ends_squares(span_ends(a), span_ends(b)))) : missing;
 }
 
-static span norm_of(span a, span b) {
-  return root_of(sum_of(square_of(a), square_of(b)));
-}
-
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static test_stand_finding_of finding_judged(margin m) {
+static inline test_stand_finding_of finding_judged(margin m) {
   test_stand_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = TEST_STAND_REASON_NONE;
   f.input = TEST_STAND_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == TEST_STAND_VERDICT_FALSE) {
@@ -402,6 +565,7 @@ static test_stand_finding_of finding_judged(margin m) {
 /* What a tick knows of its inputs. */
 typedef struct test_stand_view {
   test_stand_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   span gear;
   span wanted;
   span wheel_x;
@@ -467,74 +631,89 @@ static inline margin alive_now(const test_stand_view *v) {
   return at_least(v->charge, span_of(10000, 10000), 100, 0, 3);
 }
 
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void test_stand_look(test_stand_view *v, const test_stand_monitors_in *in,
-                                   int64_t now_us, int64_t since_us) {
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > since_us;
+static inline void test_stand_look_gear(test_stand_view *v, const test_stand_monitors_in *in) {
+  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
+  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
   v->gear = number_of(&in->gear, fresh_gear, 0, 2, 0, TEST_STAND_MONITORS_INPUT_GEAR);
-  const int32_t good_wanted = sample_good(&in->wanted, &v->s->last_wanted_us, now_us);
-  const int32_t fresh_wanted = good_wanted && in->wanted.stamp_us > since_us;
+}
+
+static inline void test_stand_look_wanted(test_stand_view *v, const test_stand_monitors_in *in) {
+  const int32_t good_wanted = sample_good(&in->wanted, &v->s->last_wanted_us, v->now_us);
+  const int32_t fresh_wanted = good_wanted && in->wanted.stamp_us > v->since_us;
   v->wanted = number_of(&in->wanted, fresh_wanted, 0, 2, 0, TEST_STAND_MONITORS_INPUT_WANTED);
-  const int32_t good_wheel = sample_good(&in->wheel_x, &v->s->last_wheel_us, now_us);
+}
+
+static inline void test_stand_look_wheel(test_stand_view *v, const test_stand_monitors_in *in) {
+  const int32_t good_wheel = sample_good(&in->wheel_x, &v->s->last_wheel_us, v->now_us);
   const int32_t fresh_wheel = good_wheel;
   v->wheel_x = number_of(&in->wheel_x, fresh_wheel, -536870912, 536870912, 0,
       TEST_STAND_MONITORS_INPUT_WHEEL);
-  v->wheel_y = number_of(&in->wheel_y,
-      fresh_wheel && in->wheel_y.stamp_us == in->wheel_x.stamp_us, -536870912, 536870912, 0,
+  v->wheel_y = number_of(&in->wheel_y, fresh_wheel &&
+      in->wheel_y.stamp_us == in->wheel_x.stamp_us, -536870912, 536870912, 0,
       TEST_STAND_MONITORS_INPUT_WHEEL);
-  const int32_t good_target = sample_good(&in->target_x, &v->s->last_target_us, now_us);
+}
+
+static inline void test_stand_look_target(test_stand_view *v, const test_stand_monitors_in *in) {
+  const int32_t good_target = sample_good(&in->target_x, &v->s->last_target_us, v->now_us);
   const int32_t fresh_target = good_target;
   v->target_x = number_of(&in->target_x, fresh_target, -536870912, 536870912, 0,
       TEST_STAND_MONITORS_INPUT_TARGET);
-  v->target_y = number_of(&in->target_y,
-      fresh_target && in->target_y.stamp_us == in->target_x.stamp_us, -536870912, 536870912, 0,
+  v->target_y = number_of(&in->target_y, fresh_target &&
+      in->target_y.stamp_us == in->target_x.stamp_us, -536870912, 536870912, 0,
       TEST_STAND_MONITORS_INPUT_TARGET);
-  const int32_t good_cells = sample_good(&in->cells_0, &v->s->last_cells_us, now_us);
-  const int32_t fresh_cells = good_cells && in->cells_0.stamp_us > since_us;
+}
+
+static inline void test_stand_look_cells(test_stand_view *v, const test_stand_monitors_in *in) {
+  const int32_t good_cells = sample_good(&in->cells_0, &v->s->last_cells_us, v->now_us);
+  const int32_t fresh_cells = good_cells && in->cells_0.stamp_us > v->since_us;
   v->cells_0 = number_of(&in->cells_0, fresh_cells, 250000, 350000, 0,
       TEST_STAND_MONITORS_INPUT_CELLS);
-  v->cells_1 = number_of(&in->cells_1,
-      fresh_cells && in->cells_1.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0,
+  v->cells_1 = number_of(&in->cells_1, fresh_cells &&
+      in->cells_1.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0,
       TEST_STAND_MONITORS_INPUT_CELLS);
-  v->cells_2 = number_of(&in->cells_2,
-      fresh_cells && in->cells_2.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0,
+  v->cells_2 = number_of(&in->cells_2, fresh_cells &&
+      in->cells_2.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0,
       TEST_STAND_MONITORS_INPUT_CELLS);
-  const int32_t good_errors = sample_good(&in->errors, &v->s->last_errors_us, now_us);
-  const int32_t fresh_errors = good_errors && in->errors.stamp_us > since_us;
+}
+
+static inline void test_stand_look_errors(test_stand_view *v, const test_stand_monitors_in *in) {
+  const int32_t good_errors = sample_good(&in->errors, &v->s->last_errors_us, v->now_us);
+  const int32_t fresh_errors = good_errors && in->errors.stamp_us > v->since_us;
   v->errors = number_of(&in->errors, fresh_errors, 0, 100, 0, TEST_STAND_MONITORS_INPUT_ERRORS);
-  const int32_t good_charge = sample_good(&in->charge, &v->s->last_charge_us, now_us);
-  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us, now_us) <= 1000000;
+}
+
+static inline void test_stand_look_charge(test_stand_view *v, const test_stand_monitors_in *in) {
+  const int32_t good_charge = sample_good(&in->charge, &v->s->last_charge_us, v->now_us);
+  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us, v->now_us) <= 1000000;
   v->charge = number_of(&in->charge, fresh_charge, 0, 1000000, 0,
       TEST_STAND_MONITORS_INPUT_CHARGE);
-  v->age_of_charge = age_span(&in->charge, good_charge, now_us, TEST_STAND_MONITORS_INPUT_CHARGE);
-  v->s->tightest_gap = tighter(v->s->tightest_gap, in->gap, 100, 500, 1);
+  v->age_of_charge = age_span(&in->charge, good_charge, v->now_us, TEST_STAND_MONITORS_INPUT_CHARGE);
 }
 
-/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
-static void test_stand_catch_up(test_stand_monitors_state *s, int64_t missed) {
-  if (missed > 4) {
-    ticks_forget(&s->ticks, s->clock.tick);
-    return;
-  }
-  s->ticks.now += missed;
-}
-
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t test_stand_begin(test_stand_view *v, test_stand_monitors_state *s,
-                                       const test_stand_monitors_in *in, int64_t now_us) {
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t test_stand_resume(test_stand_monitors_state *s, int64_t now_us, int64_t *since_us) {
   const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
-  if (elapsed > 1) {
-    test_stand_catch_up(s, elapsed - 1);
+  s->until_us = tick_until(&s->clock, 20000);
+  *since_us = first || elapsed > 1 ? before(now_us, 20000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t test_stand_begin(test_stand_view *v, test_stand_monitors_state *s,
+                                       const test_stand_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 20000) == 0 && test_stand_resume(s, now_us, &since_us) == 0) {
+    return 0;
   }
   v->s = s;
-  test_stand_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 20000) : before_us);
+  v->now_us = now_us;
+  v->since_us = since_us;
   s->judged_us = now_us;
+  v->s->tightest_gap = tighter(v->s->tightest_gap, in->gap, 100, 500, 1);
   return 1;
 }
 
@@ -543,8 +722,8 @@ void test_stand_monitors_init(test_stand_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
+  s->until_us = INT64_MAX;
   s->judged_us = 0;
-  ticks_start(&s->ticks);
   s->last_gear_us = INT64_MIN;
   s->last_wanted_us = INT64_MIN;
   s->last_wheel_us = INT64_MIN;
@@ -567,30 +746,238 @@ void test_stand_monitors_step(test_stand_monitors_state *s, const test_stand_mon
     return;
   }
   out->tick = s->clock.tick;
+  test_stand_look_wheel(&v, in);
+  test_stand_look_target(&v, in);
   out->monitors[TEST_STAND_MONITORS_APART] = finding_judged(apart_now(&v));
+  test_stand_look_gear(&v, in);
+  test_stand_look_wanted(&v, in);
   out->monitors[TEST_STAND_MONITORS_SHIFTED] = finding_judged(shifted_now(&v));
+  test_stand_look_cells(&v, in);
   out->monitors[TEST_STAND_MONITORS_COOL] = finding_judged(cool_now(&v));
+  test_stand_look_charge(&v, in);
   out->monitors[TEST_STAND_MONITORS_FED] = finding_judged(fed_now(&v));
+  test_stand_look_errors(&v, in);
   out->monitors[TEST_STAND_MONITORS_CLEAN] = finding_judged(clean_now(&v));
   out->monitors[TEST_STAND_MONITORS_ALIVE] = finding_judged(alive_now(&v));
-  s->ticks.now += 1;
 }
 
-void test_stand_monitors_verdicts(test_stand_monitors_state *s, const test_stand_monitors_in *in,
-                                  int64_t now_us, int32_t verdicts[TEST_STAND_MONITORS]) {
-  test_stand_view v;
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct test_stand_verdicts_view {
+  test_stand_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  bounds gear;
+  bounds wanted;
+  bounds wheel_x;
+  bounds wheel_y;
+  bounds target_x;
+  bounds target_y;
+  bounds cells_0;
+  bounds cells_1;
+  bounds cells_2;
+  bounds errors;
+  bounds charge;
+  bounds age_of_charge; /* us */
+} test_stand_verdicts_view;
+
+/* distance(wheel, target) >= gap */
+static inline int32_t apart_verdict(const test_stand_verdicts_view *v) {
+  /* target */
+  const bounds v2 = bounds_negative(v->target_x);
+  /* distance(wheel, target) */
+  const bounds v3 = bounds_sum(v->wheel_x, v2);
+  /* target */
+  const bounds v6 = bounds_negative(v->target_y);
+  /* distance(wheel, target) */
+  const bounds v7 = bounds_sum(v->wheel_y, v6);
+  const bounds v8 = bounds_root(bounds_squares(v3, v7));
+  /* distance(wheel, target) >= gap */
+  if (v8.lo >= v->s->tightest_gap) {
+    return TEST_STAND_VERDICT_TRUE;
+  }
+  return v8.hi >= v->s->tightest_gap ? TEST_STAND_VERDICT_UNKNOWN : TEST_STAND_VERDICT_FALSE;
+}
+
+/* gear == wanted or gear == park */
+static inline int32_t shifted_verdict(const test_stand_verdicts_view *v) {
+  /* gear == wanted */
+  const int32_t v0 = bits_same(v->gear, v->wanted);
+  /* gear == wanted or gear == park */
+  if ((v0 & 1) != 0 || (v->gear.lo == 0 && v->gear.hi == 0)) {
+    return TEST_STAND_VERDICT_TRUE;
+  }
+  return ((v0 & 2) != 0 || (v->gear.lo <= 0 && v->gear.hi >= 0)) ? TEST_STAND_VERDICT_UNKNOWN
+      : TEST_STAND_VERDICT_FALSE;
+}
+
+/* max(cells[0], cells[1], cells[2]) <= 330 K */
+static inline int32_t cool_verdict(const test_stand_verdicts_view *v) {
+  /* max(cells[0], cells[1], cells[2]) */
+  const bounds v2 = bounds_greatest(v->cells_0, v->cells_1);
+  const bounds v4 = bounds_greatest(v2, v->cells_2);
+  /* max(cells[0], cells[1], cells[2]) <= 330 K */
+  if (v4.hi <= 330000) {
+    return TEST_STAND_VERDICT_TRUE;
+  }
+  return v4.lo + v4.lo_open <= 330000 ? TEST_STAND_VERDICT_UNKNOWN : TEST_STAND_VERDICT_FALSE;
+}
+
+/* charge >= 20 % and age(charge) <= 500 ms */
+static inline int32_t fed_verdict(const test_stand_verdicts_view *v) {
+  /* charge >= 20 % and age(charge) <= 500 ms */
+  if (v->charge.lo >= 200000 && v->age_of_charge.hi <= 500000) {
+    return TEST_STAND_VERDICT_TRUE;
+  }
+  return (v->charge.hi - v->charge.hi_open >= 200000 && v->age_of_charge.lo <= 500000)
+      ? TEST_STAND_VERDICT_UNKNOWN : TEST_STAND_VERDICT_FALSE;
+}
+
+/* errors <= 3 */
+static inline int32_t clean_verdict(const test_stand_verdicts_view *v) {
+  /* errors <= 3 */
+  if (v->errors.hi <= 3) {
+    return TEST_STAND_VERDICT_TRUE;
+  }
+  return v->errors.lo + v->errors.lo_open <= 3 ? TEST_STAND_VERDICT_UNKNOWN
+      : TEST_STAND_VERDICT_FALSE;
+}
+
+/* charge >= 1 % */
+static inline int32_t alive_verdict(const test_stand_verdicts_view *v) {
+  /* charge >= 1 % */
+  if (v->charge.lo >= 10000) {
+    return TEST_STAND_VERDICT_TRUE;
+  }
+  return v->charge.hi - v->charge.hi_open >= 10000 ? TEST_STAND_VERDICT_UNKNOWN
+      : TEST_STAND_VERDICT_FALSE;
+}
+
+static inline void test_stand_verdicts_look_gear(test_stand_verdicts_view *v,
+                                                 const test_stand_monitors_in *in) {
+  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
+  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  v->gear = bounds_number(&in->gear, fresh_gear, 0, 2, 0);
+}
+
+static inline void test_stand_verdicts_look_wanted(test_stand_verdicts_view *v,
+                                                   const test_stand_monitors_in *in) {
+  const int32_t good_wanted = sample_good(&in->wanted, &v->s->last_wanted_us, v->now_us);
+  const int32_t fresh_wanted = good_wanted && in->wanted.stamp_us > v->since_us;
+  v->wanted = bounds_number(&in->wanted, fresh_wanted, 0, 2, 0);
+}
+
+static inline void test_stand_verdicts_look_wheel(test_stand_verdicts_view *v,
+                                                  const test_stand_monitors_in *in) {
+  const int32_t good_wheel = sample_good(&in->wheel_x, &v->s->last_wheel_us, v->now_us);
+  const int32_t fresh_wheel = good_wheel;
+  v->wheel_x = bounds_number(&in->wheel_x, fresh_wheel, -536870912, 536870912, 0);
+  v->wheel_y = bounds_number(&in->wheel_y, fresh_wheel &&
+      in->wheel_y.stamp_us == in->wheel_x.stamp_us, -536870912, 536870912, 0);
+}
+
+static inline void test_stand_verdicts_look_target(test_stand_verdicts_view *v,
+                                                   const test_stand_monitors_in *in) {
+  const int32_t good_target = sample_good(&in->target_x, &v->s->last_target_us, v->now_us);
+  const int32_t fresh_target = good_target;
+  v->target_x = bounds_number(&in->target_x, fresh_target, -536870912, 536870912, 0);
+  v->target_y = bounds_number(&in->target_y, fresh_target &&
+      in->target_y.stamp_us == in->target_x.stamp_us, -536870912, 536870912, 0);
+}
+
+static inline void test_stand_verdicts_look_cells(test_stand_verdicts_view *v,
+                                                  const test_stand_monitors_in *in) {
+  const int32_t good_cells = sample_good(&in->cells_0, &v->s->last_cells_us, v->now_us);
+  const int32_t fresh_cells = good_cells && in->cells_0.stamp_us > v->since_us;
+  v->cells_0 = bounds_number(&in->cells_0, fresh_cells, 250000, 350000, 0);
+  v->cells_1 = bounds_number(&in->cells_1, fresh_cells &&
+      in->cells_1.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
+  v->cells_2 = bounds_number(&in->cells_2, fresh_cells &&
+      in->cells_2.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
+}
+
+static inline void test_stand_verdicts_look_errors(test_stand_verdicts_view *v,
+                                                   const test_stand_monitors_in *in) {
+  const int32_t good_errors = sample_good(&in->errors, &v->s->last_errors_us, v->now_us);
+  const int32_t fresh_errors = good_errors && in->errors.stamp_us > v->since_us;
+  v->errors = bounds_number(&in->errors, fresh_errors, 0, 100, 0);
+}
+
+static inline void test_stand_verdicts_look_charge(test_stand_verdicts_view *v,
+                                                   const test_stand_monitors_in *in) {
+  const int32_t good_charge = sample_good(&in->charge, &v->s->last_charge_us, v->now_us);
+  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us, v->now_us) <= 1000000;
+  v->charge = bounds_number(&in->charge, fresh_charge, 0, 1000000, 0);
+  v->age_of_charge = bounds_age(&in->charge, good_charge, v->now_us);
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t test_stand_verdicts_resume(test_stand_monitors_verdicts_state *s, int64_t now_us,
+                                          int64_t *since_us) {
+  const int32_t first = s->clock.started == 0;
+  const int64_t elapsed = next_tick(&s->clock, now_us, 20000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 20000);
+  *since_us = first || elapsed > 1 ? before(now_us, 20000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t test_stand_verdicts_begin(test_stand_verdicts_view *v,
+                                                test_stand_monitors_verdicts_state *s,
+                                                const test_stand_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 20000) == 0 && test_stand_verdicts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  v->since_us = since_us;
+  s->judged_us = now_us;
+  v->s->tightest_gap = tighter(v->s->tightest_gap, in->gap, 100, 500, 1);
+  return 1;
+}
+
+void test_stand_monitors_verdicts_init(test_stand_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->judged_us = 0;
+  s->last_gear_us = INT64_MIN;
+  s->last_wanted_us = INT64_MIN;
+  s->last_wheel_us = INT64_MIN;
+  s->last_target_us = INT64_MIN;
+  s->last_cells_us = INT64_MIN;
+  s->last_errors_us = INT64_MIN;
+  s->last_charge_us = INT64_MIN;
+  s->tightest_gap = 200;
+}
+
+void test_stand_monitors_verdicts(test_stand_monitors_verdicts_state *s,
+                                  const test_stand_monitors_in *in, int64_t now_us,
+                                  int32_t verdicts[TEST_STAND_MONITORS]) {
+  test_stand_verdicts_view v;
   int32_t k;
-  if (test_stand_begin(&v, s, in, now_us) == 0) {
+  if (test_stand_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < TEST_STAND_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(TEST_STAND_INPUT_CLOCK));
+      verdicts[k] = TEST_STAND_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[TEST_STAND_MONITORS_APART] = verdict_of(apart_now(&v));
-  verdicts[TEST_STAND_MONITORS_SHIFTED] = verdict_of(shifted_now(&v));
-  verdicts[TEST_STAND_MONITORS_COOL] = verdict_of(cool_now(&v));
-  verdicts[TEST_STAND_MONITORS_FED] = verdict_of(fed_now(&v));
-  verdicts[TEST_STAND_MONITORS_CLEAN] = verdict_of(clean_now(&v));
-  verdicts[TEST_STAND_MONITORS_ALIVE] = verdict_of(alive_now(&v));
-  s->ticks.now += 1;
+  test_stand_verdicts_look_wheel(&v, in);
+  test_stand_verdicts_look_target(&v, in);
+  verdicts[TEST_STAND_MONITORS_APART] = apart_verdict(&v);
+  test_stand_verdicts_look_gear(&v, in);
+  test_stand_verdicts_look_wanted(&v, in);
+  verdicts[TEST_STAND_MONITORS_SHIFTED] = shifted_verdict(&v);
+  test_stand_verdicts_look_cells(&v, in);
+  verdicts[TEST_STAND_MONITORS_COOL] = cool_verdict(&v);
+  test_stand_verdicts_look_charge(&v, in);
+  verdicts[TEST_STAND_MONITORS_FED] = fed_verdict(&v);
+  test_stand_verdicts_look_errors(&v, in);
+  verdicts[TEST_STAND_MONITORS_CLEAN] = clean_verdict(&v);
+  verdicts[TEST_STAND_MONITORS_ALIVE] = alive_verdict(&v);
 }

@@ -88,10 +88,10 @@ typedef struct test_stand_monitors_in {
   int64_t gap; /* parameter in steps of 1/1000 m by 1/2, 100 to 500, at first 200, only ever grows */
 } test_stand_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 120 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 112 bytes in all. */
 typedef struct test_stand_monitors_state {
   test_stand_clock clock;
-  test_stand_ticks ticks;
+  int64_t until_us;
   int64_t judged_us;
   int64_t last_gear_us;
   int64_t last_wanted_us;
@@ -103,8 +103,23 @@ typedef struct test_stand_monitors_state {
   int64_t tightest_gap;
 } test_stand_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct test_stand_monitors_verdicts_state {
+  test_stand_clock clock;
+  int64_t until_us;
+  int64_t judged_us;
+  int64_t last_gear_us;
+  int64_t last_wanted_us;
+  int64_t last_wheel_us;
+  int64_t last_target_us;
+  int64_t last_cells_us;
+  int64_t last_errors_us;
+  int64_t last_charge_us;
+  int64_t tightest_gap;
+} test_stand_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 0.5 m, 2: 1 K, 3: 1 %, 4: 1 s, 5: 1. input: the one that is missing. */
 typedef struct test_stand_finding_of {
   int32_t verdict, reason, input, unit;
@@ -119,12 +134,15 @@ typedef struct test_stand_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void test_stand_monitors_init(test_stand_monitors_state *s);
 void test_stand_monitors_step(test_stand_monitors_state *s, const test_stand_monitors_in *in,
                               int64_t now_us, test_stand_monitors_out *out);
-void test_stand_monitors_verdicts(test_stand_monitors_state *s, const test_stand_monitors_in *in,
-                                  int64_t now_us, int32_t verdicts[TEST_STAND_MONITORS]);
+void test_stand_monitors_verdicts_init(test_stand_monitors_verdicts_state *s);
+void test_stand_monitors_verdicts(test_stand_monitors_verdicts_state *s,
+                                  const test_stand_monitors_in *in, int64_t now_us,
+                                  int32_t verdicts[TEST_STAND_MONITORS]);
 
 #ifdef __cplusplus
 }

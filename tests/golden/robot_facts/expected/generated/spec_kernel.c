@@ -120,6 +120,52 @@ static int64_t root_up(int64_t a) {
   return root * root == a ? root : root + 1;
 }
 
+typedef struct ends {
+  int64_t lo, hi;
+} ends;
+
+static inline ends ends_of(int64_t lo, int64_t hi) {
+  ends e;
+  e.lo = lo;
+  e.hi = hi;
+  return e;
+}
+
+/* a * num / den, den > 0. */
+static inline ends ends_scaled(ends a, int64_t num, int64_t den) {
+  const int64_t p = min_of(a.lo * num, a.hi * num);
+  const int64_t q = max_of(a.lo * num, a.hi * num);
+  return ends_of(p / den - (p % den < 0 ? 1 : 0), q / den + (q % den > 0 ? 1 : 0));
+}
+
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
@@ -218,15 +264,17 @@ static span span_unknown(int32_t input) {
   return s;
 }
 
-/* a * num / den with outward rounding, den > 0. An unknown stays what it is: its ends are no
- * measurements, and need not fit the product. */
+static inline ends span_ends(span a) {
+  return ends_of(a.lo, a.hi);
+}
+
+/* An unknown stays what it is: its ends are no measurements, and need not fit the product. */
 static span span_scale(span a, int64_t num, int64_t den) {
   span s = a;
   if (a.input == FACTS_INPUT_NONE) {
-    const int64_t p = min_of(a.lo * num, a.hi * num);
-    const int64_t q = max_of(a.lo * num, a.hi * num);
-    s.lo = p / den - (p % den < 0 ? 1 : 0);
-    s.hi = q / den + (q % den > 0 ? 1 : 0);
+    const ends scaled = ends_scaled(span_ends(a), num, den);
+    s.lo = scaled.lo;
+    s.hi = scaled.hi;
     s.lo_open = num > 0 ? a.lo_open : 0;
     s.hi_open = num > 0 ? a.hi_open : 0;
   }
@@ -959,17 +1007,26 @@ static margin margin_bits(int32_t bits, margin x, const facts_kept *why) {
   return m;
 }
 
-static void witness_start(facts_witness *s) {
+/* Keeps the latest operand that was unknown. */
+static void why_known(facts_kept *why, margin x, const facts_ticks *t) {
+  if (t->now == t->known) {
+    *why = kept_of(margin_unknown(FACTS_INPUT_CLOCK));
+  }
+  if (bits_of(x) == 2) {
+    *why = kept_of(x);
+  }
+}
+
+static void sight_start(facts_sight *s) {
   s->must = -1;
   s->may = -1;
   s->at = 0;
-  s->why = kept_of(margin_unknown(FACTS_INPUT_CLOCK));
 }
 
 /* Brings the witness up to the end of the window, and returns the latest tick at which the operand
  * may have been true. Only the latest matters: it is the last one to leave the window. */
-static int64_t witness_look(int32_t bits, facts_witness *s, uint8_t *ring, int64_t from,
-                            const facts_ticks *t) {
+static int64_t sight_look(int32_t bits, facts_sight *s, uint8_t *ring, int64_t from,
+                          const facts_ticks *t) {
   const int64_t end = t->now - from;
   const int32_t then = bits_delay(bits, ring, from, &s->at);
   if (end >= t->known) {
@@ -979,23 +1036,21 @@ static int64_t witness_look(int32_t bits, facts_witness *s, uint8_t *ring, int64
   return max_of(s->may, min_of(t->known - 1, end));
 }
 
-static int32_t once_bits(int32_t bits, margin x, facts_witness *s, uint8_t *ring, int64_t from,
-                         int64_t to, const facts_ticks *t) {
+static inline int32_t once_within(int32_t x, facts_sight *s, uint8_t *ring, int64_t from,
+                                  int64_t to, const facts_ticks *t) {
   const int64_t start = window_start(t, to);
   int64_t may;
   if (t->now == t->known) {
-    witness_start(s);
+    sight_start(s);
   }
-  if (bits_of(x) == 2) {
-    s->why = kept_of(x);
-  }
-  may = witness_look(bits, s, ring, from, t);
+  may = sight_look(x, s, ring, from, t);
   return (s->must >= start ? 1 : 0) + (may >= start ? 2 : 0);
 }
 
 static inline margin once_verdict(margin x, facts_witness *s, uint8_t *ring, int64_t from,
                                   int64_t to, const facts_ticks *t) {
-  return margin_bits(once_bits(bits_of(x), x, s, ring, from, to, t), x, &s->why);
+  why_known(&s->why, x, t);
+  return margin_bits(once_within(bits_of(x), &s->sight, ring, from, to, t), x, &s->why);
 }
 
 /* Joins the latest `ticks` entries, with `x` the newest one. The window covers what is filled of
@@ -1078,42 +1133,38 @@ static margin historically_margin(margin x, facts_slide *s, facts_kept *ring,
                                  t));
 }
 
-/* With h the margin of `hold` and m that of x, the margin is the greatest over j in [i - b, i - a]
- * of min(m(j), least h over (j, i]). Splitting (j, i] at c = i - a makes that the smaller one of
- * the least h over (c, i], which is `kept`, and of S(c), the same without a delay.
- * And S(c) = min(U, M), with U over all j up to c and M the greatest m over [c - (b - a), c].
- * It is not more: each j of the window counts in both. It is not less: let U be reached at j.
- * If j is in the window, S(c) >= U. If it is earlier, let M be reached at k > j: the least h over
- * (k, c] is no less than that over (j, c], as there are fewer ticks, so S(c) >= min(M, U).
- * Both ends of a margin are such numbers. */
-static margin since_margin(margin hold, margin x, facts_chain *s, facts_kept *holds,
-                           facts_kept *witnesses, facts_kept *delay, int64_t from, int64_t to,
-                           const facts_ticks *t) {
-  const facts_kept forgotten = kept_of(margin_unknown(FACTS_INPUT_CLOCK));
-  const facts_kept never = kept_of(margin_false());
-  facts_kept m = kept_of(x);
-  facts_kept kept = kept_of(hold);
-  if (t->now == t->known) {
-    s->at = 0;
-    s->ever = t->known > 0 ? forgotten : never;
+static facts_kept kept_false(void) {
+  return kept_of(margin_false());
+}
+
+static facts_kept kept_forgotten(void) {
+  return kept_of(margin_unknown(FACTS_INPUT_CLOCK));
+}
+
+static inline margin since_margin_ever(margin hold, margin x, facts_kept *so_far) {
+  *so_far = kept_join(kept_join(*so_far, kept_of(hold), 0), kept_of(x), 1);
+  return margin_kept(*so_far);
+}
+
+/* For what works on spans. */
+static span span_bounds(bounds a) {
+  span s = span_unknown(FACTS_INPUT_CLOCK);
+  if (bounds_known(a)) {
+    s = span_of(a.lo, a.hi);
+    s.lo_open = a.lo_open;
+    s.hi_open = a.hi_open;
   }
-  s->ever = kept_join(kept_join(s->ever, kept, 0), m, 1);
-  if (to >= 0) {
-    m = window_join(m, never, forgotten, &s->witness, witnesses, 0, 0, to - from, 1, t);
-    m = kept_join(m, s->ever, 0);
-  } else {
-    m = s->ever;
+  return s;
+}
+
+static bounds bounds_span(span a) {
+  bounds b = bounds_nothing();
+  if (a.input == FACTS_INPUT_NONE) {
+    b = bounds_of(a.lo, a.hi);
+    b.lo_open = a.lo_open;
+    b.hi_open = a.hi_open;
   }
-  if (from == 0) {
-    return margin_kept(m);
-  }
-  kept = window_join(kept, kept_of(margin_true()), forgotten, &s->hold, holds, 0, 0, from - 1, 0,
-                     t);
-  m = kept_delay(m, delay, from, &s->at);
-  if (t->now - from < t->known) {
-    m = t->now < from ? never : forgotten;
-  }
-  return margin_kept(kept_join(m, kept, 0));
+  return b;
 }
 
 /* An unknown quantity lies in its declared range. */
@@ -1184,11 +1235,36 @@ static span mean_over(span x, span none, facts_total *s, facts_pair *ring, int64
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const facts_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
+}
+
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(facts_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
+}
+
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const facts_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
 /* `us` before `time_us`, for us >= 0; the start of time is never passed. */
@@ -1196,11 +1272,61 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const facts_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const facts_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+static inline int32_t bits_truth(const facts_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const facts_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -1209,16 +1335,12 @@ static span number_of(const facts_signal *s, int32_t fresh, int64_t least, int64
   return seen;
 }
 
-static margin truth_of(const facts_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+static inline margin truth_of(const facts_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 
 /* The tightest value of its range that a parameter was ever given; it tightens upwards when `up`. */
@@ -1266,23 +1388,18 @@ static margin is_value(span a, int64_t value) {
   return a.lo == value && a.hi == value ? margin_true() : margin_false();
 }
 
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static facts_finding_of finding_judged(margin m) {
+static inline facts_finding_of finding_judged(margin m) {
   facts_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = FACTS_REASON_NONE;
   f.input = FACTS_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == FACTS_VERDICT_FALSE) {
@@ -1358,6 +1475,7 @@ static const int64_t fly_horizons_us[] = {70000};
 /* What a tick knows of its inputs. */
 typedef struct fly_facts_view {
   facts_fly_facts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   margin permit;
   span gear;
   span heat;
@@ -1371,19 +1489,22 @@ static void fly_facts_blind(fly_facts_view *v, facts_fly_facts_state *s) {
   v->heat = span_unknown(FACTS_INPUT_CLOCK);
 }
 
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void fly_facts_look(fly_facts_view *v, const facts_fly_facts_in *in,
-                                  int64_t now_us, int64_t since_us) {
-  const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, now_us);
-  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us, now_us) <= 100000;
+static inline void fly_facts_look_permit(fly_facts_view *v, const facts_fly_facts_in *in) {
+  const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
+  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us, v->now_us) <= 100000;
   v->permit = truth_of(&in->permit, fresh_permit, 8);
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > since_us;
+}
+
+static inline void fly_facts_look_gear(fly_facts_view *v, const facts_fly_facts_in *in) {
+  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
+  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
   v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, 9);
-  const int32_t good_heat = sample_good(&in->heat, &v->s->last_heat_us, now_us);
-  const int32_t fresh_heat = good_heat && in->heat.stamp_us > since_us;
+}
+
+static inline void fly_facts_look_heat(fly_facts_view *v, const facts_fly_facts_in *in) {
+  const int32_t good_heat = sample_good(&in->heat, &v->s->last_heat_us, v->now_us);
+  const int32_t fresh_heat = good_heat && in->heat.stamp_us > v->since_us;
   v->heat = number_of(&in->heat, fresh_heat, 250000, 400000, 1000, 10);
-  v->s->tightest_h = tighter(v->s->tightest_h, in->h, 100, 500, 1);
 }
 
 /* What a tick knows, seen with one horizon and the motion of one driver. */
@@ -1441,7 +1562,7 @@ static margin fly_fact_2(const fly_view *v) {
   const span v1 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   /* clearance(d, room) < 20 cm */
   const margin v3 = at_least(span_of(200, 200), v1, 1000, 1, 1);
-  return since_margin(v0, v3, &v->facts.s->since_3, 0, 0, 0, 0, -1, &v->facts.s->ticks);
+  return since_margin_ever(v0, v3, &v->facts.s->since_3);
 }
 
 /* fact[3], seen_fact_1: once[0 s, 100 ms] age(d.position) <= 50 ms */
@@ -1461,6 +1582,7 @@ static void fly_facts_catch_up(const fly_view *v, int64_t missed) {
   int64_t k;
   if (missed > 4) {
     ticks_forget(&s->ticks, s->ticks.now + missed);
+    s->since_3 = kept_forgotten();
     return;
   }
   blind.age_of_position = span_unknown(FACTS_INPUT_CLOCK);
@@ -1490,9 +1612,13 @@ static void fly_facts_judge(fly_view *v, facts_fly_state *s, int32_t first, int6
     fly_facts_catch_up(v, elapsed - 1);
   }
   if (elapsed > 0) {
-    fly_facts_look(&v->facts, &v->in->facts, v->now_us,
-        first || elapsed > 1 ? before(v->now_us, 50000) : s->facts.judged_us);
+    v->facts.now_us = v->now_us;
+    v->facts.since_us = first || elapsed > 1 ? before(v->now_us, 50000) : s->facts.judged_us;
     s->facts.judged_us = v->now_us;
+    s->facts.tightest_h = tighter(s->facts.tightest_h, v->in->facts.h, 100, 500, 1);
+    fly_facts_look_permit(&v->facts, &v->in->facts);
+    fly_facts_look_gear(&v->facts, &v->in->facts);
+    fly_facts_look_heat(&v->facts, &v->in->facts);
     found = fly_fact_0(v);
     s->facts.found[0] = kept_of(found);
     v->fact[0] = fact_margin(found);
@@ -1605,12 +1731,13 @@ void facts_fly_init(facts_fly_state *s) {
     s->last_other_velocity_us[k] = INT64_MIN;
     s->last_other_lease_us[k] = INT64_MIN;
   }
-  ticks_start(&s->facts.ticks);
   s->facts.judged_us = 0;
+  ticks_start(&s->facts.ticks);
   s->facts.last_permit_us = INT64_MIN;
   s->facts.last_gear_us = INT64_MIN;
   s->facts.last_heat_us = INT64_MIN;
   s->facts.tightest_h = 100;
+  s->facts.since_3 = kept_false();
 }
 
 /* Estimates from the inputs; a stamp or a clock that goes backwards is a fault. */
@@ -1746,6 +1873,7 @@ void facts_fly_step(facts_fly_state *s, const facts_fly_in *in, int64_t now_us,
 /* What a tick knows of its inputs. */
 typedef struct facts_view {
   facts_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   margin permit;
   span gear;
   span heat;
@@ -1768,26 +1896,30 @@ static inline margin twin_now(const facts_view *v) {
   return both(v1, v7);
 }
 
+static inline void facts_look_permit(facts_view *v, const facts_monitors_in *in) {
+  const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
+  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us, v->now_us) <= 100000;
+  v->permit = truth_of(&in->permit, fresh_permit, FACTS_MONITORS_INPUT_PERMIT);
+}
+
+static inline void facts_look_gear(facts_view *v, const facts_monitors_in *in) {
+  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
+  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, FACTS_MONITORS_INPUT_GEAR);
+}
+
+static inline void facts_look_heat(facts_view *v, const facts_monitors_in *in) {
+  const int32_t good_heat = sample_good(&in->heat, &v->s->last_heat_us, v->now_us);
+  const int32_t fresh_heat = good_heat && in->heat.stamp_us > v->since_us;
+  v->heat = number_of(&in->heat, fresh_heat, 250000, 400000, 1000, FACTS_MONITORS_INPUT_HEAT);
+}
+
 /* A tick that sees nothing: it was missed. */
 static void facts_blind(facts_view *v, facts_monitors_state *s) {
   v->s = s;
   v->permit = margin_unknown(FACTS_INPUT_CLOCK);
   v->gear = span_unknown(FACTS_INPUT_CLOCK);
   v->heat = span_unknown(FACTS_INPUT_CLOCK);
-}
-
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void facts_look(facts_view *v, const facts_monitors_in *in, int64_t now_us,
-                              int64_t since_us) {
-  const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, now_us);
-  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us, now_us) <= 100000;
-  v->permit = truth_of(&in->permit, fresh_permit, FACTS_MONITORS_INPUT_PERMIT);
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > since_us;
-  v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, FACTS_MONITORS_INPUT_GEAR);
-  const int32_t good_heat = sample_good(&in->heat, &v->s->last_heat_us, now_us);
-  const int32_t fresh_heat = good_heat && in->heat.stamp_us > since_us;
-  v->heat = number_of(&in->heat, fresh_heat, 250000, 400000, 1000, FACTS_MONITORS_INPUT_HEAT);
 }
 
 /* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
@@ -1805,21 +1937,33 @@ static void facts_catch_up(facts_monitors_state *s, int64_t missed) {
   }
 }
 
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t facts_begin(facts_view *v, facts_monitors_state *s,
-                                  const facts_monitors_in *in, int64_t now_us) {
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t facts_resume(facts_monitors_state *s, int64_t now_us, int64_t *since_us) {
   const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
+  s->until_us = tick_until(&s->clock, 50000);
   if (elapsed > 1) {
     facts_catch_up(s, elapsed - 1);
   }
+  *since_us = first || elapsed > 1 ? before(now_us, 50000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t facts_begin(facts_view *v, facts_monitors_state *s,
+                                  const facts_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 50000) == 0 && facts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
   v->s = s;
-  facts_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 50000) : before_us);
+  v->now_us = now_us;
+  v->since_us = since_us;
   s->judged_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -1828,6 +1972,7 @@ void facts_monitors_init(facts_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
+  s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_permit_us = INT64_MIN;
@@ -1847,20 +1992,138 @@ void facts_monitors_step(facts_monitors_state *s, const facts_monitors_in *in, i
     return;
   }
   out->tick = s->clock.tick;
+  facts_look_permit(&v, in);
+  facts_look_gear(&v, in);
+  facts_look_heat(&v, in);
   out->monitors[FACTS_MONITORS_TWIN] = finding_judged(twin_now(&v));
   s->ticks.now += 1;
 }
 
-void facts_monitors_verdicts(facts_monitors_state *s, const facts_monitors_in *in,
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct facts_verdicts_view {
+  facts_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  int32_t permit;
+  bounds gear;
+  bounds heat;
+} facts_verdicts_view;
+
+/* once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear == parked) */
+static inline int32_t twin_verdict(const facts_verdicts_view *v) {
+  /* once[0 s, 400 ms] permit */
+  const int32_t v1 = once_within(v->permit, &v->s->once_0, 0, 0, 8, &v->s->ticks);
+  /* mean[0 s, 100 ms](heat) */
+  const bounds v3 = bounds_span(mean_over(span_fill(span_bounds(v->heat), 249000, 401000),
+      span_of(249000, 401000), &v->s->mean_1, v->s->mean_1_ticks, 0, 2, &v->s->ticks));
+  /* once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear == parked) */
+  if ((v1 & 1) != 0 && (v3.hi < 350000 || (v->gear.lo == 0 && v->gear.hi == 0))) {
+    return FACTS_VERDICT_TRUE;
+  }
+  return ((v1 & 2) != 0 && (v3.lo < 350000 || (v->gear.lo <= 0 && v->gear.hi >= 0)))
+      ? FACTS_VERDICT_UNKNOWN : FACTS_VERDICT_FALSE;
+}
+
+static inline void facts_verdicts_look_permit(facts_verdicts_view *v,
+                                              const facts_monitors_in *in) {
+  const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
+  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us, v->now_us) <= 100000;
+  v->permit = bits_truth(&in->permit, fresh_permit);
+}
+
+static inline void facts_verdicts_look_gear(facts_verdicts_view *v, const facts_monitors_in *in) {
+  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
+  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  v->gear = bounds_number(&in->gear, fresh_gear, 0, 1, 0);
+}
+
+static inline void facts_verdicts_look_heat(facts_verdicts_view *v, const facts_monitors_in *in) {
+  const int32_t good_heat = sample_good(&in->heat, &v->s->last_heat_us, v->now_us);
+  const int32_t fresh_heat = good_heat && in->heat.stamp_us > v->since_us;
+  v->heat = bounds_number(&in->heat, fresh_heat, 250000, 400000, 1000);
+}
+
+/* A tick that sees nothing: it was missed. */
+static void facts_verdicts_blind(facts_verdicts_view *v, facts_monitors_verdicts_state *s) {
+  v->s = s;
+  v->permit = BITS_UNKNOWN;
+  v->gear = bounds_nothing();
+  v->heat = bounds_nothing();
+}
+
+/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
+static void facts_verdicts_catch_up(facts_monitors_verdicts_state *s, int64_t missed) {
+  facts_verdicts_view v;
+  int64_t k;
+  if (missed > 4) {
+    ticks_forget(&s->ticks, s->clock.tick);
+    return;
+  }
+  facts_verdicts_blind(&v, s);
+  for (k = 0; k < missed; ++k) {
+    (void)twin_verdict(&v);
+    s->ticks.now += 1;
+  }
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t facts_verdicts_resume(facts_monitors_verdicts_state *s, int64_t now_us,
+                                     int64_t *since_us) {
+  const int32_t first = s->clock.started == 0;
+  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 50000);
+  if (elapsed > 1) {
+    facts_verdicts_catch_up(s, elapsed - 1);
+  }
+  *since_us = first || elapsed > 1 ? before(now_us, 50000) : s->judged_us;
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t facts_verdicts_begin(facts_verdicts_view *v,
+                                           facts_monitors_verdicts_state *s,
+                                           const facts_monitors_in *in, int64_t now_us) {
+  int64_t since_us = s->judged_us;
+  if (tick_follows(&s->clock, &s->until_us, now_us, 50000) == 0 && facts_verdicts_resume(s, now_us, &since_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  v->since_us = since_us;
+  s->judged_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void facts_monitors_verdicts_init(facts_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->judged_us = 0;
+  ticks_start(&s->ticks);
+  s->last_permit_us = INT64_MIN;
+  s->last_gear_us = INT64_MIN;
+  s->last_heat_us = INT64_MIN;
+}
+
+void facts_monitors_verdicts(facts_monitors_verdicts_state *s, const facts_monitors_in *in,
                              int64_t now_us, int32_t verdicts[FACTS_MONITORS]) {
-  facts_view v;
+  facts_verdicts_view v;
   int32_t k;
-  if (facts_begin(&v, s, in, now_us) == 0) {
+  if (facts_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < FACTS_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(FACTS_INPUT_CLOCK));
+      verdicts[k] = FACTS_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[FACTS_MONITORS_TWIN] = verdict_of(twin_now(&v));
+  facts_verdicts_look_permit(&v, in);
+  facts_verdicts_look_gear(&v, in);
+  facts_verdicts_look_heat(&v, in);
+  verdicts[FACTS_MONITORS_TWIN] = twin_verdict(&v);
   s->ticks.now += 1;
 }

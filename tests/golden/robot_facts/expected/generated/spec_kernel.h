@@ -148,10 +148,14 @@ typedef struct facts_kept {
 } facts_kept;
 
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false
- * (may); -1: none. `at`: place in the ring of verdicts; why: the latest operand that was
- * unknown. */
-typedef struct facts_witness {
+ * (may); -1: none. `at`: place in the ring of verdicts. */
+typedef struct facts_sight {
   int64_t must, may, at;
+} facts_sight;
+
+/* why: the latest operand that was unknown. */
+typedef struct facts_witness {
+  facts_sight sight;
   facts_kept why;
 } facts_witness;
 
@@ -163,14 +167,6 @@ typedef struct facts_slide {
   int64_t at, base, wait;
   int32_t halves;
 } facts_slide;
-
-/* Margins of `since`: `ever` is that without a window; the windows are those of the two
- * operands. */
-typedef struct facts_chain {
-  facts_kept ever;
-  facts_slide hold, witness;
-  int64_t at;
-} facts_chain;
 
 /* A quantity in a ring; lo > hi: it was unknown. */
 typedef struct facts_pair {
@@ -202,7 +198,7 @@ typedef struct facts_fly_facts_in {
   int64_t h; /* parameter in steps of mm, 100 to 500, at first 100, only ever grows */
 } facts_fly_facts_in;
 
-/* What is remembered of them, 1136 bytes. */
+/* What is remembered of them, 936 bytes. */
 typedef struct facts_fly_facts_state {
   facts_ticks ticks;
   int64_t judged_us;
@@ -218,7 +214,7 @@ typedef struct facts_fly_facts_state {
   facts_slide historically_2;
   facts_kept historically_2_window[10];
   /* allowed_fact_3 */
-  facts_chain since_3;
+  facts_kept since_3;
   /* seen_fact_1 */
   facts_slide once_4;
   facts_kept once_4_window[2];
@@ -290,9 +286,10 @@ typedef struct facts_monitors_in {
   facts_signal heat; /* steps of 1/1000 K, 250000 to 400000; new every tick */
 } facts_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 224 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 232 bytes in all. */
 typedef struct facts_monitors_state {
   facts_clock clock;
+  int64_t until_us;
   facts_ticks ticks;
   int64_t judged_us;
   int64_t last_permit_us;
@@ -304,8 +301,23 @@ typedef struct facts_monitors_state {
   facts_pair mean_1_ticks[3];
 } facts_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct facts_monitors_verdicts_state {
+  facts_clock clock;
+  int64_t until_us;
+  facts_ticks ticks;
+  int64_t judged_us;
+  int64_t last_permit_us;
+  int64_t last_gear_us;
+  int64_t last_heat_us;
+  /* twin */
+  facts_sight once_0;
+  facts_total mean_1;
+  facts_pair mean_1_ticks[3];
+} facts_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 K. input: the one that is missing. */
 typedef struct facts_finding_of {
   int32_t verdict, reason, input, unit;
@@ -320,12 +332,15 @@ typedef struct facts_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void facts_monitors_init(facts_monitors_state *s);
 void facts_monitors_step(facts_monitors_state *s, const facts_monitors_in *in,
                          int64_t now_us, facts_monitors_out *out);
-void facts_monitors_verdicts(facts_monitors_state *s, const facts_monitors_in *in,
-                             int64_t now_us, int32_t verdicts[FACTS_MONITORS]);
+void facts_monitors_verdicts_init(facts_monitors_verdicts_state *s);
+void facts_monitors_verdicts(facts_monitors_verdicts_state *s,
+                             const facts_monitors_in *in, int64_t now_us,
+                             int32_t verdicts[FACTS_MONITORS]);
 
 #ifdef __cplusplus
 }

@@ -117,6 +117,24 @@ static int64_t root_up(int64_t a) {
   return root * root == a ? root : root + 1;
 }
 
+typedef struct ends {
+  int64_t lo, hi;
+} ends;
+
+static inline ends ends_of(int64_t lo, int64_t hi) {
+  ends e;
+  e.lo = lo;
+  e.hi = hi;
+  return e;
+}
+
+/* a * num / den, den > 0. */
+static inline ends ends_scaled(ends a, int64_t num, int64_t den) {
+  const int64_t p = min_of(a.lo * num, a.hi * num);
+  const int64_t q = max_of(a.lo * num, a.hi * num);
+  return ends_of(p / den - (p % den < 0 ? 1 : 0), q / den + (q % den > 0 ? 1 : 0));
+}
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
@@ -204,15 +222,17 @@ static span span_negate(span a) {
   return s;
 }
 
-/* a * num / den with outward rounding, den > 0. An unknown stays what it is: its ends are no
- * measurements, and need not fit the product. */
+static inline ends span_ends(span a) {
+  return ends_of(a.lo, a.hi);
+}
+
+/* An unknown stays what it is: its ends are no measurements, and need not fit the product. */
 static span span_scale(span a, int64_t num, int64_t den) {
   span s = a;
   if (a.input == SCALE_AND_SUMS_INPUT_NONE) {
-    const int64_t p = min_of(a.lo * num, a.hi * num);
-    const int64_t q = max_of(a.lo * num, a.hi * num);
-    s.lo = p / den - (p % den < 0 ? 1 : 0);
-    s.hi = q / den + (q % den > 0 ? 1 : 0);
+    const ends scaled = ends_scaled(span_ends(a), num, den);
+    s.lo = scaled.lo;
+    s.hi = scaled.hi;
   }
   return s;
 }

@@ -1,0 +1,150 @@
+/* Verdicts without margins. Of a condition two bits are known, of a quantity its bounds; what is
+ * unknown needs no name then, nor has a comparison a unit. Verdicts are those of the margins, bit by
+ * bit: a margin is not negative exactly when its bit is set. */
+/*= bits_type */
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+/*= bounds_type */
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+/*= bounds_of : bounds_type */
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+/*= bounds_nothing : bounds_of */
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+/*= bounds_known : bounds_type */
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+/*= bounds_ends : bounds_type ends_of */
+static inline ends bounds_ends(bounds a) {
+  return ends_of(a.lo, a.hi);
+}
+/*= bounds_within : ends_type bounds_of */
+static inline bounds bounds_within(ends a) {
+  return bounds_of(a.lo, a.hi);
+}
+/*= lower_half : bounds_type */
+/* In half steps, an open bound half a step inside: such bounds are in the order of what they bound. */
+static inline int64_t lower_half(bounds a) {
+  return 2 * a.lo + a.lo_open;
+}
+/*= upper_half : bounds_type */
+static inline int64_t upper_half(bounds a) {
+  return 2 * a.hi - a.hi_open;
+}
+/*= bounds_between : bounds_of */
+static inline bounds bounds_between(int64_t lower, int64_t upper) {
+  bounds b = bounds_of((lower - (lower & 1)) / 2, (upper + (upper & 1)) / 2);
+  b.lo_open = lower % 2 != 0;
+  b.hi_open = upper % 2 != 0;
+  return b;
+}
+/*= bounds_sum : bounds_of bounds_known bounds_nothing */
+static inline bounds bounds_sum(bounds a, bounds b) {
+  bounds sum = bounds_nothing();
+  if (bounds_known(a) && bounds_known(b)) {
+    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+/*= bounds_negative : bounds_of */
+static inline bounds bounds_negative(bounds a) {
+  bounds b = bounds_of(-a.hi, -a.lo);
+  b.lo_open = a.hi_open;
+  b.hi_open = a.lo_open;
+  return b;
+}
+/*= bounds_scaled : ends_scaled bounds_ends bounds_within bounds_known */
+static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
+  bounds b = a;
+  if (bounds_known(a)) {
+    b = bounds_within(ends_scaled(bounds_ends(a), num, den));
+    b.lo_open = num > 0 ? a.lo_open : 0;
+    b.hi_open = num > 0 ? a.hi_open : 0;
+  }
+  return b;
+}
+/*= bounds_product : ends_product bounds_ends bounds_within bounds_known bounds_nothing */
+static inline bounds bounds_product(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_within(ends_product(bounds_ends(a), bounds_ends(b)))
+             : bounds_nothing();
+}
+/*= bounds_square : ends_square bounds_ends bounds_within bounds_known */
+static inline bounds bounds_square(bounds a) {
+  return bounds_known(a) ? bounds_within(ends_square(bounds_ends(a))) : a;
+}
+/*= bounds_squares : ends_squares bounds_ends bounds_within bounds_known bounds_nothing */
+static inline bounds bounds_squares(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)))
+             : bounds_nothing();
+}
+/*= bounds_root : ends_root bounds_ends bounds_within bounds_known */
+static inline bounds bounds_root(bounds a) {
+  return bounds_known(a) ? bounds_within(ends_root(bounds_ends(a))) : a;
+}
+/*= bounds_size : lower_half upper_half bounds_between bounds_known max_of */
+static inline bounds bounds_size(bounds a) {
+  bounds size = a;
+  if (bounds_known(a)) {
+    const int64_t lower = lower_half(a);
+    const int64_t upper = upper_half(a);
+    size = bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
+  }
+  return size;
+}
+/*= bounds_least : lower_half upper_half bounds_between bounds_known bounds_nothing min_of */
+static inline bounds bounds_least(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_between(min_of(lower_half(a), lower_half(b)),
+                              min_of(upper_half(a), upper_half(b)))
+             : bounds_nothing();
+}
+/*= bounds_greatest : lower_half upper_half bounds_between bounds_known bounds_nothing max_of */
+static inline bounds bounds_greatest(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_between(max_of(lower_half(a), lower_half(b)),
+                              max_of(upper_half(a), upper_half(b)))
+             : bounds_nothing();
+}
+/*= bounds_chosen : lower_half upper_half bounds_between bounds_known bounds_nothing bits_type min_of max_of */
+/* a where the condition is true, b where it is false, anything of both where it is unknown. */
+static inline bounds bounds_chosen(int32_t condition, bounds a, bounds b) {
+  if (condition == BITS_TRUE) {
+    return a;
+  }
+  if (condition == BITS_FALSE) {
+    return b;
+  }
+  return bounds_known(a) && bounds_known(b)
+             ? bounds_between(min_of(lower_half(a), lower_half(b)),
+                              max_of(upper_half(a), upper_half(b)))
+             : bounds_nothing();
+}
+/*= bits_same : bounds_type bits_type */
+static inline int32_t bits_same(bounds a, bounds b) {
+  if (b.lo != b.hi) {
+    return BITS_UNKNOWN;
+  }
+  if (a.lo == b.lo && a.hi == b.lo) {
+    return BITS_TRUE;
+  }
+  return a.lo <= b.lo && b.lo <= a.hi ? BITS_UNKNOWN : BITS_FALSE;
+}

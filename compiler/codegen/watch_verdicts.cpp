@@ -1,0 +1,354 @@
+#include "compiler/codegen/watch_verdicts.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "compiler/codegen/temporal.h"
+#include "compiler/codegen/watch_values.h"
+#include "compiler/ir/operands.h"
+
+namespace rtac::codegen {
+namespace {
+
+using namespace ir;
+
+// Whether a condition surely holds, or may hold.
+enum class Side { surely, perhaps };
+Side opposite(Side side) {
+  return side == Side::surely ? Side::perhaps : Side::surely;
+}
+
+// An operand of && and || stands in brackets when it is the other of both.
+struct Text {
+  std::string text;
+  char joined = 0;  // '&', '|': by that; 0: a comparison
+};
+std::string in(const Text& t, char joined) {
+  return t.joined == 0 || t.joined == joined ? t.text : "(" + t.text + ")";
+}
+Text joined(const Text& a, const Text& b, bool with_and) {
+  const char by = with_and ? '&' : '|';
+  return {in(a, by) + (with_and ? " && " : " || ") + in(b, by), by};
+}
+Text compared(const std::string& a, const char* relation, const std::string& b) {
+  return {a + " " + relation + " " + b, 0};
+}
+
+// The root of something that is compared with constants alone is never drawn: they are squared. Of
+// a norm, a = least squares, b = greatest ones, the bounds are the roots of both, rounded outward:
+// the lower one is at least c when a >= c^2, the upper one when b > (c - 1)^2, for c >= 1.
+constexpr std::int64_t square_root_max = std::int64_t{1} << 30;
+
+class VerdictPrinter {
+ public:
+  VerdictPrinter(const WatchKernel& kernel, const WatchNames& names, const Block& block,
+                 std::string verdict, std::set<std::string>& uses)
+      : kernel_(kernel),
+        names_(names),
+        block_(block),
+        verdict_(std::move(verdict)),
+        uses_(uses),
+        count_(block.values.size(), 0),
+        needs_name_(block.values.size(), false),
+        needs_root_(block.values.size(), false) {
+    for (const Value& value : block.values) look_at_uses(value.op);
+    ++count_[at(block.result)];
+  }
+
+  VerdictBody print() {
+    std::string last;
+    for (std::size_t i = 0; i < block_.values.size(); ++i) {
+      const Value& v = block_.values[i];
+      if (!is_named(ValueId(i))) continue;
+      if (v.text != last) body_.lines.comment(v.text);
+      last = v.text;
+      const std::string name = value_name(ValueId(i));
+      line(v.unit ? "const bounds " + name + " = " + quantity(ValueId(i)) + ";"
+                  : "const int32_t " + name + " = " + bits(v) + ";");
+    }
+    result();
+    return std::move(body_);
+  }
+
+ private:
+  static std::size_t at(ValueId id) { return static_cast<std::size_t>(id); }
+
+  // ---- what needs a name, what needs its root
+  void look_at_uses(const Op& op) {
+    const bool as_bits = is_temporal(op) || std::holds_alternative<Choose>(op) ||
+                         std::holds_alternative<PointInside>(op);
+    const auto* compare = std::get_if<AtLeast>(&op);
+    const bool by_squares = compare && square_of(*compare);
+    for_each_operand(op, [&](ValueId id) {
+      ++count_[at(id)];
+      if (as_bits) needs_name_[at(id)] = true;
+      if (!by_squares) needs_root_[at(id)] = true;
+    });
+  }
+  [[nodiscard]] bool is_drawn(ValueId id) const {
+    const Op& op = block_[id].op;
+    return std::holds_alternative<Norm>(op) || std::holds_alternative<Root>(op);
+  }
+  [[nodiscard]] bool is_named(ValueId id) const {
+    const Value& v = block_[id];
+    if (WatchValuePrinter::is_leaf(v.op) || is_same(v.op)) return false;
+    // squares of a root are what it is the root of
+    if (std::holds_alternative<Root>(v.op) && !needs_root_[at(id)]) return false;
+    if (v.unit || is_temporal(v.op) || std::holds_alternative<InputSame>(v.op) ||
+        std::holds_alternative<PointInside>(v.op)) {
+      return true;
+    }
+    return needs_name_[at(id)] || count_[at(id)] > 1;
+  }
+  // The same number of steps of another grid.
+  static bool is_same(const Op& op) {
+    const auto* scale = std::get_if<Scale>(&op);
+    return scale && scale->num == 1 && scale->den == 1;
+  }
+
+  // ---- quantities
+  std::string use(const std::string& function, const std::string& arguments) {
+    uses_.insert(function);
+    return function + "(" + arguments + ")";
+  }
+  std::string view(const std::string& member) {
+    body_.looks = true;
+    return "v->" + member;
+  }
+  [[nodiscard]] std::string signal(std::uint32_t channel, std::uint32_t component) {
+    return view(names_.signal(channel, component).seen);
+  }
+  // An operand as bounds.
+  std::string whole(ValueId id) {
+    const Op& op = block_[id].op;
+    if (const auto* c = std::get_if<Const>(&op)) return fixed(num(c->value));
+    if (const auto* p = std::get_if<ParamValue>(&op)) return fixed(param(*p));
+    if (const auto* i = std::get_if<Input>(&op)) return signal(i->channel, i->component);
+    if (const auto* a = std::get_if<Age>(&op)) return view("age_of_" + names_.channels[a->channel]);
+    if (is_same(op)) return whole(std::get<Scale>(op).a);
+    if (is_drawn(id) && !is_named(id)) return whole(std::get<Root>(op).a);
+    return is_named(id) ? value_name(id) : as_full(block_[id]);
+  }
+  // As for margins, of operands as spans.
+  std::string as_full(const Value& value) {
+    WatchValuePrinter full(kernel_, names_, uses_, nullptr,
+                           [this](ValueId id) { return span(id); });
+    return use("bounds_span", full.value(value, block_));
+  }
+  std::string span(ValueId id) { return use("span_bounds", whole(id)); }
+  std::string fixed(const std::string& value) { return use("bounds_of", value + ", " + value); }
+  std::string param(const ParamValue& p) { return view("s->tightest_" + names_.params[p.param]); }
+  // One of its ends.
+  std::string end(ValueId id, Side side, bool lower_is_sure) {
+    const Op& op = block_[id].op;
+    if (const auto* c = std::get_if<Const>(&op)) return num(c->value);
+    if (const auto* p = std::get_if<ParamValue>(&op)) return param(*p);
+    return whole(id) + ((side == Side::surely) == lower_is_sure ? ".lo" : ".hi");
+  }
+  std::string quantity(ValueId id) {
+    const Op& op = block_[id].op;
+    if (is_temporal(op)) return temporal(op);
+    if (const auto* v = std::get_if<Add>(&op)) return call("bounds_sum", v->a, v->b);
+    if (const auto* v = std::get_if<Negate>(&op)) return call("bounds_negative", v->a);
+    if (const auto* v = std::get_if<Scale>(&op)) {
+      return use("bounds_scaled", whole(v->a) + ", " + num(v->num) + ", " + num(v->den));
+    }
+    if (const auto* v = std::get_if<Multiply>(&op)) {
+      return v->a == v->b ? call("bounds_square", v->a) : call("bounds_product", v->a, v->b);
+    }
+    if (const auto* v = std::get_if<Minimum>(&op)) return call("bounds_least", v->a, v->b);
+    if (const auto* v = std::get_if<Maximum>(&op)) return call("bounds_greatest", v->a, v->b);
+    if (const auto* v = std::get_if<Absolute>(&op)) return call("bounds_size", v->a);
+    if (const auto* v = std::get_if<Root>(&op)) return call("bounds_root", v->a);
+    if (const auto* v = std::get_if<Norm>(&op)) {
+      const std::string squares = call("bounds_squares", v->a, v->b);
+      return needs_root_[at(id)] ? use("bounds_root", squares) : squares;
+    }
+    if (const auto* v = std::get_if<Choose>(&op)) {
+      return use("bounds_chosen", kept(v->condition) + ", " + whole(v->a) + ", " + whole(v->b));
+    }
+    return as_full(block_[id]);
+  }
+  std::string call(const char* function, ValueId a) { return use(function, whole(a)); }
+  std::string call(const char* function, ValueId a, ValueId b) {
+    return use(function, whole(a) + ", " + whole(b));
+  }
+  std::string temporal(const Op& op) {
+    std::vector<ValueId> operands;
+    for_each_operand(op, [&](ValueId id) { operands.push_back(id); });
+    const Value& first = block_[operands.front()];
+    TemporalCall with{view("s->"), "&v->s->ticks", "", "", std::nullopt};
+    with.a = first.unit ? whole(operands.front()) : kept(operands.front());
+    if (operands.size() > 1) with.b = kept(operands.back());
+    if (first.unit && first.range && first.range->declared) with.declared = first.range;
+    return temporal_call(op, with, uses_, Telling::verdicts);
+  }
+
+  // ---- conditions
+  // Two bits that are at hand.
+  std::string kept(ValueId id) {
+    const Op& op = block_[id].op;
+    if (const auto* i = std::get_if<InputTruth>(&op)) return signal(i->channel, i->component);
+    if (const auto* t = std::get_if<Truth>(&op)) return t->value ? "BITS_TRUE" : "BITS_FALSE";
+    return value_name(id);
+  }
+  std::string bits(const Value& v) {
+    if (is_temporal(v.op)) return temporal(v.op);
+    if (const auto* s = std::get_if<InputSame>(&v.op)) {
+      return use("bits_same", signal(s->channel, s->component) + ", " +
+                                  signal(s->other_channel, s->other_component));
+    }
+    if (const auto* p = std::get_if<PointInside>(&v.op)) return inside(*p);
+    uses_.insert("bits_type");
+    const std::string sure = in(operation(v.op, Side::surely, true), 0);
+    const std::string may = in(operation(v.op, Side::perhaps, true), 0);
+    if (sure == may) return sure + " ? BITS_TRUE : BITS_FALSE";
+    return sure + " ? BITS_TRUE : " + may + " ? BITS_UNKNOWN : BITS_FALSE";
+  }
+  std::string inside(const PointInside& v) {
+    return use("bits_inside", kept(v.condition) + ", &" + region_symbol(kernel_.watch[v.within]) +
+                                  ", &" + region_symbol(kernel_.watch[v.around]) + ", " +
+                                  whole(v.a) + ", " + whole(v.b));
+  }
+  // That it surely (perhaps) holds, or that it does not.
+  Text condition(ValueId id, Side side, bool wanted) {
+    const Op& op = block_[id].op;
+    if (is_named(id) || std::holds_alternative<InputTruth>(op)) {
+      const std::string mask = side == Side::surely ? "1" : "2";
+      return compared("(" + kept(id) + " & " + mask + ")", wanted ? "!=" : "==", "0");
+    }
+    return operation(op, side, wanted);
+  }
+  Text operation(const Op& op, Side side, bool wanted) {
+    if (const auto* v = std::get_if<Not>(&op)) return condition(v->a, opposite(side), !wanted);
+    if (const auto* v = std::get_if<And>(&op)) {
+      return joined(condition(v->a, side, wanted), condition(v->b, side, wanted), wanted);
+    }
+    if (const auto* v = std::get_if<Or>(&op)) {
+      return joined(condition(v->a, side, wanted), condition(v->b, side, wanted), !wanted);
+    }
+    if (const auto* v = std::get_if<AtLeast>(&op)) return at_least(*v, side, wanted);
+    if (const auto* v = std::get_if<InputIs>(&op)) return is_value(*v, side, wanted);
+    if (const auto* v = std::get_if<Elapsed>(&op)) {
+      return compared(view("s->ticks.now"), wanted ? ">=" : "<", num(v->ticks));
+    }
+    const auto* truth = std::get_if<Truth>(&op);
+    return {truth && truth->value == wanted ? "1" : "0", 0};
+  }
+  Text is_value(const InputIs& v, Side side, bool wanted) {
+    const std::string s = signal(v.channel, v.component), value = num(v.value);
+    const char* const lower = side == Side::surely ? (wanted ? "==" : "!=") : wanted ? "<=" : ">";
+    const char* const upper = side == Side::surely ? (wanted ? "==" : "!=") : wanted ? ">=" : "<";
+    return joined(compared(s + ".lo", lower, value), compared(s + ".hi", upper, value), wanted);
+  }
+
+  // ---- comparisons: surely, the lower end of a is not below the upper end of b
+  Text at_least(const AtLeast& v, Side side, bool wanted) {
+    if (const auto square = square_of(v)) return by_squares(*square, side, wanted);
+    // What a bound excludes: a > b surely, unless the lower bound of a is one of its values.
+    const bool is_sure = side == Side::surely;
+    const std::string open = is_sure == v.strict ? opened(v, is_sure) : "";
+    const std::string left = end(v.a, side, true), right = end(v.b, side, false);
+    if (is_fixed(v.a)) {  // what is fixed stands behind
+      const std::string moved = open.empty() ? right : right + (is_sure ? " - " : " + ") + open;
+      return compared(moved, wanted ? (v.strict ? "<" : "<=") : v.strict ? ">=" : ">", left);
+    }
+    const std::string moved = open.empty() ? left : left + (is_sure ? " + " : " - ") + open;
+    return compared(moved, wanted ? (v.strict ? ">" : ">=") : v.strict ? "<=" : "<", right);
+  }
+  // 1 when one of the bounds that meet is open: lower a and upper b, or upper a and lower b.
+  std::string opened(const AtLeast& v, bool lower_of_a) {
+    const char* const of_a = lower_of_a ? ".lo_open" : ".hi_open";
+    const char* const of_b = lower_of_a ? ".hi_open" : ".lo_open";
+    if (!may_be_open(v.a) && !may_be_open(v.b)) return "";
+    if (!may_be_open(v.a)) return whole(v.b) + of_b;
+    if (!may_be_open(v.b)) return whole(v.a) + of_a;
+    return "(" + whole(v.a) + of_a + " | " + whole(v.b) + of_b + ")";
+  }
+  [[nodiscard]] bool is_fixed(ValueId id) const {
+    const Op& op = block_[id].op;
+    return std::holds_alternative<Const>(op) || std::holds_alternative<ParamValue>(op);
+  }
+  // Inputs have open bounds between two steps of the grid; products and roots are rounded to it.
+  [[nodiscard]] bool may_be_open(ValueId id) const {
+    const Op& op = block_[id].op;
+    if (std::holds_alternative<Input>(op)) return true;
+    const auto* fold = std::get_if<Aggregate>(&op);
+    const bool keeps = std::holds_alternative<Add>(op) || std::holds_alternative<Negate>(op) ||
+                       std::holds_alternative<Scale>(op) || std::holds_alternative<Minimum>(op) ||
+                       std::holds_alternative<Maximum>(op) ||
+                       std::holds_alternative<Absolute>(op) || std::holds_alternative<Choose>(op) ||
+                       (fold && (fold->fold == Fold::minimum || fold->fold == Fold::maximum));
+    bool open = false;
+    if (keeps) for_each_operand(op, [&](ValueId of) { open = open || may_be_open(of); });
+    return open;
+  }
+  struct Square {
+    ValueId root;
+    bool below;          // root <= limit, else root >= limit
+    std::int64_t limit;  // strictness included: both are whole numbers
+  };
+  [[nodiscard]] std::optional<Square> square_of(const AtLeast& v) const {
+    const auto* most = std::get_if<Const>(&block_[v.a].op);
+    const auto* least = std::get_if<Const>(&block_[v.b].op);
+    if (least && is_drawn(v.a)) {
+      const Square s{v.a, false, least->value + (v.strict ? 1 : 0)};
+      if (s.limit >= 1 && s.limit <= square_root_max) return s;
+    }
+    if (most && is_drawn(v.b)) {
+      const Square s{v.b, true, most->value - (v.strict ? 1 : 0)};
+      if (s.limit >= 0 && s.limit < square_root_max) return s;
+    }
+    return std::nullopt;
+  }
+  Text by_squares(const Square& s, Side side, bool wanted) {
+    if (needs_root_[at(s.root)]) {
+      const char* const relation = s.below == wanted ? "<=" : ">=";
+      const std::int64_t limit = wanted ? s.limit : s.limit + (s.below ? 1 : -1);
+      return compared(end(s.root, side, !s.below), relation, num(limit));
+    }
+    const auto square = [](std::int64_t a) { return num(a * a); };
+    const std::string ends = whole(s.root);
+    if (s.below) {
+      return side == Side::surely
+                 ? compared(ends + ".hi", wanted ? "<=" : ">", square(s.limit))
+                 : compared(ends + ".lo", wanted ? "<" : ">=", square(s.limit + 1));
+    }
+    return side == Side::surely ? compared(ends + ".lo", wanted ? ">=" : "<", square(s.limit))
+                                : compared(ends + ".hi", wanted ? ">" : "<=", square(s.limit - 1));
+  }
+
+  // ---- the result: not before it is known that it is not sure, it is asked whether it may be
+  void result() {
+    const Text sure = condition(block_.result, Side::surely, true);
+    const Text may = condition(block_.result, Side::perhaps, true);
+    if (!is_named(block_.result)) body_.lines.comment(block_[block_.result].text);
+    if (sure.text == may.text) {
+      line("return " + in(sure, 0) + " ? " + verdict_ + "TRUE : " + verdict_ + "FALSE;");
+      return;
+    }
+    line("if (" + sure.text + ") {");
+    body_.lines.line("  return " + verdict_ + "TRUE;").line("}");
+    line("return " + in(may, 0) + " ? " + verdict_ + "UNKNOWN : " + verdict_ + "FALSE;");
+  }
+  void line(const std::string& text) { wrapped(body_.lines, text); }
+
+  const WatchKernel& kernel_;
+  const WatchNames& names_;
+  const Block& block_;
+  const std::string verdict_;
+  std::set<std::string>& uses_;
+  std::vector<int> count_;
+  std::vector<bool> needs_name_, needs_root_;
+  VerdictBody body_;
+};
+
+}  // namespace
+
+VerdictBody verdict_body(const WatchKernel& kernel, const WatchNames& names, const Block& block,
+                         const std::string& verdict, std::set<std::string>& uses) {
+  return VerdictPrinter(kernel, names, block, verdict, uses).print();
+}
+
+}  // namespace rtac::codegen
