@@ -120,6 +120,51 @@ static int64_t root_up(int64_t a) {
   return root * root == a ? root : root + 1;
 }
 
+/* Bit 0: it is true; bit 1: it is not false. */
+enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
+
+/* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
+ * comparison with an unknown needs no case of its own: it is not true, and not false. What is
+ * measured between two steps of the grid lies strictly between them: such bounds are open. */
+typedef struct bounds {
+  int64_t lo, hi;
+  int32_t lo_open, hi_open; /* 1: it is never that bound itself */
+} bounds;
+
+static inline bounds bounds_of(int64_t lo, int64_t hi) {
+  bounds b;
+  b.lo = lo;
+  b.hi = hi;
+  b.lo_open = 0;
+  b.hi_open = 0;
+  return b;
+}
+
+static inline bounds bounds_nothing(void) {
+  return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  bounds sum = bounds_nothing();
+  if (bounds_known(a) && bounds_known(b)) {
+    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+    sum.lo_open = a.lo_open | b.lo_open;
+    sum.hi_open = a.hi_open | b.hi_open;
+  }
+  return sum;
+}
+
+static inline bounds bounds_negative(bounds a) {
+  bounds b = bounds_of(-a.hi, -a.lo);
+  b.lo_open = a.hi_open;
+  b.hi_open = a.lo_open;
+  return b;
+}
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
@@ -818,37 +863,117 @@ static int32_t driver_of(const yard_takeover *t, const motion *motions, int32_t 
   return stamp_us >= later(t->time_us, latency_us) ? mode : faster_of(motions, mode, t->before);
 }
 
-static void ticks_start(yard_ticks *t) {
-  t->now = 0;
-  t->known = 0;
+/* For what works on spans. */
+static span span_bounds(bounds a) {
+  span s = span_unknown(YARD_INPUT_CLOCK);
+  if (bounds_known(a)) {
+    s = span_of(a.lo, a.hi);
+    s.lo_open = a.lo_open;
+    s.hi_open = a.hi_open;
+  }
+  return s;
 }
 
-/* What was before `tick`, which comes next, is unknown from now on. */
-static void ticks_forget(yard_ticks *t, int64_t tick) {
-  t->now = tick;
-  t->known = tick;
+static bounds bounds_span(span a) {
+  bounds b = bounds_nothing();
+  if (a.input == YARD_INPUT_NONE) {
+    b = bounds_of(a.lo, a.hi);
+    b.lo_open = a.lo_open;
+    b.hi_open = a.hi_open;
+  }
+  return b;
 }
 
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(const yard_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) {
+  if (s->stamp_us > now_us) {
+    return 0;
+  }
+  if (s->stamp_us < *last_us) {
     return 0;
   }
   *last_us = s->stamp_us;
   return 1;
 }
 
-/* `us` before `time_us`, for us >= 0; the start of time is never passed. */
-static int64_t before(int64_t time_us, int64_t us) {
-  return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
+/* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
+ * division. Beyond INT64_MAX - period_us there is no such tick. */
+static inline int32_t tick_follows(yard_clock *clock, int64_t *until_us, int64_t now_us,
+                                   int64_t period_us) {
+  if (*until_us > INT64_MAX - period_us ||
+      (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
+    return 0;
+  }
+  clock->last_us = now_us;
+  clock->tick += 1;
+  *until_us += period_us;
+  return 1;
 }
 
-/* What is measured, widened by the declared error; unknown outside of the declared range. */
-static span number_of(const yard_signal *s, int32_t fresh, int64_t least, int64_t most,
-                      int64_t error, int32_t input) {
+/* The last time that counts as the present tick: as next_tick counts, to the nearest. */
+static int64_t tick_until(const yard_clock *clock, int64_t period_us) {
+  if (clock->tick > INT64_MAX / period_us - 2) {
+    return INT64_MAX;
+  }
+  return later(clock->origin_us, clock->tick * period_us + period_us / 2);
+}
+
+/* What is measured, widened by the declared error; nothing outside of the declared range. Each
+ * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline bounds bounds_number(const yard_signal *s, int32_t fresh, int64_t least,
+                                   int64_t most, int64_t error) {
+  bounds seen;
+  if (fresh == 0) {
+    return bounds_nothing();
+  }
+  if (s->valid == 0) {
+    return bounds_nothing();
+  }
+  if (s->lo < least) {
+    return bounds_nothing();
+  }
+  if (s->hi > most) {
+    return bounds_nothing();
+  }
+  if (s->lo > s->hi) {
+    return bounds_nothing();
+  }
+  seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
+static inline int32_t bits_truth(const yard_signal *s, int32_t fresh) {
+  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
+    if (s->lo == 0) {
+      return BITS_FALSE;
+    }
+    if (s->lo == 1) {
+      return BITS_TRUE;
+    }
+  }
+  return BITS_UNKNOWN;
+}
+
+/* The same for margins: unknown for the lack of `input`. */
+static inline span number_of(const yard_signal *s, int32_t fresh, int64_t least, int64_t most,
+                             int64_t error, int32_t input) {
   span seen;
-  if (fresh == 0 || s->valid == 0 || s->lo > s->hi || s->lo < least || s->hi > most) {
+  if (fresh == 0) {
+    return span_unknown(input);
+  }
+  if (s->valid == 0) {
+    return span_unknown(input);
+  }
+  if (s->lo < least) {
+    return span_unknown(input);
+  }
+  if (s->hi > most) {
+    return span_unknown(input);
+  }
+  if (s->lo > s->hi) {
     return span_unknown(input);
   }
   seen = span_of(s->lo - error, s->hi + error);
@@ -857,16 +982,12 @@ static span number_of(const yard_signal *s, int32_t fresh, int64_t least, int64_
   return seen;
 }
 
-static margin truth_of(const yard_signal *s, int32_t fresh, int32_t input) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
-      return margin_false();
-    }
-    if (s->lo == 1) {
-      return margin_true();
-    }
+static inline margin truth_of(const yard_signal *s, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(s, fresh);
+  if (bits == BITS_UNKNOWN) {
+    return margin_unknown(input);
   }
-  return margin_unknown(input);
+  return bits == BITS_TRUE ? margin_true() : margin_false();
 }
 
 static margin either(margin a, margin b) {
@@ -916,23 +1037,18 @@ static span sum_of(span a, span b) {
   return sum;
 }
 
-/* Of one end of a margin; what is infinite, or the negation of that, stays so. */
+/* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
+ * negation of that. */
 static int64_t millionths(int64_t end) {
-  if (end <= -MARGIN_MAX) {
-    return -MARGIN_MAX;
-  }
-  if (end >= MARGIN_MAX - 1) {
-    return MARGIN_MAX;
-  }
-  return end < 0 ? -(-end / 2) : (end + 1) / 2;
+  return (end + (end & 1)) / 2;
 }
 
-static yard_finding_of finding_judged(margin m) {
+static inline yard_finding_of finding_judged(margin m) {
   yard_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = YARD_REASON_NONE;
   f.input = YARD_INPUT_NONE;
-  f.unit = m.index < 0 ? 0 : m.index;
+  f.unit = m.index;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == YARD_VERDICT_FALSE) {
@@ -1268,6 +1384,7 @@ void yard_fly_step(yard_fly_state *s, const yard_fly_in *in, int64_t now_us, yar
 /* What a tick knows of its inputs. */
 typedef struct yard_view {
   yard_monitors_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
   margin gate_open;
   span wind;
   span d1_position_x;
@@ -1293,49 +1410,47 @@ static inline margin calm_now(const yard_view *v) {
   return either(v2, v4);
 }
 
-/* The newest samples; since_us: after it a sample is one of this tick. */
-static inline void yard_look(yard_view *v, const yard_monitors_in *in, int64_t now_us,
-                             int64_t since_us) {
-  const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, now_us);
-  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us, now_us) <= 500000;
+static inline void yard_look_gate_open(yard_view *v, const yard_monitors_in *in) {
+  const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, v->now_us);
+  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us, v->now_us) <= 500000;
   v->gate_open = truth_of(&in->gate_open, fresh_gate_open, YARD_MONITORS_INPUT_GATE_OPEN);
-  const int32_t good_wind = sample_good(&in->wind, &v->s->last_wind_us, now_us);
-  const int32_t fresh_wind = good_wind && elapsed_us(in->wind.stamp_us, now_us) <= 1000000;
+}
+
+static inline void yard_look_wind(yard_view *v, const yard_monitors_in *in) {
+  const int32_t good_wind = sample_good(&in->wind, &v->s->last_wind_us, v->now_us);
+  const int32_t fresh_wind = good_wind && elapsed_us(in->wind.stamp_us, v->now_us) <= 1000000;
   v->wind = number_of(&in->wind, fresh_wind, 0, 40000, 0, YARD_MONITORS_INPUT_WIND);
-  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us, now_us);
-  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us, now_us) <= 50000;
+}
+
+static inline void yard_look_d1_position(yard_view *v, const yard_monitors_in *in) {
+  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us, v->now_us);
+  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us, v->now_us) <= 50000;
   v->d1_position_x = number_of(&in->d1_position_x, fresh_d1_position, -100000000, 100000000, 20,
       YARD_MONITORS_INPUT_D1_POSITION);
-  v->d1_position_y = number_of(&in->d1_position_y,
-      fresh_d1_position && in->d1_position_y.stamp_us == in->d1_position_x.stamp_us, -100000000,
-      100000000, 20, YARD_MONITORS_INPUT_D1_POSITION);
-  (void)since_us;
+  v->d1_position_y = number_of(&in->d1_position_y, fresh_d1_position &&
+      in->d1_position_y.stamp_us == in->d1_position_x.stamp_us, -100000000, 100000000, 20,
+      YARD_MONITORS_INPUT_D1_POSITION);
 }
 
-/* Ticks that were missed saw nothing. Beyond 4 of them the past is forgotten. */
-static void yard_catch_up(yard_monitors_state *s, int64_t missed) {
-  if (missed > 4) {
-    ticks_forget(&s->ticks, s->clock.tick);
-    return;
-  }
-  s->ticks.now += missed;
-}
-
-/* Looks at the tick that has come; 0: there is none since the last step. */
-static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s,
-                                 const yard_monitors_in *in, int64_t now_us) {
-  const int32_t first = s->clock.started == 0;
-  const int64_t before_us = s->judged_us;
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t yard_resume(yard_monitors_state *s, int64_t now_us) {
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
-  if (elapsed > 1) {
-    yard_catch_up(s, elapsed - 1);
+  s->until_us = tick_until(&s->clock, 20000);
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s,
+                                 const yard_monitors_in *in, int64_t now_us) {
+  if (tick_follows(&s->clock, &s->until_us, now_us, 20000) == 0 && yard_resume(s, now_us) == 0) {
+    return 0;
   }
   v->s = s;
-  yard_look(v, in, now_us, first || elapsed > 1 ? before(now_us, 20000) : before_us);
-  s->judged_us = now_us;
+  v->now_us = now_us;
+  (void)in;
   return 1;
 }
 
@@ -1344,8 +1459,7 @@ void yard_monitors_init(yard_monitors_state *s) {
   s->clock.origin_us = 0;
   s->clock.last_us = 0;
   s->clock.tick = 0;
-  s->judged_us = 0;
-  ticks_start(&s->ticks);
+  s->until_us = INT64_MAX;
   s->last_gate_open_us = INT64_MIN;
   s->last_wind_us = INT64_MIN;
   s->last_d1_position_us = INT64_MIN;
@@ -1363,22 +1477,117 @@ void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int6
     return;
   }
   out->tick = s->clock.tick;
+  yard_look_d1_position(&v, in);
   out->monitors[YARD_MONITORS_FENCED] = finding_judged(fenced_now(&v));
+  yard_look_gate_open(&v, in);
+  yard_look_wind(&v, in);
   out->monitors[YARD_MONITORS_CALM] = finding_judged(calm_now(&v));
-  s->ticks.now += 1;
 }
 
-void yard_monitors_verdicts(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
-                            int32_t verdicts[YARD_MONITORS]) {
-  yard_view v;
+/* ---- verdicts without margins ---- */
+/* What a tick knows of its inputs, for verdicts alone. */
+typedef struct yard_verdicts_view {
+  yard_monitors_verdicts_state *s;
+  int64_t now_us, since_us; /* after since_us a sample is one of this tick */
+  int32_t gate_open;
+  bounds wind;
+  bounds d1_position_x;
+  bounds d1_position_y;
+} yard_verdicts_view;
+
+/* d1 inside room */
+static inline int32_t fenced_verdict(const yard_verdicts_view *v) {
+  /* d1 inside room */
+  const bounds v2 = bounds_span(clearance_of(&region_within_room, &region_within_room,
+      span_bounds(v->d1_position_x), span_bounds(v->d1_position_y), -141421385, 2500));
+  const bounds v4 = bounds_negative(bounds_of(80, 80));
+  const bounds v5 = bounds_sum(v2, v4);
+  /* d1 inside room */
+  if (v5.lo >= 0) {
+    return YARD_VERDICT_TRUE;
+  }
+  return v5.hi >= 0 ? YARD_VERDICT_UNKNOWN : YARD_VERDICT_FALSE;
+}
+
+/* wind <= 12 m/s or not gate_open */
+static inline int32_t calm_verdict(const yard_verdicts_view *v) {
+  /* wind <= 12 m/s or not gate_open */
+  if (v->wind.hi <= 12000 || (v->gate_open & 2) == 0) {
+    return YARD_VERDICT_TRUE;
+  }
+  return (v->wind.lo + v->wind.lo_open <= 12000 || (v->gate_open & 1) == 0)
+      ? YARD_VERDICT_UNKNOWN : YARD_VERDICT_FALSE;
+}
+
+static inline void yard_verdicts_look_gate_open(yard_verdicts_view *v,
+                                                const yard_monitors_in *in) {
+  const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, v->now_us);
+  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us, v->now_us) <= 500000;
+  v->gate_open = bits_truth(&in->gate_open, fresh_gate_open);
+}
+
+static inline void yard_verdicts_look_wind(yard_verdicts_view *v, const yard_monitors_in *in) {
+  const int32_t good_wind = sample_good(&in->wind, &v->s->last_wind_us, v->now_us);
+  const int32_t fresh_wind = good_wind && elapsed_us(in->wind.stamp_us, v->now_us) <= 1000000;
+  v->wind = bounds_number(&in->wind, fresh_wind, 0, 40000, 0);
+}
+
+static inline void yard_verdicts_look_d1_position(yard_verdicts_view *v,
+                                                  const yard_monitors_in *in) {
+  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us, v->now_us);
+  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us, v->now_us) <= 50000;
+  v->d1_position_x = bounds_number(&in->d1_position_x, fresh_d1_position, -100000000, 100000000,
+      20);
+  v->d1_position_y = bounds_number(&in->d1_position_y, fresh_d1_position &&
+      in->d1_position_y.stamp_us == in->d1_position_x.stamp_us, -100000000, 100000000, 20);
+}
+
+/* A tick that does not follow the last one; 0: there is none since then. */
+static int32_t yard_verdicts_resume(yard_monitors_verdicts_state *s, int64_t now_us) {
+  const int64_t elapsed = next_tick(&s->clock, now_us, 20000, INT64_MAX);
+  if (elapsed < 1) {
+    return 0;
+  }
+  s->until_us = tick_until(&s->clock, 20000);
+  return 1;
+}
+
+/* Which tick has come; 0: there is none since the last step. */
+static inline int32_t yard_verdicts_begin(yard_verdicts_view *v, yard_monitors_verdicts_state *s,
+                                          const yard_monitors_in *in, int64_t now_us) {
+  if (tick_follows(&s->clock, &s->until_us, now_us, 20000) == 0 && yard_verdicts_resume(s, now_us) == 0) {
+    return 0;
+  }
+  v->s = s;
+  v->now_us = now_us;
+  (void)in;
+  return 1;
+}
+
+void yard_monitors_verdicts_init(yard_monitors_verdicts_state *s) {
+  s->clock.started = 0;
+  s->clock.origin_us = 0;
+  s->clock.last_us = 0;
+  s->clock.tick = 0;
+  s->until_us = INT64_MAX;
+  s->last_gate_open_us = INT64_MIN;
+  s->last_wind_us = INT64_MIN;
+  s->last_d1_position_us = INT64_MIN;
+}
+
+void yard_monitors_verdicts(yard_monitors_verdicts_state *s, const yard_monitors_in *in,
+                            int64_t now_us, int32_t verdicts[YARD_MONITORS]) {
+  yard_verdicts_view v;
   int32_t k;
-  if (yard_begin(&v, s, in, now_us) == 0) {
+  if (yard_verdicts_begin(&v, s, in, now_us) == 0) {
     for (k = 0; k < YARD_MONITORS; ++k) {
-      verdicts[k] = verdict_of(margin_unknown(YARD_INPUT_CLOCK));
+      verdicts[k] = YARD_VERDICT_UNKNOWN;
     }
     return;
   }
-  verdicts[YARD_MONITORS_FENCED] = verdict_of(fenced_now(&v));
-  verdicts[YARD_MONITORS_CALM] = verdict_of(calm_now(&v));
-  s->ticks.now += 1;
+  yard_verdicts_look_d1_position(&v, in);
+  verdicts[YARD_MONITORS_FENCED] = fenced_verdict(&v);
+  yard_verdicts_look_gate_open(&v, in);
+  yard_verdicts_look_wind(&v, in);
+  verdicts[YARD_MONITORS_CALM] = calm_verdict(&v);
 }

@@ -202,18 +202,26 @@ typedef struct yard_monitors_in {
   yard_signal d1_position_y; /* steps of mm, -100000000 to 100000000; for 50000 us */
 } yard_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 80 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 64 bytes in all. */
 typedef struct yard_monitors_state {
   yard_clock clock;
-  yard_ticks ticks;
-  int64_t judged_us;
+  int64_t until_us;
   int64_t last_gate_open_us;
   int64_t last_wind_us;
   int64_t last_d1_position_us;
 } yard_monitors_state;
 
+/* The same for verdicts alone; start with _verdicts_init. */
+typedef struct yard_monitors_verdicts_state {
+  yard_clock clock;
+  int64_t until_us;
+  int64_t last_gate_open_us;
+  int64_t last_wind_us;
+  int64_t last_d1_position_us;
+} yard_monitors_verdicts_state;
+
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
- * infinite, +-10^18, when only truth values decide or nothing is known. unit: 0: of a truth
+ * infinite, +-5 * 10^17, when only truth values decide or nothing is known. unit: 0: of a truth
  * value, none, 1: 1 m, 2: 1 m/s. input: the one that is missing. */
 typedef struct yard_finding_of {
   int32_t verdict, reason, input, unit;
@@ -228,12 +236,15 @@ typedef struct yard_monitors_out {
 /* Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; what
  * is missing, too old, from the future or out of range is unknown. Up to 4 missed ticks count as
  * unknown ones, more of them forget the past. A second step within a tick, or one back in time,
- * tells nothing and changes nothing. _verdicts is the same without margins. */
+ * tells nothing and changes nothing. _verdicts is the same without margins, reasons and units,
+ * in less time and with less memory: its state is its own, and a program steps one of both. */
 void yard_monitors_init(yard_monitors_state *s);
 void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in,
                         int64_t now_us, yard_monitors_out *out);
-void yard_monitors_verdicts(yard_monitors_state *s, const yard_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[YARD_MONITORS]);
+void yard_monitors_verdicts_init(yard_monitors_verdicts_state *s);
+void yard_monitors_verdicts(yard_monitors_verdicts_state *s,
+                            const yard_monitors_in *in, int64_t now_us,
+                            int32_t verdicts[YARD_MONITORS]);
 
 #ifdef __cplusplus
 }
