@@ -173,7 +173,7 @@ TEST_F(CommandLine, TheNamespaceIsTheAuthorsChoice) {
   EXPECT_NE(read("out/good.h").find("namespace mine {"), std::string::npos);
   ASSERT_EQ(rtac({"build", "good.rta", "-o", "out"}).status, 0);
   EXPECT_NE(read("out/good.h").find("namespace fence_study {"), std::string::npos);
-  for (const std::string name : {"1a", "a b", "namespace", "std", "a::b", "a-b"}) {
+  for (const std::string name : {"1a", "a b", "namespace", "std", "a::b", "a-b", "time"}) {
     EXPECT_EQ(rtac({"build", "good.rta", "-o", "o", "--namespace", name}).status, 2) << name;
   }
   EXPECT_FALSE(fs::exists("o"));

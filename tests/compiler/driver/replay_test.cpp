@@ -207,6 +207,19 @@ TEST_F(Replay, MonitorsThatFillTheMemoryAreRefusedByDefault) {
   EXPECT_EQ(rtac({"check", "big.rta", "--max-bytes", "115200000168"}).status, 0);
 }
 
+// So are those of robots, of which each remembers its own.
+TEST_F(Replay, MonitorsOfARobotThatFillTheMemoryAreRefused) {
+  const std::string longer = edited(drone_spec(), "clearance(d, room) >= 10 cm;",
+                                    "d inside room and min[0 s, 1000 h](x) >= 3;");
+  write("fence.rta", longer + "input x : real in 0 .. 9 max_age 1 s;\n");
+  const Outcome o = rtac({"check", "fence.rta"});
+  EXPECT_EQ(o.status, 1);
+  EXPECT_NE(o.err.find("error[9007]: the monitors of one robot in `fly` remember "),
+            std::string::npos)
+      << o.err;
+  EXPECT_EQ(rtac({"check", "fence.rta", "--max-bytes", "10000000000"}).status, 0);
+}
+
 // More than any address space has.
 TEST_F(Replay, MemoryThatIsNotThereIsNoBug) {
   std::string text = "spec vast; period 1 ms; input x : real in 0 .. 9;\n";

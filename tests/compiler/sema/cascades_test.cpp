@@ -57,6 +57,14 @@ TEST(Cascades, OperandsOfOneExpressionAreIndependent) {
       << checked->reports();
 }
 
+// A choice that may not stand there is not said to be of the wrong types as well.
+TEST(Cascades, AChoiceThatCannotLookAheadIsReportedOnce) {
+  const auto checked = check_text(
+      edited(yard(), {{"always  r inside free",
+                       "always (if r.battery >= 5 % then clearance(r, free) else 1 m) >= 0 m"}}));
+  EXPECT_EQ(codes_of(*checked), std::vector<Code>{Code::not_for_robots}) << checked->reports();
+}
+
 // A zone, a clause or an item that the parser had to drop may be what seems to be missing.
 TEST(Cascades, NothingSeemsMissingAfterASyntaxError) {
   for (const Change& change :
