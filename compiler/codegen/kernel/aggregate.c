@@ -52,16 +52,15 @@ static KERNEL_kept kept_of_span(span s) {
   k.lo = lower_end(s);
   k.hi = upper_end(s);
   k.reason = REASON_NONE;
-  k.index = 0;
   k.input = s.input;
-  k.other = s.other;
+  k.unit = 0;
+  k.upper_unit = 0;
   return k;
 }
 /*= span_kept : span_unknown span_between */
 /* An unknown is unknown on both sides, whatever else was in the window. */
 static span span_kept(KERNEL_kept k) {
   span s = k.input == INPUT_NONE ? span_between(k.lo, k.hi) : span_unknown(k.input);
-  s.other = k.other;
   return s;
 }
 /*= span_fill : span_of */

@@ -49,7 +49,7 @@ static margin plan_unknown(const KERNEL_plan *plan) {
 static vec waypoint_of(const KERNEL_plan *plan, int32_t i) {
   return vec_of(on_map(plan->x[i]), on_map(plan->y[i]));
 }
-/*= leg_margin : margin_of */
+/*= leg_margin : margin_of about_robots */
 static margin leg_margin(int64_t spare_mm, int32_t reason, int32_t index) {
   margin m = margin_of(spare_mm * WEIGHT_MM, spare_mm * WEIGHT_MM, reason);
   m.index = index;
@@ -195,7 +195,7 @@ static int64_t pair_spare(const reach *r, const other *o, const body *b) {
   }
   return spare;
 }
-/*= pair_reach : pair_spare margin_of margin_unknown */
+/*= pair_reach : pair_spare margin_of margin_unknown about_robots */
 static margin pair_reach(const reach *r, const other *o, const body *b, int64_t least_mm,
                          int32_t index) {
   margin m;
@@ -211,7 +211,7 @@ static margin pair_reach(const reach *r, const other *o, const body *b, int64_t 
   m.other = index;
   return m;
 }
-/*= legs_apart : other_type plan_fault plan_unknown waypoint_of leg_margin margin_and margin_true margin_unknown segment_gap_lo point_segment_lo */
+/*= legs_apart : other_type plan_fault plan_unknown waypoint_of leg_margin margin_and margin_true margin_unknown segment_gap_lo point_segment_lo about_robots */
 /* The next legs keep away from a robot that is HELD, and from the next legs of a robot that goes
  * first. `need_mm`: bodies, standoff and the tracking of one robot; the other's comes on top. */
 static margin legs_apart(const estimate *s, const KERNEL_plan *plan, const other *o,

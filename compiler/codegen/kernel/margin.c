@@ -1,13 +1,18 @@
 /* Margins: intervals that contain the true margin, with what decided them.
  * Unit: millionths of the scale of the dimension (1 m, 1 %), so that connectives can compare. */
+/*= atom_units */
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+/*= about_robots */
+/* Margins of what robots do tell the way-point or leg, and the other robot. */
 /*= margin_type */
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
-  /*? in_unit */ int32_t unit; /* of the quantity that the atom compares */
+  /*? about_robots */ int32_t index; /* way-point or leg */
+  /*? about_robots */ int32_t other; /* robot that it is about, -1: none */
+  /*? atom_units */ int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 /*= margin_of : margin_type */
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -15,16 +20,18 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = INPUT_NONE;
-  m.other = -1;
-  /*? in_unit */ m.unit = UNIT_NONE;
+  /*? about_robots */ m.index = 0;
+  /*? about_robots */ m.other = -1;
+  /*? atom_units */ m.unit = 0;
+  /*? atom_units */ m.upper_unit = 0;
   return m;
 }
-/*= in_unit : margin_type */
+/*= in_unit : margin_type atom_units */
 /* The margin of one atom; connectives keep the unit of the one that decides. */
-static margin in_unit(margin m, int32_t unit) {
+static inline margin in_unit(margin m, int32_t unit) {
   m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 /*= margin_true : margin_of */
@@ -157,7 +164,7 @@ static span span_scale(span a, int64_t num, int64_t den) {
   }
   return s;
 }
-/*= span_count : span_type margin_type */
+/*= span_count : span_type margin_type about_robots */
 /* One more robot that is counted: for the lower end when it surely satisfies the condition, for the
  * upper one unless it surely fails. What leaves it open is kept; the ends are numbers all the same. */
 static span span_count(span count, margin m) {
@@ -169,7 +176,7 @@ static span span_count(span count, margin m) {
   }
   return count;
 }
-/*= count_at_least : span_type margin_of */
+/*= count_at_least : span_type margin_of about_robots */
 /* a >= b, or a > b when `strict`, of numbers of robots: one of them is the scale. */
 static margin count_at_least(span a, span b, int64_t strict) {
   const int32_t input = a.input != INPUT_NONE ? a.input : b.input;
@@ -182,7 +189,7 @@ static margin count_at_least(span a, span b, int64_t strict) {
   }
   return m;
 }
-/*= margin_at_least : span_type margin_of margin_unknown */
+/*= margin_at_least : span_type margin_of margin_unknown about_robots */
 /* a >= b, or a > b when `strict`; `weight` turns grid units into millionths of the scale. */
 static margin margin_at_least(span a, span b, int64_t weight, int64_t strict) {
   margin m;

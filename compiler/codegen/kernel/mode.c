@@ -83,7 +83,7 @@ static void engage(KERNEL_monitor *m, int32_t reason, const KERNEL_finding *foun
   m->found = *found;
   m->found.reason = reason;
 }
-/*= finding_of : margin_type reason_of */
+/*= finding_of : margin_type reason_of about_robots */
 static KERNEL_finding finding_of(margin m) {
   KERNEL_finding f;
   f.reason = reason_of(m);

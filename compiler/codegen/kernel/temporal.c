@@ -14,7 +14,7 @@ typedef struct KERNEL_ticks {
 /* A margin or a quantity that is remembered. */
 typedef struct KERNEL_kept {
   int64_t lo, hi;
-  int32_t reason, index, input, other;
+  int32_t reason, input, unit, upper_unit;
 } KERNEL_kept;
 /*= sight_state */
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false
@@ -77,39 +77,40 @@ static int64_t window_start(const KERNEL_ticks *t, int64_t to) {
 static int64_t forgotten_in(const KERNEL_ticks *t, int64_t from, int64_t to) {
   return max_of(0, min_of(t->known, t->now - from + 1) - window_start(t, to));
 }
-/*= kept_of : margin_type */
+/*= kept_of : margin_type atom_units */
 static KERNEL_kept kept_of(margin m) {
   KERNEL_kept k;
   k.lo = m.lo;
   k.hi = m.hi;
   k.reason = m.reason;
-  k.index = m.index;
   k.input = m.input;
-  k.other = m.other;
+  k.unit = m.unit;
+  k.upper_unit = m.upper_unit;
   return k;
 }
-/*= margin_kept : margin_type */
+/*= margin_kept : margin_type atom_units */
 static margin margin_kept(KERNEL_kept k) {
   margin m;
   m.lo = k.lo;
   m.hi = k.hi;
   m.reason = k.reason;
-  m.index = k.index;
   m.input = k.input;
-  m.other = k.other;
-  /*? in_unit */ m.unit = UNIT_NONE;
+  /*? about_robots */ m.index = 0;
+  /*? about_robots */ m.other = -1;
+  m.unit = k.unit;
+  m.upper_unit = k.upper_unit;
   return m;
 }
 /*= kept_join */
-/* The greater or the lesser of both ends, of an older and a newer entry. What it is about is
- * that of the lower end, `other` that of the upper one; of equal ends the newer decides, unless
- * the input of the older is missing, which is worth telling. */
+/* The greater or the lesser of both ends, of an older and a newer entry. What it tells is of the
+ * lower end, but `upper_unit`; of equal ends the newer decides, unless the input of the older is
+ * missing, which is worth telling. */
 static KERNEL_kept kept_join(KERNEL_kept a, KERNEL_kept b, int32_t greatest) {
   const int32_t lower = greatest ? b.lo > a.lo : b.lo < a.lo;
   const int32_t upper = greatest ? b.hi >= a.hi : b.hi <= a.hi;
   KERNEL_kept k = lower || (b.lo == a.lo && a.input == INPUT_NONE) ? b : a;
   k.hi = upper ? b.hi : a.hi;
-  k.other = upper ? b.other : a.other;
+  k.upper_unit = upper ? b.upper_unit : a.upper_unit;
   return k;
 }
 /*= bits_of : margin_type */
@@ -155,14 +156,14 @@ static KERNEL_kept kept_delay(KERNEL_kept k, KERNEL_kept *ring, int64_t ticks, i
   }
   return then;
 }
-/*= margin_bits : bits_of margin_of */
+/*= margin_bits : bits_of margin_of atom_units */
 /* A verdict as a margin: it is infinite, in the units of the present operand `x`. Its reason is
  * that of x when x says the same, else that of `why`. */
 static margin margin_bits(int32_t bits, margin x, const KERNEL_kept *why) {
   margin m = margin_of(bits & 1 ? MARGIN_MAX : -MARGIN_MAX, bits & 2 ? MARGIN_MAX : -MARGIN_MAX,
                        bits == 3 ? REASON_NONE : REASON_MARGIN);
-  m.index = x.index;
-  m.other = x.other;
+  m.unit = x.unit;
+  m.upper_unit = x.upper_unit;
   if (bits != 3 && bits == bits_of(x)) {
     m.reason = x.reason;
     m.input = x.input;

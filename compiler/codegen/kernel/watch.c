@@ -1,8 +1,6 @@
 /* Monitors without a robot: what a tick sees of its inputs, conditions and quantities.
  * A margin counts halves of a millionth of its scale, one half less for a strict comparison: so the
- * negation of what holds narrowly does not, and no millionth is lost on the way.
- * In a margin here, `index` is the unit of the atom that decides the lower end and `other` that of
- * the one that decides the upper end; -1, as 0: a truth value, which has none. */
+ * negation of what holds narrowly does not, and no millionth is lost on the way. */
 /*= sample_good */
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
@@ -138,30 +136,30 @@ static int64_t tighter(int64_t so_far, int64_t given, int64_t least, int64_t mos
   }
   return up ? max_of(so_far, given) : min_of(so_far, given);
 }
-/*= both : margin_type min_of */
+/*= both : margin_type atom_units min_of */
 /* The smaller end decides; of equal ones that whose input is missing, which is worth telling. */
 static margin both(margin a, margin b) {
   margin m = b.lo < a.lo || (b.lo == a.lo && a.input == INPUT_NONE) ? b : a;
   m.hi = min_of(a.hi, b.hi);
-  m.other = b.hi < a.hi ? b.other : a.other;
+  m.upper_unit = b.hi < a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
-/*= either : margin_type max_of */
+/*= either : margin_type atom_units max_of */
 static margin either(margin a, margin b) {
   margin m = b.lo > a.lo || (b.lo == a.lo && a.input == INPUT_NONE) ? b : a;
   m.hi = max_of(a.hi, b.hi);
-  m.other = b.hi > a.hi ? b.other : a.other;
+  m.upper_unit = b.hi > a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
-/*= opposite : margin_not */
+/*= opposite : margin_not atom_units */
 static margin opposite(margin a) {
   margin m = margin_not(a);
-  m.index = a.other < 0 ? 0 : a.other;
-  m.other = a.index;
+  m.unit = a.upper_unit;
+  m.upper_unit = a.unit;
   m.reason = a.input != INPUT_NONE ? REASON_INPUT : REASON_MARGIN;
   return m;
 }
-/*= at_least : margin_unknown span_type open_ends */
+/*= at_least : margin_unknown in_unit span_type open_ends */
 /* a >= b, or a > b when `strict`; `weight`: millionths of the scale in one step of the grid. What is
  * more than an open end is strictly more, and what is less is strictly less. */
 static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t unit) {
@@ -172,9 +170,7 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
     m.hi = (a.hi - b.lo) * 2 * weight - (strict | a.hi_open | b.lo_open);
     m.reason = REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 /*= weighed */
 /* steps * num / den millionths as a margin, rounded up or down: not negative when steps > 0, or = 0
@@ -184,7 +180,7 @@ static int64_t weighed(int64_t steps, int64_t num, int64_t den, int64_t strict, 
   const int64_t whole = product / den - (product % den < 0 ? 1 : 0);
   return product % den == 0 ? 2 * whole - strict : 2 * whole + up;
 }
-/*= at_least_wide : margin_of margin_unknown span_type open_ends weighed min_of max_of */
+/*= at_least_wide : margin_of margin_unknown in_unit span_type open_ends weighed min_of max_of */
 /* The same when a step is num / den millionths, or margins may be too large to be told: then the
  * lower end is less, and the upper end more, than the true ones. */
 static margin at_least_wide(span a, span b, int64_t num, int64_t den, int64_t strict,
@@ -201,9 +197,7 @@ static margin at_least_wide(span a, span b, int64_t num, int64_t den, int64_t st
     m.hi = most_gap > most ? MARGIN_MAX : weighed(max_of(most_gap, -most), num, den, below, 1);
     m.reason = REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 /*= is_value : span_type margin_true margin_false margin_unknown */
 static margin is_value(span a, int64_t value) {
@@ -306,13 +300,13 @@ static span chosen(margin condition, span a, span b) {
 static int64_t millionths(int64_t end) {
   return (end + (end & 1)) / 2;
 }
-/*= finding_judged : verdict_of millionths */
+/*= finding_judged : verdict_of millionths atom_units */
 static inline KERNEL_finding_of finding_judged(margin m) {
   KERNEL_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = REASON_NONE;
   f.input = INPUT_NONE;
-  f.unit = m.index;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == VERDICT_FALSE) {
@@ -334,15 +328,15 @@ static int64_t whole_millionths(int64_t end) {
   }
   return end >= 0 ? end / 2 : -((1 - end) / 2);
 }
-/*= fact_margin : in_unit whole_millionths */
+/*= fact_margin : margin_type whole_millionths */
 /* What a decision makes of a fact: a margin as those of its other atoms. */
 static margin fact_margin(margin m) {
-  margin f = in_unit(m, m.index < 0 ? 0 : m.index);
+  margin f = m;
   f.lo = whole_millionths(m.lo);
   f.hi = whole_millionths(m.hi);
   f.reason = m.input != INPUT_NONE ? REASON_INPUT : REASON_MARGIN;
-  f.index = 0;
-  f.other = -1;
+  /*? about_robots */ f.index = 0;
+  /*? about_robots */ f.other = -1;
   return f;
 }
 /*= half_millionths */
@@ -353,12 +347,10 @@ static int64_t half_millionths(int64_t end) {
   return end >= MARGIN_MAX / 2 ? MARGIN_MAX : 2 * end;
 }
 /*= halves_of : margin_type half_millionths */
-/* What a fact makes of what is said about the other robots: no unit is told of it. */
+/* What a fact makes of what is said about the other robots. */
 static margin halves_of(margin m) {
   margin h = m;
   h.lo = half_millionths(m.lo);
   h.hi = half_millionths(m.hi);
-  h.index = 0;
-  h.other = 0;
   return h;
 }

@@ -4,12 +4,12 @@
 namespace rtac::temporal_test {
 namespace {
 
-// A margin whose index tells where it comes from.
+// A margin whose units tell where it comes from.
 probe_value any_margin(Random& random, std::int32_t index) {
   const std::int64_t lo = random.in(-9, 9);
   probe_value v = random.in(0, 9) == 0 ? unknown_margin() : value(lo, lo + random.in(0, 3));
-  v.index = index;
-  v.other = index;
+  v.unit = index;
+  v.upper_unit = index;
   return v;
 }
 std::vector<Window> small_and_odd_windows() {
@@ -36,14 +36,14 @@ void compare_margins(std::int32_t kind) {
         ASSERT_EQ(full.lo, want.lo) << w << " at " << i;
         ASSERT_EQ(full.hi, want.hi) << w << " at " << i;
         ASSERT_EQ(verdict(verdicts.step(a.back(), b.back())), verdict(full)) << w << " at " << i;
-        if (full.other > 0) {  // what the upper end is about
-          const History& of = full.other % 2 == 1 ? a : b;
-          ASSERT_EQ(of[std::size_t(full.other - 1) / 2].hi, full.hi) << w << " at " << i;
+        if (full.upper_unit > 0) {  // what the upper end is about
+          const History& of = full.upper_unit % 2 == 1 ? a : b;
+          ASSERT_EQ(of[std::size_t(full.upper_unit - 1) / 2].hi, full.hi) << w << " at " << i;
         }
-        if (full.index > 0) {  // else the window is empty
-          const History& of = full.index % 2 == 1 ? a : b;
-          ASSERT_EQ(of[std::size_t(full.index - 1) / 2].lo, full.lo) << w << " at " << i;
-          ASSERT_EQ(of[std::size_t(full.index - 1) / 2].reason, full.reason) << w << " at " << i;
+        if (full.unit > 0) {  // else the window is empty
+          const History& of = full.unit % 2 == 1 ? a : b;
+          ASSERT_EQ(of[std::size_t(full.unit - 1) / 2].lo, full.lo) << w << " at " << i;
+          ASSERT_EQ(of[std::size_t(full.unit - 1) / 2].reason, full.reason) << w << " at " << i;
         }
       }
     }
@@ -75,13 +75,13 @@ TEST(Verdicts, OfNothingSaysWhatTheOperandSays) {
   Operator once(PROBE_ONCE, {0, 5}, false);
   probe_value far = value(-3, -1);
   far.reason = 2;
-  far.index = 7;
-  far.other = 1;
+  far.unit = 7;
+  far.upper_unit = 1;
   const probe_value found = once.step(far);
   EXPECT_EQ(verdict(found), 0);
   EXPECT_EQ(found.reason, 2);
-  EXPECT_EQ(found.index, 7);
-  EXPECT_EQ(found.other, 1);
+  EXPECT_EQ(found.unit, 7);
+  EXPECT_EQ(found.upper_unit, 1);
 }
 
 TEST(Verdicts, AnUnknownOfThePastNamesItsInput) {
@@ -105,10 +105,10 @@ TEST(Verdicts, SinceNamesTheOperandThatFails) {
   // What has to hold, if it does not, else what should have been.
   Operator since(PROBE_SINCE, {0, 5}, false);
   probe_value hold = truth(0), x = truth(0);
-  hold.index = 1;
-  x.index = 2;
-  EXPECT_EQ(since.step(hold, x).index, 1);
-  EXPECT_EQ(since.step(truth(2), x).index, 2);
+  hold.unit = 1;
+  x.unit = 2;
+  EXPECT_EQ(since.step(hold, x).unit, 1);
+  EXPECT_EQ(since.step(truth(2), x).unit, 2);
   hold = unknown_margin(PROBE_INPUT_FIRST + 4);
   since.step(truth(2), truth(2));
   EXPECT_EQ(since.step(hold, x).input, PROBE_INPUT_FIRST + 4);

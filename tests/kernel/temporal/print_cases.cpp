@@ -22,23 +22,22 @@ enum { P_INPUT_NONE, P_INPUT_CLOCK = 7 };
 const char* const conversions = R"(
 static margin to_margin(probe_value v) {
   margin m = margin_of(v.lo, v.hi, v.reason);
-  m.index = v.index;
   m.input = v.input;
-  m.other = v.other;
+  m.unit = v.unit;
+  m.upper_unit = v.upper_unit;
   return m;
 }
 static span to_span(probe_value v) {
   span s = span_of(v.lo, v.hi);
   s.input = v.input;
-  s.other = v.other;
   return s;
 }
 static probe_value from_margin(margin m) {
-  const probe_value v = {m.lo, m.hi, m.reason, m.index, m.input, m.other};
+  const probe_value v = {m.lo, m.hi, m.reason, m.unit, m.input, m.upper_unit};
   return v;
 }
 static probe_value from_span(span s) {
-  const probe_value v = {s.lo, s.hi, 0, 0, s.input, s.other};
+  const probe_value v = {s.lo, s.hi, 0, 0, s.input, 0};
   return v;
 }
 )";

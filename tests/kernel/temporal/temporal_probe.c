@@ -125,9 +125,9 @@ static margin to_margin(probe_value v) {
   m.lo = v.lo;
   m.hi = v.hi;
   m.reason = v.reason;
-  m.index = v.index;
   m.input = v.input;
-  m.other = v.other;
+  m.unit = v.unit;
+  m.upper_unit = v.upper_unit;
   return m;
 }
 static probe_value from_margin(margin m) {
@@ -135,15 +135,14 @@ static probe_value from_margin(margin m) {
   v.lo = m.lo;
   v.hi = m.hi;
   v.reason = m.reason;
-  v.index = m.index;
   v.input = m.input;
-  v.other = m.other;
+  v.unit = m.unit;
+  v.upper_unit = m.upper_unit;
   return v;
 }
 static span to_span(probe_value v) {
   span s = span_of(v.lo, v.hi);
   s.input = v.input;
-  s.other = v.other;
   return s;
 }
 static probe_value from_span(span s) {
@@ -151,9 +150,9 @@ static probe_value from_span(span s) {
   v.lo = s.lo;
   v.hi = s.hi;
   v.reason = REASON_NONE;
-  v.index = 0;
   v.input = s.input;
-  v.other = s.other;
+  v.unit = 0;
+  v.upper_unit = 0;
   return v;
 }
 

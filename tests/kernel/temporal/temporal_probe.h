@@ -28,7 +28,7 @@ enum { PROBE_INPUT_NONE, PROBE_INPUT_CLOCK = 7, PROBE_INPUT_FIRST = 8 };
 /* A margin or a quantity, as the kernel has it. */
 typedef struct probe_value {
   int64_t lo, hi;
-  int32_t reason, index, input, other;
+  int32_t reason, unit, input, upper_unit;
 } probe_value;
 
 typedef struct probe_op probe_op;

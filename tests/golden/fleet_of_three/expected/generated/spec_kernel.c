@@ -117,12 +117,14 @@ static int64_t root_up(int64_t a) {
   return root * root == a ? root : root + 1;
 }
 
+/* Margins of what robots do tell the way-point or leg, and the other robot. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
+  int32_t index; /* way-point or leg */
+  int32_t other; /* robot that it is about, -1: none */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -130,8 +132,8 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = FLEET_OF_THREE_INPUT_NONE;
+  m.index = 0;
   m.other = -1;
   return m;
 }

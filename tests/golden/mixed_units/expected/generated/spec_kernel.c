@@ -117,13 +117,18 @@ static int64_t root_up(int64_t a) {
   return root * root == a ? root : root + 1;
 }
 
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+
+/* Margins of what robots do tell the way-point or leg, and the other robot. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
-  int32_t unit; /* of the quantity that the atom compares */
+  int32_t index; /* way-point or leg */
+  int32_t other; /* robot that it is about, -1: none */
+  int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -131,16 +136,18 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = MIXED_UNITS_INPUT_NONE;
+  m.index = 0;
   m.other = -1;
-  m.unit = MIXED_UNITS_UNIT_NONE;
+  m.unit = 0;
+  m.upper_unit = 0;
   return m;
 }
 
 /* The margin of one atom; connectives keep the unit of the one that decides. */
-static margin in_unit(margin m, int32_t unit) {
+static inline margin in_unit(margin m, int32_t unit) {
   m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 

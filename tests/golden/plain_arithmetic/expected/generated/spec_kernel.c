@@ -230,12 +230,14 @@ static inline bounds bounds_chosen(int32_t condition, bounds a, bounds b) {
              : bounds_nothing();
 }
 
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
+  int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -243,9 +245,16 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = ARM_INPUT_NONE;
-  m.other = -1;
+  m.unit = 0;
+  m.upper_unit = 0;
+  return m;
+}
+
+/* The margin of one atom; connectives keep the unit of the one that decides. */
+static inline margin in_unit(margin m, int32_t unit) {
+  m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 
@@ -477,7 +486,7 @@ static inline margin truth_of(const arm_signal *s, int32_t fresh, int32_t input)
 static margin both(margin a, margin b) {
   margin m = b.lo < a.lo || (b.lo == a.lo && a.input == ARM_INPUT_NONE) ? b : a;
   m.hi = min_of(a.hi, b.hi);
-  m.other = b.hi < a.hi ? b.other : a.other;
+  m.upper_unit = b.hi < a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
@@ -491,9 +500,7 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
     m.hi = (a.hi - b.lo) * 2 * weight - (strict | a.hi_open | b.lo_open);
     m.reason = ARM_REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 
 /* steps * num / den millionths as a margin, rounded up or down: not negative when steps > 0, or = 0
@@ -520,9 +527,7 @@ static margin at_least_wide(span a, span b, int64_t num, int64_t den, int64_t st
     m.hi = most_gap > most ? MARGIN_MAX : weighed(max_of(most_gap, -most), num, den, below, 1);
     m.reason = ARM_REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 
 /* What two operands make when one of them is unknown; `*known` is set when neither is. */
@@ -593,7 +598,7 @@ static inline arm_finding_of finding_judged(margin m) {
   f.verdict = verdict_of(m);
   f.reason = ARM_REASON_NONE;
   f.input = ARM_INPUT_NONE;
-  f.unit = m.index;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == ARM_VERDICT_FALSE) {

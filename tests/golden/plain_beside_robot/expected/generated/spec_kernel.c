@@ -165,12 +165,18 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+
+/* Margins of what robots do tell the way-point or leg, and the other robot. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
+  int32_t index; /* way-point or leg */
+  int32_t other; /* robot that it is about, -1: none */
+  int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -178,9 +184,18 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = YARD_INPUT_NONE;
+  m.index = 0;
   m.other = -1;
+  m.unit = 0;
+  m.upper_unit = 0;
+  return m;
+}
+
+/* The margin of one atom; connectives keep the unit of the one that decides. */
+static inline margin in_unit(margin m, int32_t unit) {
+  m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 
@@ -993,14 +1008,14 @@ static inline margin truth_of(const yard_signal *s, int32_t fresh, int32_t input
 static margin either(margin a, margin b) {
   margin m = b.lo > a.lo || (b.lo == a.lo && a.input == YARD_INPUT_NONE) ? b : a;
   m.hi = max_of(a.hi, b.hi);
-  m.other = b.hi > a.hi ? b.other : a.other;
+  m.upper_unit = b.hi > a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
 static margin opposite(margin a) {
   margin m = margin_not(a);
-  m.index = a.other < 0 ? 0 : a.other;
-  m.other = a.index;
+  m.unit = a.upper_unit;
+  m.upper_unit = a.unit;
   m.reason = a.input != YARD_INPUT_NONE ? YARD_REASON_INPUT : YARD_REASON_MARGIN;
   return m;
 }
@@ -1015,9 +1030,7 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
     m.hi = (a.hi - b.lo) * 2 * weight - (strict | a.hi_open | b.lo_open);
     m.reason = YARD_REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 
 /* What two operands make when one of them is unknown; `*known` is set when neither is. */
@@ -1048,7 +1061,7 @@ static inline yard_finding_of finding_judged(margin m) {
   f.verdict = verdict_of(m);
   f.reason = YARD_REASON_NONE;
   f.input = YARD_INPUT_NONE;
-  f.unit = m.index;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == YARD_VERDICT_FALSE) {

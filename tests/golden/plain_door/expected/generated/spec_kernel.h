@@ -63,7 +63,7 @@ typedef struct door_ticks {
 /* A margin or a quantity that is remembered. */
 typedef struct door_kept {
   int64_t lo, hi;
-  int32_t reason, index, input, other;
+  int32_t reason, input, unit, upper_unit;
 } door_kept;
 
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false

@@ -247,12 +247,14 @@ static inline bounds bounds_size(bounds a) {
   return size;
 }
 
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
+  int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -260,9 +262,16 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = GRIPPER_INPUT_NONE;
-  m.other = -1;
+  m.unit = 0;
+  m.upper_unit = 0;
+  return m;
+}
+
+/* The margin of one atom; connectives keep the unit of the one that decides. */
+static inline margin in_unit(margin m, int32_t unit) {
+  m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 
@@ -540,9 +549,9 @@ static gripper_kept kept_of(margin m) {
   k.lo = m.lo;
   k.hi = m.hi;
   k.reason = m.reason;
-  k.index = m.index;
   k.input = m.input;
-  k.other = m.other;
+  k.unit = m.unit;
+  k.upper_unit = m.upper_unit;
   return k;
 }
 
@@ -551,21 +560,21 @@ static margin margin_kept(gripper_kept k) {
   m.lo = k.lo;
   m.hi = k.hi;
   m.reason = k.reason;
-  m.index = k.index;
   m.input = k.input;
-  m.other = k.other;
+  m.unit = k.unit;
+  m.upper_unit = k.upper_unit;
   return m;
 }
 
-/* The greater or the lesser of both ends, of an older and a newer entry. What it is about is
- * that of the lower end, `other` that of the upper one; of equal ends the newer decides, unless
- * the input of the older is missing, which is worth telling. */
+/* The greater or the lesser of both ends, of an older and a newer entry. What it tells is of the
+ * lower end, but `upper_unit`; of equal ends the newer decides, unless the input of the older is
+ * missing, which is worth telling. */
 static gripper_kept kept_join(gripper_kept a, gripper_kept b, int32_t greatest) {
   const int32_t lower = greatest ? b.lo > a.lo : b.lo < a.lo;
   const int32_t upper = greatest ? b.hi >= a.hi : b.hi <= a.hi;
   gripper_kept k = lower || (b.lo == a.lo && a.input == GRIPPER_INPUT_NONE) ? b : a;
   k.hi = upper ? b.hi : a.hi;
-  k.other = upper ? b.other : a.other;
+  k.upper_unit = upper ? b.upper_unit : a.upper_unit;
   return k;
 }
 
@@ -841,21 +850,21 @@ static inline margin truth_of(const gripper_signal *s, int32_t fresh, int32_t in
 static margin both(margin a, margin b) {
   margin m = b.lo < a.lo || (b.lo == a.lo && a.input == GRIPPER_INPUT_NONE) ? b : a;
   m.hi = min_of(a.hi, b.hi);
-  m.other = b.hi < a.hi ? b.other : a.other;
+  m.upper_unit = b.hi < a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
 static margin either(margin a, margin b) {
   margin m = b.lo > a.lo || (b.lo == a.lo && a.input == GRIPPER_INPUT_NONE) ? b : a;
   m.hi = max_of(a.hi, b.hi);
-  m.other = b.hi > a.hi ? b.other : a.other;
+  m.upper_unit = b.hi > a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
 static margin opposite(margin a) {
   margin m = margin_not(a);
-  m.index = a.other < 0 ? 0 : a.other;
-  m.other = a.index;
+  m.unit = a.upper_unit;
+  m.upper_unit = a.unit;
   m.reason = a.input != GRIPPER_INPUT_NONE ? GRIPPER_REASON_INPUT : GRIPPER_REASON_MARGIN;
   return m;
 }
@@ -870,9 +879,7 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
     m.hi = (a.hi - b.lo) * 2 * weight - (strict | a.hi_open | b.lo_open);
     m.reason = GRIPPER_REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 
 static margin is_value(span a, int64_t value) {
@@ -941,7 +948,7 @@ static inline gripper_finding_of finding_judged(margin m) {
   f.verdict = verdict_of(m);
   f.reason = GRIPPER_REASON_NONE;
   f.input = GRIPPER_INPUT_NONE;
-  f.unit = m.index;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == GRIPPER_VERDICT_FALSE) {

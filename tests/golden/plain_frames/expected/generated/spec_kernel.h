@@ -72,7 +72,7 @@ typedef struct gripper_ticks {
 /* A margin or a quantity that is remembered. */
 typedef struct gripper_kept {
   int64_t lo, hi;
-  int32_t reason, index, input, other;
+  int32_t reason, input, unit, upper_unit;
 } gripper_kept;
 
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false

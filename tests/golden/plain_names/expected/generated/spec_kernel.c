@@ -51,12 +51,14 @@ static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
 }
 
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
+  int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -64,9 +66,16 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = SIGNAL_INPUT_NONE;
-  m.other = -1;
+  m.unit = 0;
+  m.upper_unit = 0;
+  return m;
+}
+
+/* The margin of one atom; connectives keep the unit of the one that decides. */
+static inline margin in_unit(margin m, int32_t unit) {
+  m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 
@@ -176,9 +185,9 @@ static signal_kept kept_of(margin m) {
   k.lo = m.lo;
   k.hi = m.hi;
   k.reason = m.reason;
-  k.index = m.index;
   k.input = m.input;
-  k.other = m.other;
+  k.unit = m.unit;
+  k.upper_unit = m.upper_unit;
   return k;
 }
 
@@ -187,9 +196,9 @@ static margin margin_kept(signal_kept k) {
   m.lo = k.lo;
   m.hi = k.hi;
   m.reason = k.reason;
-  m.index = k.index;
   m.input = k.input;
-  m.other = k.other;
+  m.unit = k.unit;
+  m.upper_unit = k.upper_unit;
   return m;
 }
 
@@ -227,8 +236,8 @@ static int32_t bits_delay(int32_t bits, uint8_t *ring, int64_t ticks, int64_t *a
 static margin margin_bits(int32_t bits, margin x, const signal_kept *why) {
   margin m = margin_of(bits & 1 ? MARGIN_MAX : -MARGIN_MAX, bits & 2 ? MARGIN_MAX : -MARGIN_MAX,
                        bits == 3 ? SIGNAL_REASON_NONE : SIGNAL_REASON_MARGIN);
-  m.index = x.index;
-  m.other = x.other;
+  m.unit = x.unit;
+  m.upper_unit = x.upper_unit;
   if (bits != 3 && bits == bits_of(x)) {
     m.reason = x.reason;
     m.input = x.input;
@@ -437,21 +446,21 @@ static inline margin truth_of(const signal_signal *s, int32_t fresh, int32_t inp
 static margin both(margin a, margin b) {
   margin m = b.lo < a.lo || (b.lo == a.lo && a.input == SIGNAL_INPUT_NONE) ? b : a;
   m.hi = min_of(a.hi, b.hi);
-  m.other = b.hi < a.hi ? b.other : a.other;
+  m.upper_unit = b.hi < a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
 static margin either(margin a, margin b) {
   margin m = b.lo > a.lo || (b.lo == a.lo && a.input == SIGNAL_INPUT_NONE) ? b : a;
   m.hi = max_of(a.hi, b.hi);
-  m.other = b.hi > a.hi ? b.other : a.other;
+  m.upper_unit = b.hi > a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
 static margin opposite(margin a) {
   margin m = margin_not(a);
-  m.index = a.other < 0 ? 0 : a.other;
-  m.other = a.index;
+  m.unit = a.upper_unit;
+  m.upper_unit = a.unit;
   m.reason = a.input != SIGNAL_INPUT_NONE ? SIGNAL_REASON_INPUT : SIGNAL_REASON_MARGIN;
   return m;
 }
@@ -466,9 +475,7 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
     m.hi = (a.hi - b.lo) * 2 * weight - (strict | a.hi_open | b.lo_open);
     m.reason = SIGNAL_REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 
 /* Of one end of a margin, up to a whole one. What is infinite becomes MARGIN_MAX / 2, and so does the
@@ -482,7 +489,7 @@ static inline signal_finding_of finding_judged(margin m) {
   f.verdict = verdict_of(m);
   f.reason = SIGNAL_REASON_NONE;
   f.input = SIGNAL_INPUT_NONE;
-  f.unit = m.index;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == SIGNAL_VERDICT_FALSE) {

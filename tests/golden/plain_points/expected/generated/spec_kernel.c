@@ -165,12 +165,14 @@ static inline bounds bounds_greatest(bounds a, bounds b) {
              : bounds_nothing();
 }
 
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
+  int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -178,9 +180,16 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = CRANE_INPUT_NONE;
-  m.other = -1;
+  m.unit = 0;
+  m.upper_unit = 0;
+  return m;
+}
+
+/* The margin of one atom; connectives keep the unit of the one that decides. */
+static inline margin in_unit(margin m, int32_t unit) {
+  m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 
@@ -438,15 +447,15 @@ static int64_t forgotten_in(const crane_ticks *t, int64_t from, int64_t to) {
   return max_of(0, min_of(t->known, t->now - from + 1) - window_start(t, to));
 }
 
-/* The greater or the lesser of both ends, of an older and a newer entry. What it is about is
- * that of the lower end, `other` that of the upper one; of equal ends the newer decides, unless
- * the input of the older is missing, which is worth telling. */
+/* The greater or the lesser of both ends, of an older and a newer entry. What it tells is of the
+ * lower end, but `upper_unit`; of equal ends the newer decides, unless the input of the older is
+ * missing, which is worth telling. */
 static crane_kept kept_join(crane_kept a, crane_kept b, int32_t greatest) {
   const int32_t lower = greatest ? b.lo > a.lo : b.lo < a.lo;
   const int32_t upper = greatest ? b.hi >= a.hi : b.hi <= a.hi;
   crane_kept k = lower || (b.lo == a.lo && a.input == CRANE_INPUT_NONE) ? b : a;
   k.hi = upper ? b.hi : a.hi;
-  k.other = upper ? b.other : a.other;
+  k.upper_unit = upper ? b.upper_unit : a.upper_unit;
   return k;
 }
 
@@ -555,16 +564,15 @@ static crane_kept kept_of_span(span s) {
   k.lo = lower_end(s);
   k.hi = upper_end(s);
   k.reason = CRANE_REASON_NONE;
-  k.index = 0;
   k.input = s.input;
-  k.other = s.other;
+  k.unit = 0;
+  k.upper_unit = 0;
   return k;
 }
 
 /* An unknown is unknown on both sides, whatever else was in the window. */
 static span span_kept(crane_kept k) {
   span s = k.input == CRANE_INPUT_NONE ? span_between(k.lo, k.hi) : span_unknown(k.input);
-  s.other = k.other;
   return s;
 }
 
@@ -696,21 +704,21 @@ static inline margin truth_of(const crane_signal *s, int32_t fresh, int32_t inpu
 static margin both(margin a, margin b) {
   margin m = b.lo < a.lo || (b.lo == a.lo && a.input == CRANE_INPUT_NONE) ? b : a;
   m.hi = min_of(a.hi, b.hi);
-  m.other = b.hi < a.hi ? b.other : a.other;
+  m.upper_unit = b.hi < a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
 static margin either(margin a, margin b) {
   margin m = b.lo > a.lo || (b.lo == a.lo && a.input == CRANE_INPUT_NONE) ? b : a;
   m.hi = max_of(a.hi, b.hi);
-  m.other = b.hi > a.hi ? b.other : a.other;
+  m.upper_unit = b.hi > a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
 static margin opposite(margin a) {
   margin m = margin_not(a);
-  m.index = a.other < 0 ? 0 : a.other;
-  m.other = a.index;
+  m.unit = a.upper_unit;
+  m.upper_unit = a.unit;
   m.reason = a.input != CRANE_INPUT_NONE ? CRANE_REASON_INPUT : CRANE_REASON_MARGIN;
   return m;
 }
@@ -725,9 +733,7 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
     m.hi = (a.hi - b.lo) * 2 * weight - (strict | a.hi_open | b.lo_open);
     m.reason = CRANE_REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 
 /* What two operands make when one of them is unknown; `*known` is set when neither is. */
@@ -765,7 +771,7 @@ static inline crane_finding_of finding_judged(margin m) {
   f.verdict = verdict_of(m);
   f.reason = CRANE_REASON_NONE;
   f.input = CRANE_INPUT_NONE;
-  f.unit = m.index;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == CRANE_VERDICT_FALSE) {

@@ -69,7 +69,7 @@ typedef struct crane_ticks {
 /* A margin or a quantity that is remembered. */
 typedef struct crane_kept {
   int64_t lo, hi;
-  int32_t reason, index, input, other;
+  int32_t reason, input, unit, upper_unit;
 } crane_kept;
 
 /* A sliding window in two halves of a ring: `head` joins the half that is being filled, up to `at`,

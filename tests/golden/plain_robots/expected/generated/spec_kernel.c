@@ -214,12 +214,14 @@ static inline bounds bounds_chosen(int32_t condition, bounds a, bounds b) {
              : bounds_nothing();
 }
 
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
+  int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -227,9 +229,16 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = PLAIN_ROBOTS_INPUT_NONE;
-  m.other = -1;
+  m.unit = 0;
+  m.upper_unit = 0;
+  return m;
+}
+
+/* The margin of one atom; connectives keep the unit of the one that decides. */
+static inline margin in_unit(margin m, int32_t unit) {
+  m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 
@@ -363,9 +372,9 @@ static plain_robots_kept kept_of(margin m) {
   k.lo = m.lo;
   k.hi = m.hi;
   k.reason = m.reason;
-  k.index = m.index;
   k.input = m.input;
-  k.other = m.other;
+  k.unit = m.unit;
+  k.upper_unit = m.upper_unit;
   return k;
 }
 
@@ -374,21 +383,21 @@ static margin margin_kept(plain_robots_kept k) {
   m.lo = k.lo;
   m.hi = k.hi;
   m.reason = k.reason;
-  m.index = k.index;
   m.input = k.input;
-  m.other = k.other;
+  m.unit = k.unit;
+  m.upper_unit = k.upper_unit;
   return m;
 }
 
-/* The greater or the lesser of both ends, of an older and a newer entry. What it is about is
- * that of the lower end, `other` that of the upper one; of equal ends the newer decides, unless
- * the input of the older is missing, which is worth telling. */
+/* The greater or the lesser of both ends, of an older and a newer entry. What it tells is of the
+ * lower end, but `upper_unit`; of equal ends the newer decides, unless the input of the older is
+ * missing, which is worth telling. */
 static plain_robots_kept kept_join(plain_robots_kept a, plain_robots_kept b, int32_t greatest) {
   const int32_t lower = greatest ? b.lo > a.lo : b.lo < a.lo;
   const int32_t upper = greatest ? b.hi >= a.hi : b.hi <= a.hi;
   plain_robots_kept k = lower || (b.lo == a.lo && a.input == PLAIN_ROBOTS_INPUT_NONE) ? b : a;
   k.hi = upper ? b.hi : a.hi;
-  k.other = upper ? b.other : a.other;
+  k.upper_unit = upper ? b.upper_unit : a.upper_unit;
   return k;
 }
 
@@ -645,7 +654,7 @@ static inline span number_of(const plain_robots_signal *s, int32_t fresh, int64_
 static margin both(margin a, margin b) {
   margin m = b.lo < a.lo || (b.lo == a.lo && a.input == PLAIN_ROBOTS_INPUT_NONE) ? b : a;
   m.hi = min_of(a.hi, b.hi);
-  m.other = b.hi < a.hi ? b.other : a.other;
+  m.upper_unit = b.hi < a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
@@ -659,9 +668,7 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
     m.hi = (a.hi - b.lo) * 2 * weight - (strict | a.hi_open | b.lo_open);
     m.reason = PLAIN_ROBOTS_REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 
 /* What two operands make when one of them is unknown; `*known` is set when neither is. */
@@ -717,7 +724,7 @@ static inline plain_robots_finding_of finding_judged(margin m) {
   f.verdict = verdict_of(m);
   f.reason = PLAIN_ROBOTS_REASON_NONE;
   f.input = PLAIN_ROBOTS_INPUT_NONE;
-  f.unit = m.index;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == PLAIN_ROBOTS_VERDICT_FALSE) {

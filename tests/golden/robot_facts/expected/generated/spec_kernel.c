@@ -166,13 +166,18 @@ static inline int32_t bounds_known(bounds a) {
   return a.lo > -INT64_MAX;
 }
 
+/* Margins of several units: each tells that of the atom that decides its lower end, and its upper
+ * one; 0: a truth value, which has none. */
+
+/* Margins of what robots do tell the way-point or leg, and the other robot. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
-  int32_t unit; /* of the quantity that the atom compares */
+  int32_t index; /* way-point or leg */
+  int32_t other; /* robot that it is about, -1: none */
+  int32_t unit, upper_unit; /* of the atoms that decide its ends */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -180,16 +185,18 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = FACTS_INPUT_NONE;
+  m.index = 0;
   m.other = -1;
-  m.unit = FACTS_UNIT_NONE;
+  m.unit = 0;
+  m.upper_unit = 0;
   return m;
 }
 
 /* The margin of one atom; connectives keep the unit of the one that decides. */
-static margin in_unit(margin m, int32_t unit) {
+static inline margin in_unit(margin m, int32_t unit) {
   m.unit = unit;
+  m.upper_unit = unit;
   return m;
 }
 
@@ -921,9 +928,9 @@ static facts_kept kept_of(margin m) {
   k.lo = m.lo;
   k.hi = m.hi;
   k.reason = m.reason;
-  k.index = m.index;
   k.input = m.input;
-  k.other = m.other;
+  k.unit = m.unit;
+  k.upper_unit = m.upper_unit;
   return k;
 }
 
@@ -932,22 +939,23 @@ static margin margin_kept(facts_kept k) {
   m.lo = k.lo;
   m.hi = k.hi;
   m.reason = k.reason;
-  m.index = k.index;
   m.input = k.input;
-  m.other = k.other;
-  m.unit = FACTS_UNIT_NONE;
+  m.index = 0;
+  m.other = -1;
+  m.unit = k.unit;
+  m.upper_unit = k.upper_unit;
   return m;
 }
 
-/* The greater or the lesser of both ends, of an older and a newer entry. What it is about is
- * that of the lower end, `other` that of the upper one; of equal ends the newer decides, unless
- * the input of the older is missing, which is worth telling. */
+/* The greater or the lesser of both ends, of an older and a newer entry. What it tells is of the
+ * lower end, but `upper_unit`; of equal ends the newer decides, unless the input of the older is
+ * missing, which is worth telling. */
 static facts_kept kept_join(facts_kept a, facts_kept b, int32_t greatest) {
   const int32_t lower = greatest ? b.lo > a.lo : b.lo < a.lo;
   const int32_t upper = greatest ? b.hi >= a.hi : b.hi <= a.hi;
   facts_kept k = lower || (b.lo == a.lo && a.input == FACTS_INPUT_NONE) ? b : a;
   k.hi = upper ? b.hi : a.hi;
-  k.other = upper ? b.other : a.other;
+  k.upper_unit = upper ? b.upper_unit : a.upper_unit;
   return k;
 }
 
@@ -995,8 +1003,8 @@ static facts_kept kept_delay(facts_kept k, facts_kept *ring, int64_t ticks, int6
 static margin margin_bits(int32_t bits, margin x, const facts_kept *why) {
   margin m = margin_of(bits & 1 ? MARGIN_MAX : -MARGIN_MAX, bits & 2 ? MARGIN_MAX : -MARGIN_MAX,
                        bits == 3 ? FACTS_REASON_NONE : FACTS_REASON_MARGIN);
-  m.index = x.index;
-  m.other = x.other;
+  m.unit = x.unit;
+  m.upper_unit = x.upper_unit;
   if (bits != 3 && bits == bits_of(x)) {
     m.reason = x.reason;
     m.input = x.input;
@@ -1355,14 +1363,14 @@ static int64_t tighter(int64_t so_far, int64_t given, int64_t least, int64_t mos
 static margin both(margin a, margin b) {
   margin m = b.lo < a.lo || (b.lo == a.lo && a.input == FACTS_INPUT_NONE) ? b : a;
   m.hi = min_of(a.hi, b.hi);
-  m.other = b.hi < a.hi ? b.other : a.other;
+  m.upper_unit = b.hi < a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
 static margin either(margin a, margin b) {
   margin m = b.lo > a.lo || (b.lo == a.lo && a.input == FACTS_INPUT_NONE) ? b : a;
   m.hi = max_of(a.hi, b.hi);
-  m.other = b.hi > a.hi ? b.other : a.other;
+  m.upper_unit = b.hi > a.hi ? b.upper_unit : a.upper_unit;
   return m;
 }
 
@@ -1376,9 +1384,7 @@ static margin at_least(span a, span b, int64_t weight, int64_t strict, int32_t u
     m.hi = (a.hi - b.lo) * 2 * weight - (strict | a.hi_open | b.lo_open);
     m.reason = FACTS_REASON_MARGIN;
   }
-  m.index = unit;
-  m.other = unit;
-  return m;
+  return in_unit(m, unit);
 }
 
 static margin is_value(span a, int64_t value) {
@@ -1399,7 +1405,7 @@ static inline facts_finding_of finding_judged(margin m) {
   f.verdict = verdict_of(m);
   f.reason = FACTS_REASON_NONE;
   f.input = FACTS_INPUT_NONE;
-  f.unit = m.index;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
   if (f.verdict == FACTS_VERDICT_FALSE) {
@@ -1424,7 +1430,7 @@ static int64_t whole_millionths(int64_t end) {
 
 /* What a decision makes of a fact: a margin as those of its other atoms. */
 static margin fact_margin(margin m) {
-  margin f = in_unit(m, m.index < 0 ? 0 : m.index);
+  margin f = m;
   f.lo = whole_millionths(m.lo);
   f.hi = whole_millionths(m.hi);
   f.reason = m.input != FACTS_INPUT_NONE ? FACTS_REASON_INPUT : FACTS_REASON_MARGIN;

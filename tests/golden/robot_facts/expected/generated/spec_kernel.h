@@ -144,7 +144,7 @@ typedef struct facts_ticks {
 /* A margin or a quantity that is remembered. */
 typedef struct facts_kept {
   int64_t lo, hi;
-  int32_t reason, index, input, other;
+  int32_t reason, input, unit, upper_unit;
 } facts_kept;
 
 /* Latest ticks, up to the end of the window, at which the operand was true (must) and not false

@@ -135,12 +135,14 @@ static inline ends ends_scaled(ends a, int64_t num, int64_t den) {
   return ends_of(p / den - (p % den < 0 ? 1 : 0), q / den + (q % den > 0 ? 1 : 0));
 }
 
+/* Margins of what robots do tell the way-point or leg, and the other robot. */
+
 typedef struct margin {
   int64_t lo, hi;
   int32_t reason; /* why it is not true, if it is not */
-  int32_t index;  /* way-point or leg */
   int32_t input;  /* input that failed */
-  int32_t other;  /* robot that it is about, -1: none */
+  int32_t index; /* way-point or leg */
+  int32_t other; /* robot that it is about, -1: none */
 } margin;
 
 static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
@@ -148,8 +150,8 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.index = 0;
   m.input = SCALE_AND_SUMS_INPUT_NONE;
+  m.index = 0;
   m.other = -1;
   return m;
 }
