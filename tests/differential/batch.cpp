@@ -58,7 +58,7 @@ std::string written(const Step& step, const std::vector<Signal>& signals) {
 
 Batch::Batch(std::uint32_t seed, std::size_t count, std::size_t steps,
              const std::vector<std::string>& given, std::size_t runs)
-    : monitors_(given) {
+    : variant_(count == 0 ? 0 : seed + 2), monitors_(given) {  // of random ones
   Generator generator(seed);
   for (std::size_t k = 0; k < count; ++k) monitors_.push_back(generator.monitor(k));
   remove_refused();
@@ -82,7 +82,7 @@ std::string Batch::verdicts(std::size_t monitor) const {
 }
 
 std::string Batch::specification() const {
-  std::string text = declarations();
+  std::string text = declarations(variant_);
   for (const std::string& line : monitors_) text += line;
   return text;
 }
@@ -90,7 +90,7 @@ std::string Batch::specification() const {
 // A formula may be refused because its values leave the range of the kernel, or its constant is on
 // no grid.
 void Batch::remove_refused() {
-  const std::string head = declarations();
+  const std::string head = declarations(variant_);
   const auto before = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n'));
   constexpr int phases = 3;  // each reports its own errors
   for (int i = 0; i < phases; ++i) {

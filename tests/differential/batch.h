@@ -24,6 +24,8 @@ class Batch {
   [[nodiscard]] const std::string& problem() const { return problem_; }
   [[nodiscard]] const std::string& refused() const { return refused_; }
   [[nodiscard]] std::size_t size() const { return monitors_.size(); }
+  // Those that the compiler takes, each a line.
+  [[nodiscard]] const std::vector<std::string>& monitors() const { return monitors_; }
   // What the reference finds, one character a step.
   [[nodiscard]] std::string verdicts(std::size_t monitor) const;
   [[nodiscard]] const Troubles& troubles() const { return troubles_; }
@@ -54,6 +56,7 @@ class Batch {
   [[nodiscard]] std::string described(std::size_t k, std::size_t step, const std::string& fault,
                                       const std::vector<Finding>& found) const;
 
+  std::uint32_t variant_;  // of the declarations
   std::vector<std::string> monitors_;
   std::vector<ir::Rounding> bounds_;  // by monitor
   Findings reference_;

@@ -1,6 +1,8 @@
 #include "tests/differential/generator.h"
 
+#include <algorithm>
 #include <initializer_list>
+#include <iterator>
 
 namespace rtac::differential {
 namespace {
@@ -84,13 +86,15 @@ std::vector<Signal> signals_of(const sema::Spec& spec) {
   return all;
 }
 
-std::string declarations() {
+std::string declarations(std::uint32_t variant) {
+  const char* const variants[] = {"scale 0.5 m;\ngrid 1 mm, 1 mm/s;\n",
+                                  "scale 0.2 m/s;\ngrid 0.1 mrad, 0.01 K;\n",
+                                  "scale 2 m;\ngrid 1 mm, 10 mrad, 0.1 K;\n"};
   std::string text =
       "spec random;\n"
-      "period 1 s;\n"
-      "scale 0.5 m;\n"
+      "period 1 s;\n" +
+      std::string(variants[variant % std::size(variants)]) +
       "frame base;\n"
-      "grid 1 mm, 1 mm/s;\n"
       "enum Gear { park, drive, reverse }\n"
       "zone yard = rectangle (-1.5 m, -1.5 m) to (1.5 m, 1.5 m) - rectangle (0 m, 0 m) to (1 m, 1 "
       "m);\n"
@@ -145,11 +149,14 @@ std::string Generator::monitor(std::size_t k) {
   const std::string name = std::to_string(k);
   const std::string param =
       has_param_ ? "param h" + name + " : length in 0.1 m .. 2 m = 0.5 m; " : "";
-  return param + "monitor m" + name + " { \"D-" + name + ": random\" always " + formula + "; }\n";
+  const std::string full = below(4) == 0 ? " margin full;" : "";
+  return param + "monitor m" + name + " { \"D-" + name + ": random\" always " + formula + ";" +
+         full + " }\n";
 }
 
-// Windows that are short, long, delayed and endless.
+// Windows that are short, long, longer than margins are kept, delayed and endless.
 std::string Generator::window(bool may_be_endless) {
+  if (below(24) == 0) return "[" + std::to_string(below(3)) + " s, 1100 s]";
   const std::size_t sizes[] = {1, 2, 4, 9};
   const std::size_t from = below(sizes[below(4)]);
   const std::string to = may_be_endless && below(4) == 0
@@ -208,7 +215,7 @@ std::string Generator::atom() {
 std::string Generator::condition(int depth) {
   if (depth <= 0) return below(2) == 0 ? atom() : comparison(1);
   const auto sub = [&] { return "(" + condition(depth - 1) + ")"; };
-  switch (below(17)) {
+  switch (below(19)) {
     case 0:
       return "not " + sub();
     case 1:
@@ -239,9 +246,30 @@ std::string Generator::condition(int depth) {
       const std::string name = "f" + std::to_string(names_++);
       return "let " + name + " = " + sub() + " in " + name + " or " + sub();
     }
+    case 14: {
+      const std::string word = below(2) == 0 ? "forall" : "exists";
+      if (!bound_.empty()) return comparison(depth);
+      return over_fleet("(" + word + " ", " : ", [&] { return condition(std::min(depth - 1, 2)); });
+    }
     default:
       return comparison(depth);
   }
+}
+
+std::string Generator::robot() {
+  if (!bound_.empty() && below(4) != 0) return bound_;
+  return one_of(std::vector<std::string>{"one", "two", "bots[0]", "bots[1]"});
+}
+
+template <class Body>
+std::string Generator::over_fleet(const std::string& head, const std::string& separator,
+                                  const Body& body) {
+  bound_ = "bot" + std::to_string(names_++);
+  const std::string guard = below(2) == 0 ? "" : ", " + bound_ + " != two";
+  std::string text = head + bound_ + " : Rover" + guard + separator;
+  text += body() + ")";
+  bound_.clear();
+  return text;
 }
 
 std::string Generator::comparison(int depth) {
@@ -265,23 +293,47 @@ std::string Generator::leaf(Sort sort) {
         has_param_ = true;
         return "h" + std::to_string(k_);
       }
-      return one_of(List{"d", "p.x", "(q.y - p.y)", "distance(p, q)", "norm(p - q)",
-                         "distance(q, p)", "clearance(p, yard)", "clearance(q, bend)",
-                         "distance(q, pond)", "rotate(p - q, o).x", "norm(rotate(q - p, o))",
-                         "transform(j, p).y", "distance(transform(j, q), (1 m, 1 m))",
-                         "distance(s, (0 m, 1 m, 0 m))", "norm((if a then p else s.xy) - q)",
-                         "(cross(p - q, s.xy - p) / 1 m)",
-                         "norm(cross(s - (1 m, 0 m, 0 m), (0 m, 1 m, 0 m)) / 1 m)"});
+      return below(2) == 0 ? place() : one_of(List{"d", "p.x", "(q.y - p.y)"});
     case Sort::heat:
       return one_of(List{"t[0]", "t[1]", "t[2]", "max(t)", "min(t)"});
     case Sort::share:
-      return "r";
+      return below(2) == 0 ? "r" : robot() + ".battery";
     case Sort::speed:
-      return "v";
+      return below(2) == 0 ? one_of(List{"v", "e.linear", "(if b then e else f).linear"})
+                           : robot() + ".speed";
     case Sort::time:
       return one_of(List{"age(b)", "age(y)", "age(q)", "age(x)"});
   }
   return "x";
+}
+
+std::string Generator::place() {
+  using List = std::vector<std::string>;
+  if (below(3) == 0) {
+    return one_of(List{robot() + ".position.x", "distance(" + robot() + ", q)",
+                       "norm(" + robot() + ".position - p)", "distance(one, bots[1])",
+                       "clearance(" + robot() + ".position, yard)"});
+  }
+  return one_of(List{"distance(p, q)",
+                     "norm(p - q)",
+                     "distance(q, p)",
+                     "clearance(p, yard)",
+                     "clearance(q, bend)",
+                     "distance(q, pond)",
+                     "rotate(p - q, o).x",
+                     "norm(rotate(q - p, o))",
+                     "transform(j, p).y",
+                     "distance(transform(j, q), (1 m, 1 m))",
+                     "distance(s, (0 m, 1 m, 0 m))",
+                     "norm((if a then p else s.xy) - q)",
+                     "(cross(p - q, s.xy - p) / 1 m)",
+                     "norm(cross(s - (1 m, 0 m, 0 m), (0 m, 1 m, 0 m)) / 1 m)",
+                     "distance(l, transform(j, p))",
+                     "transform(i, l).x",
+                     "rotate(l - transform(j, q), o).y",
+                     "(if c then i else m).position.x",
+                     "clearance(transform(i, l), bend)",
+                     "norm(mirrored(p - q))"});
 }
 
 // What every sort has.
@@ -364,10 +416,18 @@ std::string Generator::quantity(Sort sort, int depth) {
       return length(depth);
     case Sort::whole:
       if (below(3) == 0) return "count" + window(false) + call("", condition(depth - 1));
+      if (bound_.empty() && below(3) == 0) {
+        return over_fleet("count(", " : ", [&] { return condition(std::min(depth - 1, 1)); });
+      }
       return common(sort, depth);
-    case Sort::heat:
     case Sort::share:
     case Sort::speed:
+      if (bound_.empty() && below(3) == 0) {
+        const std::string word = below(2) == 0 ? "min(" : "max(";
+        return over_fleet(word, " : ", [&] { return quantity(sort, std::min(depth - 1, 1)); });
+      }
+      return common(sort, depth);
+    case Sort::heat:
     case Sort::time:
       return common(sort, depth);
   }

@@ -34,7 +34,8 @@ const std::vector<Signal>& signals();
 // All inputs of a specification of these declarations, with what its monitors say of robots.
 std::vector<Signal> signals_of(const sema::Spec& spec);
 
-std::string declarations();
+// `variant`: of the scales and grids.
+std::string declarations(std::uint32_t variant = 0);
 inline constexpr std::int64_t period_us = 1000000;
 
 class Generator {
@@ -60,12 +61,18 @@ class Generator {
   std::string leaf(Sort sort);
   std::string number(int depth);
   std::string length(int depth);
+  std::string place();  // what is said of points, vectors and poses
+  std::string robot();
+  // Binds a robot in what `body` gives; `head` ends before its name.
+  template <class Body>
+  std::string over_fleet(const std::string& head, const std::string& separator, const Body& body);
   std::string common(Sort sort, int depth);
 
   std::mt19937 random_;
   std::size_t k_ = 0;
   bool has_param_ = false;
-  std::size_t names_ = 0;  // of `let`
+  std::size_t names_ = 0;  // of `let`, and of bound robots
+  std::string bound_;      // the robot of the quantifier around; empty: none
 };
 
 }  // namespace rtac::differential

@@ -142,6 +142,9 @@ TEST_P(Pairs, AreJudgedAlikeWithEveryValue) {
   ASSERT_NE(loaded.engine, nullptr) << loaded.problem;
   const Batch::Result result = batch.compare(*loaded.engine);
   EXPECT_EQ(result.different, 0u) << result.first;
+  const driver::LoadedKernel alone = load_verdicts(batch.code(), {}, Speed::of_building);
+  ASSERT_NE(alone.engine, nullptr) << alone.problem;
+  EXPECT_EQ(batch.disagreement(*loaded.engine, *alone.engine), "");
   const std::set<char> every{'0', '1', '?'};
   ASSERT_EQ(settled_.size(), mine_.size());
   for (const Settled& pair : settled_) {

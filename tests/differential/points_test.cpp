@@ -1,5 +1,5 @@
-// Points and bodies against zones: generated code against exact geometry, on edges, vertices, around
-// them. Zones with holes and notches, off the grid, sharp, far away and round.
+// Points and bodies against zones: generated code against exact geometry, on edges, vertices,
+// around them. Zones with holes and notches, off the grid, sharp, far away and round.
 #include <gtest/gtest.h>
 
 #include <cmath>

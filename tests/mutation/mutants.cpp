@@ -106,7 +106,7 @@ std::vector<Mutant> mutants_of_formulas() {
       {"difference_is_sum", R"(= span_negate\(([^)]+)\))", "= $1"},
       {"size_is_signed", R"(= absolute_of\(([^)]+)\))", "= $1"},
       {"margins_without_the_other_error", R"(\(a\.lo - b\.hi\) \* 2)", "(a.lo - b.lo) * 2"},
-      {"unknown_ticks_have_no_range", R"(_over\(span_fill\(([^,]+), [^)]+\))", "_over($1"},
+      {"unknown_ticks_have_no_range", R"(a\.input == \w+ \? a : span_of)", "1 ? a : span_of"},
       {"margins_not_halved", R"(\(end \+ \(end & 1\)\) / 2)", "end"},
   };
 #undef RTAC_TICKS
@@ -227,6 +227,9 @@ std::vector<std::string> witnesses() {
       "min(x, y) >= 0 and max(x, z) <= 1",
       "y * y <= 1",
       "x * y <= 1",
+      "z * y >= -1",
+      "x / 3 + y >= 0.5",
+      "d / 7 + p.x <= 0.3 m",
       "abs(y) >= 0",
       "p.x + p.y <= 1 m",
       "once[6 s, 6 s] b",
