@@ -63,6 +63,9 @@ bool remembers(const ir::PlainMonitor& monitor);
 bool counts_ticks(const ir::Watch& watch, Telling telling);
 // Whether a tick that was missed matters: to what is remembered, or to the number of the tick.
 bool has_past(const ir::Watch& watch, Telling telling);
+// Whether the stamp of the last sample is kept. What must arrive every tick is later than the last
+// tick, which no sample before was, so it cannot go back.
+bool keeps_stamp(const ir::Watch& watch, std::size_t channel);
 // Whether some input has to arrive every tick: then it matters when the last one was.
 bool arrives_each_tick(const ir::Watch& watch);
 

@@ -110,23 +110,29 @@ void WatchLook::channel(std::size_t index, Code& out) {
   const Channel& c = watch_.inputs[index];
   const std::string& name = members_.channels[index];
   const std::string first = "in->" + members_.signal(std::uint32_t(index), 0).name;
-  const std::string good = "good_" + name;
-  out.line("const int32_t " + good + " = " +
-           use("sample_good", "&" + first + ", &v->s->last_" + name + "_us, v->now_us") + ";");
-  std::string fresh = good;
-  if (c.max_age_us) {
-    fresh +=
-        " && " + use("elapsed_us", first + ".stamp_us, v->now_us") + " <= " + num(*c.max_age_us);
-  } else if (!c.held) {
-    fresh += " && " + first + ".stamp_us > v->since_us";
-  }
-  out.line("const int32_t fresh_" + name + " = " + fresh + ";");
+  out.line("const int32_t fresh_" + name + " = " + fresh(index, first, out) + ";");
   for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, out);
   if (!reads_age(watch_, index)) return;
   const std::string of = "&" + first + ", " + whole_sample(index, out) + ", v->now_us";
   const std::string age = kernel_.is_full() ? use("age_span", of + ", " + kernel_.numbers[index])
                                             : use("bounds_age", of);
   out.line("v->age_of_" + name + " = " + age + ";");
+}
+// Whether the newest sample counts now.
+std::string WatchLook::fresh(std::size_t index, const std::string& first, Code& out) {
+  const Channel& c = watch_.inputs[index];
+  if (!keeps_stamp(watch_, index)) {
+    return use("sample_arrived", "&" + first + ", v->since_us, v->now_us");
+  }
+  const std::string& name = members_.channels[index];
+  const std::string good = "good_" + name;
+  out.line("const int32_t " + good + " = " +
+           use("sample_good", "&" + first + ", &v->s->last_" + name + "_us, v->now_us") + ";");
+  if (c.max_age_us) {
+    return good + " && " + use("elapsed_us", first + ".stamp_us, v->now_us") +
+           " <= " + num(*c.max_age_us);
+  }
+  return c.held ? good : good + " && " + first + ".stamp_us > v->since_us";
 }
 // A sample has an age when all of it has a value; the library looks at the first component.
 std::string WatchLook::whole_sample(std::size_t index, Code& out) {
@@ -181,8 +187,10 @@ void WatchLook::start(const std::string& state, Code& body) const {
     uses_.insert("ticks_start");
     body.line("ticks_start(&" + state + "ticks);");
   }
-  for (const std::string& channel : members_.channels) {
-    body.line(state + "last_" + channel + "_us = INT64_MIN;");
+  for (std::size_t c = 0; c < members_.channels.size(); ++c) {
+    if (keeps_stamp(watch_, c)) {
+      body.line(state + "last_" + members_.channels[c] + "_us = INT64_MIN;");
+    }
   }
   for (std::size_t k = 0; k < watch_.params.size(); ++k) {
     body.line(state + "tightest_" + members_.params[k] + " = " + num(watch_.params[k].value) + ";");

@@ -45,6 +45,7 @@ class WatchLook {
   [[nodiscard]] bool is_truth(std::size_t channel) const;
   [[nodiscard]] std::string type_of(std::size_t channel) const;
   void channel(std::size_t index, Code& out);
+  std::string fresh(std::size_t index, const std::string& first, Code& out);
   std::string whole_sample(std::size_t index, Code& out);
   void component(std::size_t index, std::uint32_t k, Code& body);
   std::string unknown(bool is_truth);

@@ -141,9 +141,15 @@ bool has_past(const Watch& watch, Telling telling) {
   return counts_ticks(watch, telling) ||
          std::any_of(watch.monitors.begin(), watch.monitors.end(), remembers);
 }
+static bool arrives_each_tick(const Channel& c) {
+  return !c.held && !c.max_age_us;
+}
+bool keeps_stamp(const Watch& watch, std::size_t channel) {
+  return !arrives_each_tick(watch.inputs[channel]) || reads_age(watch, channel);
+}
 bool arrives_each_tick(const Watch& watch) {
   return std::any_of(watch.inputs.begin(), watch.inputs.end(),
-                     [](const Channel& c) { return !c.held && !c.max_age_us; });
+                     [](const Channel& c) { return arrives_each_tick(c); });
 }
 
 std::int64_t watch_clock_number(const Module& module) {
@@ -175,6 +181,12 @@ std::int64_t watch_monitor_bytes(const PlainMonitor& monitor) {
   return bytes;
 }
 
+static std::int64_t kept_stamps(const Watch& watch) {
+  std::int64_t count = 0;
+  for (std::size_t c = 0; c < watch.inputs.size(); ++c) count += keeps_stamp(watch, c) ? 1 : 0;
+  return count;
+}
+
 std::int64_t watch_state_bytes(const Watch& watch) {
   // clock, end of the present tick, time of the last one, then the newest stamp of each input and
   // the value of each parameter
@@ -182,7 +194,7 @@ std::int64_t watch_state_bytes(const Watch& watch) {
   std::int64_t bytes = clock_bytes + word_bytes;
   if (counts_ticks(watch, Telling::margins)) bytes += temporal_ticks_bytes;
   if (arrives_each_tick(watch)) bytes += word_bytes;
-  bytes += word_bytes * static_cast<std::int64_t>(watch.inputs.size() + watch.params.size());
+  bytes += word_bytes * (kept_stamps(watch) + static_cast<std::int64_t>(watch.params.size()));
   for (const PlainMonitor& monitor : watch.monitors) bytes += watch_monitor_bytes(monitor);
   return bytes;
 }
@@ -201,7 +213,7 @@ std::int64_t facts_state_bytes(const Watch& facts) {
   // parameter
   constexpr std::int64_t found_bytes = 32, word_bytes = 8;
   std::int64_t bytes = found_bytes * static_cast<std::int64_t>(facts.monitors.size());
-  bytes += word_bytes * static_cast<std::int64_t>(facts.inputs.size() + facts.params.size());
+  bytes += word_bytes * (kept_stamps(facts) + static_cast<std::int64_t>(facts.params.size()));
   if (arrives_each_tick(facts)) bytes += word_bytes;  // time of the last tick
   if (counts_ticks(facts, Telling::margins)) bytes += temporal_ticks_bytes;
   for (const PlainMonitor& fact : facts.monitors) bytes += watch_monitor_bytes(fact);

@@ -125,7 +125,7 @@ std::vector<Mutant> mutants_of_inputs() {
       {"age_is_strict", R"((fresh_\w+ = good_\w+ && elapsed_us\([^)]*\)) <= (\d+))", "$1 < $2"},
       {"held_must_arrive", R"(fresh_(\w+) = good_\w+;)",
        "fresh_$1 = good_$1 && v->s->last_$1_us > v->since_us;"},
-      {"arrived_once_is_enough", R"( && in->\w+\.stamp_us > v->since_us)", ""},
+      {"arrived_once_is_enough", R"(\(s->stamp_us <= since_us\))", "(0)"},
       {"future_stamps_count", R"(\(s->stamp_us > now_us\))", "(0)"},
       {"stamps_may_go_backwards", R"(\(s->stamp_us < \*last_us\))", "(0)"},
       {"values_that_are_none_count", R"(\(s->valid == 0\))", "(0)"},

@@ -14,6 +14,15 @@ static int32_t sample_good(const KERNEL_signal *s, int64_t *last_us, int64_t now
   *last_us = s->stamp_us;
   return 1;
 }
+/*= sample_arrived */
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const KERNEL_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
+    return 0;
+  }
+  return s->stamp_us <= now_us;
+}
 /*= tick_follows */
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
  * division. Beyond INT64_MAX - period_us there is no such tick. */

@@ -79,8 +79,11 @@ TEST_F(Stand, WhatHoldsIsGoodForEver) {
 
 TEST_F(Stand, AStampFromTheFutureIsUnknown) {
   give(0);
-  monitors_.errors(1, 1);
-  EXPECT_EQ(step(0, Monitors::clean_index).verdict, rtac::Verdict::is_unknown);
+  monitors_.errors(1, 1);                                   // every tick
+  monitors_.target({rtac::Length(3), rtac::Length(4)}, 1);  // held
+  const auto findings = monitors_.step(0);
+  EXPECT_EQ(findings[Monitors::clean_index].verdict, rtac::Verdict::is_unknown);
+  EXPECT_EQ(findings[Monitors::apart_index].verdict, rtac::Verdict::is_unknown);
 }
 
 TEST_F(Stand, AStampThatGoesBackwardsIsUnknown) {

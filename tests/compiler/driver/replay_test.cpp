@@ -184,9 +184,9 @@ TEST_F(Replay, TablesOfZonesCountAsMemory) {
   write("place.rta",
         "spec place; period 1 s; zone room = rectangle (0 m, 0 m) to (5 m, 5 m);\n"
         "input p : point in -9 .. 9 m; monitor m { \"R: in\" always p inside room; }\n");
-  EXPECT_EQ(rtac({"check", "place.rta", "--max-bytes", "152"}).status, 0);
-  const Outcome refused = rtac({"check", "place.rta", "--max-bytes", "151"});
-  EXPECT_NE(refused.err.find("and the tables of their zones remember 152 bytes"), std::string::npos)
+  EXPECT_EQ(rtac({"check", "place.rta", "--max-bytes", "144"}).status, 0);
+  const Outcome refused = rtac({"check", "place.rta", "--max-bytes", "143"});
+  EXPECT_NE(refused.err.find("and the tables of their zones remember 144 bytes"), std::string::npos)
       << refused.err;
 }
 
@@ -200,11 +200,11 @@ TEST_F(Replay, MonitorsThatFillTheMemoryAreRefusedByDefault) {
        {std::vector<std::string>{"check", "big.rta"}, {"replay", "big.rta", "big.csv"}}) {
     const Outcome o = rtac(words);
     EXPECT_EQ(o.status, 1);
-    EXPECT_NE(o.err.find("remember 115200000168 bytes; at most 268435456 are allowed"),
+    EXPECT_NE(o.err.find("remember 115200000160 bytes; at most 268435456 are allowed"),
               std::string::npos)
         << o.err;
   }
-  EXPECT_EQ(rtac({"check", "big.rta", "--max-bytes", "115200000168"}).status, 0);
+  EXPECT_EQ(rtac({"check", "big.rta", "--max-bytes", "115200000160"}).status, 0);
 }
 
 // So are those of robots, of which each remembers its own.
@@ -228,9 +228,9 @@ TEST_F(Replay, MemoryThatIsNotThereIsNoBug) {
   }
   write("vast.rta", text);
   write("vast.csv", "time,x\n0,1\n");
-  const Outcome o = rtac({"replay", "vast.rta", "vast.csv", "--max-bytes", "172800000000552"});
+  const Outcome o = rtac({"replay", "vast.rta", "vast.csv", "--max-bytes", "172800000000544"});
   EXPECT_EQ(o.status, 2);
-  EXPECT_NE(o.err.find("remember 172800000000552 bytes, which this machine cannot give"),
+  EXPECT_NE(o.err.find("remember 172800000000544 bytes, which this machine cannot give"),
             std::string::npos)
       << o.err;
 }

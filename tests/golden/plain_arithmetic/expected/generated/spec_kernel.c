@@ -371,17 +371,13 @@ static int64_t next_tick(arm_clock *clock, int64_t now_us, int64_t period_us,
   return gap_us > longest_us && elapsed < 2 ? 2 : elapsed;
 }
 
-/* The newest sample counts unless its stamp is from the future or before that of an earlier one;
- * that of one without a value is a stamp like others. */
-static int32_t sample_good(const arm_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const arm_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
-    return 0;
-  }
-  *last_us = s->stamp_us;
-  return 1;
+  return s->stamp_us <= now_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
@@ -682,26 +678,22 @@ static inline margin side_now(const arm_view *v) {
 }
 
 static inline void arm_look_lifted(arm_view *v, const arm_monitors_in *in) {
-  const int32_t good_lifted = sample_good(&in->lifted, &v->s->last_lifted_us, v->now_us);
-  const int32_t fresh_lifted = good_lifted && in->lifted.stamp_us > v->since_us;
+  const int32_t fresh_lifted = sample_arrived(&in->lifted, v->since_us, v->now_us);
   v->lifted = truth_of(&in->lifted, fresh_lifted, ARM_MONITORS_INPUT_LIFTED);
 }
 
 static inline void arm_look_v(arm_view *v, const arm_monitors_in *in) {
-  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, v->now_us);
-  const int32_t fresh_v = good_v && in->v.stamp_us > v->since_us;
+  const int32_t fresh_v = sample_arrived(&in->v, v->since_us, v->now_us);
   v->v = number_of(&in->v, fresh_v, -4000, 4000, 20, ARM_MONITORS_INPUT_V);
 }
 
 static inline void arm_look_w(arm_view *v, const arm_monitors_in *in) {
-  const int32_t good_w = sample_good(&in->w, &v->s->last_w_us, v->now_us);
-  const int32_t fresh_w = good_w && in->w.stamp_us > v->since_us;
+  const int32_t fresh_w = sample_arrived(&in->w, v->since_us, v->now_us);
   v->w = number_of(&in->w, fresh_w, -4000, 4000, 20, ARM_MONITORS_INPUT_W);
 }
 
 static inline void arm_look_lever(arm_view *v, const arm_monitors_in *in) {
-  const int32_t good_lever = sample_good(&in->lever, &v->s->last_lever_us, v->now_us);
-  const int32_t fresh_lever = good_lever && in->lever.stamp_us > v->since_us;
+  const int32_t fresh_lever = sample_arrived(&in->lever, v->since_us, v->now_us);
   v->lever = number_of(&in->lever, fresh_lever, 0, 2000, 0, ARM_MONITORS_INPUT_LEVER);
 }
 
@@ -739,10 +731,6 @@ void arm_monitors_init(arm_monitors_state *s) {
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
   s->judged_us = 0;
-  s->last_lifted_us = INT64_MIN;
-  s->last_v_us = INT64_MIN;
-  s->last_w_us = INT64_MIN;
-  s->last_lever_us = INT64_MIN;
 }
 
 void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t now_us,
@@ -850,26 +838,22 @@ static inline int32_t side_verdict(const arm_verdicts_view *v) {
 }
 
 static inline void arm_verdicts_look_lifted(arm_verdicts_view *v, const arm_monitors_in *in) {
-  const int32_t good_lifted = sample_good(&in->lifted, &v->s->last_lifted_us, v->now_us);
-  const int32_t fresh_lifted = good_lifted && in->lifted.stamp_us > v->since_us;
+  const int32_t fresh_lifted = sample_arrived(&in->lifted, v->since_us, v->now_us);
   v->lifted = bits_truth(&in->lifted, fresh_lifted);
 }
 
 static inline void arm_verdicts_look_v(arm_verdicts_view *v, const arm_monitors_in *in) {
-  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, v->now_us);
-  const int32_t fresh_v = good_v && in->v.stamp_us > v->since_us;
+  const int32_t fresh_v = sample_arrived(&in->v, v->since_us, v->now_us);
   v->v = bounds_number(&in->v, fresh_v, -4000, 4000, 20);
 }
 
 static inline void arm_verdicts_look_w(arm_verdicts_view *v, const arm_monitors_in *in) {
-  const int32_t good_w = sample_good(&in->w, &v->s->last_w_us, v->now_us);
-  const int32_t fresh_w = good_w && in->w.stamp_us > v->since_us;
+  const int32_t fresh_w = sample_arrived(&in->w, v->since_us, v->now_us);
   v->w = bounds_number(&in->w, fresh_w, -4000, 4000, 20);
 }
 
 static inline void arm_verdicts_look_lever(arm_verdicts_view *v, const arm_monitors_in *in) {
-  const int32_t good_lever = sample_good(&in->lever, &v->s->last_lever_us, v->now_us);
-  const int32_t fresh_lever = good_lever && in->lever.stamp_us > v->since_us;
+  const int32_t fresh_lever = sample_arrived(&in->lever, v->since_us, v->now_us);
   v->lever = bounds_number(&in->lever, fresh_lever, 0, 2000, 0);
 }
 
@@ -908,10 +892,6 @@ void arm_monitors_verdicts_init(arm_monitors_verdicts_state *s) {
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
   s->judged_us = 0;
-  s->last_lifted_us = INT64_MIN;
-  s->last_v_us = INT64_MIN;
-  s->last_w_us = INT64_MIN;
-  s->last_lever_us = INT64_MIN;
 }
 
 void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in *in,

@@ -76,15 +76,11 @@ typedef struct arm_monitors_in {
   arm_signal lever; /* steps of mm, 0 to 2000; new every tick */
 } arm_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 80 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 48 bytes in all. */
 typedef struct arm_monitors_state {
   arm_clock clock;
   int64_t until_us;
   int64_t judged_us;
-  int64_t last_lifted_us;
-  int64_t last_v_us;
-  int64_t last_w_us;
-  int64_t last_lever_us;
 } arm_monitors_state;
 
 /* The same for verdicts alone; start with _verdicts_init. */
@@ -92,10 +88,6 @@ typedef struct arm_monitors_verdicts_state {
   arm_clock clock;
   int64_t until_us;
   int64_t judged_us;
-  int64_t last_lifted_us;
-  int64_t last_v_us;
-  int64_t last_w_us;
-  int64_t last_lever_us;
 } arm_monitors_verdicts_state;
 
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;

@@ -306,6 +306,15 @@ static int32_t sample_good(const door_signal *s, int64_t *last_us, int64_t now_u
   return 1;
 }
 
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const door_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
+    return 0;
+  }
+  return s->stamp_us <= now_us;
+}
+
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
  * division. Beyond INT64_MAX - period_us there is no such tick. */
 static inline int32_t tick_follows(door_clock *clock, int64_t *until_us, int64_t now_us,
@@ -486,14 +495,12 @@ static inline margin one_at_a_time_now(const door_view *v) {
 }
 
 static inline void door_look_open(door_view *v, const door_monitors_in *in) {
-  const int32_t good_open = sample_good(&in->open, &v->s->last_open_us, v->now_us);
-  const int32_t fresh_open = good_open && in->open.stamp_us > v->since_us;
+  const int32_t fresh_open = sample_arrived(&in->open, v->since_us, v->now_us);
   v->open = truth_of(&in->open, fresh_open, DOOR_MONITORS_INPUT_OPEN);
 }
 
 static inline void door_look_moving(door_view *v, const door_monitors_in *in) {
-  const int32_t good_moving = sample_good(&in->moving, &v->s->last_moving_us, v->now_us);
-  const int32_t fresh_moving = good_moving && in->moving.stamp_us > v->since_us;
+  const int32_t fresh_moving = sample_arrived(&in->moving, v->since_us, v->now_us);
   v->moving = truth_of(&in->moving, fresh_moving, DOOR_MONITORS_INPUT_MOVING);
 }
 
@@ -564,8 +571,6 @@ void door_monitors_init(door_monitors_state *s) {
   s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
-  s->last_open_us = INT64_MIN;
-  s->last_moving_us = INT64_MIN;
   s->last_speed_us = INT64_MIN;
 }
 
@@ -624,14 +629,12 @@ static inline int32_t one_at_a_time_verdict(const door_verdicts_view *v) {
 }
 
 static inline void door_verdicts_look_open(door_verdicts_view *v, const door_monitors_in *in) {
-  const int32_t good_open = sample_good(&in->open, &v->s->last_open_us, v->now_us);
-  const int32_t fresh_open = good_open && in->open.stamp_us > v->since_us;
+  const int32_t fresh_open = sample_arrived(&in->open, v->since_us, v->now_us);
   v->open = bits_truth(&in->open, fresh_open);
 }
 
 static inline void door_verdicts_look_moving(door_verdicts_view *v, const door_monitors_in *in) {
-  const int32_t good_moving = sample_good(&in->moving, &v->s->last_moving_us, v->now_us);
-  const int32_t fresh_moving = good_moving && in->moving.stamp_us > v->since_us;
+  const int32_t fresh_moving = sample_arrived(&in->moving, v->since_us, v->now_us);
   v->moving = bits_truth(&in->moving, fresh_moving);
 }
 
@@ -703,8 +706,6 @@ void door_monitors_verdicts_init(door_monitors_verdicts_state *s) {
   s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
-  s->last_open_us = INT64_MIN;
-  s->last_moving_us = INT64_MIN;
   s->last_speed_us = INT64_MIN;
 }
 

@@ -89,14 +89,12 @@ typedef struct door_monitors_in {
   door_signal speed; /* steps of 1/1000 m/s, 0 to 3000; for 100000 us */
 } door_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 144 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 128 bytes in all. */
 typedef struct door_monitors_state {
   door_clock clock;
   int64_t until_us;
   door_ticks ticks;
   int64_t judged_us;
-  int64_t last_open_us;
-  int64_t last_moving_us;
   int64_t last_speed_us;
   /* no_run_with_open_door */
   door_witness historically_0;
@@ -108,8 +106,6 @@ typedef struct door_monitors_verdicts_state {
   int64_t until_us;
   door_ticks ticks;
   int64_t judged_us;
-  int64_t last_open_us;
-  int64_t last_moving_us;
   int64_t last_speed_us;
   /* no_run_with_open_door */
   door_sight historically_0;

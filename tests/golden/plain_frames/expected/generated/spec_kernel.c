@@ -748,6 +748,15 @@ static int32_t sample_good(const gripper_signal *s, int64_t *last_us, int64_t no
   return 1;
 }
 
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const gripper_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
+    return 0;
+  }
+  return s->stamp_us <= now_us;
+}
+
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
  * division. Beyond INT64_MAX - period_us there is no such tick. */
 static inline int32_t tick_follows(gripper_clock *clock, int64_t *until_us, int64_t now_us,
@@ -1133,8 +1142,7 @@ static inline void gripper_look_at(gripper_view *v, const gripper_monitors_in *i
 }
 
 static inline void gripper_look_move(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t good_move = sample_good(&in->move_linear, &v->s->last_move_us, v->now_us);
-  const int32_t fresh_move = good_move && in->move_linear.stamp_us > v->since_us;
+  const int32_t fresh_move = sample_arrived(&in->move_linear, v->since_us, v->now_us);
   v->move_linear = number_of(&in->move_linear, fresh_move, -1000, 1000, 0,
       GRIPPER_MONITORS_INPUT_MOVE);
   v->move_angular = number_of(&in->move_angular, fresh_move &&
@@ -1143,8 +1151,7 @@ static inline void gripper_look_move(gripper_view *v, const gripper_monitors_in 
 }
 
 static inline void gripper_look_hand(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t good_hand = sample_good(&in->hand_x, &v->s->last_hand_us, v->now_us);
-  const int32_t fresh_hand = good_hand && in->hand_x.stamp_us > v->since_us;
+  const int32_t fresh_hand = sample_arrived(&in->hand_x, v->since_us, v->now_us);
   v->hand_x = number_of(&in->hand_x, fresh_hand, -20000, 20000, 0, GRIPPER_MONITORS_INPUT_HAND);
   v->hand_y = number_of(&in->hand_y, fresh_hand && in->hand_y.stamp_us == in->hand_x.stamp_us,
       -20000, 20000, 0, GRIPPER_MONITORS_INPUT_HAND);
@@ -1179,14 +1186,12 @@ static inline void gripper_look_hook(gripper_view *v, const gripper_monitors_in 
 }
 
 static inline void gripper_look_busy(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t good_busy = sample_good(&in->busy, &v->s->last_busy_us, v->now_us);
-  const int32_t fresh_busy = good_busy && in->busy.stamp_us > v->since_us;
+  const int32_t fresh_busy = sample_arrived(&in->busy, v->since_us, v->now_us);
   v->busy = truth_of(&in->busy, fresh_busy, GRIPPER_MONITORS_INPUT_BUSY);
 }
 
 static inline void gripper_look_gear(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
   v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, GRIPPER_MONITORS_INPUT_GEAR);
 }
 
@@ -1266,13 +1271,9 @@ void gripper_monitors_init(gripper_monitors_state *s) {
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_at_us = INT64_MIN;
-  s->last_move_us = INT64_MIN;
-  s->last_hand_us = INT64_MIN;
   s->last_goal_us = INT64_MIN;
   s->last_load_us = INT64_MIN;
   s->last_hook_us = INT64_MIN;
-  s->last_busy_us = INT64_MIN;
-  s->last_gear_us = INT64_MIN;
 }
 
 void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in *in,
@@ -1486,8 +1487,7 @@ static inline void gripper_verdicts_look_at(gripper_verdicts_view *v,
 
 static inline void gripper_verdicts_look_move(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t good_move = sample_good(&in->move_linear, &v->s->last_move_us, v->now_us);
-  const int32_t fresh_move = good_move && in->move_linear.stamp_us > v->since_us;
+  const int32_t fresh_move = sample_arrived(&in->move_linear, v->since_us, v->now_us);
   v->move_linear = bounds_number(&in->move_linear, fresh_move, -1000, 1000, 0);
   v->move_angular = bounds_number(&in->move_angular, fresh_move &&
       in->move_angular.stamp_us == in->move_linear.stamp_us, -2000, 2000, 0);
@@ -1495,8 +1495,7 @@ static inline void gripper_verdicts_look_move(gripper_verdicts_view *v,
 
 static inline void gripper_verdicts_look_hand(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t good_hand = sample_good(&in->hand_x, &v->s->last_hand_us, v->now_us);
-  const int32_t fresh_hand = good_hand && in->hand_x.stamp_us > v->since_us;
+  const int32_t fresh_hand = sample_arrived(&in->hand_x, v->since_us, v->now_us);
   v->hand_x = bounds_number(&in->hand_x, fresh_hand, -20000, 20000, 0);
   v->hand_y = bounds_number(&in->hand_y, fresh_hand &&
       in->hand_y.stamp_us == in->hand_x.stamp_us, -20000, 20000, 0);
@@ -1535,15 +1534,13 @@ static inline void gripper_verdicts_look_hook(gripper_verdicts_view *v,
 
 static inline void gripper_verdicts_look_busy(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t good_busy = sample_good(&in->busy, &v->s->last_busy_us, v->now_us);
-  const int32_t fresh_busy = good_busy && in->busy.stamp_us > v->since_us;
+  const int32_t fresh_busy = sample_arrived(&in->busy, v->since_us, v->now_us);
   v->busy = bits_truth(&in->busy, fresh_busy);
 }
 
 static inline void gripper_verdicts_look_gear(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
   v->gear = bounds_number(&in->gear, fresh_gear, 0, 1, 0);
 }
 
@@ -1625,13 +1622,9 @@ void gripper_monitors_verdicts_init(gripper_monitors_verdicts_state *s) {
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_at_us = INT64_MIN;
-  s->last_move_us = INT64_MIN;
-  s->last_hand_us = INT64_MIN;
   s->last_goal_us = INT64_MIN;
   s->last_load_us = INT64_MIN;
   s->last_hook_us = INT64_MIN;
-  s->last_busy_us = INT64_MIN;
-  s->last_gear_us = INT64_MIN;
 }
 
 void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s, const gripper_monitors_in *in,

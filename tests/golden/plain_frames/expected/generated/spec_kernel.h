@@ -115,20 +115,16 @@ typedef struct gripper_monitors_in {
   gripper_signal gear; /* 0 park, 1 drive; new every tick */
 } gripper_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 96224 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 96192 bytes in all. */
 typedef struct gripper_monitors_state {
   gripper_clock clock;
   int64_t until_us;
   gripper_ticks ticks;
   int64_t judged_us;
   int64_t last_at_us;
-  int64_t last_move_us;
-  int64_t last_hand_us;
   int64_t last_goal_us;
   int64_t last_load_us;
   int64_t last_hook_us;
-  int64_t last_busy_us;
-  int64_t last_gear_us;
   /* rested */
   gripper_slide once_0;
   gripper_kept once_0_window[3000];
@@ -141,13 +137,9 @@ typedef struct gripper_monitors_verdicts_state {
   gripper_ticks ticks;
   int64_t judged_us;
   int64_t last_at_us;
-  int64_t last_move_us;
-  int64_t last_hand_us;
   int64_t last_goal_us;
   int64_t last_load_us;
   int64_t last_hook_us;
-  int64_t last_busy_us;
-  int64_t last_gear_us;
   /* rested */
   gripper_sight once_0;
 } gripper_monitors_verdicts_state;

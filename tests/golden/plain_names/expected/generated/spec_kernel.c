@@ -328,6 +328,15 @@ static int32_t sample_good(const signal_signal *s, int64_t *last_us, int64_t now
   return 1;
 }
 
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const signal_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
+    return 0;
+  }
+  return s->stamp_us <= now_us;
+}
+
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
  * division. Beyond INT64_MAX - period_us there is no such tick. */
 static inline int32_t tick_follows(signal_clock *clock, int64_t *until_us, int64_t now_us,
@@ -578,32 +587,27 @@ static inline margin x_now(const signal_view *v) {
 }
 
 static inline void signal_look_s(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_s = sample_good(&in->s, &v->s->last_s_us, v->now_us);
-  const int32_t fresh_s = good_s && in->s.stamp_us > v->since_us;
+  const int32_t fresh_s = sample_arrived(&in->s, v->since_us, v->now_us);
   v->s_ = truth_of(&in->s, fresh_s, SIGNAL_MONITORS_INPUT_S);
 }
 
 static inline void signal_look_v(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, v->now_us);
-  const int32_t fresh_v = good_v && in->v.stamp_us > v->since_us;
+  const int32_t fresh_v = sample_arrived(&in->v, v->since_us, v->now_us);
   v->v = truth_of(&in->v, fresh_v, SIGNAL_MONITORS_INPUT_V);
 }
 
 static inline void signal_look_k(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_k = sample_good(&in->k, &v->s->last_k_us, v->now_us);
-  const int32_t fresh_k = good_k && in->k.stamp_us > v->since_us;
+  const int32_t fresh_k = sample_arrived(&in->k, v->since_us, v->now_us);
   v->k = truth_of(&in->k, fresh_k, SIGNAL_MONITORS_INPUT_K);
 }
 
 static inline void signal_look_in(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_in = sample_good(&in->in, &v->s->last_in_us, v->now_us);
-  const int32_t fresh_in = good_in && in->in.stamp_us > v->since_us;
+  const int32_t fresh_in = sample_arrived(&in->in, v->since_us, v->now_us);
   v->in = truth_of(&in->in, fresh_in, SIGNAL_MONITORS_INPUT_IN);
 }
 
 static inline void signal_look_out(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_out = sample_good(&in->out, &v->s->last_out_us, v->now_us);
-  const int32_t fresh_out = good_out && in->out.stamp_us > v->since_us;
+  const int32_t fresh_out = sample_arrived(&in->out, v->since_us, v->now_us);
   v->out = truth_of(&in->out, fresh_out, SIGNAL_MONITORS_INPUT_OUT);
 }
 
@@ -615,64 +619,54 @@ static inline void signal_look_a_(signal_view *v, const signal_monitors_in *in) 
 }
 
 static inline void signal_look_age_of_a(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_age_of_a = sample_good(&in->age_of_a, &v->s->last_age_of_a_us, v->now_us);
-  const int32_t fresh_age_of_a = good_age_of_a && in->age_of_a.stamp_us > v->since_us;
+  const int32_t fresh_age_of_a = sample_arrived(&in->age_of_a, v->since_us, v->now_us);
   v->age_of_a = truth_of(&in->age_of_a, fresh_age_of_a, SIGNAL_MONITORS_INPUT_AGE_OF_A);
 }
 
 static inline void signal_look_Index(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_Index = sample_good(&in->Index, &v->s->last_Index_us, v->now_us);
-  const int32_t fresh_Index = good_Index && in->Index.stamp_us > v->since_us;
+  const int32_t fresh_Index = sample_arrived(&in->Index, v->since_us, v->now_us);
   v->Index = truth_of(&in->Index, fresh_Index, SIGNAL_MONITORS_INPUT_INDEX);
 }
 
 static inline void signal_look_index_(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_index_ = sample_good(&in->index, &v->s->last_index__us, v->now_us);
-  const int32_t fresh_index_ = good_index_ && in->index.stamp_us > v->since_us;
+  const int32_t fresh_index_ = sample_arrived(&in->index, v->since_us, v->now_us);
   v->index = truth_of(&in->index, fresh_index_, SIGNAL_MONITORS_INPUT_INDEX_);
 }
 
 static inline void signal_look_tick(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_tick = sample_good(&in->tick, &v->s->last_tick_us, v->now_us);
-  const int32_t fresh_tick = good_tick && in->tick.stamp_us > v->since_us;
+  const int32_t fresh_tick = sample_arrived(&in->tick, v->since_us, v->now_us);
   v->tick = truth_of(&in->tick, fresh_tick, SIGNAL_MONITORS_INPUT_TICK);
 }
 
 static inline void signal_look_clock(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_clock = sample_good(&in->clock, &v->s->last_clock_us, v->now_us);
-  const int32_t fresh_clock = good_clock && in->clock.stamp_us > v->since_us;
+  const int32_t fresh_clock = sample_arrived(&in->clock, v->since_us, v->now_us);
   v->clock = truth_of(&in->clock, fresh_clock, SIGNAL_MONITORS_INPUT_CLOCK);
 }
 
 static inline void signal_look_NULL_(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_NULL_ = sample_good(&in->NULL__, &v->s->last_NULL__us, v->now_us);
-  const int32_t fresh_NULL_ = good_NULL_ && in->NULL__.stamp_us > v->since_us;
+  const int32_t fresh_NULL_ = sample_arrived(&in->NULL__, v->since_us, v->now_us);
   v->NULL__ = truth_of(&in->NULL__, fresh_NULL_, SIGNAL_MONITORS_INPUT_NULL_);
 }
 
 static inline void signal_look_double_(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_double_ = sample_good(&in->double_, &v->s->last_double__us, v->now_us);
-  const int32_t fresh_double_ = good_double_ && in->double_.stamp_us > v->since_us;
+  const int32_t fresh_double_ = sample_arrived(&in->double_, v->since_us, v->now_us);
   v->double_ = truth_of(&in->double_, fresh_double_, SIGNAL_MONITORS_INPUT_DOUBLE_);
 }
 
 static inline void signal_look_lo(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_lo = sample_good(&in->lo, &v->s->last_lo_us, v->now_us);
-  const int32_t fresh_lo = good_lo && in->lo.stamp_us > v->since_us;
+  const int32_t fresh_lo = sample_arrived(&in->lo, v->since_us, v->now_us);
   v->lo = number_of(&in->lo, fresh_lo, 0, 9000, 0, SIGNAL_MONITORS_INPUT_LO);
 }
 
 static inline void signal_look_p(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
-  const int32_t fresh_p = good_p && in->p_x.stamp_us > v->since_us;
+  const int32_t fresh_p = sample_arrived(&in->p_x, v->since_us, v->now_us);
   v->p_x = number_of(&in->p_x, fresh_p, -1000, 1000, 0, SIGNAL_MONITORS_INPUT_P);
   v->p_y = number_of(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -1000, 1000, 0,
       SIGNAL_MONITORS_INPUT_P);
 }
 
 static inline void signal_look_p_x(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_p_x = sample_good(&in->p_x_, &v->s->last_p_x_us, v->now_us);
-  const int32_t fresh_p_x = good_p_x && in->p_x_.stamp_us > v->since_us;
+  const int32_t fresh_p_x = sample_arrived(&in->p_x_, v->since_us, v->now_us);
   v->p_x_ = truth_of(&in->p_x_, fresh_p_x, SIGNAL_MONITORS_INPUT_P_X);
 }
 
@@ -753,22 +747,7 @@ void signal_monitors_init(signal_monitors_state *s) {
   s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
-  s->last_s_us = INT64_MIN;
-  s->last_v_us = INT64_MIN;
-  s->last_k_us = INT64_MIN;
-  s->last_in_us = INT64_MIN;
-  s->last_out_us = INT64_MIN;
   s->last_a__us = INT64_MIN;
-  s->last_age_of_a_us = INT64_MIN;
-  s->last_Index_us = INT64_MIN;
-  s->last_index__us = INT64_MIN;
-  s->last_tick_us = INT64_MIN;
-  s->last_clock_us = INT64_MIN;
-  s->last_NULL__us = INT64_MIN;
-  s->last_double__us = INT64_MIN;
-  s->last_lo_us = INT64_MIN;
-  s->last_p_us = INT64_MIN;
-  s->last_p_x_us = INT64_MIN;
 }
 
 void signal_monitors_step(signal_monitors_state *s, const signal_monitors_in *in, int64_t now_us,
@@ -893,33 +872,28 @@ static inline int32_t x_verdict(const signal_verdicts_view *v) {
 }
 
 static inline void signal_verdicts_look_s(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t good_s = sample_good(&in->s, &v->s->last_s_us, v->now_us);
-  const int32_t fresh_s = good_s && in->s.stamp_us > v->since_us;
+  const int32_t fresh_s = sample_arrived(&in->s, v->since_us, v->now_us);
   v->s_ = bits_truth(&in->s, fresh_s);
 }
 
 static inline void signal_verdicts_look_v(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t good_v = sample_good(&in->v, &v->s->last_v_us, v->now_us);
-  const int32_t fresh_v = good_v && in->v.stamp_us > v->since_us;
+  const int32_t fresh_v = sample_arrived(&in->v, v->since_us, v->now_us);
   v->v = bits_truth(&in->v, fresh_v);
 }
 
 static inline void signal_verdicts_look_k(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t good_k = sample_good(&in->k, &v->s->last_k_us, v->now_us);
-  const int32_t fresh_k = good_k && in->k.stamp_us > v->since_us;
+  const int32_t fresh_k = sample_arrived(&in->k, v->since_us, v->now_us);
   v->k = bits_truth(&in->k, fresh_k);
 }
 
 static inline void signal_verdicts_look_in(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t good_in = sample_good(&in->in, &v->s->last_in_us, v->now_us);
-  const int32_t fresh_in = good_in && in->in.stamp_us > v->since_us;
+  const int32_t fresh_in = sample_arrived(&in->in, v->since_us, v->now_us);
   v->in = bits_truth(&in->in, fresh_in);
 }
 
 static inline void signal_verdicts_look_out(signal_verdicts_view *v,
                                             const signal_monitors_in *in) {
-  const int32_t good_out = sample_good(&in->out, &v->s->last_out_us, v->now_us);
-  const int32_t fresh_out = good_out && in->out.stamp_us > v->since_us;
+  const int32_t fresh_out = sample_arrived(&in->out, v->since_us, v->now_us);
   v->out = bits_truth(&in->out, fresh_out);
 }
 
@@ -932,62 +906,53 @@ static inline void signal_verdicts_look_a_(signal_verdicts_view *v, const signal
 
 static inline void signal_verdicts_look_age_of_a(signal_verdicts_view *v,
                                                  const signal_monitors_in *in) {
-  const int32_t good_age_of_a = sample_good(&in->age_of_a, &v->s->last_age_of_a_us, v->now_us);
-  const int32_t fresh_age_of_a = good_age_of_a && in->age_of_a.stamp_us > v->since_us;
+  const int32_t fresh_age_of_a = sample_arrived(&in->age_of_a, v->since_us, v->now_us);
   v->age_of_a = bits_truth(&in->age_of_a, fresh_age_of_a);
 }
 
 static inline void signal_verdicts_look_Index(signal_verdicts_view *v,
                                               const signal_monitors_in *in) {
-  const int32_t good_Index = sample_good(&in->Index, &v->s->last_Index_us, v->now_us);
-  const int32_t fresh_Index = good_Index && in->Index.stamp_us > v->since_us;
+  const int32_t fresh_Index = sample_arrived(&in->Index, v->since_us, v->now_us);
   v->Index = bits_truth(&in->Index, fresh_Index);
 }
 
 static inline void signal_verdicts_look_index_(signal_verdicts_view *v,
                                                const signal_monitors_in *in) {
-  const int32_t good_index_ = sample_good(&in->index, &v->s->last_index__us, v->now_us);
-  const int32_t fresh_index_ = good_index_ && in->index.stamp_us > v->since_us;
+  const int32_t fresh_index_ = sample_arrived(&in->index, v->since_us, v->now_us);
   v->index = bits_truth(&in->index, fresh_index_);
 }
 
 static inline void signal_verdicts_look_tick(signal_verdicts_view *v,
                                              const signal_monitors_in *in) {
-  const int32_t good_tick = sample_good(&in->tick, &v->s->last_tick_us, v->now_us);
-  const int32_t fresh_tick = good_tick && in->tick.stamp_us > v->since_us;
+  const int32_t fresh_tick = sample_arrived(&in->tick, v->since_us, v->now_us);
   v->tick = bits_truth(&in->tick, fresh_tick);
 }
 
 static inline void signal_verdicts_look_clock(signal_verdicts_view *v,
                                               const signal_monitors_in *in) {
-  const int32_t good_clock = sample_good(&in->clock, &v->s->last_clock_us, v->now_us);
-  const int32_t fresh_clock = good_clock && in->clock.stamp_us > v->since_us;
+  const int32_t fresh_clock = sample_arrived(&in->clock, v->since_us, v->now_us);
   v->clock = bits_truth(&in->clock, fresh_clock);
 }
 
 static inline void signal_verdicts_look_NULL_(signal_verdicts_view *v,
                                               const signal_monitors_in *in) {
-  const int32_t good_NULL_ = sample_good(&in->NULL__, &v->s->last_NULL__us, v->now_us);
-  const int32_t fresh_NULL_ = good_NULL_ && in->NULL__.stamp_us > v->since_us;
+  const int32_t fresh_NULL_ = sample_arrived(&in->NULL__, v->since_us, v->now_us);
   v->NULL__ = bits_truth(&in->NULL__, fresh_NULL_);
 }
 
 static inline void signal_verdicts_look_double_(signal_verdicts_view *v,
                                                 const signal_monitors_in *in) {
-  const int32_t good_double_ = sample_good(&in->double_, &v->s->last_double__us, v->now_us);
-  const int32_t fresh_double_ = good_double_ && in->double_.stamp_us > v->since_us;
+  const int32_t fresh_double_ = sample_arrived(&in->double_, v->since_us, v->now_us);
   v->double_ = bits_truth(&in->double_, fresh_double_);
 }
 
 static inline void signal_verdicts_look_lo(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t good_lo = sample_good(&in->lo, &v->s->last_lo_us, v->now_us);
-  const int32_t fresh_lo = good_lo && in->lo.stamp_us > v->since_us;
+  const int32_t fresh_lo = sample_arrived(&in->lo, v->since_us, v->now_us);
   v->lo = bounds_number(&in->lo, fresh_lo, 0, 9000, 0);
 }
 
 static inline void signal_verdicts_look_p(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
-  const int32_t fresh_p = good_p && in->p_x.stamp_us > v->since_us;
+  const int32_t fresh_p = sample_arrived(&in->p_x, v->since_us, v->now_us);
   v->p_x = bounds_number(&in->p_x, fresh_p, -1000, 1000, 0);
   v->p_y = bounds_number(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -1000, 1000,
       0);
@@ -995,8 +960,7 @@ static inline void signal_verdicts_look_p(signal_verdicts_view *v, const signal_
 
 static inline void signal_verdicts_look_p_x(signal_verdicts_view *v,
                                             const signal_monitors_in *in) {
-  const int32_t good_p_x = sample_good(&in->p_x_, &v->s->last_p_x_us, v->now_us);
-  const int32_t fresh_p_x = good_p_x && in->p_x_.stamp_us > v->since_us;
+  const int32_t fresh_p_x = sample_arrived(&in->p_x_, v->since_us, v->now_us);
   v->p_x_ = bits_truth(&in->p_x_, fresh_p_x);
 }
 
@@ -1078,22 +1042,7 @@ void signal_monitors_verdicts_init(signal_monitors_verdicts_state *s) {
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
   s->judged_us = 0;
-  s->last_s_us = INT64_MIN;
-  s->last_v_us = INT64_MIN;
-  s->last_k_us = INT64_MIN;
-  s->last_in_us = INT64_MIN;
-  s->last_out_us = INT64_MIN;
   s->last_a__us = INT64_MIN;
-  s->last_age_of_a_us = INT64_MIN;
-  s->last_Index_us = INT64_MIN;
-  s->last_index__us = INT64_MIN;
-  s->last_tick_us = INT64_MIN;
-  s->last_clock_us = INT64_MIN;
-  s->last_NULL__us = INT64_MIN;
-  s->last_double__us = INT64_MIN;
-  s->last_lo_us = INT64_MIN;
-  s->last_p_us = INT64_MIN;
-  s->last_p_x_us = INT64_MIN;
   s->previously_0 = BITS_FALSE;
   s->once_1 = BITS_FALSE;
 }

@@ -119,28 +119,13 @@ typedef struct signal_monitors_in {
   signal_signal p_x_; /* 0 or 1; new every tick */
 } signal_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 280 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 160 bytes in all. */
 typedef struct signal_monitors_state {
   signal_clock clock;
   int64_t until_us;
   signal_ticks ticks;
   int64_t judged_us;
-  int64_t last_s_us;
-  int64_t last_v_us;
-  int64_t last_k_us;
-  int64_t last_in_us;
-  int64_t last_out_us;
   int64_t last_a__us;
-  int64_t last_age_of_a_us;
-  int64_t last_Index_us;
-  int64_t last_index__us;
-  int64_t last_tick_us;
-  int64_t last_clock_us;
-  int64_t last_NULL__us;
-  int64_t last_double__us;
-  int64_t last_lo_us;
-  int64_t last_p_us;
-  int64_t last_p_x_us;
   /* Clock */
   signal_kept previously_0;
   /* CLOCK */
@@ -152,22 +137,7 @@ typedef struct signal_monitors_verdicts_state {
   signal_clock clock;
   int64_t until_us;
   int64_t judged_us;
-  int64_t last_s_us;
-  int64_t last_v_us;
-  int64_t last_k_us;
-  int64_t last_in_us;
-  int64_t last_out_us;
   int64_t last_a__us;
-  int64_t last_age_of_a_us;
-  int64_t last_Index_us;
-  int64_t last_index__us;
-  int64_t last_tick_us;
-  int64_t last_clock_us;
-  int64_t last_NULL__us;
-  int64_t last_double__us;
-  int64_t last_lo_us;
-  int64_t last_p_us;
-  int64_t last_p_x_us;
   /* Clock */
   int32_t previously_0;
   /* CLOCK */

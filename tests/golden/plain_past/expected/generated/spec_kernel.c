@@ -772,17 +772,13 @@ static span change_over(span x, span none, pump_change *s, pump_pair *ring, int6
                   span_negate(change_at(first, none, t->now - to, s->why, t)));
 }
 
-/* The newest sample counts unless its stamp is from the future or before that of an earlier one;
- * that of one without a value is a stamp like others. */
-static int32_t sample_good(const pump_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const pump_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
-    return 0;
-  }
-  *last_us = s->stamp_us;
-  return 1;
+  return s->stamp_us <= now_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
@@ -1074,20 +1070,17 @@ static inline margin smooth_now(const pump_view *v) {
 }
 
 static inline void pump_look_on(pump_view *v, const pump_monitors_in *in) {
-  const int32_t good_on = sample_good(&in->on, &v->s->last_on_us, v->now_us);
-  const int32_t fresh_on = good_on && in->on.stamp_us > v->since_us;
+  const int32_t fresh_on = sample_arrived(&in->on, v->since_us, v->now_us);
   v->on = truth_of(&in->on, fresh_on, PUMP_MONITORS_INPUT_ON);
 }
 
 static inline void pump_look_alarm(pump_view *v, const pump_monitors_in *in) {
-  const int32_t good_alarm = sample_good(&in->alarm, &v->s->last_alarm_us, v->now_us);
-  const int32_t fresh_alarm = good_alarm && in->alarm.stamp_us > v->since_us;
+  const int32_t fresh_alarm = sample_arrived(&in->alarm, v->since_us, v->now_us);
   v->alarm = truth_of(&in->alarm, fresh_alarm, PUMP_MONITORS_INPUT_ALARM);
 }
 
 static inline void pump_look_pressure(pump_view *v, const pump_monitors_in *in) {
-  const int32_t good_pressure = sample_good(&in->pressure, &v->s->last_pressure_us, v->now_us);
-  const int32_t fresh_pressure = good_pressure && in->pressure.stamp_us > v->since_us;
+  const int32_t fresh_pressure = sample_arrived(&in->pressure, v->since_us, v->now_us);
   v->pressure = number_of(&in->pressure, fresh_pressure, 0, 100000, 10,
       PUMP_MONITORS_INPUT_PRESSURE);
 }
@@ -1159,9 +1152,6 @@ void pump_monitors_init(pump_monitors_state *s) {
   s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
-  s->last_on_us = INT64_MIN;
-  s->last_alarm_us = INT64_MIN;
-  s->last_pressure_us = INT64_MIN;
 }
 
 void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int64_t now_us,
@@ -1307,20 +1297,17 @@ static inline int32_t smooth_verdict(const pump_verdicts_view *v) {
 }
 
 static inline void pump_verdicts_look_on(pump_verdicts_view *v, const pump_monitors_in *in) {
-  const int32_t good_on = sample_good(&in->on, &v->s->last_on_us, v->now_us);
-  const int32_t fresh_on = good_on && in->on.stamp_us > v->since_us;
+  const int32_t fresh_on = sample_arrived(&in->on, v->since_us, v->now_us);
   v->on = bits_truth(&in->on, fresh_on);
 }
 
 static inline void pump_verdicts_look_alarm(pump_verdicts_view *v, const pump_monitors_in *in) {
-  const int32_t good_alarm = sample_good(&in->alarm, &v->s->last_alarm_us, v->now_us);
-  const int32_t fresh_alarm = good_alarm && in->alarm.stamp_us > v->since_us;
+  const int32_t fresh_alarm = sample_arrived(&in->alarm, v->since_us, v->now_us);
   v->alarm = bits_truth(&in->alarm, fresh_alarm);
 }
 
 static inline void pump_verdicts_look_pressure(pump_verdicts_view *v, const pump_monitors_in *in) {
-  const int32_t good_pressure = sample_good(&in->pressure, &v->s->last_pressure_us, v->now_us);
-  const int32_t fresh_pressure = good_pressure && in->pressure.stamp_us > v->since_us;
+  const int32_t fresh_pressure = sample_arrived(&in->pressure, v->since_us, v->now_us);
   v->pressure = bounds_number(&in->pressure, fresh_pressure, 0, 100000, 10);
 }
 
@@ -1394,9 +1381,6 @@ void pump_monitors_verdicts_init(pump_monitors_verdicts_state *s) {
   s->until_us = INT64_MAX;
   s->judged_us = 0;
   ticks_start(&s->ticks);
-  s->last_on_us = INT64_MIN;
-  s->last_alarm_us = INT64_MIN;
-  s->last_pressure_us = INT64_MIN;
   s->previously_0 = BITS_FALSE;
   s->since_2 = BITS_FALSE;
 }

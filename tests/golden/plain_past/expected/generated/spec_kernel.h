@@ -138,15 +138,12 @@ typedef struct pump_monitors_in {
   pump_signal pressure; /* steps of 1 kg/m/s^2, 0 to 100000; new every tick */
 } pump_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 3232 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 3208 bytes in all. */
 typedef struct pump_monitors_state {
   pump_clock clock;
   int64_t until_us;
   pump_ticks ticks;
   int64_t judged_us;
-  int64_t last_on_us;
-  int64_t last_alarm_us;
-  int64_t last_pressure_us;
   /* starts_once */
   pump_kept previously_0;
   pump_witness historically_1;
@@ -179,9 +176,6 @@ typedef struct pump_monitors_verdicts_state {
   int64_t until_us;
   pump_ticks ticks;
   int64_t judged_us;
-  int64_t last_on_us;
-  int64_t last_alarm_us;
-  int64_t last_pressure_us;
   /* starts_once */
   int32_t previously_0;
   pump_sight historically_1;

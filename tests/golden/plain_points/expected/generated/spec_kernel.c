@@ -602,6 +602,15 @@ static int32_t sample_good(const crane_signal *s, int64_t *last_us, int64_t now_
   return 1;
 }
 
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const crane_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
+    return 0;
+  }
+  return s->stamp_us <= now_us;
+}
+
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
  * division. Beyond INT64_MAX - period_us there is no such tick. */
 static inline int32_t tick_follows(crane_clock *clock, int64_t *until_us, int64_t now_us,
@@ -1151,14 +1160,12 @@ static inline void crane_look_swing(crane_view *v, const crane_monitors_in *in) 
 }
 
 static inline void crane_look_loaded(crane_view *v, const crane_monitors_in *in) {
-  const int32_t good_loaded = sample_good(&in->loaded, &v->s->last_loaded_us, v->now_us);
-  const int32_t fresh_loaded = good_loaded && in->loaded.stamp_us > v->since_us;
+  const int32_t fresh_loaded = sample_arrived(&in->loaded, v->since_us, v->now_us);
   v->loaded = truth_of(&in->loaded, fresh_loaded, CRANE_MONITORS_INPUT_LOADED);
 }
 
 static inline void crane_look_mark(crane_view *v, const crane_monitors_in *in) {
-  const int32_t good_mark = sample_good(&in->mark_x, &v->s->last_mark_us, v->now_us);
-  const int32_t fresh_mark = good_mark && in->mark_x.stamp_us > v->since_us;
+  const int32_t fresh_mark = sample_arrived(&in->mark_x, v->since_us, v->now_us);
   v->mark_x = number_of(&in->mark_x, fresh_mark, -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
   v->mark_y = number_of(&in->mark_y, fresh_mark && in->mark_y.stamp_us == in->mark_x.stamp_us,
       -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
@@ -1231,8 +1238,6 @@ void crane_monitors_init(crane_monitors_state *s) {
   ticks_start(&s->ticks);
   s->last_hook_us = INT64_MIN;
   s->last_swing_us = INT64_MIN;
-  s->last_loaded_us = INT64_MIN;
-  s->last_mark_us = INT64_MIN;
 }
 
 void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, int64_t now_us,
@@ -1399,14 +1404,12 @@ static inline void crane_verdicts_look_swing(crane_verdicts_view *v, const crane
 
 static inline void crane_verdicts_look_loaded(crane_verdicts_view *v,
                                               const crane_monitors_in *in) {
-  const int32_t good_loaded = sample_good(&in->loaded, &v->s->last_loaded_us, v->now_us);
-  const int32_t fresh_loaded = good_loaded && in->loaded.stamp_us > v->since_us;
+  const int32_t fresh_loaded = sample_arrived(&in->loaded, v->since_us, v->now_us);
   v->loaded = bits_truth(&in->loaded, fresh_loaded);
 }
 
 static inline void crane_verdicts_look_mark(crane_verdicts_view *v, const crane_monitors_in *in) {
-  const int32_t good_mark = sample_good(&in->mark_x, &v->s->last_mark_us, v->now_us);
-  const int32_t fresh_mark = good_mark && in->mark_x.stamp_us > v->since_us;
+  const int32_t fresh_mark = sample_arrived(&in->mark_x, v->since_us, v->now_us);
   v->mark_x = bounds_number(&in->mark_x, fresh_mark, -9000, 9000, 0);
   v->mark_y = bounds_number(&in->mark_y, fresh_mark &&
       in->mark_y.stamp_us == in->mark_x.stamp_us, -9000, 9000, 0);
@@ -1481,8 +1484,6 @@ void crane_monitors_verdicts_init(crane_monitors_verdicts_state *s) {
   ticks_start(&s->ticks);
   s->last_hook_us = INT64_MIN;
   s->last_swing_us = INT64_MIN;
-  s->last_loaded_us = INT64_MIN;
-  s->last_mark_us = INT64_MIN;
 }
 
 void crane_monitors_verdicts(crane_monitors_verdicts_state *s, const crane_monitors_in *in,

@@ -96,7 +96,7 @@ typedef struct crane_monitors_in {
   crane_signal mark_y; /* steps of mm, -9000 to 9000; new every tick */
 } crane_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 512 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 496 bytes in all. */
 typedef struct crane_monitors_state {
   crane_clock clock;
   int64_t until_us;
@@ -104,8 +104,6 @@ typedef struct crane_monitors_state {
   int64_t judged_us;
   int64_t last_hook_us;
   int64_t last_swing_us;
-  int64_t last_loaded_us;
-  int64_t last_mark_us;
   /* edge */
   crane_slide min_0;
   crane_kept min_0_window[10];
@@ -119,8 +117,6 @@ typedef struct crane_monitors_verdicts_state {
   int64_t judged_us;
   int64_t last_hook_us;
   int64_t last_swing_us;
-  int64_t last_loaded_us;
-  int64_t last_mark_us;
   /* edge */
   crane_slide min_0;
   crane_kept min_0_window[10];

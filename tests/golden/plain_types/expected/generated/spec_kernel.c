@@ -367,6 +367,15 @@ static int32_t sample_good(const test_stand_signal *s, int64_t *last_us, int64_t
   return 1;
 }
 
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const test_stand_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
+    return 0;
+  }
+  return s->stamp_us <= now_us;
+}
+
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
  * division. Beyond INT64_MAX - period_us there is no such tick. */
 static inline int32_t tick_follows(test_stand_clock *clock, int64_t *until_us, int64_t now_us,
@@ -639,14 +648,12 @@ static inline margin alive_now(const test_stand_view *v) {
 }
 
 static inline void test_stand_look_gear(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
   v->gear = number_of(&in->gear, fresh_gear, 0, 2, 0, TEST_STAND_MONITORS_INPUT_GEAR);
 }
 
 static inline void test_stand_look_wanted(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t good_wanted = sample_good(&in->wanted, &v->s->last_wanted_us, v->now_us);
-  const int32_t fresh_wanted = good_wanted && in->wanted.stamp_us > v->since_us;
+  const int32_t fresh_wanted = sample_arrived(&in->wanted, v->since_us, v->now_us);
   v->wanted = number_of(&in->wanted, fresh_wanted, 0, 2, 0, TEST_STAND_MONITORS_INPUT_WANTED);
 }
 
@@ -671,8 +678,7 @@ static inline void test_stand_look_target(test_stand_view *v, const test_stand_m
 }
 
 static inline void test_stand_look_cells(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t good_cells = sample_good(&in->cells_0, &v->s->last_cells_us, v->now_us);
-  const int32_t fresh_cells = good_cells && in->cells_0.stamp_us > v->since_us;
+  const int32_t fresh_cells = sample_arrived(&in->cells_0, v->since_us, v->now_us);
   v->cells_0 = number_of(&in->cells_0, fresh_cells, 250000, 350000, 0,
       TEST_STAND_MONITORS_INPUT_CELLS);
   v->cells_1 = number_of(&in->cells_1, fresh_cells &&
@@ -684,8 +690,7 @@ static inline void test_stand_look_cells(test_stand_view *v, const test_stand_mo
 }
 
 static inline void test_stand_look_errors(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t good_errors = sample_good(&in->errors, &v->s->last_errors_us, v->now_us);
-  const int32_t fresh_errors = good_errors && in->errors.stamp_us > v->since_us;
+  const int32_t fresh_errors = sample_arrived(&in->errors, v->since_us, v->now_us);
   v->errors = number_of(&in->errors, fresh_errors, 0, 100, 0, TEST_STAND_MONITORS_INPUT_ERRORS);
 }
 
@@ -731,12 +736,8 @@ void test_stand_monitors_init(test_stand_monitors_state *s) {
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
   s->judged_us = 0;
-  s->last_gear_us = INT64_MIN;
-  s->last_wanted_us = INT64_MIN;
   s->last_wheel_us = INT64_MIN;
   s->last_target_us = INT64_MIN;
-  s->last_cells_us = INT64_MIN;
-  s->last_errors_us = INT64_MIN;
   s->last_charge_us = INT64_MIN;
   s->tightest_gap = 200;
 }
@@ -861,15 +862,13 @@ static inline int32_t alive_verdict(const test_stand_verdicts_view *v) {
 
 static inline void test_stand_verdicts_look_gear(test_stand_verdicts_view *v,
                                                  const test_stand_monitors_in *in) {
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
   v->gear = bounds_number(&in->gear, fresh_gear, 0, 2, 0);
 }
 
 static inline void test_stand_verdicts_look_wanted(test_stand_verdicts_view *v,
                                                    const test_stand_monitors_in *in) {
-  const int32_t good_wanted = sample_good(&in->wanted, &v->s->last_wanted_us, v->now_us);
-  const int32_t fresh_wanted = good_wanted && in->wanted.stamp_us > v->since_us;
+  const int32_t fresh_wanted = sample_arrived(&in->wanted, v->since_us, v->now_us);
   v->wanted = bounds_number(&in->wanted, fresh_wanted, 0, 2, 0);
 }
 
@@ -893,8 +892,7 @@ static inline void test_stand_verdicts_look_target(test_stand_verdicts_view *v,
 
 static inline void test_stand_verdicts_look_cells(test_stand_verdicts_view *v,
                                                   const test_stand_monitors_in *in) {
-  const int32_t good_cells = sample_good(&in->cells_0, &v->s->last_cells_us, v->now_us);
-  const int32_t fresh_cells = good_cells && in->cells_0.stamp_us > v->since_us;
+  const int32_t fresh_cells = sample_arrived(&in->cells_0, v->since_us, v->now_us);
   v->cells_0 = bounds_number(&in->cells_0, fresh_cells, 250000, 350000, 0);
   v->cells_1 = bounds_number(&in->cells_1, fresh_cells &&
       in->cells_1.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
@@ -904,8 +902,7 @@ static inline void test_stand_verdicts_look_cells(test_stand_verdicts_view *v,
 
 static inline void test_stand_verdicts_look_errors(test_stand_verdicts_view *v,
                                                    const test_stand_monitors_in *in) {
-  const int32_t good_errors = sample_good(&in->errors, &v->s->last_errors_us, v->now_us);
-  const int32_t fresh_errors = good_errors && in->errors.stamp_us > v->since_us;
+  const int32_t fresh_errors = sample_arrived(&in->errors, v->since_us, v->now_us);
   v->errors = bounds_number(&in->errors, fresh_errors, 0, 100, 0);
 }
 
@@ -953,12 +950,8 @@ void test_stand_monitors_verdicts_init(test_stand_monitors_verdicts_state *s) {
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
   s->judged_us = 0;
-  s->last_gear_us = INT64_MIN;
-  s->last_wanted_us = INT64_MIN;
   s->last_wheel_us = INT64_MIN;
   s->last_target_us = INT64_MIN;
-  s->last_cells_us = INT64_MIN;
-  s->last_errors_us = INT64_MIN;
   s->last_charge_us = INT64_MIN;
   s->tightest_gap = 200;
 }

@@ -88,17 +88,13 @@ typedef struct test_stand_monitors_in {
   int64_t gap; /* parameter in steps of 1/1000 m by 1/2, 100 to 500, at first 200, only ever grows */
 } test_stand_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 112 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 80 bytes in all. */
 typedef struct test_stand_monitors_state {
   test_stand_clock clock;
   int64_t until_us;
   int64_t judged_us;
-  int64_t last_gear_us;
-  int64_t last_wanted_us;
   int64_t last_wheel_us;
   int64_t last_target_us;
-  int64_t last_cells_us;
-  int64_t last_errors_us;
   int64_t last_charge_us;
   int64_t tightest_gap;
 } test_stand_monitors_state;
@@ -108,12 +104,8 @@ typedef struct test_stand_monitors_verdicts_state {
   test_stand_clock clock;
   int64_t until_us;
   int64_t judged_us;
-  int64_t last_gear_us;
-  int64_t last_wanted_us;
   int64_t last_wheel_us;
   int64_t last_target_us;
-  int64_t last_cells_us;
-  int64_t last_errors_us;
   int64_t last_charge_us;
   int64_t tightest_gap;
 } test_stand_monitors_verdicts_state;

@@ -1253,6 +1253,15 @@ static int32_t sample_good(const facts_signal *s, int64_t *last_us, int64_t now_
   return 1;
 }
 
+/* Whether a sample has come since the last tick. It is no older than any before it: those were not
+ * from the future. */
+static inline int32_t sample_arrived(const facts_signal *s, int64_t since_us, int64_t now_us) {
+  if (s->stamp_us <= since_us) {
+    return 0;
+  }
+  return s->stamp_us <= now_us;
+}
+
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
  * division. Beyond INT64_MAX - period_us there is no such tick. */
 static inline int32_t tick_follows(facts_clock *clock, int64_t *until_us, int64_t now_us,
@@ -1502,14 +1511,12 @@ static inline void fly_facts_look_permit(fly_facts_view *v, const facts_fly_fact
 }
 
 static inline void fly_facts_look_gear(fly_facts_view *v, const facts_fly_facts_in *in) {
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
   v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, 9);
 }
 
 static inline void fly_facts_look_heat(fly_facts_view *v, const facts_fly_facts_in *in) {
-  const int32_t good_heat = sample_good(&in->heat, &v->s->last_heat_us, v->now_us);
-  const int32_t fresh_heat = good_heat && in->heat.stamp_us > v->since_us;
+  const int32_t fresh_heat = sample_arrived(&in->heat, v->since_us, v->now_us);
   v->heat = number_of(&in->heat, fresh_heat, 250000, 400000, 1000, 10);
 }
 
@@ -1740,8 +1747,6 @@ void facts_fly_init(facts_fly_state *s) {
   s->facts.judged_us = 0;
   ticks_start(&s->facts.ticks);
   s->facts.last_permit_us = INT64_MIN;
-  s->facts.last_gear_us = INT64_MIN;
-  s->facts.last_heat_us = INT64_MIN;
   s->facts.tightest_h = 100;
   s->facts.since_3 = kept_false();
 }
@@ -1909,14 +1914,12 @@ static inline void facts_look_permit(facts_view *v, const facts_monitors_in *in)
 }
 
 static inline void facts_look_gear(facts_view *v, const facts_monitors_in *in) {
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
   v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, FACTS_MONITORS_INPUT_GEAR);
 }
 
 static inline void facts_look_heat(facts_view *v, const facts_monitors_in *in) {
-  const int32_t good_heat = sample_good(&in->heat, &v->s->last_heat_us, v->now_us);
-  const int32_t fresh_heat = good_heat && in->heat.stamp_us > v->since_us;
+  const int32_t fresh_heat = sample_arrived(&in->heat, v->since_us, v->now_us);
   v->heat = number_of(&in->heat, fresh_heat, 250000, 400000, 1000, FACTS_MONITORS_INPUT_HEAT);
 }
 
@@ -1982,8 +1985,6 @@ void facts_monitors_init(facts_monitors_state *s) {
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_permit_us = INT64_MIN;
-  s->last_gear_us = INT64_MIN;
-  s->last_heat_us = INT64_MIN;
 }
 
 void facts_monitors_step(facts_monitors_state *s, const facts_monitors_in *in, int64_t now_us,
@@ -2038,14 +2039,12 @@ static inline void facts_verdicts_look_permit(facts_verdicts_view *v,
 }
 
 static inline void facts_verdicts_look_gear(facts_verdicts_view *v, const facts_monitors_in *in) {
-  const int32_t good_gear = sample_good(&in->gear, &v->s->last_gear_us, v->now_us);
-  const int32_t fresh_gear = good_gear && in->gear.stamp_us > v->since_us;
+  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
   v->gear = bounds_number(&in->gear, fresh_gear, 0, 1, 0);
 }
 
 static inline void facts_verdicts_look_heat(facts_verdicts_view *v, const facts_monitors_in *in) {
-  const int32_t good_heat = sample_good(&in->heat, &v->s->last_heat_us, v->now_us);
-  const int32_t fresh_heat = good_heat && in->heat.stamp_us > v->since_us;
+  const int32_t fresh_heat = sample_arrived(&in->heat, v->since_us, v->now_us);
   v->heat = bounds_number(&in->heat, fresh_heat, 250000, 400000, 1000);
 }
 
@@ -2113,8 +2112,6 @@ void facts_monitors_verdicts_init(facts_monitors_verdicts_state *s) {
   s->judged_us = 0;
   ticks_start(&s->ticks);
   s->last_permit_us = INT64_MIN;
-  s->last_gear_us = INT64_MIN;
-  s->last_heat_us = INT64_MIN;
 }
 
 void facts_monitors_verdicts(facts_monitors_verdicts_state *s, const facts_monitors_in *in,

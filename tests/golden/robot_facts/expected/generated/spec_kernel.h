@@ -198,13 +198,11 @@ typedef struct facts_fly_facts_in {
   int64_t h; /* parameter in steps of mm, 100 to 500, at first 100, only ever grows */
 } facts_fly_facts_in;
 
-/* What is remembered of them, 936 bytes. */
+/* What is remembered of them, 920 bytes. */
 typedef struct facts_fly_facts_state {
   facts_ticks ticks;
   int64_t judged_us;
   int64_t last_permit_us;
-  int64_t last_gear_us;
-  int64_t last_heat_us;
   int64_t tightest_h;
   /* allowed_fact_1 */
   facts_witness once_0;
@@ -286,15 +284,13 @@ typedef struct facts_monitors_in {
   facts_signal heat; /* steps of 1/1000 K, 250000 to 400000; new every tick */
 } facts_monitors_in;
 
-/* Opaque; start with _init. What each monitor remembers, 232 bytes in all. */
+/* Opaque; start with _init. What each monitor remembers, 216 bytes in all. */
 typedef struct facts_monitors_state {
   facts_clock clock;
   int64_t until_us;
   facts_ticks ticks;
   int64_t judged_us;
   int64_t last_permit_us;
-  int64_t last_gear_us;
-  int64_t last_heat_us;
   /* twin */
   facts_witness once_0;
   facts_total mean_1;
@@ -308,8 +304,6 @@ typedef struct facts_monitors_verdicts_state {
   facts_ticks ticks;
   int64_t judged_us;
   int64_t last_permit_us;
-  int64_t last_gear_us;
-  int64_t last_heat_us;
   /* twin */
   facts_sight once_0;
   facts_total mean_1;
