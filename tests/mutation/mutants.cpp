@@ -6,7 +6,7 @@ namespace rtac::mutation {
 
 namespace {
 
-std::vector<Mutant> mutants_of_formulas() {
+std::vector<Mutant> mutants_of_the_past() {
   // Calls end with the window, a and b in ticks (-1: for ever), and the ticks.
 #define RTAC_TICKS R"(,(\s+)&v->s->ticks\))"
   return {
@@ -62,6 +62,12 @@ std::vector<Mutant> mutants_of_formulas() {
        "span_add(change_at(first, $1span_negate(change_at(last,"},
       {"forgotten_ticks_count_nothing", R"(return max_of\(0, min_of\(t->known, )",
        "return 0 * max_of(0, min_of(t->known, "},
+  };
+#undef RTAC_TICKS
+}
+
+std::vector<Mutant> mutants_of_formulas() {
+  return {
       // connectives
       {"unknown_is_true", R"(margin_of\(-MARGIN_MAX, MARGIN_MAX, )",
        "margin_of(MARGIN_MAX, MARGIN_MAX, "},
@@ -109,7 +115,6 @@ std::vector<Mutant> mutants_of_formulas() {
       {"unknown_ticks_have_no_range", R"(a\.input == \w+ \? a : span_of)", "1 ? a : span_of"},
       {"margins_not_halved", R"(\(end \+ \(end & 1\)\) / 2)", "end"},
   };
-#undef RTAC_TICKS
 }
 
 std::vector<Mutant> mutants_of_inputs() {
@@ -141,13 +146,76 @@ std::vector<Mutant> mutants_of_inputs() {
   };
 }
 
+// What every mutant is noticed by, some of it.
+const char* const formulas[] = {
+    "a implies c",
+    "a since[2 s, 5 s] c",
+    "c since b",
+    "once a",
+    "historically c",
+    "once[1 s, 3 s] a",
+    "historically[2 s, 4 s] c",
+    "once[1 s, inf] (w == park and a and c)",
+    "a within 2 s of c",
+    "a for 2 s",
+    "(x < 1) since[2 s, 4 s] (y >= 1)",
+    "once[1 s, 4 s] x >= 2",
+    "historically[1 s, 3 s] x < 2",
+    "x / 3 <= 0.333333",
+    "x / 3 >= 0.166667",
+    "sqrt(abs(p.x * p.x * 2)) <= 1.414 m",
+    "y >= 1",
+    "y < -0.5",
+    "y - y >= 0",
+    "x > 0.5",
+    "x <= 0.5",
+    "p.x > 0.5 m",
+    "p.x >= 0.5 m",
+    "-p.x > 0.5 m",
+    "-p.y > 1 m",
+    "-s.x > 0 m",
+    "-s.z > 0.5 m",
+    "-l.x > -1 m",
+    "p.x + 0.5 m > 1 m",
+    "p.x + 0.5 m >= 1 m",
+    "(if a then x else y) >= 0",
+    "abs(x) <= 1.5",
+    "mean[1 s, 3 s](x) >= 0.5",
+    "rate[1 s, 3 s](x) <= 0.5 Hz",
+    "min[1 s, 4 s](x) >= -2",
+    "count[1 s, 3 s](a) >= 2",
+    "age(z) <= 1 s",
+    "g == park",
+    "n == k",
+    "previously a",
+    "not a",
+    "historically[5 s, 5 s] b",
+    "once[2 s, 4 s] x >= 2 and a",
+    "historically[2 s, 4 s] x >= 2",
+    "sum[0 s, 3 s](x) >= 1",
+    "mean[0 s, 5 s](n) >= 1",
+    "count[0 s, 3 s](a or c) <= 2",
+    "d >= 0.7 m or v >= 1 m/s",
+    "x / 3 >= 0.25 and y >= 0",
+    "min(x, y) >= 0 and max(x, z) <= 1",
+    "y * y <= 1",
+    "x * y <= 1",
+    "z * y >= -1",
+    "x / 3 + y >= 0.5",
+    "d / 7 + p.x <= 0.3 m",
+    "abs(y) >= 0",
+    "p.x + p.y <= 1 m",
+    "once[6 s, 6 s] b",
+};
+
 }  // namespace
 
 const std::vector<Mutant>& mutants() {
   static const std::vector<Mutant> all = [] {
-    std::vector<Mutant> both = mutants_of_formulas();
-    for (const Mutant& mutant : mutants_of_inputs()) both.push_back(mutant);
-    return both;
+    std::vector<Mutant> made = mutants_of_the_past();
+    for (const Mutant& mutant : mutants_of_formulas()) made.push_back(mutant);
+    for (const Mutant& mutant : mutants_of_inputs()) made.push_back(mutant);
+    return made;
   }();
   return all;
 }
@@ -174,66 +242,6 @@ std::string mutated(const Mutant& mutant, const std::string& kernel) {
 }
 
 std::vector<std::string> witnesses() {
-  const char* const formulas[] = {
-      "a implies c",
-      "a since[2 s, 5 s] c",
-      "c since b",
-      "once a",
-      "historically c",
-      "once[1 s, 3 s] a",
-      "historically[2 s, 4 s] c",
-      "once[1 s, inf] (w == park and a and c)",
-      "a within 2 s of c",
-      "a for 2 s",
-      "(x < 1) since[2 s, 4 s] (y >= 1)",
-      "once[1 s, 4 s] x >= 2",
-      "historically[1 s, 3 s] x < 2",
-      "x / 3 <= 0.333333",
-      "x / 3 >= 0.166667",
-      "sqrt(abs(p.x * p.x * 2)) <= 1.414 m",
-      "y >= 1",
-      "y < -0.5",
-      "y - y >= 0",
-      "x > 0.5",
-      "x <= 0.5",
-      "p.x > 0.5 m",
-      "p.x >= 0.5 m",
-      "-p.x > 0.5 m",
-      "-p.y > 1 m",
-      "-s.x > 0 m",
-      "-s.z > 0.5 m",
-      "-l.x > -1 m",
-      "p.x + 0.5 m > 1 m",
-      "p.x + 0.5 m >= 1 m",
-      "(if a then x else y) >= 0",
-      "abs(x) <= 1.5",
-      "mean[1 s, 3 s](x) >= 0.5",
-      "rate[1 s, 3 s](x) <= 0.5 Hz",
-      "min[1 s, 4 s](x) >= -2",
-      "count[1 s, 3 s](a) >= 2",
-      "age(z) <= 1 s",
-      "g == park",
-      "n == k",
-      "previously a",
-      "not a",
-      "historically[5 s, 5 s] b",
-      "once[2 s, 4 s] x >= 2 and a",
-      "historically[2 s, 4 s] x >= 2",
-      "sum[0 s, 3 s](x) >= 1",
-      "mean[0 s, 5 s](n) >= 1",
-      "count[0 s, 3 s](a or c) <= 2",
-      "d >= 0.7 m or v >= 1 m/s",
-      "x / 3 >= 0.25 and y >= 0",
-      "min(x, y) >= 0 and max(x, z) <= 1",
-      "y * y <= 1",
-      "x * y <= 1",
-      "z * y >= -1",
-      "x / 3 + y >= 0.5",
-      "d / 7 + p.x <= 0.3 m",
-      "abs(y) >= 0",
-      "p.x + p.y <= 1 m",
-      "once[6 s, 6 s] b",
-  };
   std::vector<std::string> lines;
   for (const char* formula : formulas) {
     lines.push_back("monitor w" + std::to_string(lines.size()) + " { \"W-1: a witness\" always " +
