@@ -110,7 +110,7 @@ void WatchLook::channel(std::size_t index, Code& out) {
   const Channel& c = watch_.inputs[index];
   const std::string& name = members_.channels[index];
   const std::string first = "in->" + members_.signal(std::uint32_t(index), 0).name;
-  out.line("const int32_t fresh_" + name + " = " + fresh(index, first, out) + ";");
+  wrapped(out, "const int32_t fresh_" + name + " = " + fresh(index, first, out) + ";");
   for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, out);
   if (!reads_age(watch_, index)) return;
   const std::string of = "&" + first + ", " + whole_sample(index, out) + ", v->now_us";
@@ -126,8 +126,9 @@ std::string WatchLook::fresh(std::size_t index, const std::string& first, Code& 
   }
   const std::string& name = members_.channels[index];
   const std::string good = "good_" + name;
-  out.line("const int32_t " + good + " = " +
-           use("sample_good", "&" + first + ", &v->s->last_" + name + "_us, v->now_us") + ";");
+  wrapped(out, "const int32_t " + good + " = " +
+                   use("sample_good", "&" + first + ", &v->s->last_" + name + "_us, v->now_us") +
+                   ";");
   if (c.max_age_us) {
     return good + " && " + use("elapsed_us", first + ".stamp_us, v->now_us") +
            " <= " + num(*c.max_age_us);

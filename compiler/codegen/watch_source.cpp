@@ -134,10 +134,13 @@ class WatchSource {
         {view() + " *v", side_.state + " *s", "const " + p_ + "_monitors_in *in", "int64_t now_us"},
         [&](Code& body) {
           if (each_tick()) body.line("int64_t since_us = s->judged_us;");
-          body.block("if (tick_follows(&s->clock, &s->until_us, now_us, " + num(watch_.period_us) +
-                         ") == 0 && " + side_.functions + "_resume(s, now_us" +
-                         (each_tick() ? ", &since_us" : "") + ") == 0)",
-                     [](Code& none) { none.line("return 0;"); });
+          body.line("int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, " +
+                    num(watch_.period_us) + ");");
+          body.block("if (begun == 0)", [&](Code& late) {
+            late.line("begun = " + side_.functions + "_resume(s, now_us" +
+                      (each_tick() ? ", &since_us" : "") + ");");
+          });
+          body.block("if (begun == 0)", [](Code& none) { none.line("return 0;"); });
           body.line("v->s = s;");
           body.line("v->now_us = now_us;");
           if (each_tick()) {
@@ -180,7 +183,8 @@ class WatchSource {
         uses_.insert("finding_judged");
         found = "finding_judged(" + found + ")";
       }
-      body.line(target + "[" + up_ + "_MONITORS_" + upper(names_(m.name)) + "] = " + found + ";");
+      const std::string to = target + "[" + up_ + "_MONITORS_" + upper(names_(m.name)) + "]";
+      wrapped(body, to + " = " + found + ";");
     }
     look_.next_tick("s->", body);
   }

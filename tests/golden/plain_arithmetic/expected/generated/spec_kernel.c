@@ -713,7 +713,11 @@ static int32_t arm_resume(arm_monitors_state *s, int64_t now_us, int64_t *since_
 static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, const arm_monitors_in *in,
                                 int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && arm_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
+  if (begun == 0) {
+    begun = arm_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -874,7 +878,11 @@ static int32_t arm_verdicts_resume(arm_monitors_verdicts_state *s, int64_t now_u
 static inline int32_t arm_verdicts_begin(arm_verdicts_view *v, arm_monitors_verdicts_state *s,
                                          const arm_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && arm_verdicts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
+  if (begun == 0) {
+    begun = arm_verdicts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

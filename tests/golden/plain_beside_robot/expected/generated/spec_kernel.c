@@ -1425,7 +1425,8 @@ static inline margin calm_now(const yard_view *v) {
 
 static inline void yard_look_gate_open(yard_view *v, const yard_monitors_in *in) {
   const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, v->now_us);
-  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us, v->now_us) <= 500000;
+  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us,
+      v->now_us) <= 500000;
   v->gate_open = truth_of(&in->gate_open, fresh_gate_open, YARD_MONITORS_INPUT_GATE_OPEN);
 }
 
@@ -1436,8 +1437,10 @@ static inline void yard_look_wind(yard_view *v, const yard_monitors_in *in) {
 }
 
 static inline void yard_look_d1_position(yard_view *v, const yard_monitors_in *in) {
-  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us, v->now_us);
-  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us, v->now_us) <= 50000;
+  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us,
+      v->now_us);
+  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us,
+      v->now_us) <= 50000;
   v->d1_position_x = number_of(&in->d1_position_x, fresh_d1_position, -100000000, 100000000, 20,
       YARD_MONITORS_INPUT_D1_POSITION);
   v->d1_position_y = number_of(&in->d1_position_y, fresh_d1_position &&
@@ -1458,7 +1461,11 @@ static int32_t yard_resume(yard_monitors_state *s, int64_t now_us) {
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s,
                                  const yard_monitors_in *in, int64_t now_us) {
-  if (tick_follows(&s->clock, &s->until_us, now_us, 20000) == 0 && yard_resume(s, now_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
+  if (begun == 0) {
+    begun = yard_resume(s, now_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -1535,7 +1542,8 @@ static inline int32_t calm_verdict(const yard_verdicts_view *v) {
 static inline void yard_verdicts_look_gate_open(yard_verdicts_view *v,
                                                 const yard_monitors_in *in) {
   const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, v->now_us);
-  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us, v->now_us) <= 500000;
+  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us,
+      v->now_us) <= 500000;
   v->gate_open = bits_truth(&in->gate_open, fresh_gate_open);
 }
 
@@ -1547,8 +1555,10 @@ static inline void yard_verdicts_look_wind(yard_verdicts_view *v, const yard_mon
 
 static inline void yard_verdicts_look_d1_position(yard_verdicts_view *v,
                                                   const yard_monitors_in *in) {
-  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us, v->now_us);
-  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us, v->now_us) <= 50000;
+  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us,
+      v->now_us);
+  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us,
+      v->now_us) <= 50000;
   v->d1_position_x = bounds_number(&in->d1_position_x, fresh_d1_position, -100000000, 100000000,
       20);
   v->d1_position_y = bounds_number(&in->d1_position_y, fresh_d1_position &&
@@ -1568,7 +1578,11 @@ static int32_t yard_verdicts_resume(yard_monitors_verdicts_state *s, int64_t now
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t yard_verdicts_begin(yard_verdicts_view *v, yard_monitors_verdicts_state *s,
                                           const yard_monitors_in *in, int64_t now_us) {
-  if (tick_follows(&s->clock, &s->until_us, now_us, 20000) == 0 && yard_verdicts_resume(s, now_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
+  if (begun == 0) {
+    begun = yard_verdicts_resume(s, now_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

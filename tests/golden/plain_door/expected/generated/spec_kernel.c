@@ -552,7 +552,11 @@ static int32_t door_resume(door_monitors_state *s, int64_t now_us, int64_t *sinc
 static inline int32_t door_begin(door_view *v, door_monitors_state *s,
                                  const door_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && door_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
+  if (begun == 0) {
+    begun = door_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -687,7 +691,11 @@ static int32_t door_verdicts_resume(door_monitors_verdicts_state *s, int64_t now
 static inline int32_t door_verdicts_begin(door_verdicts_view *v, door_monitors_verdicts_state *s,
                                           const door_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && door_verdicts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
+  if (begun == 0) {
+    begun = door_verdicts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

@@ -1251,7 +1251,11 @@ static int32_t gripper_resume(gripper_monitors_state *s, int64_t now_us, int64_t
 static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s,
                                     const gripper_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && gripper_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
+  if (begun == 0) {
+    begun = gripper_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -1602,7 +1606,11 @@ static inline int32_t gripper_verdicts_begin(gripper_verdicts_view *v,
                                              gripper_monitors_verdicts_state *s,
                                              const gripper_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && gripper_verdicts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
+  if (begun == 0) {
+    begun = gripper_verdicts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

@@ -728,7 +728,11 @@ static int32_t signal_resume(signal_monitors_state *s, int64_t now_us, int64_t *
 static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s,
                                    const signal_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && signal_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
+  if (begun == 0) {
+    begun = signal_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -1024,7 +1028,11 @@ static inline int32_t signal_verdicts_begin(signal_verdicts_view *v,
                                             signal_monitors_verdicts_state *s,
                                             const signal_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 10000) == 0 && signal_verdicts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
+  if (begun == 0) {
+    begun = signal_verdicts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

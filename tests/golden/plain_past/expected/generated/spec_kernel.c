@@ -1133,7 +1133,11 @@ static int32_t pump_resume(pump_monitors_state *s, int64_t now_us, int64_t *sinc
 static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s,
                                  const pump_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && pump_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
+  if (begun == 0) {
+    begun = pump_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -1362,7 +1366,11 @@ static int32_t pump_verdicts_resume(pump_monitors_verdicts_state *s, int64_t now
 static inline int32_t pump_verdicts_begin(pump_verdicts_view *v, pump_monitors_verdicts_state *s,
                                           const pump_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && pump_verdicts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
+  if (begun == 0) {
+    begun = pump_verdicts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

@@ -1217,7 +1217,11 @@ static int32_t crane_resume(crane_monitors_state *s, int64_t now_us, int64_t *si
 static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s,
                                   const crane_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && crane_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
+  if (begun == 0) {
+    begun = crane_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -1463,7 +1467,11 @@ static inline int32_t crane_verdicts_begin(crane_verdicts_view *v,
                                            crane_monitors_verdicts_state *s,
                                            const crane_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && crane_verdicts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
+  if (begun == 0) {
+    begun = crane_verdicts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

@@ -866,8 +866,10 @@ static inline void plain_robots_look_gate(plain_robots_view *v,
 
 static inline void plain_robots_look_lead_position(plain_robots_view *v,
                                                    const plain_robots_monitors_in *in) {
-  const int32_t good_lead_position = sample_good(&in->lead_position_x, &v->s->last_lead_position_us, v->now_us);
-  const int32_t fresh_lead_position = good_lead_position && elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_lead_position = sample_good(&in->lead_position_x,
+      &v->s->last_lead_position_us, v->now_us);
+  const int32_t fresh_lead_position = good_lead_position &&
+      elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
   v->lead_position_x = number_of(&in->lead_position_x, fresh_lead_position, -100000000,
       100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
   v->lead_position_y = number_of(&in->lead_position_y, fresh_lead_position &&
@@ -877,8 +879,10 @@ static inline void plain_robots_look_lead_position(plain_robots_view *v,
 
 static inline void plain_robots_look_carts_0_position(plain_robots_view *v,
                                                       const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x, &v->s->last_carts_0_position_us, v->now_us);
-  const int32_t fresh_carts_0_position = good_carts_0_position && elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x,
+      &v->s->last_carts_0_position_us, v->now_us);
+  const int32_t fresh_carts_0_position = good_carts_0_position &&
+      elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
   v->carts_0_position_x = number_of(&in->carts_0_position_x, fresh_carts_0_position, -100000000,
       100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
   v->carts_0_position_y = number_of(&in->carts_0_position_y, fresh_carts_0_position &&
@@ -891,8 +895,10 @@ static inline void plain_robots_look_carts_0_position(plain_robots_view *v,
 
 static inline void plain_robots_look_carts_1_position(plain_robots_view *v,
                                                       const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x, &v->s->last_carts_1_position_us, v->now_us);
-  const int32_t fresh_carts_1_position = good_carts_1_position && elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x,
+      &v->s->last_carts_1_position_us, v->now_us);
+  const int32_t fresh_carts_1_position = good_carts_1_position &&
+      elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
   v->carts_1_position_x = number_of(&in->carts_1_position_x, fresh_carts_1_position, -100000000,
       100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_POSITION);
   v->carts_1_position_y = number_of(&in->carts_1_position_y, fresh_carts_1_position &&
@@ -902,32 +908,40 @@ static inline void plain_robots_look_carts_1_position(plain_robots_view *v,
 
 static inline void plain_robots_look_lead_battery(plain_robots_view *v,
                                                   const plain_robots_monitors_in *in) {
-  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us, v->now_us);
-  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us, v->now_us) <= 1000000;
+  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us,
+      v->now_us);
+  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us,
+      v->now_us) <= 1000000;
   v->lead_battery = number_of(&in->lead_battery, fresh_lead_battery, -10000, 1010000, 10000,
       PLAIN_ROBOTS_MONITORS_INPUT_LEAD_BATTERY);
 }
 
 static inline void plain_robots_look_carts_0_battery(plain_robots_view *v,
                                                      const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery, &v->s->last_carts_0_battery_us, v->now_us);
-  const int32_t fresh_carts_0_battery = good_carts_0_battery && elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
+  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery,
+      &v->s->last_carts_0_battery_us, v->now_us);
+  const int32_t fresh_carts_0_battery = good_carts_0_battery &&
+      elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
   v->carts_0_battery = number_of(&in->carts_0_battery, fresh_carts_0_battery, -10000, 1010000,
       10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_BATTERY);
 }
 
 static inline void plain_robots_look_carts_1_battery(plain_robots_view *v,
                                                      const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery, &v->s->last_carts_1_battery_us, v->now_us);
-  const int32_t fresh_carts_1_battery = good_carts_1_battery && elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
+  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery,
+      &v->s->last_carts_1_battery_us, v->now_us);
+  const int32_t fresh_carts_1_battery = good_carts_1_battery &&
+      elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
   v->carts_1_battery = number_of(&in->carts_1_battery, fresh_carts_1_battery, -10000, 1010000,
       10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_BATTERY);
 }
 
 static inline void plain_robots_look_lead_velocity(plain_robots_view *v,
                                                    const plain_robots_monitors_in *in) {
-  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x, &v->s->last_lead_velocity_us, v->now_us);
-  const int32_t fresh_lead_velocity = good_lead_velocity && elapsed_us(in->lead_velocity_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x,
+      &v->s->last_lead_velocity_us, v->now_us);
+  const int32_t fresh_lead_velocity = good_lead_velocity &&
+      elapsed_us(in->lead_velocity_x.stamp_us, v->now_us) <= 200000;
   v->lead_velocity_x = number_of(&in->lead_velocity_x, fresh_lead_velocity, -1020, 1020, 20,
       PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
   v->lead_velocity_y = number_of(&in->lead_velocity_y, fresh_lead_velocity &&
@@ -937,8 +951,10 @@ static inline void plain_robots_look_lead_velocity(plain_robots_view *v,
 
 static inline void plain_robots_look_carts_0_velocity(plain_robots_view *v,
                                                       const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x, &v->s->last_carts_0_velocity_us, v->now_us);
-  const int32_t fresh_carts_0_velocity = good_carts_0_velocity && elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x,
+      &v->s->last_carts_0_velocity_us, v->now_us);
+  const int32_t fresh_carts_0_velocity = good_carts_0_velocity &&
+      elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
   v->carts_0_velocity_x = number_of(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020, 1020,
       20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_VELOCITY);
   v->carts_0_velocity_y = number_of(&in->carts_0_velocity_y, fresh_carts_0_velocity &&
@@ -948,8 +964,10 @@ static inline void plain_robots_look_carts_0_velocity(plain_robots_view *v,
 
 static inline void plain_robots_look_carts_1_velocity(plain_robots_view *v,
                                                       const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x, &v->s->last_carts_1_velocity_us, v->now_us);
-  const int32_t fresh_carts_1_velocity = good_carts_1_velocity && elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x,
+      &v->s->last_carts_1_velocity_us, v->now_us);
+  const int32_t fresh_carts_1_velocity = good_carts_1_velocity &&
+      elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
   v->carts_1_velocity_x = number_of(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020, 1020,
       20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY);
   v->carts_1_velocity_y = number_of(&in->carts_1_velocity_y, fresh_carts_1_velocity &&
@@ -1011,7 +1029,11 @@ static int32_t plain_robots_resume(plain_robots_monitors_state *s, int64_t now_u
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t plain_robots_begin(plain_robots_view *v, plain_robots_monitors_state *s,
                                          const plain_robots_monitors_in *in, int64_t now_us) {
-  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && plain_robots_resume(s, now_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
+  if (begun == 0) {
+    begun = plain_robots_resume(s, now_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -1210,8 +1232,10 @@ static inline void plain_robots_verdicts_look_gate(plain_robots_verdicts_view *v
 
 static inline void plain_robots_verdicts_look_lead_position(plain_robots_verdicts_view *v,
                                                             const plain_robots_monitors_in *in) {
-  const int32_t good_lead_position = sample_good(&in->lead_position_x, &v->s->last_lead_position_us, v->now_us);
-  const int32_t fresh_lead_position = good_lead_position && elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_lead_position = sample_good(&in->lead_position_x,
+      &v->s->last_lead_position_us, v->now_us);
+  const int32_t fresh_lead_position = good_lead_position &&
+      elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
   v->lead_position_x = bounds_number(&in->lead_position_x, fresh_lead_position, -100000000,
       100000000, 20);
   v->lead_position_y = bounds_number(&in->lead_position_y, fresh_lead_position &&
@@ -1220,8 +1244,10 @@ static inline void plain_robots_verdicts_look_lead_position(plain_robots_verdict
 
 static inline void plain_robots_verdicts_look_carts_0_position(plain_robots_verdicts_view *v,
                                                                const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x, &v->s->last_carts_0_position_us, v->now_us);
-  const int32_t fresh_carts_0_position = good_carts_0_position && elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x,
+      &v->s->last_carts_0_position_us, v->now_us);
+  const int32_t fresh_carts_0_position = good_carts_0_position &&
+      elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
   v->carts_0_position_x = bounds_number(&in->carts_0_position_x, fresh_carts_0_position,
       -100000000, 100000000, 20);
   v->carts_0_position_y = bounds_number(&in->carts_0_position_y, fresh_carts_0_position &&
@@ -1234,8 +1260,10 @@ static inline void plain_robots_verdicts_look_carts_0_position(plain_robots_verd
 
 static inline void plain_robots_verdicts_look_carts_1_position(plain_robots_verdicts_view *v,
                                                                const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x, &v->s->last_carts_1_position_us, v->now_us);
-  const int32_t fresh_carts_1_position = good_carts_1_position && elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x,
+      &v->s->last_carts_1_position_us, v->now_us);
+  const int32_t fresh_carts_1_position = good_carts_1_position &&
+      elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
   v->carts_1_position_x = bounds_number(&in->carts_1_position_x, fresh_carts_1_position,
       -100000000, 100000000, 20);
   v->carts_1_position_y = bounds_number(&in->carts_1_position_y, fresh_carts_1_position &&
@@ -1245,31 +1273,39 @@ static inline void plain_robots_verdicts_look_carts_1_position(plain_robots_verd
 
 static inline void plain_robots_verdicts_look_lead_battery(plain_robots_verdicts_view *v,
                                                            const plain_robots_monitors_in *in) {
-  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us, v->now_us);
-  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us, v->now_us) <= 1000000;
+  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us,
+      v->now_us);
+  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us,
+      v->now_us) <= 1000000;
   v->lead_battery = bounds_number(&in->lead_battery, fresh_lead_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_robots_verdicts_look_carts_0_battery(plain_robots_verdicts_view *v,
                                                               const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery, &v->s->last_carts_0_battery_us, v->now_us);
-  const int32_t fresh_carts_0_battery = good_carts_0_battery && elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
+  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery,
+      &v->s->last_carts_0_battery_us, v->now_us);
+  const int32_t fresh_carts_0_battery = good_carts_0_battery &&
+      elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
   v->carts_0_battery = bounds_number(&in->carts_0_battery, fresh_carts_0_battery, -10000,
       1010000, 10000);
 }
 
 static inline void plain_robots_verdicts_look_carts_1_battery(plain_robots_verdicts_view *v,
                                                               const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery, &v->s->last_carts_1_battery_us, v->now_us);
-  const int32_t fresh_carts_1_battery = good_carts_1_battery && elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
+  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery,
+      &v->s->last_carts_1_battery_us, v->now_us);
+  const int32_t fresh_carts_1_battery = good_carts_1_battery &&
+      elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
   v->carts_1_battery = bounds_number(&in->carts_1_battery, fresh_carts_1_battery, -10000,
       1010000, 10000);
 }
 
 static inline void plain_robots_verdicts_look_lead_velocity(plain_robots_verdicts_view *v,
                                                             const plain_robots_monitors_in *in) {
-  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x, &v->s->last_lead_velocity_us, v->now_us);
-  const int32_t fresh_lead_velocity = good_lead_velocity && elapsed_us(in->lead_velocity_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x,
+      &v->s->last_lead_velocity_us, v->now_us);
+  const int32_t fresh_lead_velocity = good_lead_velocity &&
+      elapsed_us(in->lead_velocity_x.stamp_us, v->now_us) <= 200000;
   v->lead_velocity_x = bounds_number(&in->lead_velocity_x, fresh_lead_velocity, -1020, 1020, 20);
   v->lead_velocity_y = bounds_number(&in->lead_velocity_y, fresh_lead_velocity &&
       in->lead_velocity_y.stamp_us == in->lead_velocity_x.stamp_us, -1020, 1020, 20);
@@ -1277,8 +1313,10 @@ static inline void plain_robots_verdicts_look_lead_velocity(plain_robots_verdict
 
 static inline void plain_robots_verdicts_look_carts_0_velocity(plain_robots_verdicts_view *v,
                                                                const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x, &v->s->last_carts_0_velocity_us, v->now_us);
-  const int32_t fresh_carts_0_velocity = good_carts_0_velocity && elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x,
+      &v->s->last_carts_0_velocity_us, v->now_us);
+  const int32_t fresh_carts_0_velocity = good_carts_0_velocity &&
+      elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
   v->carts_0_velocity_x = bounds_number(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020,
       1020, 20);
   v->carts_0_velocity_y = bounds_number(&in->carts_0_velocity_y, fresh_carts_0_velocity &&
@@ -1287,8 +1325,10 @@ static inline void plain_robots_verdicts_look_carts_0_velocity(plain_robots_verd
 
 static inline void plain_robots_verdicts_look_carts_1_velocity(plain_robots_verdicts_view *v,
                                                                const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x, &v->s->last_carts_1_velocity_us, v->now_us);
-  const int32_t fresh_carts_1_velocity = good_carts_1_velocity && elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
+  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x,
+      &v->s->last_carts_1_velocity_us, v->now_us);
+  const int32_t fresh_carts_1_velocity = good_carts_1_velocity &&
+      elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
   v->carts_1_velocity_x = bounds_number(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020,
       1020, 20);
   v->carts_1_velocity_y = bounds_number(&in->carts_1_velocity_y, fresh_carts_1_velocity &&
@@ -1354,7 +1394,11 @@ static inline int32_t plain_robots_verdicts_begin(plain_robots_verdicts_view *v,
                                                   plain_robots_monitors_verdicts_state *s,
                                                   const plain_robots_monitors_in *in,
                                                   int64_t now_us) {
-  if (tick_follows(&s->clock, &s->until_us, now_us, 100000) == 0 && plain_robots_verdicts_resume(s, now_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
+  if (begun == 0) {
+    begun = plain_robots_verdicts_resume(s, now_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

@@ -696,7 +696,8 @@ static inline void test_stand_look_errors(test_stand_view *v, const test_stand_m
 
 static inline void test_stand_look_charge(test_stand_view *v, const test_stand_monitors_in *in) {
   const int32_t good_charge = sample_good(&in->charge, &v->s->last_charge_us, v->now_us);
-  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us, v->now_us) <= 1000000;
+  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us,
+      v->now_us) <= 1000000;
   v->charge = number_of(&in->charge, fresh_charge, 0, 1000000, 0,
       TEST_STAND_MONITORS_INPUT_CHARGE);
   v->age_of_charge = age_span(&in->charge, good_charge, v->now_us, TEST_STAND_MONITORS_INPUT_CHARGE);
@@ -718,7 +719,11 @@ static int32_t test_stand_resume(test_stand_monitors_state *s, int64_t now_us, i
 static inline int32_t test_stand_begin(test_stand_view *v, test_stand_monitors_state *s,
                                        const test_stand_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 20000) == 0 && test_stand_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
+  if (begun == 0) {
+    begun = test_stand_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -909,7 +914,8 @@ static inline void test_stand_verdicts_look_errors(test_stand_verdicts_view *v,
 static inline void test_stand_verdicts_look_charge(test_stand_verdicts_view *v,
                                                    const test_stand_monitors_in *in) {
   const int32_t good_charge = sample_good(&in->charge, &v->s->last_charge_us, v->now_us);
-  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us, v->now_us) <= 1000000;
+  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us,
+      v->now_us) <= 1000000;
   v->charge = bounds_number(&in->charge, fresh_charge, 0, 1000000, 0);
   v->age_of_charge = bounds_age(&in->charge, good_charge, v->now_us);
 }
@@ -932,7 +938,11 @@ static inline int32_t test_stand_verdicts_begin(test_stand_verdicts_view *v,
                                                 test_stand_monitors_verdicts_state *s,
                                                 const test_stand_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 20000) == 0 && test_stand_verdicts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
+  if (begun == 0) {
+    begun = test_stand_verdicts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;

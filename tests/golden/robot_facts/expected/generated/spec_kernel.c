@@ -1506,7 +1506,8 @@ static void fly_facts_blind(fly_facts_view *v, facts_fly_facts_state *s) {
 
 static inline void fly_facts_look_permit(fly_facts_view *v, const facts_fly_facts_in *in) {
   const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
-  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us, v->now_us) <= 100000;
+  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us,
+      v->now_us) <= 100000;
   v->permit = truth_of(&in->permit, fresh_permit, 8);
 }
 
@@ -1909,7 +1910,8 @@ static inline margin twin_now(const facts_view *v) {
 
 static inline void facts_look_permit(facts_view *v, const facts_monitors_in *in) {
   const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
-  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us, v->now_us) <= 100000;
+  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us,
+      v->now_us) <= 100000;
   v->permit = truth_of(&in->permit, fresh_permit, FACTS_MONITORS_INPUT_PERMIT);
 }
 
@@ -1965,7 +1967,11 @@ static int32_t facts_resume(facts_monitors_state *s, int64_t now_us, int64_t *si
 static inline int32_t facts_begin(facts_view *v, facts_monitors_state *s,
                                   const facts_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 50000) == 0 && facts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 50000);
+  if (begun == 0) {
+    begun = facts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
@@ -2034,7 +2040,8 @@ static inline int32_t twin_verdict(const facts_verdicts_view *v) {
 static inline void facts_verdicts_look_permit(facts_verdicts_view *v,
                                               const facts_monitors_in *in) {
   const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
-  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us, v->now_us) <= 100000;
+  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us,
+      v->now_us) <= 100000;
   v->permit = bits_truth(&in->permit, fresh_permit);
 }
 
@@ -2092,7 +2099,11 @@ static inline int32_t facts_verdicts_begin(facts_verdicts_view *v,
                                            facts_monitors_verdicts_state *s,
                                            const facts_monitors_in *in, int64_t now_us) {
   int64_t since_us = s->judged_us;
-  if (tick_follows(&s->clock, &s->until_us, now_us, 50000) == 0 && facts_verdicts_resume(s, now_us, &since_us) == 0) {
+  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 50000);
+  if (begun == 0) {
+    begun = facts_verdicts_resume(s, now_us, &since_us);
+  }
+  if (begun == 0) {
     return 0;
   }
   v->s = s;
