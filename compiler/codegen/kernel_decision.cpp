@@ -15,18 +15,6 @@ std::string requirement(const Monitor& m) {
          m.file + ":" + num(m.line) + ")";
 }
 
-const char* word_of(Sensed signal) {
-  switch (signal) {
-    case Sensed::position:
-      return "position";
-    case Sensed::velocity:
-      return "velocity";
-    case Sensed::battery:
-      return "battery";
-  }
-  return "";
-}
-
 namespace {
 
 bool judges_others(const Block& block) {

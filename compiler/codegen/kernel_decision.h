@@ -11,11 +11,10 @@
 #include "compiler/codegen/code.h"
 #include "compiler/codegen/names.h"
 #include "compiler/ir/module.h"
+#include "compiler/ir/printer.h"
 
 namespace rtac::codegen {
 
-// `position`: as members of the structs say it.
-const char* word_of(ir::Sensed signal);
 // What the monitor is for, and where it says so.
 std::string requirement(const ir::Monitor& monitor);
 

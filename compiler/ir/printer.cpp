@@ -37,18 +37,6 @@ const char* name(Fold fold) {
   return "";
 }
 
-const char* name(Sensed signal) {
-  switch (signal) {
-    case Sensed::position:
-      return "position";
-    case Sensed::velocity:
-      return "velocity";
-    case Sensed::battery:
-      return "battery";
-  }
-  return "";
-}
-
 class Printer {
  public:
   explicit Printer(const Module& module, const Watch* watch = nullptr)
@@ -140,7 +128,7 @@ class Printer {
   std::string operator()(const Elapsed& v) const { return "elapsed " + num(v.ticks) + " ticks"; }
   std::string operator()(const Age& v) const { return "age " + watch_->inputs[v.channel].name; }
   std::string operator()(const SensedAge& v) const {
-    return std::string("age of ") + name(v.signal);
+    return std::string("age of ") + word_of(v.signal);
   }
   std::string operator()(const ParamValue& v) const {
     return "param " + watch_->params[v.param].name;
@@ -315,6 +303,18 @@ class Printer {
 };
 
 }  // namespace
+
+const char* word_of(Sensed signal) {
+  switch (signal) {
+    case Sensed::position:
+      return "position";
+    case Sensed::velocity:
+      return "velocity";
+    case Sensed::battery:
+      return "battery";
+  }
+  return "";
+}
 
 std::string print(const Module& module) {
   Printer printer(module);

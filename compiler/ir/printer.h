@@ -8,6 +8,8 @@
 namespace rtac::ir {
 
 std::string print(const Module& module);
+// "position": as specifications and generated code say it.
+const char* word_of(Sensed signal);
 // Ends with a line break; values are indented by `indent`. `watch`: whose inputs and parameters the
 // block uses; null: none.
 std::string print(const Module& module, const Watch* watch, const Block& block,

@@ -30,43 +30,33 @@ TEST(Mutation, NothingIsNoticedInTheKernelItself) {
   EXPECT_EQ(result.different, 0u) << result.first;
 }
 
-class Mutants : public ::testing::TestWithParam<Mutant> {};
-
-TEST_P(Mutants, AreNoticed) {
+// How many monitors of the batch notice a mistake in the kernel that `load_kernel` loads.
+template <class LoadKernel>
+void is_noticed(const Mutant& mutant, const LoadKernel& load_kernel) {
   ASSERT_EQ(batch().problem(), "");
   bool matches = false;
-  const driver::LoadedKernel kernel = load(
-      batch().code(),
-      [&](const std::string& text) {
-        std::string result = mutated(GetParam(), text);
-        matches = result != text;
-        return result;
-      },
-      Speed::of_building);
+  const auto edit = [&](const std::string& text) {
+    std::string result = mutated(mutant, text);
+    matches = result != text;
+    return result;
+  };
+  const driver::LoadedKernel kernel = load_kernel(batch().code(), edit, Speed::of_building);
   ASSERT_TRUE(matches) << "the kernel has no such text any more";
   ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
   const std::size_t noticed = batch().compare(*kernel.engine).different;
   EXPECT_GT(noticed, 0u);
-  std::cout << GetParam().name << ": noticed by " << noticed << " of " << batch().size()
+  std::cout << mutant.name << ": noticed by " << noticed << " of " << batch().size()
             << " monitors\n";
 }
 
-class VerdictMutants : public ::testing::TestWithParam<Mutant> {};
+class Mutants : public ::testing::TestWithParam<Mutant> {};
+TEST_P(Mutants, AreNoticed) {
+  is_noticed(GetParam(), load);
+}
 
+class VerdictMutants : public ::testing::TestWithParam<Mutant> {};
 TEST_P(VerdictMutants, AreNoticed) {
-  ASSERT_EQ(batch().problem(), "");
-  bool matches = false;
-  const driver::LoadedKernel kernel = load_verdicts(
-      batch().code(),
-      [&](const std::string& text) {
-        std::string result = mutated(GetParam(), text);
-        matches = result != text;
-        return result;
-      },
-      Speed::of_building);
-  ASSERT_TRUE(matches) << "the kernel has no such text any more";
-  ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
-  EXPECT_GT(batch().compare(*kernel.engine).different, 0u);
+  is_noticed(GetParam(), load_verdicts);
 }
 
 INSTANTIATE_TEST_SUITE_P(Compiler, VerdictMutants, ::testing::ValuesIn(verdict_mutants()),
