@@ -200,6 +200,7 @@ Json watch(const Module& module, const sema::Spec& spec) {
   Json j;
   j["period_us"] = w.period_us;
   j["state_bytes"] = watch_state_bytes(w);
+  j["verdicts_state_bytes"] = watch_state_bytes(w, Telling::verdicts);
   j["table_bytes"] = table_bytes(w);
   j["inputs"] = signals(module, w);
   j["params"] = params(w);

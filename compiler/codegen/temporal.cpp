@@ -1,5 +1,6 @@
 #include "compiler/codegen/temporal.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "compiler/codegen/code.h"
@@ -248,14 +249,22 @@ std::string temporal_forgets(const Op& op, const std::string& state, std::set<st
   return set_so_far(op, state, "BITS_UNKNOWN", "kept_forgotten", uses, telling);
 }
 
+std::int64_t temporal_end(const Op& op, std::int64_t offset, Telling telling) {
+  const std::optional<Plan> plan = plan_of(op, telling);
+  if (!plan) return offset;
+  const auto add = [&offset](const Type& type, std::int64_t count) {
+    const std::int64_t alignment = std::min<std::int64_t>(type.bytes, 8);
+    if (count > 0) offset = aligned(offset, alignment) + count * type.bytes;
+  };
+  add(plan->state, 1);
+  for (const Ring& ring : plan->rings) add(ring.type, ring.entries);
+  return offset;
+}
 std::int64_t temporal_bytes(const Op& op) {
-  const std::optional<Plan> plan = plan_of(op, Telling::margins);
-  if (!plan) return 0;
-  std::int64_t bytes = plan->state.bytes;
-  for (const Ring& ring : plan->rings) {
-    bytes += (ring.entries * ring.type.bytes + 7) / 8 * 8;  // what follows is aligned
-  }
-  return bytes;
+  return aligned(temporal_end(op, 0, Telling::margins), 8);
+}
+std::int64_t aligned(std::int64_t offset, std::int64_t alignment) {
+  return (offset + alignment - 1) / alignment * alignment;
 }
 
 }  // namespace rtac::codegen

@@ -58,6 +58,9 @@ bool counts_ticks(const ir::Op& op, Telling telling);
 
 // What its members take, without `ticks`.
 std::int64_t temporal_bytes(const ir::Op& op);
+// Where the members of an operator end that start at `offset` or behind it; the next multiple.
+std::int64_t temporal_end(const ir::Op& op, std::int64_t offset, Telling telling);
+std::int64_t aligned(std::int64_t offset, std::int64_t alignment);
 inline constexpr std::int64_t temporal_ticks_bytes = 16;
 
 }  // namespace rtac::codegen

@@ -79,7 +79,7 @@ std::size_t watch_unit(const ir::Watch& watch, const ir::Unit& unit);
 std::string margin_unit_text(const ir::Unit& unit);
 
 // Bytes of the whole state on a machine with 8-byte alignment, and of what one monitor remembers.
-std::int64_t watch_state_bytes(const ir::Watch& watch);
+std::int64_t watch_state_bytes(const ir::Watch& watch, Telling telling = Telling::margins);
 std::int64_t watch_monitor_bytes(const ir::PlainMonitor& monitor);
 // The same of the facts of a decision.
 std::int64_t facts_state_bytes(const ir::Watch& facts);

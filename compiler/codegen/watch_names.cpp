@@ -187,16 +187,20 @@ static std::int64_t kept_stamps(const Watch& watch) {
   return count;
 }
 
-std::int64_t watch_state_bytes(const Watch& watch) {
+std::int64_t watch_state_bytes(const Watch& watch, Telling telling) {
   // clock, end of the present tick, time of the last one, then the newest stamp of each input and
   // the value of each parameter
   constexpr std::int64_t clock_bytes = 32, word_bytes = 8;
   std::int64_t bytes = clock_bytes + word_bytes;
-  if (counts_ticks(watch, Telling::margins)) bytes += temporal_ticks_bytes;
+  if (counts_ticks(watch, telling)) bytes += temporal_ticks_bytes;
   if (arrives_each_tick(watch)) bytes += word_bytes;
   bytes += word_bytes * (kept_stamps(watch) + static_cast<std::int64_t>(watch.params.size()));
-  for (const PlainMonitor& monitor : watch.monitors) bytes += watch_monitor_bytes(monitor);
-  return bytes;
+  for (const PlainMonitor& monitor : watch.monitors) {
+    for (const Value& value : monitor.property.values) {
+      bytes = temporal_end(value.op, bytes, telling);
+    }
+  }
+  return aligned(bytes, word_bytes);
 }
 
 std::int64_t region_bytes(const Region& region) {

@@ -52,7 +52,9 @@ class WatchRemarks {
   void period(const sema::Quantity& q) {
     add(q.range, "period of the monitors without a robot: " + sema::show(q.value, sema::dims::time),
         {count(watch_.monitors.size(), "monitor"),
-         "state: " + std::to_string(codegen::watch_state_bytes(watch_)) + " bytes in all" +
+         "state: " + std::to_string(codegen::watch_state_bytes(watch_)) + " bytes in all, " +
+             std::to_string(codegen::watch_state_bytes(watch_, codegen::Telling::verdicts)) +
+             " for verdicts alone" +
              (watch_.regions.empty()
                   ? ""
                   : ", tables of zones: " + std::to_string(codegen::table_bytes(watch_)))});

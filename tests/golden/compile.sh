@@ -37,12 +37,26 @@ compile_case() { # FOLDER MODE...; MODE: how far to compile
   done
 }
 
+# The manifest says how large what is remembered is.
+check_bytes() { # FOLDER
+  local manifest prefix entry bytes
+  manifest=$(find "$1" -name '*_manifest.json')
+  prefix=$(sed -n 's/^typedef struct \(.*\)_monitors_state {$/\1/p' "$1"/*_kernel.h)
+  for entry in '' verdicts_; do
+    bytes=$(sed -n "/^  \"monitors\"/,\$ s/^    \"${entry}state_bytes\": \([0-9]*\),\$/\1/p" "$manifest")
+    printf '#include "%s"\n' "$(find "$1" -name '*_kernel.h')"
+    printf '_Static_assert(sizeof(%s_monitors_%sstate) == %s, "bytes");\n' "$prefix" "$entry" "$bytes"
+  done >"$work/bytes.c"
+  try gcc -std=c11 -fsyntax-only "$work/bytes.c"
+}
+
 number=0 compiled=0
 for folder in "$here"/*/expected/generated; do
   if ((number % chunks == chunk)); then
     mode=(-fsyntax-only)
     if ((compiled == 0)); then mode=(-O2 -c -o "$work/object.o"); fi
     compile_case "$folder" "${mode[@]}"
+    if grep -q '_monitors_state {' "$folder"/*_kernel.h; then check_bytes "$folder"; fi
     compiled=$((compiled + 1))
   fi
   number=$((number + 1))
