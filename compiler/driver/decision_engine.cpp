@@ -66,7 +66,7 @@ class KernelDecisions : public DecisionEngine {
     for (std::size_t r = 0; r < robots.size(); ++r) {
       std::int64_t* const to = seen_.data() + r * stride_;
       const interp::RobotColumns& at = robots[r];
-      if (!at.given) continue;
+      if (!at.given && !at.proposes) continue;
       if (at.position) vector(row, *at.position, to + RobotWords::position);
       if (at.velocity) vector(row, *at.velocity, to + RobotWords::velocity);
       if (at.battery) scalar(row, *at.battery, Rational(1, 1'000'000), to + RobotWords::battery);
@@ -224,7 +224,6 @@ std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sem
   const codegen::Names names(module, spec);
   std::vector<DecisionInterface> all;
   for (const ir::Decision& d : module.decisions) {
-    if (d.on_plan) continue;
     DecisionInterface to;
     to.name = d.name;
     to.library = prefix;
@@ -233,13 +232,15 @@ std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sem
     to.plan_capacity = d.plan_capacity;
     to.has_heading = d.body.heading_age_us.has_value();
     to.open_fleet = d.open_fleet;
+    to.on_plan = d.on_plan;
     to.period_s = Rational(static_cast<long>(d.period_us), 1'000'000);
     to.period_s.canonicalize();
     for (const ir::Monitor& m : d.monitors) {
       to.monitors.push_back(m.name);
-      to.recoveries.push_back(m.recovery.name);
+      if (!d.on_plan) to.recoveries.push_back(m.recovery.name);
       to.units.push_back(ir::mixes_units(m) ? "" : ir::decision_unit_text(m));
     }
+    if (d.on_plan) to.recoveries.push_back(d.safe);
     if (ir::mixes_units(module)) to.told_units = told_units(d);
     add_signals(d, spec, to);
     for (std::size_t r = 0; r < spec.robots.size(); ++r) {

@@ -16,12 +16,12 @@
 
 namespace rtac::driver {
 
-// What has to be known of one decision with a period.
+// What has to be known of one decision.
 struct DecisionInterface {
   std::string name, prefix;             // of its functions and types in the kernel
   std::string library;                  // prefix of the types that decisions share
   std::string advanced;                 // controller of mode 0
-  std::vector<std::string> recoveries;  // controller of mode k + 1
+  std::vector<std::string> recoveries;  // controller of mode k + 1; on plans: the safe planner
   std::vector<std::string> monitors;    // highest first
   std::vector<std::string> units;       // of their margins; empty: the kernel tells
   struct Unit {
@@ -32,7 +32,8 @@ struct DecisionInterface {
   std::vector<std::size_t> robots;  // of the specification, by index in the fleet
   std::int64_t plan_capacity = 0;
   bool has_heading = false, open_fleet = false;
-  Rational period_s;
+  bool on_plan = false;
+  Rational period_s;  // of one that is not on plans
   // Plain inputs and parameters that its monitors speak of.
   struct Input {
     std::string name;
@@ -66,7 +67,8 @@ class DecisionEngine {
   // The newest samples of a row; `robots`: where they are.
   virtual void take(const interp::TraceRow& row,
                     const std::vector<interp::RobotColumns>& robots) = 0;
-  // One tick of one robot; `member`: its index in the fleet of the decision.
+  // One tick of one robot, or its newest plan, when the decision is on plans; `member`: its index
+  // in the fleet of the decision.
   virtual void step(std::size_t decision, std::size_t member, std::int64_t now_us,
                     DecisionFinding& finding) = 0;
 };

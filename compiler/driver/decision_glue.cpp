@@ -72,35 +72,9 @@ std::string facts(const DecisionInterface& d, std::size_t capacity) {
   return out;
 }
 
-std::string step(const DecisionInterface& d, std::size_t k, std::size_t most_capacity,
-                 std::size_t stride) {
-  const std::string state = "rtac_decision_states_" + num(k), count = num(d.robots.size());
-  const std::string capacity = std::to_string(d.plan_capacity);
-  std::string out = "static " + d.prefix + "_state " + state + "[" + count +
-                    "];\n"
-                    "void rtac_decision_init_" +
-                    num(k) + "(void) {\n  int32_t j;\n  for (j = 0; j < " + count +
-                    "; ++j) {\n    " + d.prefix + "_init(&" + state + "[j]);\n  }\n}\n";
-  out += "void rtac_decision_step_" + num(k) +
-         "(int32_t self, const int64_t *robots, int64_t now_us, int64_t *found) {\n"
-         "  static " +
-         d.prefix + "_in in;\n  static " + d.prefix +
-         "_out out;\n"
-         "  const int64_t stride = " +
-         num(stride) +
-         ";\n  const int64_t *own = robots + self * stride;\n  int32_t j;\n"
-         "  in.self = self;\n"
-         "  rtac_point(&in.position, own + " +
-         num(RobotWords::position) + ");\n  rtac_point(&in.velocity, own + " +
-         num(RobotWords::velocity) + ");\n  rtac_scalar(&in.battery, own + " +
-         num(RobotWords::battery) + ");\n";
-  if (d.has_heading) {
-    out += "  rtac_scalar(&in.heading, own + " + num(RobotWords::heading) + ");\n";
-  }
-  out += "  rtac_plan(&in.plan, own + " + num(RobotWords::plan) + ", " + capacity + ");\n";
-  out += others(d, capacity);
-  out += facts(d, most_capacity);
-  out += "  " + d.prefix + "_step(&" + state + "[self], &in, now_us, &out);\n";
+// What a step tells, out of the kernel's struct `out`.
+std::string findings(const DecisionInterface& d) {
+  std::string out;
   const char* const words[] = {"mode",        "monitor",     "found.reason",
                                "found.index", "found.input", "found.other"};
   for (std::size_t w = 0; w < FindingWords::monitors; ++w) {
@@ -118,6 +92,52 @@ std::string step(const DecisionInterface& d, std::size_t k, std::size_t most_cap
   return out + "  }\n}\n";
 }
 
+std::string step_head(std::size_t k, std::size_t stride) {
+  return "void rtac_decision_step_" + num(k) +
+         "(int32_t self, const int64_t *robots, int64_t now_us, int64_t *found) {\n"
+         "  const int64_t stride = " +
+         num(stride) + ";\n  const int64_t *own = robots + self * stride;\n  int32_t j;\n";
+}
+
+std::string read_plan(const std::string& to, const std::string& from, const std::string& capacity) {
+  return "rtac_plan(&" + to + ", " + from + " + " + num(RobotWords::plan) + ", " + capacity +
+         ");\n";
+}
+
+// Nothing lasts from one plan to the next.
+std::string judge(const DecisionInterface& d, std::size_t k, std::size_t stride) {
+  return "void rtac_decision_init_" + num(k) + "(void) {\n}\n" + step_head(k, stride) +
+         "  static " + d.library + "_plan plan;\n  static " + d.prefix +
+         "_out out;\n  (void)now_us;\n  " +
+         read_plan("plan", "own", std::to_string(d.plan_capacity)) + "  " + d.prefix +
+         "_judge(&plan, &out);\n" + findings(d);
+}
+
+std::string step(const DecisionInterface& d, std::size_t k, std::size_t most_capacity,
+                 std::size_t stride) {
+  const std::string state = "rtac_decision_states_" + num(k), count = num(d.robots.size());
+  const std::string capacity = std::to_string(d.plan_capacity);
+  std::string out = "static " + d.prefix + "_state " + state + "[" + count +
+                    "];\n"
+                    "void rtac_decision_init_" +
+                    num(k) + "(void) {\n  int32_t j;\n  for (j = 0; j < " + count +
+                    "; ++j) {\n    " + d.prefix + "_init(&" + state + "[j]);\n  }\n}\n";
+  out += step_head(k, stride) + "  static " + d.prefix + "_in in;\n  static " + d.prefix +
+         "_out out;\n  in.self = self;\n"
+         "  rtac_point(&in.position, own + " +
+         num(RobotWords::position) + ");\n  rtac_point(&in.velocity, own + " +
+         num(RobotWords::velocity) + ");\n  rtac_scalar(&in.battery, own + " +
+         num(RobotWords::battery) + ");\n";
+  if (d.has_heading) {
+    out += "  rtac_scalar(&in.heading, own + " + num(RobotWords::heading) + ");\n";
+  }
+  out += "  " + read_plan("in.plan", "own", capacity);
+  out += others(d, capacity);
+  out += facts(d, most_capacity);
+  out += "  " + d.prefix + "_step(&" + state + "[self], &in, now_us, &out);\n";
+  return out + findings(d);
+}
+
 }  // namespace
 
 std::size_t plan_capacity(const std::vector<DecisionInterface>& decisions) {
@@ -133,7 +153,8 @@ std::string decision_glue(const std::vector<DecisionInterface>& decisions,
   out += readers(decisions.front().library, capacity);
   for (std::size_t k = 0; k < decisions.size(); ++k) {
     const std::size_t stride = RobotWords::size(capacity, decisions[k].components);
-    out += step(decisions[k], k, capacity, stride);
+    const DecisionInterface& d = decisions[k];
+    out += d.on_plan ? judge(d, k, stride) : step(d, k, capacity, stride);
   }
   return out;
 }

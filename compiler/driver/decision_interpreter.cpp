@@ -13,12 +13,29 @@ namespace {
 using interp::Reading;
 using interp::Sample;
 
-// A decision with a period that robots take.
+// A decision that robots take.
 bool is_judged(const sema::Spec& spec, const sema::Decision& d) {
   for (const sema::Robot& robot : spec.robots) {
-    if (robot.kind == d.kind && !d.on_plan) return true;
+    if (robot.kind == d.kind) return true;
   }
   return false;
+}
+
+// A new plan starts at its first way-point, unless its index says otherwise.
+void take_plan(const interp::PlanReading& reading, const Reading& index,
+               std::optional<interp::Plan>& to) {
+  if (reading.kind == Reading::Kind::unknown) to.reset();
+  if (reading.kind == Reading::Kind::number) {
+    to.emplace();
+    const auto metres = [](std::int64_t mm) {
+      Rational m(static_cast<long>(mm), 1000);
+      m.canonicalize();
+      return m;
+    };
+    for (const auto& p : reading.points) to->points.push_back({metres(p.x_mm), metres(p.y_mm)});
+  }
+  if (index.kind == Reading::Kind::unknown) to.reset();
+  if (to && index.kind == Reading::Kind::number) to->index = index.number.on_grid(1).lo;
 }
 
 // Components that arrive together; one that a row leaves out while it has another has no value.
@@ -48,7 +65,8 @@ class InterpDecisions : public DecisionEngine {
       for (std::uint32_t r = 0; r < spec.robots.size(); ++r) {
         if (spec.robots[r].kind != d.kind) continue;
         judges_.back().push_back(
-            std::make_unique<interp::Interpreter>(spec, d, sema::RobotId{r}, zones));
+            {r, d.on_plan,
+             std::make_unique<interp::Interpreter>(spec, d, sema::RobotId{r}, zones)});
       }
     }
   }
@@ -62,13 +80,19 @@ class InterpDecisions : public DecisionEngine {
       at += count;
     }
     for (std::size_t r = 0; r < robots.size(); ++r) {
-      if (robots[r].given) take_robot(row, robots[r], robots_[r]);
+      if (!robots[r].given && !robots[r].proposes) continue;
+      take_robot(row, robots[r], robots_[r]);
+      if (robots[r].plan_index) {
+        take_plan(row.plans[r], row.readings[*robots[r].plan_index], robots_[r].plan);
+      }
     }
   }
 
   void step(std::size_t decision, std::size_t member, std::int64_t now_us,
             DecisionFinding& finding) override {
-    const auto& found = judges_[decision][member]->step(now_us, inputs_, robots_);
+    const Judge& judge = judges_[decision][member];
+    const auto& found = judge.on_plan ? judge.interpreter->judge_plan(robots_[judge.robot].plan)
+                                      : judge.interpreter->step(now_us, inputs_, robots_);
     finding.monitors.resize(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
       finding.monitors[k].now = judgement_of(found[k]);
@@ -90,8 +114,12 @@ class InterpDecisions : public DecisionEngine {
   // The newest ones. Stamps tell what has arrived since a tick.
   interp::Inputs inputs_;
   interp::FleetSamples robots_;
-  // By decision and member.
-  std::vector<std::vector<std::unique_ptr<interp::Interpreter>>> judges_;
+  struct Judge {
+    std::size_t robot;
+    bool on_plan;
+    std::unique_ptr<interp::Interpreter> interpreter;
+  };
+  std::vector<std::vector<Judge>> judges_;  // by decision and member
 };
 
 }  // namespace
@@ -102,7 +130,8 @@ std::vector<DecisionInterface> judged_decisions(const sema::Spec& spec) {
     if (!is_judged(spec, d)) continue;
     DecisionInterface to;
     to.name = d.name;
-    to.period_s = d.period->value;
+    to.on_plan = d.on_plan;
+    if (d.period) to.period_s = d.period->value;
     for (const sema::MonitorId id : d.priority) to.monitors.push_back(spec[id].name);
     for (std::size_t r = 0; r < spec.robots.size(); ++r) {
       if (spec.robots[r].kind == d.kind) to.robots.push_back(r);

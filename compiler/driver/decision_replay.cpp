@@ -31,7 +31,12 @@ const char* entry(const std::array<const char*, Size>& words, std::int64_t index
              ? words[static_cast<std::size_t>(index)]
              : "?";
 }
-void print_judgement(const Judgement& judgement, std::string& line) {
+// Of what was never judged, empty cells.
+void print_judgement(bool judged, const Judgement& judgement, std::string& line) {
+  if (!judged) {
+    line.append(",,,");
+    return;
+  }
   line.append(",").append(word(judgement.verdict));
   line.append(",").append(judgement.margin).append(",").append(judgement.unit);
 }
@@ -44,23 +49,35 @@ DecisionReplay::DecisionReplay(const sema::Spec& spec, std::vector<DecisionInter
       decisions_(std::move(decisions)),
       engine_(std::move(engine)),
       only_(std::move(only)) {
-  for (const DecisionInterface& d : decisions_) tickers_.push_back({interp::Clock(d.period_s)});
+  for (const DecisionInterface& d : decisions_) {
+    tickers_.emplace_back();
+    if (!d.on_plan) tickers_.back().clock.emplace(d.period_s);
+  }
+}
+
+bool DecisionReplay::is_shown(std::size_t decision, std::size_t robot) const {
+  const DecisionInterface& d = decisions_[decision];
+  return (d.on_plan ? robots_[robot].proposes : robots_[robot].given) &&
+         std::any_of(d.monitors.begin(), d.monitors.end(),
+                     [&](const std::string& name) { return wants(name); });
 }
 
 void DecisionReplay::choose(const std::vector<interp::RobotColumns>& robots) {
   robots_ = robots;
-  std::size_t deciding = 0;
-  for (const DecisionInterface& d : decisions_) deciding += d.robots.size();
+  std::vector<std::size_t> decisions(robots_.size(), 0);  // by robot
+  for (const DecisionInterface& d : decisions_) {
+    for (const std::size_t robot : d.robots) ++decisions[robot];
+  }
+  const auto deciding = std::count_if(decisions.begin(), decisions.end(),
+                                      [](std::size_t count) { return count > 0; });
   for (std::size_t k = 0; k < decisions_.size(); ++k) {
     const DecisionInterface& d = decisions_[k];
-    if (std::none_of(d.monitors.begin(), d.monitors.end(),
-                     [&](const std::string& name) { return wants(name); })) {
-      continue;
-    }
     for (std::size_t member = 0; member < d.robots.size(); ++member) {
       const std::size_t robot = d.robots[member];
-      if (!robots_[robot].given) continue;
-      shown_.push_back({k, member, deciding > 1 ? spec_.robots[robot].name + "." : "", {}});
+      if (!is_shown(k, robot)) continue;
+      const std::string prefix = deciding > 1 ? spec_.robots[robot].name + "." : "";
+      const bool both = d.on_plan && decisions[robot] > 1;
+      shown_.push_back({k, member, prefix, both ? prefix + "plan." : prefix, {}, false});
       shown_.back().finding.monitors.resize(d.monitors.size());
     }
   }
@@ -73,42 +90,64 @@ void DecisionReplay::print_header(std::string& line) const {
       for (const char* field : {".verdict", ".margin", ".unit"}) {
         line.append(",").append(shown.prefix).append(name).append(field);
       }
-      if (!engine_->decides()) continue;
+      if (!looks_ahead(shown)) continue;
       for (const char* field : {".ahead", ".ahead.margin", ".ahead.unit"}) {
         line.append(",").append(shown.prefix).append(name).append(field);
       }
     }
     if (!engine_->decides()) continue;
     for (const char* field : {"mode", "monitor", "reason"}) {
-      line.append(",").append(shown.prefix).append(field);
+      line.append(",").append(shown.chosen).append(field);
     }
   }
 }
 
-Rational DecisionReplay::shortest_period_s() const {
-  const auto shorter = [](const DecisionInterface& a, const DecisionInterface& b) {
-    return a.period_s < b.period_s;
-  };
-  return std::min_element(decisions_.begin(), decisions_.end(), shorter)->period_s;
+std::optional<Rational> DecisionReplay::shortest_period_s() const {
+  std::optional<Rational> shortest;
+  for (const DecisionInterface& d : decisions_) {
+    if (!d.on_plan) shortest = shortest ? std::min(*shortest, d.period_s) : d.period_s;
+  }
+  return shortest;
+}
+
+void DecisionReplay::take(const interp::TraceRow& row) {
+  proposed_.assign(robots_.size(), false);
+  for (std::size_t r = 0; r < robots_.size(); ++r) {
+    proposed_[r] = row.plans[r].kind != interp::Reading::Kind::none;
+  }
+  engine_->take(row, robots_);
+}
+
+std::vector<bool> DecisionReplay::due_decisions(std::int64_t now_us) {
+  std::vector<bool> due(decisions_.size(), false);
+  for (std::size_t k = 0; k < decisions_.size(); ++k) {
+    Ticker& ticker = tickers_[k];
+    if (!ticker.clock) continue;
+    const interp::Tick tick = ticker.clock->at(now_us);
+    due[k] = tick != ticker.before;
+    ticker.before = tick;
+  }
+  return due;
+}
+
+void DecisionReplay::note_violations(const Shown& shown) {
+  const auto& monitors = decisions_[shown.decision].monitors;
+  for (std::size_t k = 0; k < monitors.size(); ++k) {
+    violated_ = violated_ || (wants(monitors[k]) &&
+                              shown.finding.monitors[k].now.verdict == interp::Verdict::no);
+  }
 }
 
 bool DecisionReplay::step(std::int64_t now_us) {
-  std::vector<bool> due(decisions_.size(), false);
-  for (std::size_t k = 0; k < decisions_.size(); ++k) {
-    const interp::Tick tick = tickers_[k].clock.at(now_us);
-    due[k] = tick != tickers_[k].before;
-    tickers_[k].before = tick;
-  }
+  const std::vector<bool> due = due_decisions(now_us);
   bool any = false;
   for (Shown& shown : shown_) {
-    if (!due[shown.decision]) continue;
-    any = true;
+    const DecisionInterface& d = decisions_[shown.decision];
+    const bool proposed = d.on_plan && proposed_[d.robots[shown.member]];
+    if (!due[shown.decision] && !proposed) continue;
+    any = shown.judged = true;
     engine_->step(shown.decision, shown.member, now_us, shown.finding);
-    const auto& monitors = decisions_[shown.decision].monitors;
-    for (std::size_t k = 0; k < monitors.size(); ++k) {
-      violated_ = violated_ || (wants(monitors[k]) &&
-                                shown.finding.monitors[k].now.verdict == interp::Verdict::no);
-    }
+    note_violations(shown);
   }
   return any;
 }
@@ -134,10 +173,14 @@ void DecisionReplay::print(std::string& line) const {
     const DecisionFinding& f = shown.finding;
     for (std::size_t k = 0; k < d.monitors.size(); ++k) {
       if (!wants(d.monitors[k])) continue;
-      print_judgement(f.monitors[k].now, line);
-      if (engine_->decides()) print_judgement(f.monitors[k].ahead, line);
+      print_judgement(shown.judged, f.monitors[k].now, line);
+      if (looks_ahead(shown)) print_judgement(shown.judged, f.monitors[k].ahead, line);
     }
     if (!engine_->decides()) continue;
+    if (!shown.judged) {
+      line.append(",,,");
+      continue;
+    }
     const auto controller = static_cast<std::size_t>(f.mode);
     line.append(",").append(controller == 0 ? d.advanced : d.recoveries[controller - 1]);
     line.append(",");

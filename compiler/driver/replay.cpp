@@ -125,8 +125,8 @@ struct Judges {
 
 class Replay {
  public:
-  Replay(const sema::Spec& spec, Judges& judges)
-      : spec_(spec), judges_(judges), base_(shortest_period(spec, judges)) {
+  Replay(const sema::Spec& spec, Judges& judges) : spec_(spec), judges_(judges) {
+    if (const auto shortest = shortest_period(spec, judges)) base_.emplace(*shortest);
     if (judges_.watches) watch_clock_.emplace(spec.period->value);
   }
 
@@ -144,7 +144,7 @@ class Replay {
       // A row between two ticks counts at the next one.
       const bool judged = step_watches(row.time_us, observations);
       const bool decided = judges_.decisions && judges_.decisions->step(row.time_us);
-      const interp::Tick tick = base_.at(row.time_us);
+      const interp::Tick tick = base_ ? base_->at(row.time_us) : printed_;
       if (judged || decided) print(tick, row.time);
     }
     return reader.error();
@@ -155,10 +155,11 @@ class Replay {
   Spool& findings() { return findings_; }
 
  private:
-  static Rational shortest_period(const sema::Spec& spec, const Judges& judges) {
+  // None: plans alone are judged, whenever they come.
+  static std::optional<Rational> shortest_period(const sema::Spec& spec, const Judges& judges) {
     std::optional<Rational> shortest;
     if (judges.decisions) shortest = judges.decisions->shortest_period_s();
-    if (!judges.watches) return *shortest;
+    if (!judges.watches) return shortest;
     return shortest ? std::min(*shortest, spec.period->value) : spec.period->value;
   }
   [[nodiscard]] bool is_shown(std::size_t monitor) const {
@@ -198,11 +199,13 @@ class Replay {
     }
     if (judges_.decisions) judges_.decisions->print(line_);
     findings_ << line_.append("\n");
+    ++printed_;
   }
 
   const sema::Spec& spec_;
   Judges& judges_;
-  interp::Clock base_;  // of the column `tick`: the shortest period
+  std::optional<interp::Clock> base_;  // of the column `tick`: the shortest period
+  interp::Tick printed_ = 0;           // rows
   std::optional<interp::Clock> watch_clock_;
   interp::Tick before_ = -1;
   std::vector<Judgement> judgements_;
@@ -219,7 +222,6 @@ Sort sort_of(const Options& options, Compilation& c) {
   for (const sema::Watch& watch : c.spec->watches) names.push_back(watch.name);
   const std::size_t plain = names.size();
   for (const sema::Decision& d : c.spec->decisions) {
-    if (d.on_plan) continue;
     for (const sema::MonitorId id : d.priority) names.push_back((*c.spec)[id].name);
   }
   const auto found = std::find(names.begin(), names.end(), options.monitor);
@@ -302,11 +304,11 @@ int make_kernels(const Options& options, Compilation& c, bool watches, bool deci
   return exit_clean;
 }
 
-// A decision that robots of a fleet take every period.
+// A decision that robots of a fleet take.
 bool has_decisions(const sema::Spec& spec) {
   return std::any_of(spec.decisions.begin(), spec.decisions.end(), [&](const sema::Decision& d) {
-    return !d.on_plan && std::any_of(spec.robots.begin(), spec.robots.end(),
-                                     [&](const sema::Robot& r) { return r.kind == d.kind; });
+    return std::any_of(spec.robots.begin(), spec.robots.end(),
+                       [&](const sema::Robot& r) { return r.kind == d.kind; });
   });
 }
 
@@ -317,7 +319,7 @@ int replay(const Options& options, Compilation& c, std::ostream& out) {
   bool decisions = has_decisions(*c.spec);
   if (!watches && !decisions) {
     report(c, diag::Code::usage, "`" + c.spec->name + "` has no monitor that can be replayed",
-           "monitors without a robot can, and decisions with a period");
+           "monitors without a robot can, and decisions that robots of a fleet take");
     return exit_usage;
   }
   if (!options.monitor.empty()) {

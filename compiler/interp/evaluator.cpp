@@ -129,6 +129,7 @@ struct ConditionOf {
     return at_least(self.clearance_of_body(node.zone), exactly(Rational(0)), false, length,
                     self.scale(length));
   }
+  Margin operator()(const sema::PlanInside& node) const { return self.plan_inside(node.zone); }
   Margin operator()(const sema::ForOthers& node) const {
     return self.over_others(*node.body, truth(node.universal),
                             [&](const Margin& all, const Margin& each) {
@@ -168,8 +169,7 @@ struct ConditionOf {
     return negate(self.memory<SinceMemory>(expr, make).step(self.now_, miss, trigger));
   }
 
-  // Plans, which decisions with a period do not speak of, or no conditions: nothing is known of
-  // them.
+  // No conditions: nothing is known of them.
   template <class Other>
   Margin operator()(const Other&) const {
     return unknown_margin({});
@@ -198,6 +198,24 @@ Span Evaluator::clearance_of_body(sema::ZoneId zone) {
   const Span body = exactly(robots_->kind().radius.value);
   const Span gap = subtract(zones_.clearance_of_robots(zone, *centre), body);
   return add(gap, between(Rational(-error), error));
+}
+
+// Rule 8: every way-point and every leg; without any of them there is nothing to object.
+Margin Evaluator::plan_inside(sema::ZoneId zone) {
+  static const sema::Dimension& length = sema::dims::length;
+  const auto margin = [&](const Span& gap) {
+    return at_least(gap, exactly(Rational(0)), false, length, scale(length));
+  };
+  if (robots_ == nullptr || !robots_->plan()) return margin(unknown(std::nullopt));
+  const std::vector<Place>& points = robots_->plan()->points;
+  Margin worst = margin(between(Extended::infinity(1), Extended::infinity(1)));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto way = zones_.clearance_of_way(zone, points[k == 0 ? 0 : k - 1], points[k]);
+    Margin leg = margin(way.gap);
+    if (way.leaves) leg.lo.below = leg.hi.below = true;
+    worst = both(worst, leg);
+  }
+  return worst;
 }
 
 namespace {

@@ -49,6 +49,7 @@ class Evaluator {
   template <class T, class Join>
   T over_others(const sema::Expr& body, T start, const Join& join);
   Span clearance_of_body(sema::ZoneId zone);
+  Margin plan_inside(sema::ZoneId zone);
   // Of a node that holds a place, coordinates `x` and `y`, against a zone.
   template <class Node>
   Span clearance_of_place(const sema::Expr& expr, const Node& node,

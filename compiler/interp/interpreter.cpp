@@ -38,6 +38,11 @@ std::vector<const sema::Expr*> properties(const sema::Spec& spec, const sema::De
   return all;
 }
 
+// Decisions on plans have none, and nothing in them lasts.
+Rational period_of(const sema::Decision& decision) {
+  return decision.period ? decision.period->value : Rational(1);
+}
+
 }  // namespace
 
 Interpreter::Interpreter(const sema::Spec& spec)
@@ -46,7 +51,7 @@ Interpreter::Interpreter(const sema::Spec& spec)
 
 Interpreter::Interpreter(const sema::Spec& spec, const sema::Decision& decision, sema::RobotId self,
                          std::shared_ptr<Zones> zones)
-    : Interpreter(spec, decision.period->value, properties(spec, decision),
+    : Interpreter(spec, period_of(decision), properties(spec, decision),
                   std::make_unique<Robots>(spec, self), std::move(zones)) {}
 
 Interpreter::Interpreter(const sema::Spec& spec, const Rational& period,
@@ -90,6 +95,14 @@ const std::vector<Finding>& Interpreter::step(std::int64_t now_us, const Inputs&
   tick_ = tick;
   before_us_ = now_us;
   evaluator_.start(tick_);
+  judge();
+  return findings_;
+}
+
+// Rule 8: every plan is judged anew, whenever it comes.
+const std::vector<Finding>& Interpreter::judge_plan(const std::optional<Plan>& plan) {
+  robots_->propose(plan);
+  evaluator_.start(++tick_);
   judge();
   return findings_;
 }

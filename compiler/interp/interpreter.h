@@ -40,8 +40,8 @@ class Interpreter {
  public:
   // The specification outlives the interpreter and has a period, as sema asks of one with watches.
   explicit Interpreter(const sema::Spec& spec);
-  // Of the monitors of a decision with a period, for one robot of its kind. Interpreters of one
-  // specification may share its zones.
+  // Of the monitors of a decision, for one robot of its kind. Interpreters of one specification may
+  // share its zones.
   Interpreter(const sema::Spec& spec, const sema::Decision& decision, sema::RobotId self,
               std::shared_ptr<Zones> zones);
   // Findings by the order of spec.watches, or of the priorities of the decision. A second step
@@ -49,6 +49,8 @@ class Interpreter {
   // before.
   const std::vector<Finding>& step(std::int64_t now_us, const Inputs& inputs,
                                    const FleetSamples& robots = {});
+  // Of a decision on plans: what it finds of a proposed plan; none: of one that cannot be read.
+  const std::vector<Finding>& judge_plan(const std::optional<Plan>& plan);
   // A parameter moves within its range, and only in the direction that tightens; other values are
   // ignored. Between two steps of its resolution it takes the tighter one. The value counts from
   // the tick of the next step on, not at ticks that were missed before it.

@@ -12,23 +12,38 @@ namespace {
 // Doubles are off by less than this share of the largest coordinate, however they were computed.
 constexpr double rough_share = 1e-9;
 
+Place minus(const Place& a, const Place& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+Rational cross(const Place& a, const Place& b) {
+  return a.x * b.y - a.y * b.x;
+}
+Rational dot(const Place& a, const Place& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
 }  // namespace
+
+Outline::Edge Outline::edge(const Place& a, const Place& b) {
+  Edge e;
+  e.a = a;
+  e.b = b;
+  e.d = minus(b, a);
+  e.square = dot(e.d, e.d);
+  e.ax = a.x.get_d(), e.ay = a.y.get_d();
+  e.dx = e.d.x.get_d(), e.dy = e.d.y.get_d();
+  e.x1 = std::max(e.ax, b.x.get_d());
+  e.y0 = std::min(e.ay, b.y.get_d());
+  e.y1 = std::max(e.ay, b.y.get_d());
+  return e;
+}
 
 Outline::Outline(const geometry::Region& region) {
   const auto add = [&](const geometry::Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const geometry::Point& a = ring[i];
       const geometry::Point& b = ring[(i + 1) % ring.size()];
-      Edge e;
-      e.a = {a.x, a.y};
-      e.b = {b.x, b.y};
-      e.d = {b.x - a.x, b.y - a.y};
-      e.square = e.d.x * e.d.x + e.d.y * e.d.y;
-      e.ax = a.x.get_d(), e.ay = a.y.get_d();
-      e.dx = e.d.x.get_d(), e.dy = e.d.y.get_d();
-      e.x1 = std::max(e.ax, b.x.get_d());
-      e.y0 = std::min(e.ay, b.y.get_d());
-      e.y1 = std::max(e.ay, b.y.get_d());
+      Edge e = edge({a.x, a.y}, {b.x, b.y});
       reach_ = std::max({reach_, std::abs(e.ax), std::abs(e.ay)});
       edges_.push_back(std::move(e));
     }
@@ -91,6 +106,52 @@ Root Outline::distance(const Place& p) const {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     if (gaps[i] > limit) continue;  // what is no number is looked at
     const Rational square = square_to(edges_[i], p);
+    if (!least || square < *least) least = square;
+  }
+  return square_root(*least);
+}
+
+std::vector<Rational> Outline::meetings(const Edge& way) const {
+  std::vector<Rational> shares;
+  const auto add = [&](const Rational& share) {
+    if (share > 0 && share < 1) shares.push_back(share);
+  };
+  for (const Edge& e : edges_) {
+    const Place to = minus(e.a, way.a);
+    const Rational turn = cross(way.d, e.d), side = cross(to, way.d);
+    if (turn != 0) {
+      const Rational along_edge = side / turn;
+      if (along_edge >= 0 && along_edge <= 1) add(cross(to, e.d) / turn);
+    } else if (side == 0 && way.square != 0) {  // on one line
+      add(dot(to, way.d) / way.square);
+      add(dot(minus(e.b, way.a), way.d) / way.square);
+    }
+  }
+  std::sort(shares.begin(), shares.end());
+  return shares;
+}
+
+// Between two places where it meets the boundary the way lies inside, on the boundary or outside
+// as a whole.
+bool Outline::contains(const Place& from, const Place& to) const {
+  const Edge way = edge(from, to);
+  std::vector<Rational> shares = meetings(way);
+  shares.emplace_back(1);
+  Rational before = 0;
+  for (const Rational& share : shares) {
+    const Rational middle = (before + share) / 2;
+    if (!contains({from.x + middle * way.d.x, from.y + middle * way.d.y})) return false;
+    before = share;
+  }
+  return true;
+}
+
+Root Outline::distance(const Place& from, const Place& to) const {
+  const Edge way = edge(from, to);
+  if (!meetings(way).empty()) return {0, 0};
+  std::optional<Rational> least;
+  for (const Edge& e : edges_) {
+    const Rational square = std::min({square_to(e, from), square_to(e, to), square_to(way, e.a)});
     if (!least || square < *least) least = square;
   }
   return square_root(*least);

@@ -19,8 +19,12 @@ class Outline {
 
   // The boundary belongs to the zone.
   [[nodiscard]] bool contains(const Place& place) const;
+  // Of every place of the straight way from one to the other.
+  [[nodiscard]] bool contains(const Place& from, const Place& to) const;
   // Between a place and the boundary.
   [[nodiscard]] Root distance(const Place& place) const;
+  // Between that way and the boundary.
+  [[nodiscard]] Root distance(const Place& from, const Place& to) const;
   // No place of this box is farther from the zone, no place of the zone farther from its boundary.
   [[nodiscard]] Rational farthest(const Place& low, const Place& high) const;
   [[nodiscard]] Rational deepest() const;
@@ -33,6 +37,9 @@ class Outline {
     double ax, ay, dx, dy;
     double x1, y0, y1;  // its right end, its lower and its upper one
   };
+  static Edge edge(const Place& a, const Place& b);
+  // Where the way meets the boundary, as shares of it between 0 and 1, in order, not its ends.
+  [[nodiscard]] std::vector<Rational> meetings(const Edge& way) const;
   static Rational square_to(const Edge& edge, const Place& place);
   [[nodiscard]] double slack(double x, double y) const;
 

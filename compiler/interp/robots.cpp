@@ -83,6 +83,14 @@ void Robots::arrive(std::int64_t now_us, const FleetSamples& samples) {
   signals_.arrive(now_us, now_us, inputs);
 }
 
+// Rule 8.
+void Robots::propose(const std::optional<Plan>& plan) {
+  plan_.reset();
+  if (!plan || !kind_.plan) return;
+  const auto count = static_cast<std::int64_t>(plan->points.size());
+  if (count <= kind_.plan->capacity && plan->index >= 0 && plan->index <= count) plan_ = plan;
+}
+
 // Rule 6.5: absence is asserted, never inferred from silence.
 std::vector<sema::RobotId> Robots::others() const {
   std::vector<sema::RobotId> others;

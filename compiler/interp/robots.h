@@ -12,9 +12,16 @@
 
 namespace rtac::interp {
 
-// The newest samples of one robot: position and velocity x, y; battery; whether it is present.
+// A plan that is proposed: way-points, to the nearest mm, and the next of them.
+struct Plan {
+  std::vector<Place> points;
+  std::int64_t index = 0;
+};
+// The newest samples of one robot: position and velocity x, y; battery; whether it is present. The
+// plan that it proposed last; none: none that can be read.
 struct RobotSamples {
   std::optional<Sample> position, velocity, battery, presence;
+  std::optional<Plan> plan;
 };
 using FleetSamples = std::vector<RobotSamples>;  // by RobotId
 
@@ -25,6 +32,10 @@ class Robots {
   void arrive(std::int64_t now_us, const FleetSamples& samples);
   // A tick that was missed sees nothing.
   void miss() { signals_.miss(); }
+
+  // A plan over its capacity, or whose index is none of its way-points nor the end, is unknown.
+  void propose(const std::optional<Plan>& plan);
+  [[nodiscard]] const std::optional<Plan>& plan() const { return plan_; }
 
   [[nodiscard]] const sema::RobotKind& kind() const { return kind_; }
   [[nodiscard]] sema::RobotId self() const { return self_; }
@@ -54,6 +65,7 @@ class Robots {
   const sema::RobotKind& kind_;
   std::vector<sema::Input> inputs_;  // by robot and field
   Signals signals_;
+  std::optional<Plan> plan_;
 };
 
 }  // namespace rtac::interp

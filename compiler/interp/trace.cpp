@@ -183,27 +183,54 @@ bool TraceReader::read_header() {
   return check_missing(seen);
 }
 
-// A robot of which there is no column, or only those of inputs, is not looked at, when there are
-// monitors without a robot.
-bool TraceReader::check_missing(const std::vector<bool>& seen) {
-  std::vector<std::string> missing;
+// Whether a decision on plans, or one with a period, is about the robot.
+bool TraceReader::takes(std::size_t robot, bool plans) const {
+  return std::any_of(spec_.decisions.begin(), spec_.decisions.end(), [&](const sema::Decision& d) {
+    return d.on_plan == plans && d.kind == spec_.robots[robot].kind;
+  });
+}
+
+// Which robots the columns are about.
+void TraceReader::find_robots(const std::vector<bool>& seen) {
   std::vector<bool> lacks(robots_.size(), false);
   for (std::size_t i = 0; i < declared_.size(); ++i) {
-    const auto& robot = declared_[i].robot;
-    if (!robot) continue;
-    if (!seen[i]) lacks[*robot] = true;
-    if (seen[i] && declared_[i].input == nullptr) robots_[*robot].given = true;
+    const Column& column = declared_[i];
+    if (!column.robot) continue;
+    const std::size_t robot = *column.robot;
+    if (!seen[i]) lacks[robot] = true;
+    if (!seen[i] || column.input != nullptr) continue;
+    const bool of_plan = column.form == Form::plan || column.form == Form::index;
+    if (of_plan && takes(robot, true)) {
+      robots_[robot].proposes = true;
+    } else {
+      robots_[robot].given = true;
+    }
   }
   for (std::size_t r = 0; r < robots_.size(); ++r) {
     robots_[r].given = robots_[r].given || !lacks[r];
   }
-  const bool needs_a_robot =
-      spec_.watches.empty() &&
-      std::none_of(robots_.begin(), robots_.end(), [](const RobotColumns& r) { return r.given; });
+}
+
+// A robot of which there is no column, or only those of inputs, is not looked at, unless nothing
+// else is.
+bool TraceReader::is_due(const Column& column, bool needs_a_robot) const {
+  if (column.input != nullptr) return true;
+  const RobotColumns& robot = robots_[*column.robot];
+  const bool plan = column.form == Form::plan;
+  if (robot.given || (plan && robot.proposes)) return true;
+  const bool plans_alone = takes(*column.robot, true) && !takes(*column.robot, false);
+  return needs_a_robot && (plan || !plans_alone);
+}
+
+bool TraceReader::check_missing(const std::vector<bool>& seen) {
+  find_robots(seen);
+  const bool needs_a_robot = spec_.watches.empty() && std::none_of(robots_.begin(), robots_.end(),
+                                                                   [](const RobotColumns& r) {
+                                                                     return r.given || r.proposes;
+                                                                   });
+  std::vector<std::string> missing;
   for (std::size_t i = 0; i < declared_.size(); ++i) {
-    const auto& robot = declared_[i].robot;
-    const bool due = declared_[i].input != nullptr || robots_[*robot].given || needs_a_robot;
-    if (!seen[i] && due) missing.push_back(declared_[i].name);
+    if (!seen[i] && is_due(declared_[i], needs_a_robot)) missing.push_back(declared_[i].name);
   }
   if (missing.empty()) return true;
   return fail(1, record_.cells.back().column,

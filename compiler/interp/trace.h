@@ -10,7 +10,8 @@
 //   1.0,2.0,0.2,0,0.95,2 2; 3 2.5,1
 //
 // and `r1.heading`, and `r1.present` (1 or 0) of an open fleet. A plan is its way-points in m, or
-// `none`; its index is the next of them, from 0.
+// `none`; its index is the next of them, from 0. Of a robot whose plans a decision judges the
+// column of its plan may stand alone, or with its index.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +50,8 @@ struct PlanReading {
 struct RobotColumns {
   std::optional<std::size_t> position, velocity;  // of x; y follows
   std::optional<std::size_t> heading, battery, plan_index, present;
-  bool given = false;  // the trace has its columns
+  bool given = false;     // the trace has all of its columns
+  bool proposes = false;  // it has that of its plan, and a decision judges plans
 };
 struct TraceRow {
   std::int64_t time_us = 0;
@@ -83,6 +85,9 @@ class TraceReader {
   bool fail(std::uint64_t line, std::size_t column, std::string message, std::string help);
   bool fault(CsvReader::Result result);
   void declare_robot(std::size_t robot);
+  [[nodiscard]] bool takes(std::size_t robot, bool plans) const;
+  void find_robots(const std::vector<bool>& seen);
+  [[nodiscard]] bool is_due(const Column& column, bool needs_a_robot) const;
   std::size_t declare(std::string name, Form form, std::size_t robot);
   bool assign(const CsvCell& cell, std::vector<bool>& seen);
   bool check_missing(const std::vector<bool>& seen);

@@ -120,7 +120,7 @@ Span Zones::clearance(sema::ZoneId zone, const Span& x, const Span& y) {
   return between(Rational(lower.below - half), Rational(upper.above + half));
 }
 
-Span Zones::clearance_of_robots(sema::ZoneId zone, const Place& place) {
+const Outline* Zones::of_robots(sema::ZoneId zone) {
   Known& known = known_[static_cast<std::size_t>(zone)];
   if (!known.snapped) {
     known.snapped = true;
@@ -128,9 +128,22 @@ Span Zones::clearance_of_robots(sema::ZoneId zone, const Place& place) {
     const auto on_grid = within ? geometry::snap_inside(*within) : std::nullopt;
     if (on_grid) known.of_robots = std::make_unique<Outline>(geometry::to_region(*on_grid));
   }
-  if (known.of_robots == nullptr) return unknown(std::nullopt);
-  const Root gap = clearance_of(*known.of_robots, place);
+  return known.of_robots.get();
+}
+
+Span Zones::clearance_of_robots(sema::ZoneId zone, const Place& place) {
+  const Outline* const outline = of_robots(zone);
+  if (outline == nullptr) return unknown(std::nullopt);
+  const Root gap = clearance_of(*outline, place);
   return between(gap.below, gap.above);
+}
+
+Zones::WayClearance Zones::clearance_of_way(sema::ZoneId zone, const Place& from, const Place& to) {
+  const Outline* const outline = of_robots(zone);
+  if (outline == nullptr) return {unknown(std::nullopt)};
+  const Root gap = outline->distance(from, to);
+  if (outline->contains(from, to)) return {between(gap.below, gap.above)};
+  return {between(Rational(-gap.above), Rational(-gap.below)), true};
 }
 
 bool Zones::outside(sema::ZoneId zone, const Span& x, const Span& y) {

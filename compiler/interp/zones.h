@@ -23,6 +23,13 @@ class Zones {
   // The same of the zone as robots know it, which lies within it: curves as polygons, on the grid
   // of 1 mm. `place` is exact.
   Span clearance_of_robots(sema::ZoneId zone, const Place& place);
+  // The same of the straight way between two places. It is negative where all of the way lies
+  // outside; where a part of it does, it is 0.
+  struct WayClearance {
+    Span gap;
+    bool leaves = false;  // some of it lies outside
+  };
+  WayClearance clearance_of_way(sema::ZoneId zone, const Place& from, const Place& to);
   // Whether a place that is known exactly lies outside for sure, however near.
   bool outside(sema::ZoneId zone, const Span& x, const Span& y);
   // Whatever the clearance may be while the place is anything in its box.
@@ -38,6 +45,7 @@ class Zones {
     const Outline *within, *around;
   };
   Outlines outlines(sema::ZoneId zone);
+  const Outline* of_robots(sema::ZoneId zone);
 
   struct Known {
     std::array<std::optional<Region>, 2> regions;  // none: not asked for yet

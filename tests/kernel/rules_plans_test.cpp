@@ -187,5 +187,29 @@ TEST(OnPlan, EveryLegOfAProposedPlanIsJudgedAndAnEmptyPlanPasses) {
   EXPECT_FALSE(judge.judge(path({{5, nan_value}}), 0).advanced());
 }
 
+// What touches the boundary lies in the zone, which contains it: on the grid that is not decided,
+// and a proof that it leaves would be wrong.
+TEST(OnPlan, ALegAlongTheBoundaryIsNotFalse) {
+  probe::Draughtsman judge(0);
+  const auto now = [&](const Path& plan) { return judge.judge(plan, 0).monitors[0].now; };
+  EXPECT_EQ(now(path({{5, 0}, {8, 0}})), Verdict::is_unknown);
+  EXPECT_EQ(now(path({{0, 0}, {0, 9}})), Verdict::is_unknown);
+  EXPECT_EQ(now(path({{20, 1}, {20, 2}})), Verdict::is_unknown);
+  EXPECT_EQ(now(path({{5, -0.01}, {8, -0.01}})), Verdict::is_false);
+  EXPECT_EQ(now(path({{5, 1}, {5, -0.01}})), Verdict::is_false);
+  EXPECT_EQ(now(path({{8, 5}, {12, 5}})), Verdict::is_false);
+  EXPECT_EQ(now(path({{1, 1}, {-1, -1}})), Verdict::is_false);
+  EXPECT_EQ(now(path({{-1, -1}, {1, 1}})), Verdict::is_false);
+  EXPECT_EQ(now(path({{5, 0.01}, {8, 0.01}})), Verdict::is_true);
+}
+
+// The gap of a leg is found within 3 mm, from below: outside that makes it nearer than it is.
+TEST(OnPlan, TheMarginOutsideIsNotAboveTheTrueOne) {
+  probe::Draughtsman judge(0);
+  const double margin = judge.judge(path({{5, -0.5}, {8, -1}}), 0).monitors[0].margin;
+  EXPECT_LE(margin, -0.503);
+  EXPECT_GE(margin, -0.505);
+}
+
 }  // namespace
 }  // namespace rtac::kernel_test

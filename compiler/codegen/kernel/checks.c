@@ -127,9 +127,20 @@ static margin points_in_zone(const zone *z, const KERNEL_plan *plan, int32_t poi
   }
   return worst;
 }
-/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin leg_gap inside_zone margin_and margin_true */
+/*= may_lie_in : zone_type vec_type inside_zone boundary_gap_lo */
+static int32_t may_lie_in(const zone *z, vec p) {
+  return inside_zone(z, p) || boundary_gap_lo(z, p) == 0;
+}
+/*= touches_only : may_lie_in segment_boundary_lo */
+/* A leg that touches the boundary on its way to a place of the zone may lie in it: the boundary
+ * belongs to the zone. Where it comes from is judged before. */
+static int32_t touches_only(const zone *z, vec from, vec to) {
+  return segment_boundary_lo(z, from, to) == 0 && may_lie_in(z, to);
+}
+/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin leg_gap touches_only inside_zone margin_and margin_true */
 /* Every way-point and every leg of a proposed plan lies in the zone. `need_mm` covers the rounding
- * of the way-points; `leg_gap` is within 3 mm. */
+ * of the way-points; `leg_gap` is within 3 mm, so that a leg outside may be that much farther from
+ * the zone. */
 static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_mm) {
   margin worst = margin_true();
   int32_t k, inside;
@@ -141,8 +152,8 @@ static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_
     const vec to = waypoint_of(plan, k);
     const vec from = k > 0 ? waypoint_of(plan, k - 1) : to;
     const int64_t gap = leg_gap(z, from, to, &inside);
-    margin leg = leg_margin(gap - need_mm, REASON_LEG, k);
-    if (gap >= 0) {
+    margin leg = leg_margin(gap - need_mm - (gap < -1 ? 2 : 0), REASON_LEG, k);
+    if (gap >= 0 || (gap == -1 && touches_only(z, from, to))) {
       leg.hi = (gap + 3 + need_mm) * WEIGHT_MM;
     }
     worst = margin_and(worst, leg);

@@ -329,6 +329,19 @@ static void near_edge(const edge *e, vec p, nearest *n) {
   }
 }
 
+/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
+static int64_t boundary_gap_lo(const zone *z, vec p) {
+  nearest n = nearest_none();
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    const edge *e = &z->edges[i];
+    if (nearer(box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p), &n)) {
+      near_edge(e, p, &n);
+    }
+  }
+  return nearest_mm(&n);
+}
+
 /* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. */
 static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
   segment s = segment_of(p, e);
@@ -390,8 +403,19 @@ static int64_t leg_gap(const zone *z, vec from, vec to, int32_t *inside) {
   return gap >= 0 && (!before || !*inside) ? -1 - gap : gap;
 }
 
+static int32_t may_lie_in(const zone *z, vec p) {
+  return inside_zone(z, p) || boundary_gap_lo(z, p) == 0;
+}
+
+/* A leg that touches the boundary on its way to a place of the zone may lie in it: the boundary
+ * belongs to the zone. Where it comes from is judged before. */
+static int32_t touches_only(const zone *z, vec from, vec to) {
+  return segment_boundary_lo(z, from, to) == 0 && may_lie_in(z, to);
+}
+
 /* Every way-point and every leg of a proposed plan lies in the zone. `need_mm` covers the rounding
- * of the way-points; `leg_gap` is within 3 mm. */
+ * of the way-points; `leg_gap` is within 3 mm, so that a leg outside may be that much farther from
+ * the zone. */
 static margin plan_in_zone(const zone *z, const plan_only_plan *plan, int64_t need_mm) {
   margin worst = margin_true();
   int32_t k, inside;
@@ -403,8 +427,8 @@ static margin plan_in_zone(const zone *z, const plan_only_plan *plan, int64_t ne
     const vec to = waypoint_of(plan, k);
     const vec from = k > 0 ? waypoint_of(plan, k - 1) : to;
     const int64_t gap = leg_gap(z, from, to, &inside);
-    margin leg = leg_margin(gap - need_mm, PLAN_ONLY_REASON_LEG, k);
-    if (gap >= 0) {
+    margin leg = leg_margin(gap - need_mm - (gap < -1 ? 2 : 0), PLAN_ONLY_REASON_LEG, k);
+    if (gap >= 0 || (gap == -1 && touches_only(z, from, to))) {
       leg.hi = (gap + 3 + need_mm) * WEIGHT_MM;
     }
     worst = margin_and(worst, leg);
