@@ -1,7 +1,7 @@
 #include "compiler/codegen/code.h"
 
-#include <algorithm>
 #include <sstream>
+#include <string_view>
 
 namespace rtac::codegen {
 namespace {
@@ -113,18 +113,15 @@ std::string signature(const std::string& start, const std::vector<std::string>& 
 }
 
 namespace {
-// Behind the next place where a line may break.
-std::size_t next_break(const std::string& text, std::size_t from) {
-  std::size_t next = text.size();
-  for (const char* behind : {", ", " && ", " || "}) {
-    const std::size_t found = text.find(behind, from);
-    if (found != std::string::npos) next = std::min(next, found + std::string(behind).size());
+// Behind the next place where a line may break; what is looked at is passed once.
+std::size_t next_break(std::string_view text, std::size_t from) {
+  for (std::size_t at = from; at < text.size(); ++at) {
+    const std::string_view rest = text.substr(at, 4);
+    if (rest.substr(0, 2) == ", ") return at + 2;
+    if (rest == " && " || rest == " || ") return at + 4;
+    if (rest.substr(0, 3) == " ? " || rest.substr(0, 3) == " : ") return at + 1;
   }
-  for (const char* before : {" ? ", " : "}) {
-    const std::size_t found = text.find(before, from);
-    if (found != std::string::npos) next = std::min(next, found + 1);
-  }
-  return next;
+  return text.size();
 }
 }  // namespace
 

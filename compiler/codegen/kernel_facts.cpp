@@ -134,7 +134,7 @@ void FactPrinter::look(Code& tick) {
   }
   look_->params("s->facts.", "v->in->facts.", tick);
   for (std::size_t c = 0; c < d_.facts.inputs.size(); ++c) {
-    if (is_used(d_.facts, c)) tick.line(look_->call(c, "&v->facts", "&v->in->facts"));
+    if (look_->is_used(c)) tick.line(look_->call(c, "&v->facts", "&v->in->facts"));
   }
 }
 

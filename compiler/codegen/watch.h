@@ -23,6 +23,7 @@ struct WatchSignal {
 struct WatchNames {
   std::vector<WatchSignal> signals;
   std::vector<std::string> channels, params;
+  std::vector<std::size_t> first;  // by channel: where its signals start
   [[nodiscard]] const WatchSignal& signal(std::uint32_t channel, std::uint32_t component) const;
 };
 WatchNames watch_names(const ir::Watch& watch);
@@ -52,11 +53,14 @@ inline constexpr std::int64_t missed_ticks_max = 4;
 // The table of a region in the kernel.
 std::string region_symbol(const ir::Region& region);
 
-// Whether a monitor asks for an input, or for its age; an input that none asks for is not looked
-// at.
-bool is_used(const ir::Watch& watch, std::size_t channel);
-bool reads_age(const ir::Watch& watch, std::size_t channel);
-bool uses_channel(const ir::PlainMonitor& monitor, std::size_t channel);
+// By channel: whether a monitor asks for the input, or for its age; an input that none asks for is
+// not looked at.
+struct ChannelUses {
+  std::vector<bool> used, age;
+};
+ChannelUses channel_uses(const ir::Watch& watch);
+// The inputs that a monitor asks for.
+std::set<std::uint32_t> channels_of(const ir::PlainMonitor& monitor);
 // Whether a monitor has an operator that remembers.
 bool remembers(const ir::PlainMonitor& monitor);
 // Whether an operator needs to know which tick it is.
@@ -65,7 +69,7 @@ bool counts_ticks(const ir::Watch& watch, Telling telling);
 bool has_past(const ir::Watch& watch, Telling telling);
 // Whether the stamp of the last sample is kept. What must arrive every tick is later than the last
 // tick, which no sample before was, so it cannot go back.
-bool keeps_stamp(const ir::Watch& watch, std::size_t channel);
+bool keeps_stamp(const ir::Watch& watch, const ChannelUses& uses, std::size_t channel);
 // Whether some input has to arrive every tick: then it matters when the last one was.
 bool arrives_each_tick(const ir::Watch& watch);
 

@@ -85,8 +85,9 @@ std::vector<std::string> watch_memory_fields(const WatchKernel& kernel) {
     fields.push_back(temporal_ticks_member(kernel.prefix));
   }
   if (arrives_each_tick(kernel.watch)) fields.emplace_back("int64_t judged_us;");
+  const ChannelUses uses = channel_uses(kernel.watch);
   for (std::size_t c = 0; c < members.channels.size(); ++c) {
-    if (keeps_stamp(kernel.watch, c)) {
+    if (keeps_stamp(kernel.watch, uses, c)) {
       fields.push_back("int64_t last_" + members.channels[c] + "_us;");
     }
   }

@@ -10,6 +10,7 @@ WatchLook::WatchLook(WatchKernel kernel, std::set<std::string>& uses, Code& out)
     : kernel_(std::move(kernel)),
       watch_(kernel_.watch),
       members_(watch_names(watch_)),
+      asked_(channel_uses(watch_)),
       view_(kernel_.functions + "_view"),
       clock_(upper(kernel_.prefix) + "_INPUT_CLOCK"),
       uses_(uses),
@@ -49,10 +50,10 @@ void WatchLook::view() {
         body.line(kernel_.state + " *s;");
         body.line("int64_t now_us, since_us; /* after since_us a sample is one of this tick */");
         for (const WatchSignal& s : members_.signals) {
-          if (is_used(watch_, s.channel)) body.line(type_of(s.channel) + " " + s.seen + ";");
+          if (asked_.used[s.channel]) body.line(type_of(s.channel) + " " + s.seen + ";");
         }
         for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
-          if (!reads_age(watch_, c)) continue;
+          if (!asked_.age[c]) continue;
           body.line(std::string(kernel_.is_full() ? "span" : "bounds") + " age_of_" +
                     members_.channels[c] + "; /* us */");
         }
@@ -86,11 +87,11 @@ void WatchLook::blind() {
            [&](Code& body) {
              body.line("v->s = s;");
              for (const WatchSignal& s : members_.signals) {
-               if (!is_used(watch_, s.channel)) continue;
+               if (!asked_.used[s.channel]) continue;
                body.line("v->" + s.seen + " = " + unknown(is_truth(s.channel)) + ";");
              }
              for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
-               if (!reads_age(watch_, c)) continue;
+               if (!asked_.age[c]) continue;
                body.line("v->age_of_" + members_.channels[c] + " = " + unknown(false) + ";");
              }
            });
@@ -99,7 +100,7 @@ void WatchLook::blind() {
 
 void WatchLook::channels() {
   for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
-    if (!is_used(watch_, c)) continue;
+    if (!asked_.used[c]) continue;
     function("static inline void " + kernel_.functions + "_look_" + members_.channels[c],
              {view_ + " *v", "const " + kernel_.types + "_in *in"},
              [&](Code& body) { channel(c, body); });
@@ -112,7 +113,7 @@ void WatchLook::channel(std::size_t index, Code& out) {
   const std::string first = "in->" + members_.signal(std::uint32_t(index), 0).name;
   wrapped(out, "const int32_t fresh_" + name + " = " + fresh(index, first, out) + ";");
   for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, out);
-  if (!reads_age(watch_, index)) return;
+  if (!asked_.age[index]) return;
   const std::string of = "&" + first + ", " + whole_sample(index, out) + ", v->now_us";
   const std::string age = kernel_.is_full() ? use("age_span", of + ", " + kernel_.numbers[index])
                                             : use("bounds_age", of);
@@ -121,7 +122,7 @@ void WatchLook::channel(std::size_t index, Code& out) {
 // Whether the newest sample counts now.
 std::string WatchLook::fresh(std::size_t index, const std::string& first, Code& out) {
   const Channel& c = watch_.inputs[index];
-  if (!keeps_stamp(watch_, index)) {
+  if (!keeps_stamp(watch_, asked_, index)) {
     return use("sample_arrived", "&" + first + ", v->since_us, v->now_us");
   }
   const std::string& name = members_.channels[index];
@@ -189,7 +190,7 @@ void WatchLook::start(const std::string& state, Code& body) const {
     body.line("ticks_start(&" + state + "ticks);");
   }
   for (std::size_t c = 0; c < members_.channels.size(); ++c) {
-    if (keeps_stamp(watch_, c)) {
+    if (keeps_stamp(watch_, asked_, c)) {
       body.line(state + "last_" + members_.channels[c] + "_us = INT64_MIN;");
     }
   }

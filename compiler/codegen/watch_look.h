@@ -39,6 +39,7 @@ class WatchLook {
 
   [[nodiscard]] const WatchKernel& kernel() const { return kernel_; }
   [[nodiscard]] const WatchNames& members() const { return members_; }
+  [[nodiscard]] bool is_used(std::size_t channel) const { return asked_.used[channel]; }
   [[nodiscard]] const std::string& view_type() const { return view_; }
 
  private:
@@ -54,6 +55,7 @@ class WatchLook {
   const WatchKernel kernel_;
   const ir::Watch& watch_;
   const WatchNames members_;
+  const ChannelUses asked_;
   const std::string view_, clock_;
   std::set<std::string>& uses_;
   Code& out_;

@@ -34,10 +34,7 @@ std::string numbered(const std::string& name, std::set<std::string>& taken) {
 }  // namespace
 
 const WatchSignal& WatchNames::signal(std::uint32_t channel, std::uint32_t component) const {
-  const auto found = std::find_if(signals.begin(), signals.end(), [&](const WatchSignal& s) {
-    return s.channel == channel && s.component == component;
-  });
-  return *found;
+  return signals[first[channel] + component];
 }
 
 WatchNames watch_names(const Watch& watch) {
@@ -51,6 +48,7 @@ WatchNames watch_names(const Watch& watch) {
   }
   for (std::uint32_t c = 0; c < watch.inputs.size(); ++c) {
     const Channel& channel = watch.inputs[c];
+    out.first.push_back(out.signals.size());
     for (std::uint32_t k = 0; k < channel.components.size(); ++k) {
       std::string name = channel.name;
       if (!channel.components[k].empty()) name += "_" + channel.components[k];
@@ -95,35 +93,28 @@ std::string region_symbol(const Region& region) {
   return (region.around ? "region_around_" : "region_within_") + region.name;
 }
 
-bool uses_channel(const PlainMonitor& monitor, std::size_t channel) {
-  const auto is = [&](std::uint32_t c) { return c == channel; };
-  const auto reads = [&](const Value& value) {
-    if (const auto* v = std::get_if<InputSame>(&value.op)) {
-      return is(v->channel) || is(v->other_channel);
-    }
-    return std::visit(
+std::set<std::uint32_t> channels_of(const PlainMonitor& monitor) {
+  std::set<std::uint32_t> out;
+  for (const Value& value : monitor.property.values) {
+    std::visit(
         [&](const auto& op) {
-          if constexpr (requires { op.channel; }) {
-            return is(op.channel);
-          } else {
-            return false;
-          }
+          if constexpr (requires { op.channel; }) out.insert(op.channel);
+          if constexpr (requires { op.other_channel; }) out.insert(op.other_channel);
         },
         value.op);
-  };
-  return std::any_of(monitor.property.values.begin(), monitor.property.values.end(), reads);
+  }
+  return out;
 }
-bool is_used(const Watch& watch, std::size_t channel) {
-  return std::any_of(watch.monitors.begin(), watch.monitors.end(),
-                     [&](const PlainMonitor& m) { return uses_channel(m, channel); });
-}
-bool reads_age(const Watch& watch, std::size_t channel) {
+ChannelUses channel_uses(const Watch& watch) {
+  ChannelUses out{std::vector<bool>(watch.inputs.size(), false),
+                  std::vector<bool>(watch.inputs.size(), false)};
   for (const PlainMonitor& m : watch.monitors) {
+    for (const std::uint32_t channel : channels_of(m)) out.used[channel] = true;
     for (const Value& v : m.property.values) {
-      if (const auto* age = std::get_if<Age>(&v.op); age && age->channel == channel) return true;
+      if (const auto* age = std::get_if<Age>(&v.op)) out.age[age->channel] = true;
     }
   }
-  return false;
+  return out;
 }
 bool remembers(const PlainMonitor& monitor) {
   return std::any_of(monitor.property.values.begin(), monitor.property.values.end(),
@@ -144,8 +135,8 @@ bool has_past(const Watch& watch, Telling telling) {
 static bool arrives_each_tick(const Channel& c) {
   return !c.held && !c.max_age_us;
 }
-bool keeps_stamp(const Watch& watch, std::size_t channel) {
-  return !arrives_each_tick(watch.inputs[channel]) || reads_age(watch, channel);
+bool keeps_stamp(const Watch& watch, const ChannelUses& uses, std::size_t channel) {
+  return !arrives_each_tick(watch.inputs[channel]) || uses.age[channel];
 }
 bool arrives_each_tick(const Watch& watch) {
   return std::any_of(watch.inputs.begin(), watch.inputs.end(),
@@ -182,8 +173,11 @@ std::int64_t watch_monitor_bytes(const PlainMonitor& monitor) {
 }
 
 static std::int64_t kept_stamps(const Watch& watch) {
+  const ChannelUses uses = channel_uses(watch);
   std::int64_t count = 0;
-  for (std::size_t c = 0; c < watch.inputs.size(); ++c) count += keeps_stamp(watch, c) ? 1 : 0;
+  for (std::size_t c = 0; c < watch.inputs.size(); ++c) {
+    count += keeps_stamp(watch, uses, c) ? 1 : 0;
+  }
   return count;
 }
 

@@ -173,8 +173,8 @@ class WatchSource {
   void judge_all(const std::string& target, Code& body) {
     std::vector<bool> seen(watch_.inputs.size(), false);
     for (const PlainMonitor& m : watch_.monitors) {
-      for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
-        if (seen[c] || !uses_channel(m, c)) continue;
+      for (const std::uint32_t c : channels_of(m)) {
+        if (seen[c]) continue;
         seen[c] = true;
         body.line(look_.call(c, "&v", "in"));
       }

@@ -1,12 +1,15 @@
 #include "compiler/codegen/watch_verdicts.h"
 
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "compiler/codegen/temporal.h"
 #include "compiler/codegen/watch_values.h"
 #include "compiler/ir/operands.h"
+#include "compiler/support/overloaded.h"
 
 namespace rtac::codegen {
 namespace {
@@ -18,6 +21,20 @@ enum class Side { surely, perhaps };
 Side opposite(Side side) {
   return side == Side::surely ? Side::perhaps : Side::surely;
 }
+
+template <class T, class... Listed>
+inline constexpr bool is_one_of = (std::is_same_v<T, Listed> || ...);
+// Quantities; margins that have a name of their own, so that nobody asks what they are made of; and
+// what speaks of robots, which monitors without one do not (verified IR). If one came, nothing
+// would be known of it.
+template <class T>
+concept NeverAsked =
+    is_one_of<T, Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, CountOthers,
+              Input, Age, SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute, Root,
+              PointClearance, Norm, Between, Phase, Sine, Cosine, Choose, Aggregate> ||
+    is_one_of<T, InputTruth, InputSame, PointInside, Previously, Once, Historically, Since> ||
+    is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
+              LegsApart, OnTrack, EnergyReach, ChargeReach, Fact>;
 
 // An operand of && and || stands in brackets when it is the other of both.
 struct Text {
@@ -220,21 +237,28 @@ class VerdictPrinter {
     }
     return operation(op, side, wanted);
   }
+  // A new operation does not compile before it stands here.
   Text operation(const Op& op, Side side, bool wanted) {
-    if (const auto* v = std::get_if<Not>(&op)) return condition(v->a, opposite(side), !wanted);
-    if (const auto* v = std::get_if<And>(&op)) {
-      return joined(condition(v->a, side, wanted), condition(v->b, side, wanted), wanted);
-    }
-    if (const auto* v = std::get_if<Or>(&op)) {
-      return joined(condition(v->a, side, wanted), condition(v->b, side, wanted), !wanted);
-    }
-    if (const auto* v = std::get_if<AtLeast>(&op)) return at_least(*v, side, wanted);
-    if (const auto* v = std::get_if<InputIs>(&op)) return is_value(*v, side, wanted);
-    if (const auto* v = std::get_if<Elapsed>(&op)) {
-      return compared(view("s->ticks.now"), wanted ? ">=" : "<", num(v->ticks));
-    }
-    const auto* truth = std::get_if<Truth>(&op);
-    return {truth && truth->value == wanted ? "1" : "0", 0};
+    return std::visit(
+        Overloaded{[&](const Not& v) { return condition(v.a, opposite(side), !wanted); },
+                   [&](const And& v) { return both(v.a, v.b, side, wanted, wanted); },
+                   [&](const Or& v) { return both(v.a, v.b, side, wanted, !wanted); },
+                   [&](const AtLeast& v) { return at_least(v, side, wanted); },
+                   [&](const InputIs& v) { return is_value(v, side, wanted); },
+                   [&](const Elapsed& v) {
+                     return compared(view("s->ticks.now"), wanted ? ">=" : "<", num(v.ticks));
+                   },
+                   [&](const Truth& v) {
+                     return Text{v.value == wanted ? "1" : "0", 0};
+                   },
+                   [&](const NeverAsked auto&) {
+                     return Text{side == Side::surely ? "0" : "1", 0};
+                   }},
+        op);
+  }
+  Text both(ValueId a, ValueId b, Side side, bool wanted, bool with_and) {
+    const Text first = condition(a, side, wanted);
+    return joined(first, condition(b, side, wanted), with_and);
   }
   Text is_value(const InputIs& v, Side side, bool wanted) {
     const std::string s = signal(v.channel, v.component), value = num(v.value);

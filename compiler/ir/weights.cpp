@@ -17,8 +17,11 @@ std::int64_t span_max(const Module& module) {
 }
 
 Weight weight_of(const Unit& unit) {
+  // At least one step either way is weighed before the margin is cut off, so that it keeps its sign
+  // (kernel: at_least_wide).
+  constexpr std::int64_t most = margin_max / 2 - 2;
   const Rational weight = unit.weight();
-  if (weight.get_num() > exact(margin_max).get_num() || !weight.get_den().fits_slong_p()) {
+  if (weight.get_num() > exact(most).get_num() || !weight.get_den().fits_slong_p()) {
     return {0, 1};
   }
   return {weight.get_num().get_si(), weight.get_den().get_si()};

@@ -17,7 +17,7 @@ constexpr double step_m = 1e-3;
 
 // The exact value of a double: the decimal digits of one below 4 in 2^-60ths end.
 Observed observed(double value, std::int64_t now_us) {
-  char text[80];
+  char text[96];
   std::snprintf(text, sizeof text, "%.60f", value);
   return {{interp::Reading::Kind::number, *interp::Decimal::parse(text)}, now_us, true};
 }
@@ -84,6 +84,38 @@ TEST(Limits, AreComparedExactlyWithEveryDouble) {
           ASSERT_EQ(found[m].verdict, exact[m].verdict) << all[m] << " at " << x;
         }
       }
+    }
+  }
+}
+
+// A step of 400 km weighs 4e17 millionths of a micrometre: the most that a margin may still hold.
+// It is cut off beyond one step, and keeps its sign: the step and the entry for verdicts agree.
+TEST(Limits, AreComparedExactlyWhereOneStepFillsTheMargin) {
+  std::string text =
+      "spec s;\nperiod 1 s;\nscale 1 um;\n"
+      "input x : real [m] in -1e9 m .. 1e9 m resolution 400000 m;\n";
+  for (const char* op : {"<", "<=", ">", ">="}) {
+    const std::string name = "m" + std::to_string(text.size());
+    text += "monitor " + name + " { \"R1: at a limit\" always x " + op + " 400000 m; }\n";
+  }
+  const auto checked = check(text, Until::kernel);
+  ASSERT_EQ(checked->problem, "");
+  const driver::KernelCode code = driver::kernel_code(checked->compilation);
+  const driver::LoadedKernel whole = load(code), verdicts = load_verdicts(code);
+  ASSERT_NE(whole.engine, nullptr) << whole.problem;
+  ASSERT_NE(verdicts.engine, nullptr) << verdicts.problem;
+  const auto reference = driver::make_interpreter(*checked->compilation.spec);
+  std::vector<driver::Judgement> exact, found, alone;
+  for (std::int64_t tick = 0; tick <= 6; ++tick) {
+    const std::int64_t now_us = tick * 1'000'000;
+    const std::vector<Observed> inputs = {
+        observed(400'000.0 * static_cast<double>(tick - 3), now_us)};
+    reference->step(now_us, inputs, exact);
+    whole.engine->step(now_us, inputs, found);
+    verdicts.engine->step(now_us, inputs, alone);
+    for (std::size_t m = 0; m < exact.size(); ++m) {
+      EXPECT_EQ(found[m].verdict, exact[m].verdict) << m << " at tick " << tick;
+      EXPECT_EQ(alone[m].verdict, exact[m].verdict) << m << " at tick " << tick;
     }
   }
 }

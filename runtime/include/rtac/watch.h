@@ -58,15 +58,16 @@ void put_whole(KernelSignal& to, std::int64_t value, TimeUs stamp_us) {
   to.valid = stamp_us != never_us;
   to.lo = to.hi = value;
 }
-// A parameter is the grid value that was meant: 0.4 is 400 mm, although the nearest double is more.
+// A parameter is the grid value that was meant: 0.4 is 400 mm, although the nearest double is more,
+// and so is what is as near as the roundings of a decimal and of the two operations below allow.
 // Between two grid values it takes the tighter one.
 inline bool grid_param(double si, double per_unit, std::int64_t step, bool up, std::int64_t& to) {
-  constexpr double meant = 1e-6;  // of a step
+  constexpr double meant = 4 * std::numeric_limits<double>::epsilon();  // relative
   std::int64_t lo = 0, hi = 0;
   const double steps = si * per_unit / static_cast<double>(step);
   const double nearest = std::nearbyint(steps);
   if (!grid_pair(si, per_unit, lo, hi)) return false;
-  if (std::fabs(steps - nearest) < meant) {
+  if (std::fabs(steps - nearest) <= meant * std::fabs(nearest)) {
     to = static_cast<std::int64_t>(nearest);
   } else {
     to = up ? -floor_quotient(-hi, step) : floor_quotient(lo, step);

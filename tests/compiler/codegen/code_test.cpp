@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <sstream>
 
 namespace rtac::codegen {
@@ -54,6 +55,34 @@ TEST(Blocks, AreIndentedAndDirectivesAreNot) {
   Code code;
   code.block("if (x)", [](Code& body) { body.line("#define A 1").line("y();"); });
   EXPECT_EQ(code.print(Code::Style::c), "if (x) {\n#define A 1\n  y();\n}\n");
+}
+
+// Behind commas and connectives, before `?` and `:`, never within 96 characters of the last break.
+TEST(Wrapped, BreaksWhereAnExpressionMayAndKeepsItsText) {
+  std::string text = "x = f(a, b)", kept;
+  for (int i = 0; i < 40; ++i) text += " && some_name || g(h, i) ? first : second";
+  Code code;
+  wrapped(code, text);
+  std::istringstream lines(code.print(Code::Style::c));
+  std::string line;
+  for (int count = 0; std::getline(lines, line); ++count) {
+    EXPECT_LE(line.size(), 96U) << line;
+    const std::string part = count == 0 ? line : line.substr(4);
+    EXPECT_TRUE(count == 0 || line.substr(0, 4) == "    ") << line;
+    EXPECT_NE(part[0], ' ') << line;
+    kept += (count == 0 ? "" : " ") + part;
+  }
+  EXPECT_EQ(kept, text);
+}
+
+// Megabytes on one line, of a fleet whose pairs are all compared, take no longer than to copy.
+TEST(Wrapped, LooksAtEachCharacterOnce) {
+  std::string text = "x";
+  for (int i = 0; i < 300'000; ++i) text += " && y";  // no comma, no `||`, no `?` anywhere
+  const auto start = std::chrono::steady_clock::now();
+  Code code;
+  wrapped(code, text);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 }  // namespace

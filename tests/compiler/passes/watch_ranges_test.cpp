@@ -74,5 +74,20 @@ TEST(WatchRanges, ALargeMarginIsNotPlain) {
   EXPECT_FALSE(plain(large));
 }
 
+// A margin of one step that is cut off before it is weighed would lose its sign: the step would not
+// know what the entry for verdicts alone does.
+TEST(WatchRanges, AStepThatMarginsCannotHoldIsRefused) {
+  const auto report = [](const std::string& resolution) {
+    return analysed(
+               "scale 1 um;\ninput x : real [m] in -1e9 m .. 1e9 m resolution " + resolution + ";",
+               "x > 0 m")
+        .report();
+  };
+  EXPECT_EQ(report("400000 m"), "");
+  EXPECT_EQ(report("1000000 m"),
+            "7001: margins cannot be counted in millionths of the scale 0.000001 m | a `scale` "
+            "between a millionth and a million of the `resolution` works");
+}
+
 }  // namespace
 }  // namespace rtac::passes

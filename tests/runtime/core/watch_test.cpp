@@ -46,5 +46,33 @@ TEST(Watch, WhatIsNoNumberOrNeverArrivedIsNotValid) {
   EXPECT_EQ(put(1, never_us).valid, 0);
 }
 
+std::int64_t param(double si, bool up, double per_unit = 1000, std::int64_t step = 1) {
+  std::int64_t to = -1;
+  EXPECT_TRUE(bridge::grid_param(si, per_unit, step, up, to)) << si;
+  return to;
+}
+
+// 0.29 is no double, and its nearest one times 1000 is less than 290.
+TEST(Watch, AParameterIsTheStepThatItsDecimalMeans) {
+  for (int steps = -3000; steps <= 3000; ++steps) {
+    for (const bool up : {false, true}) {
+      EXPECT_EQ(param(steps / 1000.0, up), steps);
+      EXPECT_EQ(param(steps * 0.001, up), steps);
+      EXPECT_EQ(param(steps * 7 / 1e6, up, 1e6, 7), steps);
+    }
+  }
+  EXPECT_EQ(param(0.1 + 0.2, true), 300);
+}
+
+// Rule 13.3: a value between two steps counts as the stricter one, however near it is to the other.
+TEST(Watch, AParameterBesideAStepIsTheStricterOne) {
+  EXPECT_EQ(param(0.3 + 1e-12, true), 301);
+  EXPECT_EQ(param(0.3 - 1e-12, true), 300);
+  EXPECT_EQ(param(0.3 + 1e-12, false), 300);
+  EXPECT_EQ(param(0.3 - 1e-12, false), 299);
+  EXPECT_EQ(param(1e-12, true), 1);
+  EXPECT_EQ(param(-1e-12, false), -1);
+}
+
 }  // namespace
 }  // namespace rtac
