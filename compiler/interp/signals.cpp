@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "compiler/sema/limits.h"
+
 namespace rtac::interp {
 namespace {
 
@@ -13,9 +15,13 @@ std::size_t index(sema::InputId id) {
   return static_cast<std::size_t>(id);
 }
 
-// Rule 13: a value outside the declared range is unknown.
-bool in_range(const sema::Measurement& input, const Rational& value) {
-  return !(input.least && value < input.least->value) && !(input.most && value > input.most->value);
+// Rule 13: a value outside the declared range is unknown, without one that beyond its reach.
+bool in_range(const sema::Input& input, const sema::Measurement& declared, const Rational& value) {
+  const Rational reach =
+      Rational(static_cast<long>(sema::reach_steps(input))) * declared.resolution;
+  const Rational least = declared.least ? declared.least->value : Rational(-reach);
+  const Rational most = declared.most ? declared.most->value : reach;
+  return least <= value && value <= most;
 }
 
 Rational error_of(const sema::Measurement& input) {
@@ -92,7 +98,7 @@ void Signals::see(const sema::Input& input, State& state, std::int64_t now_us,
   for (std::size_t c = 0; c < state.seen.size(); ++c) {
     const auto& value = values[c];
     const sema::Measurement& declared = input.measurement(static_cast<std::uint32_t>(c));
-    if (value && in_range(declared, *value)) state.seen[c] = value;
+    if (value && in_range(input, declared, *value)) state.seen[c] = value;
   }
 }
 

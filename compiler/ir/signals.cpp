@@ -4,19 +4,13 @@
 
 #include "compiler/ir/watch_blocks.h"
 #include "compiler/sema/dimension.h"
+#include "compiler/sema/limits.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::ir {
 namespace {
 
 using diag::Code;
-
-// What an input without a range is taken to hold, in grid steps: beyond it a value is unknown.
-// Coordinates are squared in norms, so less of them.
-constexpr std::int64_t scalar_steps = std::int64_t{1} << 44;
-constexpr std::int64_t coordinate_steps = std::int64_t{1} << 29;
-// Beyond it no grid goes.
-constexpr std::int64_t most_steps = std::int64_t{1} << 60;
 
 class SignalBuilder {
  public:
@@ -57,18 +51,19 @@ class SignalBuilder {
   // `si` in steps, rounded in this direction; reported when no grid goes so far.
   std::int64_t steps(const Rational& si, const Unit& unit, bool up, const SourceRange& source) {
     const Rational count = si / unit.step;
-    if (abs(count) <= Rational(static_cast<long>(most_steps))) {
+    if (abs(count) <= Rational(static_cast<long>(sema::grid_steps_max))) {
       return up ? ceil_to_int(count) : floor_to_int(count);
     }
     diagnostics_.report(
         {Code::value_out_of_range,
          source,
-         "`" + sema::show(si, unit.dimension) + "` is more than 2^60 steps of " +
+         "`" + sema::show(si, unit.dimension) + "` is more than 10^15 steps of " +
              sema::show(unit.step, unit.dimension),
          "",
          {},
          "at most `" +
-             sema::show(Rational(static_cast<long>(most_steps)) * unit.step, unit.dimension) +
+             sema::show(Rational(static_cast<long>(sema::grid_steps_max)) * unit.step,
+                        unit.dimension) +
              "` works, or a coarser `resolution`",
          {}});
     return 0;
@@ -106,14 +101,10 @@ class SignalBuilder {
   // `of`: what is declared of some components of the input, or of all.
   void number(const sema::Input& from, const sema::Measurement& of, ChannelGrid& to) {
     to.unit = grid(of.dimension, of.resolution, from.name_range);
-    const bool has_coordinates =
-        std::any_of(from.components.begin(), from.components.end(), [](const std::string& part) {
-          return !part.empty() && (part.back() == 'x' || part.back() == 'y' || part.back() == 'z');
-        });
-    const std::int64_t most = has_coordinates ? coordinate_steps : scalar_steps;
+    const std::int64_t most = sema::reach_steps(from);
     to.range = {-most, most, of.least && of.most};
-    if (of.least) to.range.lo = steps(of.least->value, to.unit, true, of.least->range);
-    if (of.most) to.range.hi = steps(of.most->value, to.unit, false, of.most->range);
+    if (of.least) to.range.lo = steps(of.least->value, to.unit, false, of.least->range);
+    if (of.most) to.range.hi = steps(of.most->value, to.unit, true, of.most->range);
     if (of.error) to.error_steps = steps(of.error->value, to.unit, true, of.error->range);
     if (to.range.lo <= to.range.hi) return;
     diagnostics_.report({Code::value_out_of_range,

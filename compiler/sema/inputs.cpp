@@ -1,5 +1,6 @@
 #include "compiler/sema/inputs.h"
 
+#include "compiler/sema/limits.h"
 #include "compiler/sema/quantity.h"
 #include "compiler/sema/types.h"
 #include "compiler/sema/units.h"
@@ -325,6 +326,7 @@ void check_inputs(Context& context) {
     const auto type = check_type(context, context.inputs[i].node->type);
     context.input_types.push_back(type.value_or(ValueType{}));
     const bool good = type && InputChecker(context, i).check(*type);
+    if (good) round_limits(context.spec.inputs[i]);
     if (!good || context.damaged(context.inputs[i].range)) context.faulty_inputs.insert(id);
   }
 }

@@ -4,6 +4,7 @@
 
 #include "compiler/sema/fleets.h"
 #include "compiler/sema/inputs.h"
+#include "compiler/sema/limits.h"
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/suggest.h"
 
@@ -98,6 +99,7 @@ std::optional<InputId> PropertyChecker::robot_input(RobotId robot, const std::st
   input.error = sense->error;
   input.max_age = sense->max_age;
   input.robot = robot;
+  round_limits(input);
   context_.spec.inputs.push_back(std::move(input));
   context_.input_types.push_back(type);
   return next;

@@ -28,6 +28,7 @@ std::string decimal(Micro value) {
   return (value < 0 ? "-" : "") + std::to_string(size / one) + "." + fraction;
 }
 
+// Some limits lie between two steps of their grids.
 const std::vector<Signal>& signals() {
   constexpr Micro one = 1000000, milli = 1000, micro = 1;
   static const std::vector<Signal> all = {
@@ -43,21 +44,22 @@ const std::vector<Signal>& signals() {
        "max_age 2 s"},
       {"z", "real", Kind::quantity, 1, 0, 2 * one, true, "", 10 * milli, 20 * milli, "max_age inf"},
       {"u", "real", Kind::quantity, 1, -9 * one, 9 * one, false, "", micro, 0, ""},
-      {"d", "real [m]", Kind::quantity, 1, -8 * one, 8 * one, true, "m", milli, 10 * milli,
-       "max_age 1 s"},
+      {"d", "real [m]", Kind::quantity, 1, -8 * one - 400, 8 * one - 400, true, "m", milli,
+       10 * milli, "max_age 1 s"},
       {"p", "point", Kind::quantity, 2, -2 * one, 2 * one, true, "m", milli, 0, ""},
       {"q", "point", Kind::quantity, 2, -2 * one, 2 * one, true, "m", milli, 5 * milli,
        "max_age inf"},
-      {"v", "real [m/s]", Kind::quantity, 1, 0, 3 * one, true, "m/s", milli, 0, "max_age 1 s"},
+      {"v", "real [m/s]", Kind::quantity, 1, 300, 3 * one + 700, true, "m/s", milli, 0,
+       "max_age 1 s"},
       {"r", "ratio", Kind::quantity, 1, 0, one, true, "", micro, 5 * milli, "max_age 2 s"},
       {"t", "real [K][3]", Kind::quantity, 3, 200 * one, 400 * one, true, "K", milli, 500 * milli,
        ""},
-      {"o", "real [rad]", Kind::quantity, 1, -4 * one, 4 * one, true, "rad", milli, 2 * milli,
+      {"o", "real [rad]", Kind::quantity, 1, -3141593, 3141593, true, "rad", milli, 2 * milli,
        "max_age 1 s"},
       {"j", "pose of map @ base", Kind::quantity, 3, -4 * one, 4 * one, true, "m", milli, milli,
        "max_age 2 s", "rad"},
       {"s", "point3", Kind::quantity, 3, -2 * one, 2 * one, true, "m", milli, 0, "max_age 1 s"},
-      {"l", "point @ base", Kind::quantity, 2, -2 * one, 2 * one, true, "m", milli, 0,
+      {"l", "point @ base", Kind::quantity, 2, -2 * one + 1, 2 * one - 1, true, "m", milli, 0,
        "max_age 2 s"},
       {"i", "pose of base @ map", Kind::quantity, 3, -3 * one, 3 * one, true, "m", milli, 0,
        "max_age inf", "rad"},

@@ -98,7 +98,9 @@ class Source {
       return {Kind::number, interp::Decimal(whole)};
     }
     Micro micro = value(s);
-    if (s.has_range && below(24) == 0) micro = (micro < 0 ? s.least : s.most) * 2 + 7;
+    if (below(24) == 0) micro = (micro < 0 ? s.least : s.most) * 2 + 7;
+    // about as far as an input without limits goes (a number of 2^44 steps)
+    if (!s.has_range && below(24) == 0) micro = (Micro{1} << 44) * s.resolution + between(-2, 2);
     troubles_.out_of_range += s.has_range && (micro < s.least || micro > s.most) ? 1 : 0;
     return {Kind::number, *interp::Decimal::parse(decimal(micro))};
   }

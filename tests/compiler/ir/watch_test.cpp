@@ -110,9 +110,9 @@ TEST(WatchBlock, ASumOverAllOfThePastIsRefused) {
   EXPECT_NE(built(gap, "sum[0 s, inf](gap) <= 1 m").diagnostics.error_count(), 0);
 }
 
-TEST(WatchBuilder, RangesEndInsideAndErrorsAreRoundedUp) {
+TEST(WatchBuilder, RangesEndOutsideAndErrorsAreRoundedUp) {
   const Built b = built("input x : length in 0.0004 m .. 1.0006 m error 0.1 mm;", "x >= 0 m");
-  EXPECT_TRUE(b.has("input x : number on mm [1, 1000] error 1, every tick")) << print(b.module);
+  EXPECT_TRUE(b.has("input x : number on mm [0, 1001] error 1, every tick")) << print(b.module);
 }
 
 TEST(WatchBuilder, AnInputWithoutARangeHasADefaultOne) {

@@ -1138,7 +1138,7 @@ static inline void gripper_look_at(gripper_view *v, const gripper_monitors_in *i
   v->at_y = number_of(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -200000,
       200000, 100, GRIPPER_MONITORS_INPUT_AT);
   v->at_heading = number_of(&in->at_heading, fresh_at &&
-      in->at_heading.stamp_us == in->at_x.stamp_us, -3141, 3141, 2, GRIPPER_MONITORS_INPUT_AT);
+      in->at_heading.stamp_us == in->at_x.stamp_us, -3142, 3142, 2, GRIPPER_MONITORS_INPUT_AT);
 }
 
 static inline void gripper_look_move(gripper_view *v, const gripper_monitors_in *in) {
@@ -1486,7 +1486,7 @@ static inline void gripper_verdicts_look_at(gripper_verdicts_view *v,
   v->at_y = bounds_number(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -200000,
       200000, 100);
   v->at_heading = bounds_number(&in->at_heading, fresh_at &&
-      in->at_heading.stamp_us == in->at_x.stamp_us, -3141, 3141, 2);
+      in->at_heading.stamp_us == in->at_x.stamp_us, -3142, 3142, 2);
 }
 
 static inline void gripper_verdicts_look_move(gripper_verdicts_view *v,

@@ -98,7 +98,7 @@ typedef struct gripper_clock {
 typedef struct gripper_monitors_in {
   gripper_signal at_x; /* steps of 1/10000 m, -200000 to 200000; for 500000 us */
   gripper_signal at_y; /* steps of 1/10000 m, -200000 to 200000; for 500000 us */
-  gripper_signal at_heading; /* steps of 1/1000 rad, -3141 to 3141; for 500000 us */
+  gripper_signal at_heading; /* steps of 1/1000 rad, -3142 to 3142; for 500000 us */
   gripper_signal move_linear; /* steps of 1/1000 m/s, -1000 to 1000; new every tick */
   gripper_signal move_angular; /* steps of 1/1000 rad/s, -2000 to 2000; new every tick */
   gripper_signal hand_x; /* steps of 1/10000 m, -20000 to 20000; new every tick */
