@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "compiler/ir/angles.h"
+#include "compiler/ir/grid_help.h"
 #include "compiler/ir/watch_blocks.h"
 #include "compiler/ir/watch_quantities.h"
 #include "compiler/sema/dimension.h"
@@ -19,7 +20,21 @@ bool is_on_grid(const Rational& si, const Unit& unit) {
   return Rational(si / unit.step).get_den() == 1;
 }
 
-// An input of the expression that has a resolution of its own; nullptr: none.
+// Whether the result lies on the grid of what the operands are made of, or a finer one: roots come
+// onto another, and a product of inputs has a step of its own.
+bool keeps_grid(const sema::Math& v) {
+  const bool is_plane = v.op == sema::MathOp::norm && v.operands.size() <= 2;
+  return is_plane || v.op == sema::MathOp::minimum || v.op == sema::MathOp::maximum ||
+         v.op == sema::MathOp::absolute;
+}
+bool is_linear(const sema::Arithmetic& v) {
+  const auto varies = [](const sema::ExprPtr& operand) { return !fold_constant(*operand); };
+  const bool is_sum = v.op == sema::ArithmeticOp::add || v.op == sema::ArithmeticOp::subtract;
+  return is_sum || std::count_if(v.operands.begin(), v.operands.end(), varies) <= 1;
+}
+
+// An input of the expression that has a resolution of its own, which decides on which grid the
+// expression is; nullptr: none.
 const sema::InputRef* find_input(const sema::Expr& e) {
   if (const auto* input = std::get_if<sema::InputRef>(&e.node)) return input;
   const auto first = [](const auto& operands) -> const sema::InputRef* {
@@ -28,10 +43,33 @@ const sema::InputRef* find_input(const sema::Expr& e) {
     }
     return nullptr;
   };
-  if (const auto* a = std::get_if<sema::Arithmetic>(&e.node)) return first(a->operands);
-  if (const auto* m = std::get_if<sema::Math>(&e.node)) return first(m->operands);
+  if (const auto* a = std::get_if<sema::Arithmetic>(&e.node)) {
+    return is_linear(*a) ? first(a->operands) : nullptr;
+  }
+  if (const auto* m = std::get_if<sema::Math>(&e.node)) {
+    return keeps_grid(*m) ? first(m->operands) : nullptr;
+  }
   if (const auto* g = std::get_if<sema::Aggregate>(&e.node)) return find_input(*g->operand);
   return nullptr;
+}
+
+// What lies on the grid, and the resolution of an input that makes the constant do so.
+std::string on_grid_help(const sema::Spec& spec, const Rational& si, const Unit& unit,
+                         const sema::Expr& compared) {
+  const auto beside = neighbours(si, unit);
+  const std::string do_so = beside ? *beside + " do" : "";
+  const sema::InputRef* ref = find_input(compared);
+  const sema::Input* input = ref != nullptr ? &spec[ref->input] : nullptr;
+  const bool decides = input != nullptr && input->type == sema::InputType::real &&
+                       input->dimension == unit.dimension;
+  const auto finer = decides ? fitting_resolution(si, input->resolution, unit) : std::nullopt;
+  if (finer) {
+    const std::string at_input = "`resolution " + *finer + "` at the input `" + input->name + "`";
+    return beside ? do_so + ", or " + at_input : at_input + " works";
+  }
+  if (beside) return do_so;
+  return "a `resolution` with a few decimals in SI units works, with constants that are multiples "
+         "of it";
 }
 
 // Made of whole numbers and constants alone: no resolution says how finely it is counted.
@@ -116,22 +154,12 @@ ValueId QuantityBuilder::constant(const Rational& si, const Unit& unit, const se
   }
   const auto show = [&](const Rational& v) { return sema::show(v, unit.dimension); };
   if (!is_on_grid(si, unit)) {
-    const Rational below = Rational(steps.get_num() / steps.get_den()) * unit.step;
-    std::string help =
-        "`" + show(below) + "` and `" + show(Rational(below + sgn(si) * unit.step)) + "` do";
-    const sema::InputRef* input = find_input(compared);
-    if (input && spec_[input->input].type == sema::InputType::real) {
-      const sema::Input& declared = spec_[input->input];
-      const Rational finer = common_step(declared.resolution, abs(si));
-      help += ", or `resolution " + sema::show(finer, declared.dimension) + "` at the input `" +
-              declared.name + "`";
-    }
     diagnostics_.report({Code::constant_off_grid,
                          e.range,
                          "this constant does not lie on the grid of " + show(unit.step),
                          "",
                          {},
-                         help,
+                         on_grid_help(spec_, si, unit, compared),
                          {}});
   } else {
     diagnostics_.report({Code::value_out_of_range,

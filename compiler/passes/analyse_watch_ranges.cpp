@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "compiler/ir/grid_help.h"
 #include "compiler/ir/weights.h"
 #include "compiler/sema/dimension.h"
 
@@ -249,10 +250,27 @@ class WatchRanges {
     const Unit& unit = *(*block_)[v.a].unit;
     const Weight weight = weight_of(unit);
     if (weight.num > 0 && unit.is_fine_enough()) return;
+    const Rational counted = unit.weight();
+    if (counted >= 1 && counted <= exact(1'000'000'000'000)) return refuse_fraction(v, unit);
     report("margins cannot be counted in millionths of the scale " +
                sema::show(unit.scale, unit.dimension),
            "one step is " + sema::show(unit.step, unit.dimension),
            "a `scale` between a millionth and a million of the `resolution` works");
+  }
+  // The scale is near enough, but 64 bits do not hold the fraction: a degree is none of a radian.
+  void refuse_fraction(const AtLeast& v, const Unit& unit) {
+    const auto is_input = [&](ValueId id) {
+      return std::holds_alternative<Input>((*block_)[id].op);
+    };
+    const auto round = round_resolution(unit);
+    const bool is_of_input = round && (is_input(v.a) || is_input(v.b));
+    report("margins count millionths of the scale " + sema::show(unit.scale, unit.dimension) +
+               ", and the step here is no simple fraction of it",
+           "one step is about " + sema::show(unit.step, unit.dimension),
+           is_of_input ? "`resolution " + *round +
+                             "` at the input works, with constants that are multiples of it"
+                       : "resolutions of the inputs with a few decimals in SI units work, and "
+                         "constants that are multiples of them");
   }
   static std::string shown(const Wide& w, const Unit& unit) {
     return "[" + sema::show(Rational(w.lo * unit.step), unit.dimension) + ", " +

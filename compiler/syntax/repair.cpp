@@ -197,13 +197,16 @@ class Repairer {
   void report_height(const Attempt& attempt) {
     if (!attempt.too_high) return;
     const std::string limit = std::to_string(kTreeHeightMax);
-    diagnostics_.report({diag::Code::nesting_too_deep,
-                         attempt.too_high,
-                         "an expression has more than " + limit + " levels of operators",
-                         "this part is too long",
-                         {},
-                         "give parts of it a name of their own, such as a zone",
-                         {}});
+    diagnostics_.report(
+        {diag::Code::nesting_too_deep,
+         attempt.too_high,
+         "an expression has more than " + limit + " levels of operators",
+         "this part is too long",
+         {},
+         "put groups of a chain in brackets: `(a or b) or (c or d)` has two levels, "
+         "`a or b or c or d` three; or give parts of it a name (`let`, `fun`, a "
+         "zone)",
+         {}});
   }
 
   std::vector<Token> tokens_;

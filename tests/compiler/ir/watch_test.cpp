@@ -22,6 +22,35 @@ TEST(WatchBlock, AConstantBetweenTwoStepsIsRefusedWithAFinerResolution) {
       "");
 }
 
+std::string rounded_input(const std::string& resolution) {
+  return "input v : real [m/s] in -10 m/s .. 10 m/s resolution " + resolution + ";";
+}
+
+// 1 km/h is 5/18 m/s: no decimal resolution divides it, and a rounded one would fail again.
+TEST(WatchBlock, NoResolutionIsProposedThatDecimalsCannotWrite) {
+  EXPECT_EQ(built(rounded_input("1 mm/s"), "v <= 1 km/h").report(),
+            "7003: this constant does not lie on the grid of 0.001 m/s | `0.277 m/s` and `0.278 "
+            "m/s` do");
+  EXPECT_EQ(built(rounded_input("1 mm/s"), "v <= 0.277 m/s").report(), "");
+  EXPECT_EQ(built(rounded_input("1 mm/s"), "v <= 0.278 m/s").report(), "");
+}
+
+TEST(WatchBlock, NoNeighbourIsProposedThatDecimalsCannotWrite) {
+  EXPECT_EQ(built(rounded_input("1 km/h"), "v <= 0.3 m/s").report(),
+            "7003: this constant does not lie on the grid of 0.277778 m/s | `resolution 0.1 m/s` "
+            "at the input `v` works");
+  EXPECT_EQ(built(rounded_input("0.1 m/s"), "v <= 0.3 m/s").report(), "");
+  EXPECT_EQ(built(rounded_input("5 km/h"), "v <= 7 km/h").report(),
+            "7003: this constant does not lie on the grid of 1.38889 m/s | a `resolution` with a "
+            "few decimals in SI units works, with constants that are multiples of it");
+}
+
+// A root has the usual grid of its dimension, whatever the resolution of what it is drawn from.
+TEST(WatchBlock, NoResolutionIsProposedThatDoesNotDecide) {
+  EXPECT_EQ(built("input v : real in 0 .. 10;", "sqrt(v) <= 0.3005").report(),
+            "7003: this constant does not lie on the grid of 0.001 | `0.3` and `0.301` do");
+}
+
 // Nothing could be declared that makes it finer.
 TEST(WatchBlock, AWholeNumberTakesTheGridOfTheConstant) {
   const char* const n = "input n : int in 0 .. 9;";

@@ -74,6 +74,20 @@ TEST(WatchRanges, ALargeMarginIsNotPlain) {
   EXPECT_FALSE(plain(large));
 }
 
+// The scale is as near as any: what does not fit is the fraction that a degree is of it.
+TEST(WatchRanges, AResolutionThatIsNoFractionOfTheScaleIsRefusedWithOneThatIs) {
+  const auto report = [](const std::string& resolution) {
+    return analysed("input a : real [rad] in -1 rad .. 1 rad resolution " + resolution + ";",
+                    "a <= 0 rad")
+        .report();
+  };
+  EXPECT_EQ(report("1 deg"),
+            "7001: margins count millionths of the scale 1 rad, and the step here is no simple "
+            "fraction of it | `resolution 0.01 rad` at the input works, with constants that are "
+            "multiples of it");
+  EXPECT_EQ(report("0.01 rad"), "");
+}
+
 // A margin of one step that is cut off before it is weighed would lose its sign: the step would not
 // know what the entry for verdicts alone does.
 TEST(WatchRanges, AStepThatMarginsCannotHoldIsRefused) {

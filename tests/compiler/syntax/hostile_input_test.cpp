@@ -77,6 +77,17 @@ TEST(HostileInput, LimitsAreGenerous) {
   EXPECT_EQ(Parsed{"zone a = b" + repeat(" | b", 300) + ";"}.messages(), "");
 }
 
+// What the help of 1014 says: brackets around groups of a chain add up to few levels.
+TEST(HostileInput, ALongChainWorksInGroups) {
+  const std::string group = "(a" + repeat(" or a", 99) + ")";
+  const auto assumed = [](const std::string& text) {
+    return Parsed{"assume " + text + " unchecked \"x\";"};
+  };
+  EXPECT_EQ(assumed(group + repeat(" or " + group, 19)).messages(), "");
+  EXPECT_NE(assumed("a" + repeat(" or a", 1999)).messages().find("(a or b) or (c or d)"),
+            std::string::npos);
+}
+
 TEST(HostileInput, LongListsAreNotDeep) {
   Parsed parsed{"zone a = polygon [(0, 0)" + repeat(", (1 m, 2 m)", 50'000) + "];"};
   EXPECT_EQ(parsed.messages(), "");
