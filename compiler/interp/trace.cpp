@@ -190,12 +190,16 @@ bool TraceReader::takes(std::size_t robot, bool plans) const {
   });
 }
 
-// Which robots the columns are about.
+bool TraceReader::is_decided(std::size_t robot) const {
+  return takes(robot, false) || takes(robot, true);
+}
+
+// Which robots the columns are about. Of one without a decision all but inputs is ignored.
 void TraceReader::find_robots(const std::vector<bool>& seen) {
   std::vector<bool> lacks(robots_.size(), false);
   for (std::size_t i = 0; i < declared_.size(); ++i) {
     const Column& column = declared_[i];
-    if (!column.robot) continue;
+    if (!column.robot || !is_decided(*column.robot)) continue;
     const std::size_t robot = *column.robot;
     if (!seen[i]) lacks[robot] = true;
     if (!seen[i] || column.input != nullptr) continue;
@@ -207,14 +211,15 @@ void TraceReader::find_robots(const std::vector<bool>& seen) {
     }
   }
   for (std::size_t r = 0; r < robots_.size(); ++r) {
-    robots_[r].given = robots_[r].given || !lacks[r];
+    robots_[r].given = robots_[r].given || (is_decided(r) && !lacks[r]);
   }
 }
 
 // A robot of which there is no column, or only those of inputs, is not looked at, unless nothing
-// else is.
+// else is; without a decision it never is.
 bool TraceReader::is_due(const Column& column, bool needs_a_robot) const {
   if (column.input != nullptr) return true;
+  if (!is_decided(*column.robot)) return false;
   const RobotColumns& robot = robots_[*column.robot];
   const bool plan = column.form == Form::plan;
   if (robot.given || (plan && robot.proposes)) return true;

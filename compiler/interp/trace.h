@@ -4,7 +4,8 @@
 //   0.00,true,0.5,1.0,2.0,293.5,park
 //   0.01,,0.6,nan,2.0,,drive                  empty: no new sample; nan, inf: a sample of no value
 //
-// Of a robot there are the columns of all that its kind senses, or none of them:
+// Of a robot that a decision is about there are the columns of all that its kind senses, or those
+// of inputs alone. Of any other robot only the inputs count: what else is known of it is ignored.
 //
 //   r1.position.x,r1.position.y,r1.velocity.x,r1.velocity.y,r1.battery,r1.plan,r1.plan.index
 //   1.0,2.0,0.2,0,0.95,2 2; 3 2.5,1
@@ -50,7 +51,7 @@ struct PlanReading {
 struct RobotColumns {
   std::optional<std::size_t> position, velocity;  // of x; y follows
   std::optional<std::size_t> heading, battery, plan_index, present;
-  bool given = false;     // the trace has all of its columns
+  bool given = false;     // a decision is about it, and the trace has its columns
   bool proposes = false;  // it has that of its plan, and a decision judges plans
 };
 struct TraceRow {
@@ -86,6 +87,7 @@ class TraceReader {
   bool fault(CsvReader::Result result);
   void declare_robot(std::size_t robot);
   [[nodiscard]] bool takes(std::size_t robot, bool plans) const;
+  [[nodiscard]] bool is_decided(std::size_t robot) const;
   void find_robots(const std::vector<bool>& seen);
   [[nodiscard]] bool is_due(const Column& column, bool needs_a_robot) const;
   std::size_t declare(std::string name, Form form, std::size_t robot);

@@ -5,6 +5,7 @@
 
 #include "compiler/ir/signals.h"
 #include "compiler/ir/watch_quantities.h"
+#include "compiler/ir/weights.h"
 
 namespace rtac::ir {
 namespace {
@@ -80,24 +81,38 @@ class PropertyBuilder {
     const bool at_most = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
     const bool strict = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
     const auto left = fold_constant(*v.left), right = fold_constant(*v.right);
-    if (left && right) return add(Truth{holds(v.op, *left, *right) == wanted}, e);
+    if (left && right) {
+      const bool turned = at_most == wanted;
+      return fixed_margin(turned ? Rational(*right - *left) : Rational(*left - *right),
+                          strict == wanted, e);
+    }
     const auto [a, b] = values_.on_one_grid(*v.left, *v.right);
     remember_unit(values_.unit_of(a));
     const bool swapped = at_most == wanted;
     return add(AtLeast{swapped ? b : a, swapped ? a : b, strict == wanted}, e);
   }
-  static bool holds(sema::CompareOp op, const Rational& a, const Rational& b) {
-    switch (op) {
-      case sema::CompareOp::less:
-        return a < b;
-      case sema::CompareOp::less_equal:
-        return a <= b;
-      case sema::CompareOp::greater:
-        return a > b;
-      case sema::CompareOp::greater_equal:
-        return a >= b;
+  // The margin of what has no input: `difference` in SI, which may lie between two millionths of
+  // the scale. Its sign is known, and so is the verdict: below 0 both ends are, strictly.
+  ValueId fixed_margin(const Rational& difference, bool strict, const sema::Expr& e) {
+    const bool holds = strict ? sgn(difference) > 0 : sgn(difference) >= 0;
+    const Rational scale = scale_of(spec_, compared_in(e));
+    const Unit unit{compared_in(e), scale / 1'000'000, scale};
+    const Rational steps = difference / unit.step;
+    // kernel: what is beyond half of the greatest margin is told as more than that
+    constexpr std::int64_t most = margin_max / 2;
+    std::int64_t below = holds ? most : -margin_max, above = holds ? margin_max : -most;
+    if (abs(steps) < Rational(static_cast<long>(most))) {
+      below = floor_to_int(steps);
+      above = ceil_to_int(steps);
     }
-    return false;
+    const ValueId a = below == above ? values_.add(Const{below}, unit, e)
+                                     : values_.add(Between{below, above}, unit, e);
+    const ValueId b = values_.add(Const{0}, unit, e);
+    remember_unit(unit);
+    return add(AtLeast{a, b, !holds}, e);
+  }
+  static const sema::Dimension& compared_in(const sema::Expr& compare) {
+    return std::get<sema::Compare>(compare.node).left->dimension;
   }
   void remember_unit(const Unit& unit) {
     const auto same = [&](const Unit& other) {

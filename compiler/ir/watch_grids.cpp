@@ -126,7 +126,7 @@ QuantityBuilder::Pair QuantityBuilder::on_one_grid(const sema::Expr& a, const se
     return {other, constant(*right, grid, b, a)};
   }
   const ValueId first = quantity(a);
-  return meet(first, quantity(b), b);
+  return meet(first, a, quantity(b), b);
 }
 
 // Whole numbers are counted as finely as what they meet; other quantities as their inputs say.
@@ -180,12 +180,13 @@ ValueId QuantityBuilder::constant_alone(const Rational& si, const sema::Expr& e)
   return constant(si, grid, e, e);
 }
 
-QuantityBuilder::Pair QuantityBuilder::meet(ValueId a, ValueId b, const sema::Expr& e) {
+QuantityBuilder::Pair QuantityBuilder::meet(ValueId a, const sema::Expr& left, ValueId b,
+                                            const sema::Expr& right) {
   Unit grid = unit_of(a);
   grid.step = common_step(grid.step, unit_of(b).step);
   if (!grid.is_fine_enough()) grid.step = grid.scale / 1'000'000;
-  const ValueId first = regrid(a, grid, e);
-  return {first, regrid(b, grid, e)};
+  const ValueId first = regrid(a, grid, left);
+  return {first, regrid(b, grid, right)};
 }
 
 ValueId QuantityBuilder::regrid(ValueId a, const Unit& to, const sema::Expr& e) {
@@ -304,7 +305,7 @@ ValueId QuantityBuilder::norm(const sema::Math& v, const sema::Expr& e) {
     const ValueId square =
         add(Multiply{size, size}, unit(squared, Rational(grid.step * grid.step)), e);
     if (sum) {
-      const auto [x, y] = meet(*sum, square, e);
+      const auto [x, y] = meet(*sum, e, square, e);
       sum = add(Add{x, y}, unit_of(x), e);
     } else {
       sum = square;

@@ -232,7 +232,7 @@ ValueId QuantityBuilder::quantity(const sema::Math& v, const sema::Expr& e) {
     if (fixed) all = fitted(all, *fixed, e);
     const ValueId next =
         fixed ? constant(*fixed, unit_of(all), *v.operands[i], e) : quantity(*v.operands[i]);
-    all = least(meet(all, next, e));
+    all = least(meet(all, e, next, *v.operands[i]));
   }
   return all;
 }

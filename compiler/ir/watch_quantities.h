@@ -96,7 +96,8 @@ class QuantityBuilder {
   ValueId constant(const Rational& si, const Unit& unit, const sema::Expr& e,
                    const sema::Expr& compared);
   ValueId constant_alone(const Rational& si, const sema::Expr& e);
-  Pair meet(ValueId a, ValueId b, const sema::Expr& e);
+  // Two values on one grid; what they stand for in the text.
+  Pair meet(ValueId a, const sema::Expr& left, ValueId b, const sema::Expr& right);
   Pair place(const sema::Expr& x, const sema::Expr& y);
   ValueId regrid(ValueId a, const Unit& to, const sema::Expr& e);
   ValueId scaled(const sema::Expr& operand, const Rational& factor, const sema::Expr& e);

@@ -38,7 +38,8 @@ class Finder {
     std::vector<const Value*> found;
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
       const Value& value = block_.values[i];
-      const bool compares = std::holds_alternative<AtLeast>(value.op);
+      const auto* compare = std::get_if<AtLeast>(&value.op);
+      const bool compares = compare && !(is_fixed(compare->a) && is_fixed(compare->b));
       const bool is_new = std::none_of(found.begin(), found.end(), [&](const Value* earlier) {
         return earlier->source == value.source;
       });
@@ -84,6 +85,11 @@ class Finder {
 
  private:
   [[nodiscard]] Verdicts of(ValueId id) const { return verdicts_[static_cast<std::uint32_t>(id)]; }
+  // No range of an input mends a comparison of two of them.
+  [[nodiscard]] bool is_fixed(ValueId id) const {
+    const Op& op = block_[id].op;
+    return std::holds_alternative<Const>(op) || std::holds_alternative<Between>(op);
+  }
 
   const Block& block_;
   std::vector<Verdicts> verdicts_;

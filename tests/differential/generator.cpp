@@ -278,7 +278,8 @@ std::string Generator::comparison(int depth) {
   const Sort sorts[] = {Sort::number, Sort::number, Sort::length, Sort::length, Sort::whole,
                         Sort::heat,   Sort::share,  Sort::speed,  Sort::time};
   const Sort sort = sorts[below(9)];
-  const std::string left = quantity(sort, depth);
+  // seldom of constants alone: they have a margin as well
+  const std::string left = below(16) == 0 ? constant(sort) : quantity(sort, depth);
   const std::string right = below(2) == 0 ? constant(sort) : quantity(sort, depth - 1);
   return left + " " + one_of(std::vector<std::string>{"<", "<=", ">", ">="}) + " " + right;
 }

@@ -223,6 +223,19 @@ TEST_F(Explain, AFaultySpecificationIsReportedAsByCheck) {
 
 // ---- robots -------------------------------------------------------------------------------------
 
+// An operand that comes onto the grid of the other one keeps its own range and error.
+TEST_F(Explain, OperandsOnOneGridKeepTheirOwnRanges) {
+  write("door.rta",
+        "spec s; period 1 s; input x : real [m] in -9 .. 9 m error 3 mm resolution 1 cm;\n"
+        "input y : real [m] in 0 .. 2 m resolution 1 mm; input z : real [m] in 0 .. 4 m;\n"
+        "monitor a { \"R\" always x >= y; }\n"
+        "monitor b { \"R\" always min(z, y, x) >= 1 m; }\n");
+  EXPECT_NE(about(3, "`x`").find("range: -9.01 m .. 9.01 m\n"), std::string::npos) << at(3);
+  EXPECT_NE(about(3, "`y`").find("range: 0 m .. 2 m\n"), std::string::npos) << at(3);
+  EXPECT_NE(about(4, "`x`").find("range: -9.01 m .. 9.01 m\n"), std::string::npos) << at(4);
+  EXPECT_NE(about(4, "`min(z, y, x)`").find("range: -9.01 m .. 2 m\n"), std::string::npos) << at(4);
+}
+
 class ExplainRobot : public InFolder {
  protected:
   void SetUp() override {

@@ -85,6 +85,54 @@ TEST_P(ReplayBy, RowsBetweenTicksCarrySamples) {
             "1,0.01,false,-0.1,m/s\n");
 }
 
+// Rule 4.1: a comparison of constants has a margin, and a minimum with it is no more than that.
+TEST_P(ReplayBy, ComparisonsOfConstantsHaveMargins) {
+  write("fixed.rta",
+        "spec fixed; period 100 ms; input p : bool; input x : real [m] in 0 .. 9 m;\n"
+        "monitor a { \"R1\" always x >= 1 m and 2 m > 1.5 m; }\n"
+        "monitor b { \"R2\" always once[0 s, 1 s] (3 m > 1 m and p); }\n"
+        "monitor c { \"R3\" always if p then x >= 1 m else 2 m > 1.5 m; }\n"
+        "monitor d { \"R4\" always not (1 m > 1 m) and x >= 1 m; }\n"
+        "monitor e { \"R5\" always x >= 9 m or 1 m <= 1 m / 3; }\n"
+        "monitor f { \"R6\" always x >= 1 m and 1e30 m > 1 m; }\n");
+  write("fixed.csv", "time,p,x\n0,1,8\n0.1,0,8\n");
+  const Outcome o = replay({"fixed.rta", "fixed.csv"});
+  const std::string rest = ",true,0,m,false,-0.666667,m,true,7,m\n";
+  const std::string rows =
+      "\n0,0,true,0.5,m,true,2,m,true,7,m" + rest + "1,0.1,true,0.5,m,true,2,m,true,0.5,m" + rest;
+  EXPECT_NE(o.out.find(rows), std::string::npos) << o.out << o.err;
+}
+
+// Of a robot that no decision is about only what monitors use is needed; what else is known of it
+// may be there.
+TEST_P(ReplayBy, OtherColumnsOfARobotAreIgnored) {
+  write("tower.rta",
+        "spec tower; period 1 s;\n"
+        "robot Rover {\n"
+        "  body radius 10 cm;\n"
+        "  motion point { speed <= 0.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }\n"
+        "  sense position : point error 1 cm max_age 2 s;\n"
+        "  sense velocity : vector error 1 cm/s max_age 1 s;\n"
+        "  sense battery : ratio error 1 % max_age 3 s;\n"
+        "  output push : acceleration;\n"
+        "  latency 20 ms;\n"
+        "}\n"
+        "fleet one, two : Rover;\n"
+        "monitor alive { \"R1\" always one.battery >= 20 %; }\n");
+  write("bare.csv", "time,one.battery\n0,0.5\n");
+  write("wide.csv", "time,one.battery,one.velocity.x,two.position.y\n0,0.5,0.1,\n");
+  write("wrong.csv", "time,one.battery,one.speed\n0,0.5,0.1\n");
+  write("empty.csv", "time,one.velocity.x\n0,0.1\n");
+  const Outcome bare = replay({"tower.rta", "bare.csv"});
+  EXPECT_NE(bare.out.find("true,29,%"), std::string::npos) << bare.out << bare.err;
+  const Outcome wide = replay({"tower.rta", "wide.csv"});
+  EXPECT_EQ(wide.out, bare.out) << wide.err;
+  EXPECT_NE(replay({"tower.rta", "wrong.csv"}).err.find("no input is called `one.speed`"),
+            std::string::npos);
+  EXPECT_NE(replay({"tower.rta", "empty.csv"}).err.find("the column `one.battery` is missing"),
+            std::string::npos);
+}
+
 TEST_P(ReplayBy, AFaultInTheLastRowLeavesNothingOnStandardOutput) {
   std::string trace = "time,open,speed,battery,gear\n";
   for (int i = 0; i < 200000; ++i) trace += std::to_string(i) + ",1,0,1,park\n";

@@ -1005,7 +1005,9 @@ static inline margin near_now(const gripper_view *v) {
   const span v10 = span_scale(v9, 25, 268435456);
   const span v11 = span_negate(v10);
   const span v12 = sum_of(v6, v11);
+  /* at */
   const span v13 = span_scale(v->at_x, 100, 1);
+  /* transform(at, hand) */
   const span v14 = sum_of(v13, v12);
   /* goal */
   const span v16 = span_scale(v->goal_x, 100, 1);
@@ -1018,7 +1020,9 @@ static inline margin near_now(const gripper_view *v) {
   const span v22 = product_of(v3, v->hand_y);
   const span v23 = span_scale(v22, 25, 268435456);
   const span v24 = sum_of(v21, v23);
+  /* at */
   const span v25 = span_scale(v->at_y, 100, 1);
+  /* transform(at, hand) */
   const span v26 = sum_of(v25, v24);
   /* goal */
   const span v28 = span_scale(v->goal_y, 100, 1);
@@ -1345,7 +1349,9 @@ static inline int32_t near_verdict(const gripper_verdicts_view *v) {
   const bounds v10 = bounds_scaled(v9, 25, 268435456);
   const bounds v11 = bounds_negative(v10);
   const bounds v12 = bounds_sum(v6, v11);
+  /* at */
   const bounds v13 = bounds_scaled(v->at_x, 100, 1);
+  /* transform(at, hand) */
   const bounds v14 = bounds_sum(v13, v12);
   /* goal */
   const bounds v16 = bounds_scaled(v->goal_x, 100, 1);
@@ -1358,7 +1364,9 @@ static inline int32_t near_verdict(const gripper_verdicts_view *v) {
   const bounds v22 = bounds_product(v3, v->hand_y);
   const bounds v23 = bounds_scaled(v22, 25, 268435456);
   const bounds v24 = bounds_sum(v21, v23);
+  /* at */
   const bounds v25 = bounds_scaled(v->at_y, 100, 1);
+  /* transform(at, hand) */
   const bounds v26 = bounds_sum(v25, v24);
   /* goal */
   const bounds v28 = bounds_scaled(v->goal_y, 100, 1);
