@@ -61,6 +61,9 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
       syntax::parse_program(*file, c.sources, c.diagnostics, c.dependencies);
   if (options.dump_ast) out << syntax::dump(program, c.sources);
   c.spec = sema::check(program, c.diagnostics);
+  if (!c.spec && !c.diagnostics.has_errors()) {
+    c.internal_error = "the checker has refused the specification and not said why";
+  }
   if (!c.spec) return;
   if (options.dump_spec) out << sema::dump(*c.spec);
   // The interpreter shares nothing with what follows.

@@ -138,7 +138,7 @@ struct Parser {
   void take(const std::string& flag, const std::string& value, std::string& place) {
     if (value.empty()) {
       problem = {"`" + flag + "` needs a value after it", value_hint(flag)};
-    } else if (value[0] == '-') {
+    } else if (value[0] == '-' && flag != "--max-bytes") {
       problem = {"`" + flag + "` needs a value after it, not the flag `" + value + "`",
                  "a path that starts with a dash is written `./" + value + "`"};
     } else if (!place.empty()) {
@@ -197,7 +197,7 @@ struct Parser {
     }
     switch (options.command) {
       case Command::explain:
-        if (!take_place(operands[0])) options.topic = operands[0];
+        if (!take_place(operands[0])) take_topic(operands[0]);
         break;
       case Command::format:
         options.files = operands;
@@ -216,6 +216,15 @@ struct Parser {
       problem = {"specification and trace cannot both come from standard input",
                  "give the path of one of them"};
     }
+  }
+  void take_topic(const std::string& text) {
+    constexpr std::string_view ending = ".rta";
+    options.topic = text;
+    const bool is_file = text.size() > ending.size() &&
+                         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+    if (!is_file) return;
+    problem = {"`" + text + "` is a file, without a line",
+               "give FILE:LINE, such as `" + text + ":1`"};
   }
   // `FILE:LINE`, or `FILE:LINE:COLUMN` as messages have it.
   bool take_place(std::string text) {

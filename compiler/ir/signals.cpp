@@ -31,18 +31,29 @@ class SignalBuilder {
   }
 
  private:
+  // Where this resolution is declared for all inputs of the dimension; nullptr: it is not.
+  [[nodiscard]] const SourceRange* grid_of(const sema::Dimension& dimension,
+                                           const Rational& resolution) const {
+    for (const sema::GridStep& each : spec_.grids) {
+      if (each.dimension == dimension && each.value.value == resolution) return &each.value.range;
+    }
+    return nullptr;
+  }
+
   Unit grid(const sema::Dimension& dimension, const Rational& resolution,
             const SourceRange& source) {
     const Unit unit{dimension, resolution, scale_of(spec_, dimension)};
     if (unit.is_fine_enough()) return unit;
     const auto show = [&](const Rational& v) { return sema::show(v, dimension); };
+    const SourceRange* grid = grid_of(dimension, resolution);
+    const std::string word = grid != nullptr ? "grid" : "resolution";
     diagnostics_.report({Code::value_out_of_range,
-                         source,
-                         "the resolution " + show(resolution) +
+                         grid != nullptr ? *grid : source,
+                         "the " + word + " " + show(resolution) +
                              " is finer than a millionth of the scale " + show(unit.scale),
                          "margins count millionths of the scale",
                          {},
-                         "`resolution " + show(unit.scale / 1'000'000) + "` works, or `scale " +
+                         "`" + word + " " + show(unit.scale / 1'000'000) + "` works, or `scale " +
                              show(resolution * 1'000'000) + ";`",
                          {}});
     return {dimension, unit.scale / 1'000'000, unit.scale};

@@ -60,7 +60,8 @@ std::string on_grid_help(const sema::Spec& spec, const Rational& si, const Unit&
   const std::string do_so = beside ? *beside + " do" : "";
   const sema::InputRef* ref = find_input(compared);
   const sema::Input* input = ref != nullptr ? &spec[ref->input] : nullptr;
-  const bool decides = input != nullptr && input->type == sema::InputType::real &&
+  // what robots sense has the steps of all robots
+  const bool decides = input != nullptr && !input->robot && input->type == sema::InputType::real &&
                        input->dimension == unit.dimension;
   const auto finer = decides ? fitting_resolution(si, input->resolution, unit) : std::nullopt;
   if (finer) {

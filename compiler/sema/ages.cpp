@@ -1,4 +1,6 @@
 // `age(signal)`: of an input, and of what a robot senses.
+#include <algorithm>
+
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/suggest.h"
 
@@ -17,6 +19,24 @@ constexpr SensedName sensed_names[] = {
     {"battery", Sensed::battery, Need::battery},
 };
 
+const SensedName* sensed_named(const std::string& name) {
+  const auto* found = std::find_if(std::begin(sensed_names), std::end(sensed_names),
+                                   [&](const SensedName& each) { return name == each.name; });
+  return found == std::end(sensed_names) ? nullptr : found;
+}
+
+// Reports that a robot measures nothing of this name that has an age.
+void report_ageless(Context& context, const syntax::Name& field) {
+  std::vector<std::string> names;
+  for (const SensedName& each : sensed_names) names.emplace_back(each.name);
+  Finding finding(Code::unknown_signal, field.range,
+                  "`" + field.text + "` of a robot has no age here");
+  finding.label("only " + listing(names) + " have one");
+  finding.help(did_you_mean(field.text, names, "measurements with an age"));
+  if (const auto likely = nearest(field.text, names)) finding.replace(field.range, *likely);
+  context.report(finding);
+}
+
 }  // namespace
 
 // Of the monitored robot. That of another one is how old its message may be, which `hears` says.
@@ -31,18 +51,50 @@ ExprPtr PropertyChecker::age_of_sense(const syntax::Expr& expr, const syntax::Na
                               "a monitor without a robot may ask for the age of any"));
     return nullptr;
   }
-  std::vector<std::string> names;
-  for (const SensedName& each : sensed_names) {
-    names.emplace_back(each.name);
-    if (field.text != each.name) continue;
-    require(each.need, expr.range, "`age`");
-    return make_quantity(expr.range, dims::time, SensedAge{each.signal});
+  const SensedName* sensed = sensed_named(field.text);
+  if (sensed == nullptr) {
+    report_ageless(context_, field);
+    return nullptr;
   }
-  context_.report(
-      Finding(Code::unknown_signal, field.range, "`" + field.text + "` of a robot has no age here")
-          .label("not a measurement with an age")
-          .help(did_you_mean(field.text, names, "measurements of a robot")));
-  return nullptr;
+  require(sensed->need, expr.range, "`age`");
+  return make_quantity(expr.range, dims::time, SensedAge{sensed->signal});
+}
+
+// Of any robot, in a monitor without one.
+ExprPtr PropertyChecker::age_of_member(const syntax::Expr& expr, const syntax::Member& member) {
+  const auto robot = robot_named(*member.base);
+  if (!robot || member.field.text.empty()) return nullptr;
+  if (sensed_named(member.field.text) == nullptr) {
+    report_ageless(context_, member.field);
+    return nullptr;
+  }
+  const auto input = robot_input(*robot, member.field.text, expr.range);
+  return input ? make_quantity(expr.range, dims::time, AgeOf{*input}) : nullptr;
+}
+
+// Reports a robot, or a name that is none, where `age` is due a measurement.
+bool PropertyChecker::ageless_robot(const syntax::Expr& argument) {
+  if (says_robot(argument)) {
+    const auto* index = std::get_if<syntax::Index>(&argument.node);
+    const std::string robot =
+        name_in(index != nullptr ? *index->base : argument)->text + (index != nullptr ? "[0]" : "");
+    context_.report(
+        Finding(Code::wrong_argument, argument.range, "`age` takes a measurement, this is a robot")
+            .label("a robot")
+            .help("write what it measures, such as `age(" + robot + ".position)`"));
+    return true;
+  }
+  const auto* member = std::get_if<syntax::Member>(&argument.node);
+  const syntax::Name* base = member != nullptr ? name_in(*member->base) : nullptr;
+  if (base == nullptr || local(base->text) != nullptr) return false;
+  const Symbol* symbol = context_.symbols.find(base->text);
+  if (symbol == nullptr) {
+    unknown_name(*base, places_of_robots());
+    return true;
+  }
+  if (symbol->sort != Sort::robot) return false;
+  if (robot_allowed(argument.range, "`age` of a robot")) is_self(*member->base, "`age`");
+  return true;
 }
 
 Value PropertyChecker::age(const syntax::Expr& expr, const syntax::Call& call) {
@@ -51,13 +103,11 @@ Value PropertyChecker::age(const syntax::Expr& expr, const syntax::Call& call) {
   if (is_error(argument)) return nullptr;
   const auto* member = std::get_if<syntax::Member>(&argument.node);
   if (member != nullptr && sees_fleets() && names_robot(*member->base)) {
-    const auto robot = robot_named(*member->base);
-    const auto input =
-        robot ? robot_input(*robot, member->field.text, argument.range) : std::nullopt;
-    return input ? make_quantity(expr.range, dims::time, AgeOf{*input}) : nullptr;
+    return age_of_member(expr, *member);
   }
   const auto who = member != nullptr ? subject(*member->base) : std::nullopt;
   if (who) return age_of_sense(expr, member->field, *who);
+  if (ageless_robot(argument)) return nullptr;
   const syntax::Name* name = name_in(argument);
   const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
   const bool bound = name != nullptr && local(name->text) != nullptr;

@@ -37,6 +37,7 @@ Value PropertyChecker::arithmetic(const syntax::Expr& expr, const syntax::Binary
                                   ArithmeticOp op) {
   const bool sum = op == ArithmeticOp::add || op == ArithmeticOp::subtract;
   if (!sum && unit_with_blanks(binary)) return nullptr;
+  if (says_robot(*binary.left) && says_robot(*binary.right)) return infer(*binary.left);
   Value left = infer(*binary.left);
   const auto* first = std::get_if<ExprPtr>(&left.node);
   const bool typed = sum && first != nullptr && !(*first)->boolean;

@@ -48,7 +48,7 @@ bool PropertyChecker::is_self(const syntax::Expr& expr, const std::string& user)
                         .label("must be `" + self + "`")
                         .help("write `" + self + "`: the monitor runs on every robot of its kind"));
   } else if (name != nullptr && symbol == nullptr) {
-    unknown_name(*name);
+    unknown_name(*name, {Sort::enumeration});
   } else {
     context_.report(Finding(Code::wrong_argument, expr.range, user + " takes a robot here")
                         .label("not a robot")

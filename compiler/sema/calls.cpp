@@ -92,6 +92,7 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Call& call) 
                   [&](const syntax::ExprPtr& each) { return speaks_of_points(*each); });
   if (name == "distance" && sees_robot() && of_points) return distance_of_points(expr, call);
   if (name == "distance" && !sees_robot()) {
+    if (!places_known(call.arguments)) return nullptr;
     const auto any = [&](const auto& is) {
       return std::any_of(call.arguments.begin(), call.arguments.end(), is);
     };
@@ -138,7 +139,7 @@ Value PropertyChecker::other_call(const syntax::Expr& expr, const syntax::Call& 
                         .label("not a function")
                         .note(symbol->range, "`" + name + "` is declared here")
                         .help("the functions are " + listing(known)));
-  } else if (context_.first_unknown(call.callee, Sort::function)) {
+  } else if (context_.first_unknown(call.callee)) {
     Finding finding(Code::unknown_function, call.callee.range,
                     "there is no function `" + name + "`");
     finding.label("not a function");
@@ -164,10 +165,17 @@ std::optional<std::vector<ExprPtr>> PropertyChecker::quantities(
   std::vector<const syntax::Expr*> written;
   std::vector<const Expr*> views;
   bool good = true;
+  bool misfit = false;  // one report stands for all values that are no quantities
   for (const syntax::ExprPtr& argument : arguments) {
     const auto due =
         views.empty() ? std::nullopt : std::optional<Dimension>(views.front()->dimension);
-    ExprPtr quantity = quantity_of(*argument, due);
+    if (misfit && says_robot(*argument)) continue;
+    Value value = infer(*argument, due);
+    auto* typed_value = std::get_if<ExprPtr>(&value.node);
+    const bool fits = typed_value != nullptr && !(*typed_value)->boolean;
+    const bool misfits = says_robot(*argument) || (value && !fits);
+    ExprPtr quantity = misfits && misfit ? nullptr : as_quantity(*argument, std::move(value));
+    misfit = misfit || misfits;
     good = good && quantity != nullptr;
     if (!quantity) continue;
     written.push_back(argument.get());
@@ -284,7 +292,11 @@ Value PropertyChecker::square_root(const syntax::Expr& expr, const syntax::Call&
 
 std::optional<Pair> PropertyChecker::pair_of(const syntax::Expr& expr, Pair::Kind due,
                                              const std::string& user) {
-  Value value = infer(expr);
+  return as_pair(expr, infer(expr), due, user);
+}
+
+std::optional<Pair> PropertyChecker::as_pair(const syntax::Expr& expr, Value value, Pair::Kind due,
+                                             const std::string& user) {
   if (!value) return std::nullopt;
   auto* pair = std::get_if<Pair>(&value.node);
   if (pair != nullptr && (pair->kind == due || pair->kind == Pair::Kind::literal)) {

@@ -40,7 +40,7 @@ std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnost
   check_directions(context);
   check_decisions(context);
   if (!diagnostics.has_errors()) warn_unused_signals(context);
-  if (diagnostics.has_errors()) return std::nullopt;
+  if (diagnostics.has_errors() || context.silent()) return std::nullopt;
   return std::move(context.spec);
 }
 

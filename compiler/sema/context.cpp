@@ -130,20 +130,24 @@ std::optional<std::uint32_t> Context::resolve(const syntax::Name& name, Sort sor
                .help(may_suggest()
                          ? did_you_mean(name.text, symbols.names_of(sort), plural_of(sort))
                          : without_suggestion()));
-  } else if (first_unknown(name, sort)) {
-    Finding finding(unknown_code(sort), name.range,
-                    std::string("there is no ") + name_of(sort) + " `" + name.text + "`");
-    finding.label(std::string("no ") + name_of(sort) + " has this name");
-    if (!may_suggest()) {
-      report(finding.help(without_suggestion()));
-      return std::nullopt;
-    }
-    const std::vector<std::string> names = symbols.names_of(sort);
-    finding.help(did_you_mean(name.text, names, plural_of(sort)));
-    if (const auto likely = nearest(name.text, names)) finding.replace(name.range, *likely);
-    report(finding);
+  } else if (first_unknown(name)) {
+    unknown(name, sort);
   }
   return std::nullopt;
+}
+
+void Context::unknown(const syntax::Name& name, Sort sort) {
+  Finding finding(unknown_code(sort), name.range,
+                  std::string("there is no ") + name_of(sort) + " `" + name.text + "`");
+  finding.label(std::string("no ") + name_of(sort) + " has this name");
+  if (!may_suggest()) {
+    report(finding.help(without_suggestion()));
+    return;
+  }
+  const std::vector<std::string> names = symbols.names_of(sort);
+  finding.help(did_you_mean(name.text, names, plural_of(sort)));
+  if (const auto likely = nearest(name.text, names)) finding.replace(name.range, *likely);
+  report(finding);
 }
 
 std::string Context::without_suggestion() {
@@ -151,9 +155,9 @@ std::string Context::without_suggestion() {
          std::to_string(suggestions_max) + " have suggestions";
 }
 
-bool Context::first_unknown(const syntax::Name& name, Sort sort) {
+bool Context::first_unknown(const syntax::Name& name) {
   if (all_names_lost_ || name.text.empty() || lost_names_.count(name.text) > 0) return false;
-  return !damaged(name.range) && reported_names_.insert({name.text, sort}).second;
+  return !damaged(name.range) && reported_names_.insert(name.text).second;
 }
 
 void Context::missing_clause(const SourceRange& owner_range, const std::string& owner,

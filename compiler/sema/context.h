@@ -85,13 +85,20 @@ class Context {
   }
 
   // Is this the first use of a name that is not declared? Nothing is said about later ones.
-  bool first_unknown(const syntax::Name& name, Sort sort);
+  bool first_unknown(const syntax::Name& name);
+  // Reports that nothing of this sort has the name.
+  void unknown(const syntax::Name& name, Sort sort);
 
   // Is there still a suggestion for an unknown name? Each looks at all names that are declared; a
   // flood of mistakes, which nobody reads to its end, must not take the square of its length.
   [[nodiscard]] bool may_suggest() { return suggestions_++ < suggestions_max; }
   // The help where there is none.
   static std::string without_suggestion();
+
+  // A property has come to nothing: a mistake must have been reported. Otherwise the checker itself
+  // is wrong, and the specification is refused as a whole.
+  void must_have_said() { silent_ = silent_ || !engine_.has_errors(); }
+  [[nodiscard]] bool silent() const { return silent_; }
 
   // Reports that `owner` lacks a clause; `example` shows one that would do.
   void missing_clause(const SourceRange& owner_range, const std::string& owner,
@@ -139,8 +146,9 @@ class Context {
   std::set<std::string> lost_names_;  // that may be declared in text that is not in the tree
   bool all_names_lost_ = false;       // that text was not even read
   bool broken_tree_ = false;
+  bool silent_ = false;
   std::vector<SourceRange> damaged_items_;
-  std::set<std::pair<std::string, Sort>> reported_names_;
+  std::set<std::string> reported_names_;
   std::set<std::pair<KindId, Need>> reported_needs_;
   std::set<std::pair<SiteId, KindId>> reported_sites_;
 };

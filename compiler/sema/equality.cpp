@@ -7,12 +7,12 @@ namespace rtac::sema {
 using syntax::BinaryOp;
 
 ExprPtr PropertyChecker::equality(const syntax::Expr& expr, const syntax::Binary& binary) {
-  if (subject(*binary.left) || subject(*binary.right)) {
-    context_.report(
-        Finding(Code::equality_not_allowed, expr.range,
-                "robots are compared only in the guard of `forall` and `exists`")
-            .label("not a condition on its own")
-            .help("write `forall q : " + kind_name() + ", q != " + scope_.self.text + " : ...`"));
+  if (says_robot(*binary.left) || says_robot(*binary.right)) {
+    const std::string self = sees_robot() ? scope_.self.text : "r";
+    context_.report(Finding(Code::equality_not_allowed, expr.range,
+                            "robots are compared only in the guard of `forall` and `exists`")
+                        .label("not a condition on its own")
+                        .help("write `forall q : " + kind_name() + ", q != " + self + " : ...`"));
     return nullptr;
   }
   const int outer = polarity_;

@@ -36,7 +36,7 @@ bool PropertyChecker::unit_with_blanks(const syntax::Binary& binary) {
   const std::string unit = number->unit->text + sign + name->text;
   if (!parse_unit(unit)) return false;
   const SourceRange& written = number->unit->range;
-  if (!context_.first_unknown(*name, Sort::input)) return true;
+  if (!context_.first_unknown(*name)) return true;
   context_.report(
       Finding(Code::unknown_name, name->range, "the name `" + name->text + "` is not declared")
           .label("no unit: a blank stands in front of it")

@@ -9,7 +9,7 @@ std::optional<FrameId> frame_of(Context& context, const std::optional<syntax::Na
   const syntax::Name& name = *written;
   const Symbol* symbol = context.symbols.find(name.text);
   if (symbol != nullptr) return context.resolve<FrameId>(name, Sort::frame);
-  if (!context.first_unknown(name, Sort::frame)) return std::nullopt;
+  if (!context.first_unknown(name)) return std::nullopt;
   std::vector<std::string> known = context.symbols.names_of(Sort::frame);
   known.push_back(context.spec[map_frame].name);
   Finding finding(Code::unknown_frame, name.range, "there is no frame `" + name.text + "`");

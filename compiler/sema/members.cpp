@@ -62,6 +62,17 @@ bool PropertyChecker::names_robot(const syntax::Expr& expr) const {
                                          (symbol->sort == Sort::robot && index == nullptr)));
 }
 
+bool PropertyChecker::says_robot(const syntax::Expr& expr) const {
+  return subject(expr).has_value() || names_robot(expr);
+}
+
+std::pair<Value, Value> PropertyChecker::both(const syntax::Expr& left, const syntax::Expr& right) {
+  Value one = infer(left);
+  const bool robots = says_robot(left) && says_robot(right);
+  Value other = robots ? Value() : infer(right);
+  return {std::move(one), std::move(other)};
+}
+
 std::optional<RobotId> PropertyChecker::robot_named(const syntax::Expr& expr) {
   const auto* index = std::get_if<syntax::Index>(&expr.node);
   const syntax::Name* name = name_in(index != nullptr ? *index->base : expr);

@@ -23,6 +23,7 @@ bool PropertyChecker::says_zone(const syntax::Expr& expr) const {
 // The place of what stands here, in length: a point, or the body of a robot around its centre.
 std::optional<PropertyChecker::Placed> PropertyChecker::placed(const syntax::Expr& expr,
                                                                const std::string& user) {
+  if (!place_known(expr, places_of_robots())) return std::nullopt;
   if (!names_robot(expr)) {
     auto point = place_of(expr, user);
     return point ? std::optional(Placed{std::move(*point), 0}) : std::nullopt;

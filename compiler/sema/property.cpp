@@ -30,6 +30,7 @@ std::optional<Rational> constant_of(const Expr& expr) {
 ExprPtr check_property(Context& context, const syntax::Expr& expr, const PropertyScope& scope) {
   ExprPtr checked = PropertyChecker(context, scope).condition(expr);
   if (checked) resolve_members(checked);
+  if (!checked) context.must_have_said();
   return checked;
 }
 
@@ -87,7 +88,10 @@ ExprPtr PropertyChecker::condition(const syntax::Expr& expr) {
 
 ExprPtr PropertyChecker::quantity_of(const syntax::Expr& expr,
                                      const std::optional<Dimension>& due) {
-  Value value = infer(expr, due);
+  return as_quantity(expr, infer(expr, due));
+}
+
+ExprPtr PropertyChecker::as_quantity(const syntax::Expr& expr, Value value) {
   if (!value) return nullptr;
   auto* typed = std::get_if<ExprPtr>(&value.node);
   if (typed != nullptr && !(*typed)->boolean) return std::move(*typed);
@@ -210,6 +214,9 @@ ExprPtr PropertyChecker::logic(const syntax::Expr& expr, const syntax::Binary& b
 
 ExprPtr PropertyChecker::comparison(const syntax::Expr& expr, const syntax::Binary& binary,
                                     CompareOp op) {
+  if (says_robot(*binary.left) && says_robot(*binary.right)) {
+    return as_quantity(*binary.left, infer(*binary.left));
+  }
   Value one = infer(*binary.left);
   auto* typed = std::get_if<ExprPtr>(&one.node);
   ExprPtr left = typed != nullptr && !(*typed)->boolean ? std::move(*typed) : nullptr;
@@ -232,8 +239,7 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Conditional&
   polarity_ = 0;
   ExprPtr condition = this->condition(*conditional.condition);
   polarity_ = outer;
-  Value then_value = infer(*conditional.then_value);
-  Value else_value = infer(*conditional.else_value);
+  auto [then_value, else_value] = both(*conditional.then_value, *conditional.else_value);
   if (!condition || !then_value || !else_value) return nullptr;
   return choice(expr, *condition, std::move(then_value), std::move(else_value));
 }

@@ -69,6 +69,7 @@ class PropertyChecker {
   bool unit_with_blanks(const syntax::Binary& binary);
   bool unit_in_brackets(const syntax::Expr& expr, const syntax::Index& index);
   ExprPtr not_a_quantity(const syntax::Expr& expr, const std::string& what);
+  ExprPtr as_quantity(const syntax::Expr& expr, Value value);
   Value choice(const syntax::Expr& expr, const Expr& condition, Value then_value, Value else_value);
   static ExprPtr chosen_condition(const syntax::Expr& expr, const Expr& condition,
                                   ExprPtr then_value, ExprPtr else_value);
@@ -94,6 +95,10 @@ class PropertyChecker {
   // ---- members.cpp: robots by name, in monitors without a robot.
   // Is it one of `forall q : Rover` here, `r1`, or `bots[3]`?
   [[nodiscard]] bool names_robot(const syntax::Expr& expr) const;
+  // Any robot, also in the monitor of one.
+  [[nodiscard]] bool says_robot(const syntax::Expr& expr) const;
+  // The values of two operands; one report stands for two robots.
+  std::pair<Value, Value> both(const syntax::Expr& left, const syntax::Expr& right);
   // Reports what is wrong with it.
   std::optional<RobotId> robot_named(const syntax::Expr& expr);
   Value robot_signal(const syntax::Expr& expr, const syntax::Member& member);
@@ -177,7 +182,12 @@ class PropertyChecker {
   // Whether an input or a bound name stands in it: then `distance` is one of points.
   [[nodiscard]] bool speaks_of_points(const syntax::Expr& expr) const;
   [[nodiscard]] const Local* local(std::string_view name) const;
-  void unknown_name(const syntax::Name& name);
+  // `also`: what else than values may stand here.
+  void unknown_name(const syntax::Name& name, const std::vector<Sort>& also = {});
+  [[nodiscard]] std::vector<Sort> places_of_robots() const;
+  // Reports names that are not declared where a point, a robot or a zone may stand.
+  bool place_known(const syntax::Expr& place, const std::vector<Sort>& also);
+  bool places_known(const std::vector<syntax::ExprPtr>& places);
   [[nodiscard]] std::vector<std::string> visible_names() const;
 
   // ---- calls.cpp
@@ -197,10 +207,14 @@ class PropertyChecker {
   bool one_dimension(const std::string& user, const std::vector<const syntax::Expr*>& written,
                      const std::vector<const Expr*>& typed);
   std::optional<Pair> pair_of(const syntax::Expr& expr, Pair::Kind due, const std::string& user);
+  std::optional<Pair> as_pair(const syntax::Expr& expr, Value value, Pair::Kind due,
+                              const std::string& user);
 
   // ---- ages.cpp
   Value age(const syntax::Expr& expr, const syntax::Call& call);
   ExprPtr age_of_sense(const syntax::Expr& expr, const syntax::Name& field, Subject who);
+  ExprPtr age_of_member(const syntax::Expr& expr, const syntax::Member& member);
+  bool ageless_robot(const syntax::Expr& argument);
 
   // ---- points.cpp
   struct Placed {  // a point, or a body around its centre
@@ -233,6 +247,7 @@ class PropertyChecker {
                      const ExprPtr& d);
   Value cross(const syntax::Expr& expr, const syntax::Call& call);
   Value rotate(const syntax::Expr& expr, const syntax::Call& call);
+  bool rotate_swapped(const syntax::Expr& expr, const Value& first, const Value& second);
   Value transform(const syntax::Expr& expr, const syntax::Call& call);
   Value rotated(const syntax::Expr& expr, const Pair& pair, const Expr& angle);
 

@@ -50,21 +50,53 @@ std::vector<std::string> PropertyChecker::visible_names() const {
   return names;
 }
 
-void PropertyChecker::unknown_name(const syntax::Name& name) {
-  if (!context_.first_unknown(name, Sort::input)) return;
+std::vector<Sort> PropertyChecker::places_of_robots() const {
+  return sees_fleets() ? std::vector<Sort>{Sort::robot, Sort::fleet} : std::vector<Sort>{};
+}
+
+bool PropertyChecker::place_known(const syntax::Expr& place, const std::vector<Sort>& also) {
+  const auto* index = std::get_if<syntax::Index>(&place.node);
+  const syntax::Name* name = name_in(index != nullptr ? *index->base : place);
+  if (name == nullptr || local(name->text) != nullptr || says_robot(place)) return true;
+  if (context_.symbols.find(name->text) != nullptr) return true;
+  unknown_name(*name, also);
+  return false;
+}
+
+bool PropertyChecker::places_known(const std::vector<syntax::ExprPtr>& places) {
+  std::vector<Sort> also = places_of_robots();
+  also.push_back(Sort::zone);
+  bool known = true;
+  for (const syntax::ExprPtr& place : places) known = place_known(*place, also) && known;
+  return known;
+}
+
+void PropertyChecker::unknown_name(const syntax::Name& name, const std::vector<Sort>& also) {
+  if (!context_.first_unknown(name)) return;
   Finding finding(Code::unknown_name, name.range, "the name `" + name.text + "` is not declared");
   finding.label("not known here");
   if (!context_.may_suggest()) {
     context_.report(finding.help(Context::without_suggestion()));
     return;
   }
-  const auto names = visible_names();
+  std::vector<std::string> names;  // of two that are equally near the first is meant
+  for (const Sort sort : also) {
+    for (std::string& each : context_.symbols.names_of(sort)) names.push_back(std::move(each));
+  }
+  for (std::string& each : visible_names()) names.push_back(std::move(each));
+  const auto likely = nearest(name.text, names);
+  const Symbol* meant = likely ? context_.symbols.find(*likely) : nullptr;
+  if (meant != nullptr && std::find(also.begin(), also.end(), meant->sort) != also.end()) {
+    context_.unknown(name, meant->sort);
+    return;
+  }
   const bool signals = !context_.spec.inputs.empty() || !context_.spec.params.empty();
   const std::string what = sees_robot() && !signals ? "robots of this property"
                            : function_ != nullptr   ? "names of this function"
+                           : !also.empty()          ? "names that fit here"
                                                     : "names of values";
   finding.help(did_you_mean(name.text, names, what));
-  if (const auto likely = nearest(name.text, names)) finding.replace(name.range, *likely);
+  if (likely) finding.replace(name.range, *likely);
   for (const char* truth : {"true", "false"}) {
     if (edit_distance(name.text, truth) > 0) continue;  // `True`, `FALSE`
     finding.help(std::string("write `") + truth + "`").replace(name.range, truth);
@@ -252,11 +284,17 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Member& memb
   const bool signal = symbol != nullptr && (symbol->sort == Sort::input);
   const bool of_robot = sees_robot() && name != nullptr && !signal;
   if (!bound && (of_robot || robot)) return robot_member(expr, member);
+  std::vector<Sort> also = places_of_robots();
+  also.push_back(Sort::enumeration);
+  if (!place_known(*member.base, also)) return nullptr;
   Value base = infer(*member.base);
   if (!base) return nullptr;
   if (Value part = component(base, member.field.text)) return part;
   if (member.field.text.empty()) return nullptr;
-  const std::string components = components_of(base);
+  const std::string& field = member.field.text;
+  const bool of_place = std::holds_alternative<Pose>(base.node) && (field == "x" || field == "y");
+  const std::string components =
+      components_of(base) + (of_place ? "; write `.position." + field + "`" : "");
   context_.report(
       Finding(Code::member_unknown, member.field.range,
               describe(context_.spec, base) + " has no component `" + member.field.text + "`")

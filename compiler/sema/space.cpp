@@ -160,10 +160,26 @@ Value PropertyChecker::rotated(const syntax::Expr& expr, const Pair& pair, const
   return Pair{pair.kind, std::move(x), std::move(y), nullptr, pair.frame};
 }
 
+// Reports the angle before the vector.
+bool PropertyChecker::rotate_swapped(const syntax::Expr& expr, const Value& first,
+                                     const Value& second) {
+  const auto* angle = std::get_if<ExprPtr>(&first.node);
+  const bool swapped =
+      angle != nullptr && !(*angle)->boolean && std::holds_alternative<Pair>(second.node);
+  if (!swapped) return false;
+  context_.report(Finding(Code::wrong_argument, expr.range, "`rotate` takes the vector first")
+                      .label("the angle stands first")
+                      .help("swap them: `rotate(v, angle)`"));
+  return true;
+}
+
 Value PropertyChecker::rotate(const syntax::Expr& expr, const syntax::Call& call) {
   if (!argument_count(expr, call, 2, "rotate(v, angle)")) return nullptr;
-  auto vector = pair_of(*call.arguments[0], Pair::Kind::vector, "rotate");
-  ExprPtr angle = quantity_of(*call.arguments[1], dims::angle);
+  Value first = infer(*call.arguments[0]);
+  Value second = infer(*call.arguments[1], dims::angle);
+  if (!first || !second || rotate_swapped(expr, first, second)) return nullptr;
+  auto vector = as_pair(*call.arguments[0], std::move(first), Pair::Kind::vector, "rotate");
+  ExprPtr angle = as_quantity(*call.arguments[1], std::move(second));
   if (!vector || !angle || !in_plane(*call.arguments[0], "rotate", *vector)) return nullptr;
   if (angle->dimension != dims::angle) {
     const syntax::Expr* bare = bare_number(*call.arguments[1]);

@@ -91,7 +91,7 @@ std::vector<std::string> known_types(const Context& context) {
 
 void report_unknown_type(Context& context, const syntax::Name& name) {
   const auto names = known_types(context);
-  if (!context.first_unknown(name, Sort::enumeration)) return;
+  if (!context.first_unknown(name)) return;
   Finding finding(Code::unknown_type, name.range, "there is no type `" + name.text + "`");
   finding.label("not a type").help(did_you_mean(name.text, names, "types"));
   const auto foreign =

@@ -55,6 +55,18 @@ TEST_F(CommandLine, HelpGoesToStdoutAndUsageErrorsToStderr) {
   }
 }
 
+// A number below zero is no flag, and a file without a line is no diagnostic.
+TEST_F(CommandLine, UsageErrorsSayWhatWasMeant) {
+  const Outcome bytes = rtac({"check", "good.rta", "--max-bytes", "-1"});
+  EXPECT_EQ(bytes.status, 2);
+  EXPECT_NE(bytes.err.find("`-1` is no number of bytes"), std::string::npos) << bytes.err;
+  EXPECT_NE(bytes.err.find("`--max-bytes 4096`"), std::string::npos) << bytes.err;
+  const Outcome line = rtac({"explain", "good.rta"});
+  EXPECT_EQ(line.status, 2);
+  EXPECT_NE(line.err.find("`good.rta` is a file, without a line"), std::string::npos) << line.err;
+  EXPECT_NE(line.err.find("give FILE:LINE, such as `good.rta:1`"), std::string::npos) << line.err;
+}
+
 TEST_F(CommandLine, WhatCannotBeReadIsAUsageError) {
   write("file", "text");
   fs::create_directories("folder");

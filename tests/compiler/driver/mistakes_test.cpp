@@ -90,6 +90,13 @@ std::string whole_text(const std::string& kind, const std::string& body) {
                    body);
   }
   if (kind == "text") return body;
+  if (kind == "fleet") {  // a property of a monitor without a robot, beside the rovers
+    return "spec yard;\nperiod 100 ms;\nenum Gear { park, drive }\ninput gear : Gear;\n"
+           "input q : bool;\ninput v : vector [m/s] in -3 .. 3 m/s;\n"
+           "input p : point in -9 .. 9 m;\n" +
+           spec_text("compiler/docs/examples/rovers.rta") + "monitor m { \"R1: x\" always " +
+           body.substr(0, body.size() - 1) + "; }\n";
+  }
   if (kind == "items") return kDeclarations + body;
   return kDeclarations + ("monitor m { \"R1: x\" always " + body.substr(0, body.size() - 1)) +
          "; }\n";

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <ctime>
 
+#include "compiler/sema/context.h"
 #include "tests/compiler/sema/door.h"
 
 namespace rtac::sema::test {
@@ -63,6 +64,24 @@ TEST(Cascades, AChoiceThatCannotLookAheadIsReportedOnce) {
       edited(yard(), {{"always  r inside free",
                        "always (if r.battery >= 5 % then clearance(r, free) else 1 m) >= 0 m"}}));
   EXPECT_EQ(codes_of(*checked), std::vector<Code>{Code::not_for_robots}) << checked->reports();
+}
+
+// A property that comes to nothing without a report is a bug of the checker, not a good property.
+TEST(Cascades, AMistakeWithoutAReportIsNoticed) {
+  diag::Engine engine;
+  Context context(engine, syntax::Program{});
+  EXPECT_FALSE(context.silent());
+  context.must_have_said();
+  EXPECT_TRUE(context.silent());
+}
+
+// ... and one with a report is not.
+TEST(Cascades, AMistakeWithAReportIsNotSilent) {
+  diag::Engine engine;
+  Context context(engine, syntax::Program{});
+  context.report(Finding(Code::unknown_name, SourceRange{}, "the name `x` is not declared"));
+  context.must_have_said();
+  EXPECT_FALSE(context.silent());
 }
 
 // A zone, a clause or an item that the parser had to drop may be what seems to be missing.
