@@ -28,7 +28,9 @@ std::vector<Mutant> mutants_of_the_past() {
        "$1, $2 - 1, $4 - 1, &v->s->ticks)"},
       {"b_of_aggregates_one_less", R"((\w+_over\([^;]*), (\d+),(\s+)(\d+))" RTAC_TICKS,
        "$1, $2, ($4 > $2 ? $4 - 1 : $4), &v->s->ticks)"},
-      {"a_of_aggregates_one_less", R"((\w+_over\([^;]*), ([1-9]\d*),(\s+)(\d+))" RTAC_TICKS,
+      // not of the least and greatest: their rings are as long as the window
+      {"a_of_aggregates_one_less",
+       R"(((?:sum|mean|count|change)_over\([^;]*), ([1-9]\d*),(\s+)(\d+))" RTAC_TICKS,
        "$1, $2 - 1, $4, &v->s->ticks)"},
       {"windows_for_ever_are_long", R"((_verdict\([^;]*), -1,\s+&v->s->ticks\))",
        "$1, 12, &v->s->ticks)"},
