@@ -1,10 +1,13 @@
 // Against NASA Copilot, verdicts only: the same properties, each by itself. Copilot knows neither
 // errors nor ages nor missing inputs nor the tick; its inputs are plain doubles and truth values.
+// What it costs to know them is shown by hand-written checks of the same inputs.
 #include <cmath>
+#include <optional>
 
 #include "peer_apart_kernel.h"
 #include "peer_charged_kernel.h"
 #include "peer_fence_kernel.h"
+#include "tests/bench/watch/hand/single.h"
 #include "tests/bench/watch/peer/peer.h"
 #include "tests/bench/watch/watch_bench.h"
 #include "tests/bench/watch/window_replay.h"
@@ -132,7 +135,8 @@ void measure_peer(int rounds, Report& report) {
     const char* key;
     const char* what;
     Count ours, theirs;
-    std::size_t our_id = 0, their_id = 0;
+    std::optional<Count> by_hand;  // of the inputs that ours have
+    std::size_t our_id = 0, their_id = 0, hand_id = 0;
   };
   std::vector<Pair> pairs;
   pairs.push_back({"charged", "unbounded since (target: at most 1.1)",
@@ -140,14 +144,19 @@ void measure_peer(int rounds, Report& report) {
                              [](auto& to, const patrol_monitors_in& from, std::int64_t now_us) {
                                copy(to.battery, from.battery, now_us);
                              }),
-                   peer(peer_charged_step)});
+                   peer(peer_charged_step), std::nullopt});
   pairs.push_back({"fence", "box (target: below 1)",
                    generated(peer_fence_monitors_verdicts_init, peer_fence_monitors_verdicts,
                              [](auto& to, const patrol_monitors_in& from, std::int64_t now_us) {
                                copy(to.first_x, from.first_x, now_us);
                                copy(to.first_y, from.first_y, now_us);
                              }),
-                   peer(peer_fence_step)});
+                   peer(peer_fence_step),
+                   generated(hand_single_init, hand_fence_step,
+                             [](hand_point& to, const patrol_monitors_in& from, std::int64_t now) {
+                               copy(to.x, from.first_x, now);
+                               copy(to.y, from.first_y, now);
+                             })});
   pairs.push_back({"apart", "pair (target: below 1)",
                    generated(peer_apart_monitors_verdicts_init, peer_apart_monitors_verdicts,
                              [](auto& to, const patrol_monitors_in& from, std::int64_t now_us) {
@@ -156,19 +165,29 @@ void measure_peer(int rounds, Report& report) {
                                copy(to.second_x, from.second_x, now_us);
                                copy(to.second_y, from.second_y, now_us);
                              }),
-                   peer(peer_apart_step)});
+                   peer(peer_apart_step),
+                   generated(hand_single_init, hand_apart_step,
+                             [](hand_pair& to, const patrol_monitors_in& from, std::int64_t now) {
+                               copy(to.first.x, from.first_x, now);
+                               copy(to.first.y, from.first_y, now);
+                               copy(to.second.x, from.second_x, now);
+                               copy(to.second.y, from.second_y, now);
+                             })});
   pairs.push_back({"once",
                    "once[0, 1000] (target: below 1)",
                    {warmed_up(window_verdicts<OnceMiddle>(), 1000), 0},
-                   {peer_windows(peer_once_step), 0}});
+                   {peer_windows(peer_once_step), 0},
+                   std::nullopt});
   pairs.push_back({"since",
                    "since[300, 1000] (target: below 1)",
                    {warmed_up(window_verdicts<SinceMiddle>(), 1000), 0},
-                   {peer_windows(peer_since_step), 0}});
+                   {peer_windows(peer_since_step), 0},
+                   std::nullopt});
   Contest contest;
   for (Pair& pair : pairs) {
     pair.our_id = contest.add(pair.ours.pass);
     pair.their_id = contest.add(pair.theirs.pass);
+    if (pair.by_hand) pair.hand_id = contest.add(pair.by_hand->pass);
   }
   contest.run(rounds, 31);
   report.section("Monitors: verdicts only, generated / Copilot");
@@ -177,11 +196,19 @@ void measure_peer(int rounds, Report& report) {
     report.add(key + "_ratio", pair.what, contest.ratio(pair.our_id, pair.their_id), "x", 3);
     report.add(key + "_ns", "  generated", contest.tick_ns(pair.our_id), "ns/tick", 1);
     report.add(key + "_peer_ns", "  Copilot", contest.tick_ns(pair.their_id), "ns/tick", 1);
+    if (pair.by_hand) {
+      report.add(key + "_hand_ratio", "  generated / hand-written, of the same inputs",
+                 contest.ratio(pair.our_id, pair.hand_id), "x", 3);
+      report.add(key + "_hand_ns", "  hand-written", contest.tick_ns(pair.hand_id), "ns/tick", 1);
+    }
     if (pair.ours.violations == 0 && pair.theirs.violations == 0) continue;
     report.add(key + "_false", "  false ticks of the trace, generated", pair.ours.violations,
                "ticks", 0);
     report.add(key + "_peer_false", "  false ticks of the trace, Copilot", pair.theirs.violations,
                "ticks", 0);
+    if (!pair.by_hand) continue;
+    report.add(key + "_hand_false", "  false ticks of the trace, hand-written",
+               pair.by_hand->violations, "ticks", 0);
   }
 }
 
