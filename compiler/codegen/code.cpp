@@ -98,13 +98,13 @@ void Code::print(const std::vector<Node>& nodes, Style style, int depth, std::st
 }
 
 std::string signature(const std::string& start, const std::vector<std::string>& parameters) {
-  constexpr std::size_t width = 98;  // and ` {`
+  constexpr std::size_t head_width = 98;  // and ` {`
   std::string head = start + "(";
   const std::string pad(head.size(), ' ');
   std::size_t used = head.size();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::string part = parameters[i] + (i + 1 < parameters.size() ? "," : ")");
-    const bool fits = used + 1 + part.size() <= width;
+    const bool fits = used + 1 + part.size() <= head_width;
     if (i > 0) head += fits ? " " : "\n" + pad;
     used = (fits ? used + 1 : pad.size()) + part.size();
     head += part;
@@ -126,12 +126,12 @@ std::size_t next_break(std::string_view text, std::size_t from) {
 }  // namespace
 
 void wrapped(Code& out, const std::string& text) {
-  constexpr std::size_t width = 96;
+  constexpr std::size_t text_width = 96;
   std::string line;
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t to = next_break(text, from);
     const std::string part = text.substr(from, to - from);
-    if (!line.empty() && line.size() + part.size() > width) {
+    if (!line.empty() && line.size() + part.size() > text_width) {
       line.pop_back();
       out.line(line);
       line = "    ";
