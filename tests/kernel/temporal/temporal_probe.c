@@ -10,12 +10,15 @@ enum { REASON_NONE, REASON_MARGIN, REASON_WITHIN_ERROR = 5, REASON_INPUT };
 enum { INPUT_NONE, INPUT_CLOCK = 7 };
 enum { UNIT_NONE };
 
+/* Each uses those before. */
+/* clang-format off */
 #include "arith.c"
 #include "ends.c"
 #include "verdict.c"
 #include "margin.c"
 #include "temporal.c"
 #include "aggregate.c"
+/* clang-format on */
 
 struct probe_op {
   int32_t kind, full;
