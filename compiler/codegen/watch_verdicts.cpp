@@ -69,7 +69,10 @@ class VerdictPrinter {
         count_(block.values.size(), 0),
         needs_name_(block.values.size(), false),
         needs_root_(block.values.size(), false) {
-    for (const Value& value : block.values) look_at_uses(value.op);
+    for (const Value& value : block.values) {
+      look_at_uses(value.op);
+      open_.push_back(may_be_open(value.op));
+    }
     ++count_[at(block.result)];
   }
 
@@ -102,6 +105,20 @@ class VerdictPrinter {
       if (as_bits) needs_name_[at(id)] = true;
       if (!by_squares) needs_root_[at(id)] = true;
     });
+  }
+  // Inputs have open bounds between two steps of the grid; products and roots are rounded to it.
+  // Operands come first: each value is looked at once.
+  [[nodiscard]] bool may_be_open(const Op& op) const {
+    if (std::holds_alternative<Input>(op)) return true;
+    const auto* fold = std::get_if<Aggregate>(&op);
+    const bool keeps = std::holds_alternative<Add>(op) || std::holds_alternative<Negate>(op) ||
+                       std::holds_alternative<Scale>(op) || std::holds_alternative<Minimum>(op) ||
+                       std::holds_alternative<Maximum>(op) ||
+                       std::holds_alternative<Absolute>(op) || std::holds_alternative<Choose>(op) ||
+                       (fold && (fold->fold == Fold::minimum || fold->fold == Fold::maximum));
+    bool open = false;
+    if (keeps) for_each_operand(op, [&](ValueId of) { open = open || open_[at(of)]; });
+    return open;
   }
   [[nodiscard]] bool is_drawn(ValueId id) const {
     const Op& op = block_[id].op;
@@ -285,28 +302,14 @@ class VerdictPrinter {
   std::string opened(const AtLeast& v, bool lower_of_a) {
     const char* const of_a = lower_of_a ? ".lo_open" : ".hi_open";
     const char* const of_b = lower_of_a ? ".hi_open" : ".lo_open";
-    if (!may_be_open(v.a) && !may_be_open(v.b)) return "";
-    if (!may_be_open(v.a)) return whole(v.b) + of_b;
-    if (!may_be_open(v.b)) return whole(v.a) + of_a;
+    if (!open_[at(v.a)] && !open_[at(v.b)]) return "";
+    if (!open_[at(v.a)]) return whole(v.b) + of_b;
+    if (!open_[at(v.b)]) return whole(v.a) + of_a;
     return "(" + whole(v.a) + of_a + " | " + whole(v.b) + of_b + ")";
   }
   [[nodiscard]] bool is_fixed(ValueId id) const {
     const Op& op = block_[id].op;
     return std::holds_alternative<Const>(op) || std::holds_alternative<ParamValue>(op);
-  }
-  // Inputs have open bounds between two steps of the grid; products and roots are rounded to it.
-  [[nodiscard]] bool may_be_open(ValueId id) const {
-    const Op& op = block_[id].op;
-    if (std::holds_alternative<Input>(op)) return true;
-    const auto* fold = std::get_if<Aggregate>(&op);
-    const bool keeps = std::holds_alternative<Add>(op) || std::holds_alternative<Negate>(op) ||
-                       std::holds_alternative<Scale>(op) || std::holds_alternative<Minimum>(op) ||
-                       std::holds_alternative<Maximum>(op) ||
-                       std::holds_alternative<Absolute>(op) || std::holds_alternative<Choose>(op) ||
-                       (fold && (fold->fold == Fold::minimum || fold->fold == Fold::maximum));
-    bool open = false;
-    if (keeps) for_each_operand(op, [&](ValueId of) { open = open || may_be_open(of); });
-    return open;
   }
   struct Square {
     ValueId root;
@@ -365,6 +368,7 @@ class VerdictPrinter {
   std::set<std::string>& uses_;
   std::vector<int> count_;
   std::vector<bool> needs_name_, needs_root_;
+  std::vector<bool> open_;  // whether a bound may be open
   VerdictBody body_;
 };
 
