@@ -1,0 +1,99 @@
+// What a file of zones says, before it is placed in a frame: areas with their rings, circles, bands
+// of altitude and schedules, as plain data. Readers add nothing and guess nothing: what a format
+// leaves open stays open here, and the specification must say it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rtac::geometry::import {
+
+// One position as the file has it. Of a file in degrees: x is the longitude, y the latitude; of one
+// in metres: east and north. Doubles, since that is what every format means by its numbers.
+struct Position {
+  double x = 0, y = 0;
+};
+
+// Closed implicitly: a last position that repeats the first one is left out, `closed` tells that it
+// was there.
+struct Ring {
+  std::vector<Position> positions;
+  bool closed = false;
+  std::string where;  // in the file, for messages: `features[3].geometry.coordinates[0]`, `line 12`
+};
+
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+};
+
+struct Circle {
+  Position centre;
+  double radius_m = 0;
+  std::string where;
+};
+
+enum class AltitudeReference { unstated, mean_sea_level, ellipsoid, ground };
+
+struct Altitude {
+  double value_m = 0;
+  AltitudeReference reference = AltitudeReference::unstated;
+};
+
+// Missing ends are open: nothing is said there.
+struct Band {
+  std::optional<Altitude> floor, ceiling;
+};
+
+// Applies in [from, until) of every day of `weekdays` (bit 0: Monday), in UTC, between two moments.
+struct Period {
+  std::optional<std::int64_t> from_us, until_us;  // since 1970-01-01T00:00Z; nullopt: for ever
+  std::uint8_t weekdays = 0x7f;
+  std::int32_t from_s = 0, until_s = 86'400;  // of the day
+};
+
+enum class Role { unstated, keep_in, keep_out };
+
+struct Area {
+  std::string name;            // as the file calls it; may be empty
+  Role role = Role::unstated;  // fences say it, geometries do not
+  std::optional<int> group;    // of MAVLink inclusions: inside all of a group, inside any group
+  std::vector<std::variant<Polygon, Circle>> parts;
+  Band band;                     // of all parts
+  std::vector<Period> schedule;  // empty: always
+  std::string where;
+};
+
+enum class Axes { unstated, longitude_first, latitude_first };
+enum class Unit { unstated, degrees, metres };
+
+struct Areas {
+  std::vector<Area> areas;
+  Unit unit = Unit::degrees;
+  // How the positions were read; `unstated`: the format leaves it open, they are in file order.
+  Axes axes = Axes::longitude_first;
+};
+
+// Why a file cannot be read. `where` is a place within it.
+struct Failure {
+  std::string where, message, help;
+};
+
+enum class Format { geojson, wkt, kml, qgc_plan, waypoints, ed269, ed318 };
+
+// By its extension and first bytes; nullopt: none of them.
+std::optional<Format> format_of(const std::string& path, const std::string& text);
+
+struct Limits {
+  std::size_t positions_max = 2'000'000;
+  std::size_t nesting_max = 64;
+};
+
+// Bounded time and memory for any text; every number is finite.
+std::variant<Areas, Failure> read(Format format, const std::string& text, const Limits& limits);
+
+}  // namespace rtac::geometry::import
