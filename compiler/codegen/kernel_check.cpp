@@ -92,15 +92,18 @@ void CheckPrinter::print_measure() {
         if (d_.held_slots > 0) {
           to.block("if (elapsed != 0 && elapsed != 1)", [&](Code& body) {
             use({"clamp_of", "min_of"});
+            const std::string most = num(missed_ticks_max);
             body.comment(
                 "missed ticks are unknown: what must hold without a gap starts anew, and it may "
-                "have held in all of them");
+                "have held in all of them; beyond " +
+                most + " of them the past is forgotten, and it may always have held");
             body.line("const int64_t missed = clamp_of(elapsed - 1, 0, INT32_MAX);");
             body.line("int32_t k;");
             body.block("for (k = 0; k < " + num(d_.held_slots) + "; ++k)", [&](Code& each) {
               each.line("s->runs[2 * k] = 0;");
-              each.line(
-                  "s->runs[2 * k + 1] = (int32_t)min_of(s->runs[2 * k + 1] + missed, INT32_MAX);");
+              each.line("s->runs[2 * k + 1] =");
+              each.line("    missed > " + most +
+                        " ? INT32_MAX : (int32_t)min_of(s->runs[2 * k + 1] + missed, INT32_MAX);");
             });
           });
         }

@@ -6,6 +6,7 @@
 #include "compiler/codegen/names.h"
 #include "compiler/codegen/temporal.h"
 #include "compiler/codegen/watch.h"
+#include "compiler/ir/facts.h"
 #include "compiler/ir/margin_unit.h"
 
 namespace rtac::codegen {
@@ -160,12 +161,16 @@ class Header {
         "FALSE "
         "when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; "
         "margin, now_margin: lower ends of ahead and now, in millionths of 1 m or of 1 %." +
+        std::string(has_return_conditions(module_)
+                        ? " returns: the author's return condition, TRUE without one."
+                        : "") +
         std::string(mixes_units(module_) ? " unit, now_unit: of those margins, the unit of the "
                                            "atom that decides, if the monitor has several."
                                          : ""));
     std::vector<std::string> result = {"int32_t now, ahead, safer, engaged;",
                                        "int64_t margin, now_margin;"};
     if (mixes_units(module_)) result.push_back("int32_t unit, now_unit;");
+    if (has_return_conditions(module_)) result.push_back("int32_t returns;");
     record("result", result);
   }
 

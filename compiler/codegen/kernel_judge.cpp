@@ -2,6 +2,7 @@
 #include "compiler/codegen/kernel_blocks.h"
 #include "compiler/codegen/kernel_decision.h"
 #include "compiler/codegen/kernel_step.h"
+#include "compiler/ir/facts.h"
 #include "compiler/ir/margin_unit.h"
 
 namespace rtac::codegen {
@@ -46,6 +47,9 @@ void print_judge(const Module& module, const Decision& d, const Names& names,
           if (mixes_units(module)) {
             each.line("out->monitors[k].unit = found[k].unit;");
             each.line("out->monitors[k].now_unit = found[k].unit;");
+          }
+          if (has_return_conditions(module)) {
+            each.line("out->monitors[k].returns = " + up + "_VERDICT_TRUE;");
           }
           each.block("if (verdict != " + up + "_VERDICT_TRUE)", [&](Code& body) {
             body.line("out->mode = 1;");

@@ -4,6 +4,7 @@
 
 #include "compiler/codegen/closing_rate.h"
 #include "compiler/codegen/kernel_check.h"
+#include "compiler/ir/facts.h"
 #include "compiler/ir/margin_unit.h"
 
 namespace rtac::codegen {
@@ -99,6 +100,9 @@ class StepPrinter : public CheckPrinter {
                    if (mixes_units(module_)) {
                      each.line("out->monitors[k].unit = checks[k].ahead.unit;");
                      each.line("out->monitors[k].now_unit = checks[k].now.unit;");
+                   }
+                   if (has_return_conditions(module_)) {
+                     each.line("out->monitors[k].returns = verdict_of(checks[k].gives_back);");
                    }
                  });
                  to.line("out->monitor = s->mode - 1;");

@@ -32,12 +32,16 @@ std::string margin(std::int64_t millionths, const Rational& factor) {
   return to_decimal(Rational(value * factor));
 }
 
-// `words`: verdict (0 false, 1 unknown, 2 true), margin, unit.
-Judgement judgement(const DecisionInterface& d, std::size_t monitor, const std::int64_t* words) {
+interp::Verdict verdict(std::int64_t word) {
   constexpr std::int64_t verdict_false = 0, verdict_true = 2;
+  if (word == verdict_false) return interp::Verdict::no;
+  return word == verdict_true ? interp::Verdict::yes : interp::Verdict::unknown;
+}
+
+// `words`: verdict, margin, unit.
+Judgement judgement(const DecisionInterface& d, std::size_t monitor, const std::int64_t* words) {
   Judgement judged;
-  if (words[0] == verdict_false) judged.verdict = interp::Verdict::no;
-  if (words[0] == verdict_true) judged.verdict = interp::Verdict::yes;
+  judged.verdict = verdict(words[0]);
   const auto told = static_cast<std::size_t>(words[2]);
   const bool tells = d.units[monitor].empty() && told < d.told_units.size();
   judged.margin = margin(words[1], tells ? d.told_units[told].factor : Rational(1));
@@ -95,8 +99,9 @@ class KernelDecisions : public DecisionEngine {
     for (std::size_t k = 0; k < d.monitors.size(); ++k) {
       const auto* const monitor =
           found_.data() + FindingWords::monitors + FindingWords::per_monitor * k;
-      finding.monitors.push_back(
-          {judgement(d, k, monitor), judgement(d, k, monitor + FindingWords::ahead)});
+      finding.monitors.push_back({judgement(d, k, monitor),
+                                  judgement(d, k, monitor + FindingWords::ahead),
+                                  verdict(monitor[FindingWords::returns])});
     }
   }
 
@@ -237,6 +242,7 @@ std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sem
     to.period_s.canonicalize();
     for (const ir::Monitor& m : d.monitors) {
       to.monitors.push_back(m.name);
+      to.returns.push_back(m.return_when.has_value());
       if (!d.on_plan) to.recoveries.push_back(m.recovery.name);
       to.units.push_back(ir::mixes_units(m) ? "" : ir::decision_unit_text(m));
     }

@@ -23,6 +23,7 @@ struct DecisionInterface {
   std::string advanced;                 // controller of mode 0
   std::vector<std::string> recoveries;  // controller of mode k + 1; on plans: the safe planner
   std::vector<std::string> monitors;    // highest first
+  std::vector<bool> returns;            // whether they say when control may return
   std::vector<std::string> units;       // of their margins; empty: the kernel tells
   struct Unit {
     std::string text;
@@ -53,8 +54,9 @@ struct DecisionFinding {
   std::int64_t mode = 0, monitor = -1;  // by index; -1: none decides
   std::int64_t reason = 0, index = 0, input = 0, other = -1;
   struct Monitor {
-    Judgement now;    // the property
-    Judgement ahead;  // the look-ahead
+    Judgement now;                                       // the property
+    Judgement ahead;                                     // the look-ahead
+    interp::Verdict returns = interp::Verdict::unknown;  // the return condition, if it has one
   };
   std::vector<Monitor> monitors;
 };

@@ -81,8 +81,14 @@ std::string findings(const DecisionInterface& d) {
     out += "  found[" + num(w) + "] = out." + words[w] + ";\n";
   }
   const bool tells = !d.told_units.empty();
-  const char* const of_monitor[] = {"now",   "now_margin", tells ? "now_unit" : nullptr,
-                                    "ahead", "margin",     tells ? "unit" : nullptr};
+  const bool returns = std::find(d.returns.begin(), d.returns.end(), true) != d.returns.end();
+  const char* const of_monitor[] = {"now",
+                                    "now_margin",
+                                    tells ? "now_unit" : nullptr,
+                                    "ahead",
+                                    "margin",
+                                    tells ? "unit" : nullptr,
+                                    returns ? "returns" : nullptr};
   out += "  for (j = 0; j < " + num(d.monitors.size()) + "; ++j) {\n";
   for (std::size_t w = 0; w < FindingWords::per_monitor; ++w) {
     const std::string from = of_monitor[w] ? std::string("out.monitors[j].") + of_monitor[w] : "0";

@@ -23,9 +23,9 @@ struct RobotWords {
   }
 };
 // What a step tells: mode, monitor, reason, index, input, other, then { now, margin, unit, ahead,
-// margin, unit } of each monitor.
+// margin, unit, returns } of each monitor.
 struct FindingWords {
-  static constexpr std::size_t monitors = 6, per_monitor = 6, ahead = 3;
+  static constexpr std::size_t monitors = 6, per_monitor = 7, ahead = 3, returns = 6;
 };
 
 // Most way-points that a plan of the kernel holds.

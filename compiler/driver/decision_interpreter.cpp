@@ -1,4 +1,5 @@
-// The properties of robots' monitors in a replay, by the reference interpreter.
+// The properties and return conditions of robots' monitors in a replay, by the reference
+// interpreter.
 #include <memory>
 #include <optional>
 #include <utility>
@@ -96,6 +97,7 @@ class InterpDecisions : public DecisionEngine {
     finding.monitors.resize(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
       finding.monitors[k].now = judgement_of(found[k]);
+      finding.monitors[k].returns = judge.interpreter->returns()[k];
     }
   }
 
@@ -132,7 +134,10 @@ std::vector<DecisionInterface> judged_decisions(const sema::Spec& spec) {
     to.name = d.name;
     to.on_plan = d.on_plan;
     if (d.period) to.period_s = d.period->value;
-    for (const sema::MonitorId id : d.priority) to.monitors.push_back(spec[id].name);
+    for (const sema::MonitorId id : d.priority) {
+      to.monitors.push_back(spec[id].name);
+      to.returns.push_back(spec[id].return_when != nullptr);
+    }
     for (std::size_t r = 0; r < spec.robots.size(); ++r) {
       if (spec.robots[r].kind == d.kind) to.robots.push_back(r);
     }

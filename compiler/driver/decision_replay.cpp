@@ -85,15 +85,19 @@ void DecisionReplay::choose(const std::vector<interp::RobotColumns>& robots) {
 
 void DecisionReplay::print_header(std::string& line) const {
   for (const Shown& shown : shown_) {
-    for (const std::string& name : decisions_[shown.decision].monitors) {
+    const DecisionInterface& d = decisions_[shown.decision];
+    for (std::size_t k = 0; k < d.monitors.size(); ++k) {
+      const std::string& name = d.monitors[k];
       if (!wants(name)) continue;
       for (const char* field : {".verdict", ".margin", ".unit"}) {
         line.append(",").append(shown.prefix).append(name).append(field);
       }
-      if (!looks_ahead(shown)) continue;
-      for (const char* field : {".ahead", ".ahead.margin", ".ahead.unit"}) {
-        line.append(",").append(shown.prefix).append(name).append(field);
+      if (looks_ahead(shown)) {
+        for (const char* field : {".ahead", ".ahead.margin", ".ahead.unit"}) {
+          line.append(",").append(shown.prefix).append(name).append(field);
+        }
       }
+      if (d.returns[k]) line.append(",").append(shown.prefix).append(name).append(".return");
     }
     if (!engine_->decides()) continue;
     for (const char* field : {"mode", "monitor", "reason"}) {
@@ -175,6 +179,7 @@ void DecisionReplay::print(std::string& line) const {
       if (!wants(d.monitors[k])) continue;
       print_judgement(shown.judged, f.monitors[k].now, line);
       if (looks_ahead(shown)) print_judgement(shown.judged, f.monitors[k].ahead, line);
+      if (d.returns[k]) line.append(",").append(shown.judged ? word(f.monitors[k].returns) : "");
     }
     if (!engine_->decides()) continue;
     if (!shown.judged) {

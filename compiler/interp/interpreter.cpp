@@ -27,17 +27,6 @@ std::vector<Rational> initial(const std::vector<sema::Param>& params) {
   return values;
 }
 
-std::vector<const sema::Expr*> properties(const sema::Spec& spec) {
-  std::vector<const sema::Expr*> all;
-  for (const sema::Watch& watch : spec.watches) all.push_back(watch.always.get());
-  return all;
-}
-std::vector<const sema::Expr*> properties(const sema::Spec& spec, const sema::Decision& decision) {
-  std::vector<const sema::Expr*> all;
-  for (const sema::MonitorId id : decision.priority) all.push_back(spec[id].always.get());
-  return all;
-}
-
 // Decisions on plans have none, and nothing in them lasts.
 Rational period_of(const sema::Decision& decision) {
   return decision.period ? decision.period->value : Rational(1);
@@ -45,28 +34,43 @@ Rational period_of(const sema::Decision& decision) {
 
 }  // namespace
 
+std::vector<Interpreter::Conditions> Interpreter::conditions(const sema::Spec& spec) {
+  std::vector<Conditions> all;
+  for (const sema::Watch& watch : spec.watches) all.push_back({watch.always.get(), nullptr});
+  return all;
+}
+std::vector<Interpreter::Conditions> Interpreter::conditions(const sema::Spec& spec,
+                                                             const sema::Decision& decision) {
+  std::vector<Conditions> all;
+  for (const sema::MonitorId id : decision.priority) {
+    all.push_back({spec[id].always.get(), spec[id].return_when.get()});
+  }
+  return all;
+}
+
 Interpreter::Interpreter(const sema::Spec& spec)
-    : Interpreter(spec, spec.period->value, properties(spec), nullptr,
+    : Interpreter(spec, spec.period->value, conditions(spec), nullptr,
                   std::make_shared<Zones>(spec)) {}
 
 Interpreter::Interpreter(const sema::Spec& spec, const sema::Decision& decision, sema::RobotId self,
                          std::shared_ptr<Zones> zones)
-    : Interpreter(spec, period_of(decision), properties(spec, decision),
+    : Interpreter(spec, period_of(decision), conditions(spec, decision),
                   std::make_unique<Robots>(spec, self), std::move(zones)) {}
 
 Interpreter::Interpreter(const sema::Spec& spec, const Rational& period,
-                         std::vector<const sema::Expr*> properties, std::unique_ptr<Robots> robots,
+                         std::vector<Conditions> monitors, std::unique_ptr<Robots> robots,
                          std::shared_ptr<Zones> zones)
     : spec_(spec),
       period_(period),
-      properties_(std::move(properties)),
+      monitors_(std::move(monitors)),
       params_(initial(spec.params)),
       wanted_params_(params_),
       signals_(spec.inputs),
       robots_(std::move(robots)),
       zones_(std::move(zones)),
       evaluator_({spec, signals_, params_, *zones_, robots_.get()}, period),
-      findings_(properties_.size()),
+      findings_(monitors_.size()),
+      returns_(monitors_.size(), Verdict::yes),
       clock_(period) {}
 
 void Interpreter::miss() {
@@ -116,7 +120,9 @@ std::int64_t Interpreter::one_period_before(std::int64_t now_us) const {
 
 void Interpreter::judge() {
   for (std::size_t i = 0; i < findings_.size(); ++i) {
-    findings_[i] = report(evaluator_.condition(*properties_[i]));
+    findings_[i] = report(evaluator_.condition(*monitors_[i].always));
+    if (monitors_[i].return_when == nullptr) continue;
+    returns_[i] = verdict(evaluator_.condition(*monitors_[i].return_when));
   }
 }
 

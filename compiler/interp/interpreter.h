@@ -1,6 +1,6 @@
 // The reference: what every monitor finds at every tick, on exact numbers, straight from the
-// semantic rules; of robots the property now, without look-ahead (rule 5). Generated code is held
-// against it.
+// semantic rules; of robots the property and the return condition now, without look-ahead (rules 5
+// and 10). Generated code is held against it.
 #pragma once
 
 #include <cstdint>
@@ -49,6 +49,9 @@ class Interpreter {
   // before.
   const std::vector<Finding>& step(std::int64_t now_us, const Inputs& inputs,
                                    const FleetSamples& robots = {});
+  // Of the same monitors: whether the newest tick finds that control may return; `yes` where the
+  // author does not say when.
+  [[nodiscard]] const std::vector<Verdict>& returns() const { return returns_; }
   // Of a decision on plans: what it finds of a proposed plan; none: of one that cannot be read.
   const std::vector<Finding>& judge_plan(const std::optional<Plan>& plan);
   // A parameter moves within its range, and only in the direction that tightens; other values are
@@ -58,9 +61,15 @@ class Interpreter {
   [[nodiscard]] Tick tick() const { return tick_; }
 
  private:
-  Interpreter(const sema::Spec& spec, const Rational& period,
-              std::vector<const sema::Expr*> properties, std::unique_ptr<Robots> robots,
-              std::shared_ptr<Zones> zones);
+  // What a monitor says.
+  struct Conditions {
+    const sema::Expr* always;
+    const sema::Expr* return_when;  // null: nothing
+  };
+  static std::vector<Conditions> conditions(const sema::Spec& spec);
+  static std::vector<Conditions> conditions(const sema::Spec& spec, const sema::Decision& decision);
+  Interpreter(const sema::Spec& spec, const Rational& period, std::vector<Conditions> monitors,
+              std::unique_ptr<Robots> robots, std::shared_ptr<Zones> zones);
   void miss();
   void judge();
   [[nodiscard]] std::int64_t one_period_before(std::int64_t now_us) const;
@@ -73,13 +82,14 @@ class Interpreter {
 
   const sema::Spec& spec_;
   Rational period_;  // s
-  std::vector<const sema::Expr*> properties_;
+  std::vector<Conditions> monitors_;
   std::vector<Rational> params_, wanted_params_;  // at the present tick, and from the next one on
   Signals signals_;
   std::unique_ptr<Robots> robots_;  // null: of monitors without a robot
   std::shared_ptr<Zones> zones_;
   Evaluator evaluator_;
   std::vector<Finding> findings_;
+  std::vector<Verdict> returns_;
   std::unordered_map<const sema::Dimension*, Shown> shown_;
   Tick tick_ = -1;              // before the first step
   std::int64_t before_us_ = 0;  // time of that tick

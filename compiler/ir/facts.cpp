@@ -31,4 +31,11 @@ bool speaks_of_robot(const PlainMonitor& fact) {
   });
 }
 
+bool has_return_conditions(const Module& module) {
+  return std::any_of(module.decisions.begin(), module.decisions.end(), [](const Decision& d) {
+    return std::any_of(d.monitors.begin(), d.monitors.end(),
+                       [](const Monitor& m) { return m.return_when.has_value(); });
+  });
+}
+
 }  // namespace rtac::ir

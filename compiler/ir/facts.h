@@ -16,4 +16,7 @@ std::set<std::uint32_t> facts_of(const Decision& decision, const Monitor& monito
 // inputs.
 bool speaks_of_robot(const PlainMonitor& fact);
 
+// Whether some monitor of a decision says when control may return.
+bool has_return_conditions(const Module& module);
+
 }  // namespace rtac::ir

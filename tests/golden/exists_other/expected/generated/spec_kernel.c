@@ -1004,6 +1004,7 @@ static void fly_report(const fly_view *v, const exists_other_fly_state *s, const
     out->monitors[k].engaged = s->monitors[k].engaged;
     out->monitors[k].margin = checks[k].ahead.lo;
     out->monitors[k].now_margin = checks[k].now.lo;
+    out->monitors[k].returns = verdict_of(checks[k].gives_back);
   }
   out->monitor = s->mode - 1;
   if (s->mode == 0) {

@@ -1979,12 +1979,13 @@ static void plan_executor_measure(plan_executor_view *v, robot_delivery_plan_exe
   }
   if (elapsed != 0 && elapsed != 1) {
     /* missed ticks are unknown: what must hold without a gap starts anew, and it may have held
-     * in all of them */
+     * in all of them; beyond 4 of them the past is forgotten, and it may always have held */
     const int64_t missed = clamp_of(elapsed - 1, 0, INT32_MAX);
     int32_t k;
     for (k = 0; k < 1; ++k) {
       s->runs[2 * k] = 0;
-      s->runs[2 * k + 1] = (int32_t)min_of(s->runs[2 * k + 1] + missed, INT32_MAX);
+      s->runs[2 * k + 1] =
+          missed > 4 ? INT32_MAX : (int32_t)min_of(s->runs[2 * k + 1] + missed, INT32_MAX);
     }
   }
 }
@@ -2039,6 +2040,7 @@ static void plan_executor_report(const plan_executor_view *v,
     out->monitors[k].engaged = s->monitors[k].engaged;
     out->monitors[k].margin = checks[k].ahead.lo;
     out->monitors[k].now_margin = checks[k].now.lo;
+    out->monitors[k].returns = verdict_of(checks[k].gives_back);
   }
   out->monitor = s->mode - 1;
   if (s->mode == 0) {
@@ -2138,6 +2140,7 @@ void robot_delivery_motion_planner_judge(const robot_delivery_plan *plan,
     out->monitors[k].engaged = verdict != ROBOT_DELIVERY_VERDICT_TRUE;
     out->monitors[k].margin = found[k].lo;
     out->monitors[k].now_margin = found[k].lo;
+    out->monitors[k].returns = ROBOT_DELIVERY_VERDICT_TRUE;
     if (verdict != ROBOT_DELIVERY_VERDICT_TRUE) {
       out->mode = 1;
       out->monitor = k;

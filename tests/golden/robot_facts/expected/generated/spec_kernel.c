@@ -1824,6 +1824,7 @@ static void fly_report(const fly_view *v, const facts_fly_state *s, const check 
     out->monitors[k].now_margin = checks[k].now.lo;
     out->monitors[k].unit = checks[k].ahead.unit;
     out->monitors[k].now_unit = checks[k].now.unit;
+    out->monitors[k].returns = verdict_of(checks[k].gives_back);
   }
   out->monitor = s->mode - 1;
   if (s->mode == 0) {

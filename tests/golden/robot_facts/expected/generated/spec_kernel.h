@@ -117,12 +117,14 @@ typedef struct facts_monitor {
 
 /* One monitor in the record of a tick. now: the property; ahead: what is within reach, FALSE
  * when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; margin,
- * now_margin: lower ends of ahead and now, in millionths of 1 m or of 1 %. unit, now_unit: of
- * those margins, the unit of the atom that decides, if the monitor has several. */
+ * now_margin: lower ends of ahead and now, in millionths of 1 m or of 1 %. returns: the author's
+ * return condition, TRUE without one. unit, now_unit: of those margins, the unit of the atom
+ * that decides, if the monitor has several. */
 typedef struct facts_result {
   int32_t now, ahead, safer, engaged;
   int64_t margin, now_margin;
   int32_t unit, now_unit;
+  int32_t returns;
 } facts_result;
 
 /* One number of an input: the grid values below and above what was measured, so that it is never

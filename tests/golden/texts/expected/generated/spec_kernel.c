@@ -985,12 +985,13 @@ static void fly_measure(fly_view *v, texts_fly_state *s, int64_t elapsed) {
   }
   if (elapsed != 0 && elapsed != 1) {
     /* missed ticks are unknown: what must hold without a gap starts anew, and it may have held
-     * in all of them */
+     * in all of them; beyond 4 of them the past is forgotten, and it may always have held */
     const int64_t missed = clamp_of(elapsed - 1, 0, INT32_MAX);
     int32_t k;
     for (k = 0; k < 1; ++k) {
       s->runs[2 * k] = 0;
-      s->runs[2 * k + 1] = (int32_t)min_of(s->runs[2 * k + 1] + missed, INT32_MAX);
+      s->runs[2 * k + 1] =
+          missed > 4 ? INT32_MAX : (int32_t)min_of(s->runs[2 * k + 1] + missed, INT32_MAX);
     }
   }
 }
@@ -1032,6 +1033,7 @@ static void fly_report(const fly_view *v, const texts_fly_state *s, const check 
     out->monitors[k].engaged = s->monitors[k].engaged;
     out->monitors[k].margin = checks[k].ahead.lo;
     out->monitors[k].now_margin = checks[k].now.lo;
+    out->monitors[k].returns = verdict_of(checks[k].gives_back);
   }
   out->monitor = s->mode - 1;
   if (s->mode == 0) {

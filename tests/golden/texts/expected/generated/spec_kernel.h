@@ -108,10 +108,12 @@ typedef struct texts_monitor {
 
 /* One monitor in the record of a tick. now: the property; ahead: what is within reach, FALSE
  * when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; margin,
- * now_margin: lower ends of ahead and now, in millionths of 1 m or of 1 %. */
+ * now_margin: lower ends of ahead and now, in millionths of 1 m or of 1 %. returns: the author's
+ * return condition, TRUE without one. */
 typedef struct texts_result {
   int32_t now, ahead, safer, engaged;
   int64_t margin, now_margin;
+  int32_t returns;
 } texts_result;
 
 /* Decision fly for Drone, every 50000 us. Monitors, highest first: */
