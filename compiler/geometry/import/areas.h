@@ -58,14 +58,35 @@ struct Period {
 
 enum class Role { unstated, keep_in, keep_out };
 
+// Why a file cannot be read, or an area not be used. `where` is a place within the file.
+struct Failure {
+  std::string where, message, help;
+};
+
+// One solid of an area: stacked solids are parts of their own.
+struct Part {
+  std::variant<Polygon, Circle> shape;
+  Band band;
+};
+
 struct Area {
-  std::string name;            // as the file calls it; may be empty
-  Role role = Role::unstated;  // fences say it, geometries do not
-  std::optional<int> group;    // of MAVLink inclusions: inside all of a group, inside any group
-  std::vector<std::variant<Polygon, Circle>> parts;
-  Band band;                     // of all parts
+  std::string name;                      // as the file calls it; may be empty
+  std::vector<std::string> other_names;  // that it also goes by, e.g. a title beside the identifier
+  Role role = Role::unstated;            // fences say it, geometries do not
+  std::string restriction;   // in the words of the file, e.g. `REQ_AUTHORISATION`; may be empty
+  std::optional<int> group;  // of MAVLink inclusions: inside all of a group, inside any group
+  std::vector<Part> parts;
   std::vector<Period> schedule;  // empty: always
+  // Set: the file is sound, but this area cannot be honoured (a line encloses nothing, a schedule
+  // follows the sun). It has no parts, and whoever selects it reports this: an area of a file
+  // never vanishes silently, and one that nobody selects does no harm.
+  std::optional<Failure> refusal;
   std::string where;
+};
+
+// What the file says besides, and no reader turns into areas: a return point, heights of vertices.
+struct Note {
+  std::string where, message;
 };
 
 enum class Axes { unstated, longitude_first, latitude_first };
@@ -76,20 +97,18 @@ struct Areas {
   Unit unit = Unit::degrees;
   // How the positions were read; `unstated`: the format leaves it open, they are in file order.
   Axes axes = Axes::longitude_first;
-};
-
-// Why a file cannot be read. `where` is a place within it.
-struct Failure {
-  std::string where, message, help;
+  std::vector<Note> notes;
 };
 
 enum class Format { geojson, wkt, kml, qgc_plan, waypoints, ed269, ed318 };
 
-// By its extension and first bytes; nullopt: none of them.
+// By its extension and content; nullopt: none of them.
 std::optional<Format> format_of(const std::string& path, const std::string& text);
 
 struct Limits {
   std::size_t positions_max = 2'000'000;
+  std::size_t values_max = 8'000'000;  // objects, arrays, texts and so on, whatever they are for
+  std::size_t bytes_max = std::size_t{256} << 20;
   std::size_t nesting_max = 64;
 };
 

@@ -1,0 +1,210 @@
+// GeoJSON as of RFC 7946: longitude before latitude, WGS 84, closed rings. A Feature is an area; so
+// is a bare geometry. Points and lines enclose nothing: their areas are refused when used, since
+// maps of zones have labels and routes among them.
+#include <array>
+
+#include "compiler/geometry/import/json_reader.h"
+#include "compiler/geometry/import/readers.h"
+
+namespace rtac::geometry::import {
+namespace {
+
+class GeoJsonReader {
+ public:
+  explicit GeoJsonReader(Findings& findings) : findings_(findings), json_(findings) {}
+
+  bool read_root(Json root);
+  Areas take_areas();
+
+ private:
+  bool read_collection(Json collection);
+  bool read_feature(Json feature);
+  bool read_geometry(Json geometry, Area& area);
+  bool read_shape(Json geometry, std::string_view type, Area& area);
+  bool read_geometries(Json collection, Area& area);
+  bool add_polygon(Json rings, Area& area);
+  bool check_crs(Json object);
+  bool check_extensions(Json geometry);
+  void read_names(Json feature, Area& area);
+
+  Findings& findings_;
+  JsonReader json_;
+  Areas areas_;
+};
+
+// The draft of 2008 could name another reference system; RFC 7946 has taken that away.
+bool GeoJsonReader::check_crs(Json object) {
+  const auto crs = object.member("crs");
+  if (!crs) return true;
+  const auto properties = crs->member("properties");
+  const auto name = properties ? properties->member("name") : std::nullopt;
+  if (name && name->string()) {
+    for (const std::string_view known :
+         {"urn:ogc:def:crs:OGC:1.3:CRS84", "OGC:CRS84", "CRS84", "urn:ogc:def:crs:OGC::CRS84"}) {
+      if (*name->string() == known) return true;
+    }
+  }
+  return findings_.fail(
+      crs->where(),
+      "the reference system is " + (name ? name->described() : crs->described()) +
+          ", not longitude and latitude on WGS 84",
+      "export the file as RFC 7946, which has `urn:ogc:def:crs:OGC:1.3:CRS84` alone");
+}
+
+// Without this, what limits a zone in height or makes a circle of a point would be lost.
+bool GeoJsonReader::check_extensions(Json geometry) {
+  for (const std::string_view name : {"layer", "extent"}) {
+    if (const auto member = geometry.member(name)) {
+      return findings_.fail(member->where(), "plain GeoJSON has no " + quote(name),
+                            "read the file as ED-318");
+    }
+  }
+  return true;
+}
+
+bool GeoJsonReader::add_polygon(Json rings, Area& area) {
+  if (rings.kind() == JsonKind::array && rings.items().empty()) {
+    refuse(area, rings.where(), "the polygon is empty", "draw it, or select another area");
+    return true;
+  }
+  Polygon polygon;
+  if (!json_.read_polygon(rings, polygon)) return false;
+  area.parts.push_back({std::move(polygon), {}});
+  return true;
+}
+
+bool GeoJsonReader::read_geometries(Json collection, Area& area) {
+  const auto geometries = json_.required_array(collection, "geometries");
+  if (!geometries) return false;
+  for (const Json geometry : geometries->items()) {
+    if (!read_geometry(geometry, area)) return false;
+  }
+  return true;
+}
+
+bool GeoJsonReader::read_shape(Json geometry, std::string_view type, Area& area) {
+  const auto coordinates = json_.required_array(geometry, "coordinates");
+  if (!coordinates) return false;
+  if (type == "Polygon") return add_polygon(*coordinates, area);
+  if (type == "MultiPolygon") {
+    if (coordinates->kind() != JsonKind::array) {
+      return json_.wrong_kind(*coordinates, "an array of polygons");
+    }
+    for (const Json polygon : coordinates->items()) {
+      if (!add_polygon(polygon, area)) return false;
+    }
+    return true;
+  }
+  refuse(area, geometry.where(), "a " + std::string(type) + " encloses nothing",
+         "select areas of polygons by their names");
+  return true;
+}
+
+bool GeoJsonReader::read_geometry(Json geometry, Area& area) {
+  if (!json_.expect_object(geometry) || !check_crs(geometry) || !check_extensions(geometry)) {
+    return false;
+  }
+  const auto type = json_.required_text(geometry, "type");
+  if (!type) return false;
+  if (*type == "GeometryCollection") return read_geometries(geometry, area);
+  for (const std::string_view known :
+       {"Polygon", "MultiPolygon", "Point", "MultiPoint", "LineString", "MultiLineString"}) {
+    if (*type == known) return read_shape(geometry, *type, area);
+  }
+  return findings_.fail(geometry.where() + ".type",
+                        "GeoJSON has no geometry of the type " + quote(*type),
+                        "`Polygon`, `MultiPolygon` or `GeometryCollection`, in this spelling");
+}
+
+void GeoJsonReader::read_names(Json feature, Area& area) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::optional<Json>& value, bool may_be_number) {
+    if (!value) return;
+    std::string name;
+    if (const auto text = value->string()) name = *text;
+    if (const auto number = value->number(); number && may_be_number) name = shown(*number);
+    for (const std::string& known : names) {
+      if (known == name) return;
+    }
+    if (!name.empty()) names.push_back(name);
+  };
+  add(feature.member("id"), true);
+  if (const auto properties = feature.member("properties")) {
+    for (const char* key : {"name", "title", "identifier"}) add(properties->member(key), false);
+  }
+  if (names.empty()) return;
+  area.name = names.front();
+  area.other_names.assign(names.begin() + 1, names.end());
+}
+
+bool GeoJsonReader::read_feature(Json feature) {
+  if (!json_.expect_object(feature) || !check_crs(feature)) return false;
+  const auto type = json_.required_text(feature, "type");
+  if (!type) return false;
+  if (*type != "Feature") {
+    return findings_.fail(feature.where() + ".type", "is " + quote(*type),
+                          "the members of `features` are of the type `Feature`");
+  }
+  Area area;
+  area.where = feature.where();
+  read_names(feature, area);
+  const auto geometry = json_.required(feature, "geometry");
+  if (!geometry) return false;
+  if (geometry->kind() == JsonKind::null) {
+    refuse(area, geometry->where(), "the feature has no geometry", "select another area");
+  } else if (!read_geometry(*geometry, area)) {
+    return false;
+  }
+  areas_.areas.push_back(std::move(area));
+  return true;
+}
+
+bool GeoJsonReader::read_collection(Json collection) {
+  const auto features = json_.required_array(collection, "features");
+  if (!features) return false;
+  if (features->kind() == JsonKind::numbers) return json_.wrong_kind(*features, "features");
+  for (const Json feature : features->items()) {
+    if (!read_feature(feature)) return false;
+  }
+  return true;
+}
+
+bool GeoJsonReader::read_root(Json root) {
+  if (!json_.expect_object(root) || !check_crs(root)) return false;
+  const auto type = json_.required_text(root, "type");
+  if (!type) return false;
+  if (*type == "FeatureCollection") return read_collection(root);
+  if (*type == "Feature") return read_feature(root);
+  Area area;
+  area.where = root.where();
+  if (!read_geometry(root, area)) return false;
+  areas_.areas.push_back(std::move(area));
+  return true;
+}
+
+Areas GeoJsonReader::take_areas() {
+  if (json_.height_at()) {
+    areas_.notes.push_back({*json_.height_at(),
+                            "positions have heights; GeoJSON does not say that they limit the "
+                            "area, and they are left out"});
+  }
+  for (Area& area : areas_.areas) {
+    if (!area.refusal && area.parts.empty()) {
+      refuse(area, area.where, "the geometry is empty", "select another area");
+    }
+  }
+  return std::move(areas_);
+}
+
+}  // namespace
+
+Outcome read_geojson(std::string_view text, const Limits& limits) {
+  auto tree = JsonTree::parse(text, limits);
+  if (auto* failure = std::get_if<Failure>(&tree)) return std::move(*failure);
+  Findings findings;
+  GeoJsonReader reader(findings);
+  if (!reader.read_root(std::get<JsonTree>(tree).root())) return *findings.failure();
+  return reader.take_areas();
+}
+
+}  // namespace rtac::geometry::import

@@ -1,0 +1,79 @@
+#include "compiler/geometry/import/json_reader.h"
+
+namespace rtac::geometry::import {
+
+bool JsonReader::wrong_kind(Json value, std::string_view expected) {
+  return findings_.fail(value.where(), "is " + value.described(),
+                        "write " + std::string(expected) + " here");
+}
+
+std::optional<Json> JsonReader::required(Json object, std::string_view name) {
+  const auto value = object.member(name);
+  if (!value) {
+    findings_.fail(object.where(), "lacks the member " + quote(name), "add it");
+  }
+  return value;
+}
+
+std::optional<Json> JsonReader::required_array(Json object, std::string_view name) {
+  const auto value = required(object, name);
+  if (value && !value->is_array()) {
+    wrong_kind(*value, "an array");
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<std::string_view> JsonReader::required_text(Json object, std::string_view name) {
+  const auto value = required(object, name);
+  if (!value) return std::nullopt;
+  if (!value->string()) wrong_kind(*value, "a text");
+  return value->string();
+}
+
+std::optional<double> JsonReader::required_number(Json object, std::string_view name) {
+  const auto value = required(object, name);
+  if (!value) return std::nullopt;
+  if (!value->number()) wrong_kind(*value, "a number");
+  return value->number();
+}
+
+bool JsonReader::expect_object(Json value) {
+  return value.is_object() || wrong_kind(value, "an object");
+}
+
+bool JsonReader::read_position(Json value, Position& position) {
+  const auto numbers = value.numbers();
+  if (numbers.size() < 2 || numbers.size() > 3) {
+    return findings_.fail(value.where(),
+                          numbers.empty() ? "is " + value.described()
+                                          : "has " + std::to_string(numbers.size()) + " numbers",
+                          "a position is an array of two numbers, or three with a height");
+  }
+  if (numbers.size() == 3 && !height_at_) height_at_ = value.where();
+  position = {numbers[0], numbers[1]};
+  return true;
+}
+
+bool JsonReader::read_ring(Json positions, Ring& ring) {
+  ring.where = positions.where();
+  if (positions.kind() != JsonKind::array) return wrong_kind(positions, "an array of positions");
+  for (const Json item : positions.items()) {
+    if (!read_position(item, ring.positions.emplace_back())) return false;
+  }
+  return finish_ring(ring, Closing::required, findings_);
+}
+
+bool JsonReader::read_polygon(Json rings, Polygon& polygon) {
+  const auto items = rings.items();
+  if (rings.kind() != JsonKind::array || items.empty()) {
+    return wrong_kind(rings, "an array of rings");
+  }
+  if (!read_ring(items.front(), polygon.outer)) return false;
+  for (std::size_t i = 1; i < items.size(); ++i) {
+    if (!read_ring(items[i], polygon.holes.emplace_back())) return false;
+  }
+  return true;
+}
+
+}  // namespace rtac::geometry::import

@@ -1,0 +1,42 @@
+// Steps that all readers of JSON share: members of an expected kind, positions, rings. Internal to
+// this folder.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "compiler/geometry/import/json_tree.h"
+#include "compiler/geometry/import/outlines.h"
+
+namespace rtac::geometry::import {
+
+class JsonReader {
+ public:
+  explicit JsonReader(Findings& findings) : findings_(findings) {}
+
+  // A member that must be there, and of this kind. nullopt: the failure is reported.
+  std::optional<Json> required(Json object, std::string_view name);
+  std::optional<Json> required_array(Json object, std::string_view name);
+  std::optional<std::string_view> required_text(Json object, std::string_view name);
+  std::optional<double> required_number(Json object, std::string_view name);
+  bool expect_object(Json value);
+
+  // [x, y] or [x, y, height], in the order of the file; a height is noted once.
+  bool read_position(Json value, Position& position);
+  // Rings of [[...]]; the first one is the outline.
+  bool read_polygon(Json rings, Polygon& polygon);
+
+  bool wrong_kind(Json value, std::string_view expected);
+
+  Findings& findings() { return findings_; }
+  // The first position that has a height, if any.
+  const std::optional<std::string>& height_at() const { return height_at_; }
+
+ private:
+  bool read_ring(Json positions, Ring& ring);
+
+  Findings& findings_;
+  std::optional<std::string> height_at_;
+};
+
+}  // namespace rtac::geometry::import

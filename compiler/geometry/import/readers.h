@@ -1,0 +1,15 @@
+// One reader per format. `text` is UTF-8 without a byte order mark. Internal to this folder.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "compiler/geometry/import/areas.h"
+
+namespace rtac::geometry::import {
+
+using Outcome = std::variant<Areas, Failure>;
+
+Outcome read_geojson(std::string_view text, const Limits& limits);
+
+}  // namespace rtac::geometry::import

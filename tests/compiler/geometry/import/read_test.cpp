@@ -1,0 +1,70 @@
+// What holds for every format: which one a file is in, and texts that are none.
+#include "tests/compiler/geometry/import/testing.h"
+
+namespace rtac::geometry::import {
+namespace {
+
+TEST(FormatOf, ExtensionsThatNameAFormatDecide) {
+  EXPECT_EQ(format_of("a/b.wkt", ""), Format::wkt);
+  EXPECT_EQ(format_of("b.KML", ""), Format::kml);
+  EXPECT_EQ(format_of("b.kmz", "PK"), Format::kml);
+  EXPECT_EQ(format_of("b.plan", "{"), Format::qgc_plan);
+  EXPECT_EQ(format_of("b.waypoints", ""), Format::waypoints);
+  EXPECT_EQ(format_of("b.geojson", "{}"), Format::geojson);
+}
+
+TEST(FormatOf, ContentDecidesWhereTheExtensionDoesNot) {
+  EXPECT_EQ(format_of("b.json", R"({"type": "Polygon"})"), Format::geojson);
+  EXPECT_EQ(format_of("b.json", R"({"fileType": "Plan"})"), Format::qgc_plan);
+  EXPECT_EQ(format_of("b.json", R"({"features":[{"geometry":[{"horizontalProjection":{}}]}]})"),
+            Format::ed269);
+  EXPECT_EQ(format_of("b.txt", "QGC WPL 110\n"), Format::waypoints);
+  EXPECT_EQ(format_of("b", " \nPolygon ((0 0"), Format::wkt);
+  EXPECT_EQ(format_of("b.xml", "\xef\xbb\xbf<?xml version=\"1.0\"?>\n<kml xmlns=\"x\">"),
+            Format::kml);
+}
+
+// Plain GeoJSON would lose the heights and times of such a file.
+TEST(FormatOf, Ed318IsRecognisedUnderTheExtensionOfGeoJson) {
+  EXPECT_EQ(format_of("b.geojson", R"({"type":"FeatureCollection","zoneAuthority":[]})"),
+            Format::ed318);
+}
+
+TEST(FormatOf, NothingIsGuessed) {
+  EXPECT_EQ(format_of("b.json", "{}"), std::nullopt);
+  EXPECT_EQ(format_of("b.txt", "hello"), std::nullopt);
+  EXPECT_EQ(format_of("b", ""), std::nullopt);
+}
+
+TEST(Read, TextsThatAreNoUtf8AreToldWithThePlace) {
+  EXPECT_TRUE(
+      contains(failure_of(Format::geojson, "{\n\"\xff\":1}"), "line 2, column 2: this byte"));
+  EXPECT_TRUE(contains(failure_of(Format::geojson, std::string("{\0}", 3)), "line 1, column 2"));
+  EXPECT_TRUE(contains(failure_of(Format::geojson, "\xed\xa0\x80"), "no UTF-8"));  // a surrogate
+  EXPECT_TRUE(contains(failure_of(Format::geojson, "\xc0\x80"), "no UTF-8"));  // longer than needed
+  EXPECT_TRUE(contains(failure_of(Format::geojson, "\xf0\x9f\x98"), "no UTF-8"));  // cut off
+}
+
+TEST(Read, EmptyTextsAndArchivesAreTold) {
+  EXPECT_TRUE(contains(failure_of(Format::geojson, " \r\n"), "is empty"));
+  EXPECT_TRUE(contains(failure_of(Format::kml, "PK\x03\x04..."), "doc.kml"));
+}
+
+TEST(Read, ByteOrderMarkAndCarriageReturnsAreNoMatter) {
+  EXPECT_EQ(failure_of(Format::geojson,
+                       "\xef\xbb\xbf{\"type\":\r\n\"Polygon\",\"coordinates\":"
+                       "[[[0,0],[9,0],[9,9],[0,0]]]}\r\n"),
+            "");
+}
+
+// Names of a file end up in messages: cut, on one line, and whole characters only.
+TEST(Read, MessagesQuoteShortly) {
+  const std::string name = std::string(59, 'a') + "\xc3\xa4" + std::string(100'000, 'b');
+  const std::string message = failure_of(Format::geojson, R"({"type":")" + name + "\"}");
+  EXPECT_LT(message.size(), 300U);
+  EXPECT_TRUE(contains(message, "`" + std::string(59, 'a') + "...`"));
+  EXPECT_TRUE(contains(failure_of(Format::geojson, R"({"type":"a\nb`c"})"), "`a b c`"));
+}
+
+}  // namespace
+}  // namespace rtac::geometry::import
