@@ -162,9 +162,9 @@ class WatchRanges {
     return a;
   }
   // of facts
-  Wide operator()(const Battery& v) const { return wide(range_of_robot(module_, v)); }
-  Wide operator()(const Clearance& v) const { return wide(range_of_robot(module_, v)); }
-  Wide operator()(const EnergyTo& v) const { return wide(range_of_robot(module_, v)); }
+  Wide operator()(const Battery& v) const { return of_robot(v); }
+  Wide operator()(const Clearance& v) const { return of_robot(v); }
+  Wide operator()(const EnergyTo& v) const { return of_robot(v); }
   // Other operations of robots never occur here (verified IR), and margins have no range.
   template <class Other>
   Wide operator()(const Other&) const {
@@ -173,6 +173,13 @@ class WatchRanges {
 
  private:
   [[nodiscard]] Wide of(ValueId id) const { return wide(*(*block_)[id].range); }
+  // A kind of robot declares no range: what the numbers of the kernel hold says nothing of a tick
+  // at which it is unknown.
+  [[nodiscard]] Wide of_robot(const Op& op) const {
+    Wide any = wide(range_of_robot(module_, op));
+    any.declared = false;
+    return any;
+  }
   // A sine or cosine in units of 2^-30; of what has no range it has one all the same.
   [[nodiscard]] Wide share(ValueId phase) const {
     const Rational one = exact(std::int64_t{1} << 30);

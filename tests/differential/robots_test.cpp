@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <map>
-#include <random>
 
 #include "tests/compiler/driver/testing.h"
+#include "tests/differential/fleet_trace.h"
 
 namespace rtac::differential {
 namespace {
@@ -57,98 +57,9 @@ decision fly for Quad { advanced policy; period 50 ms; priority walls > clear > 
   acknowledge inwards may break low "a test"; acknowledge go_home may break low "test"; acknowledge inwards may break way "a test"; acknowledge go_home may break way "a test"; }
 )";
 
-// A trace of three robots. A row is whole when every robot has sensed all that it can, at rest.
-struct Trace {
-  std::string text;
-  std::vector<bool> whole;  // by row
-};
-
-class Tracer {
- public:
-  explicit Tracer(unsigned seed) : random_(seed) {}
-  Trace trace(int rows) {
-    Trace trace{"time,permit,load,mode", {}};
-    for (const char* const robot : {",q1.", ",q2.", ",q3."}) {
-      for (const char* const signal :
-           {"position.x", "position.y", "velocity.x", "velocity.y", "battery", "present"}) {
-        trace.text += std::string(robot) + signal;
-      }
-    }
-    trace.text += "\n";
-    int tick = 0;
-    for (int row = 0; row < rows;
-         ++row, tick += chance(12) ? 1 + static_cast<int>(random_() % 8) : 1) {
-      const bool whole = chance(2);
-      trace.text += number(0.05 * tick) + ",";
-      trace.text += (chance(3) ? "" : chance(2) ? "1" : "0") + std::string(",");
-      trace.text += (chance(4) ? "" : number(uniform(0, 11))) + "," + (chance(2) ? "idle" : "busy");
-      for (int robot = 0; robot < 3; ++robot) trace.text += whole ? at_rest() : any();
-      trace.text += "\n";
-      trace.whole.push_back(whole);
-    }
-    return trace;
-  }
-
- private:
-  bool chance(unsigned one_in) { return random_() % one_in == 0; }
-  double uniform(double least, double most) {
-    return std::uniform_real_distribution<double>(least, most)(random_);
-  }
-  // To the micrometre or to the millimetre.
-  std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, chance(2) ? "%.6f" : "%.3f", value);
-    return text;
-  }
-  // Near an edge, near each other, anywhere.
-  std::string coordinate() {
-    const double edges[] = {-3.9, -3.8, 3.9, 0.0, 1.0, 2.1};
-    if (chance(3)) return number(edges[random_() % 6] + uniform(-0.05, 0.05));
-    return number(chance(20) ? uniform(-9, 9) : uniform(-4.2, 4.2));
-  }
-  std::string charge() { return number(chance(4) ? uniform(-0.02, 1.02) : uniform(0.1, 0.3)); }
-  std::string at_rest() {
-    return "," + coordinate() + "," + coordinate() + ",0,0," + charge() + ",1";
-  }
-  std::string sometimes(const std::string& value) {
-    if (chance(4)) return ",";
-    return "," + (chance(20) ? "nan" : value);
-  }
-  std::string any() {
-    const std::string x = sometimes(coordinate()), y = x == "," ? "," : sometimes(coordinate());
-    const std::string v = sometimes(number(uniform(-0.36, 0.36)));
-    const std::string presence = chance(8) ? "0" : chance(2) ? "1" : "";
-    return x + y + v + (v == "," ? "," : "," + number(uniform(-0.36, 0.36))) + sometimes(charge()) +
-           "," + presence;
-  }
-  std::mt19937 random_;
-};
-
-// Cells by row and name of the column.
-using Table = std::vector<std::map<std::string, std::string>>;
-Table table(const std::string& text) {
-  std::istringstream lines(text);
-  std::vector<std::string> names;
-  Table rows;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream cells(line + ",");
-    std::map<std::string, std::string> row;
-    std::size_t at = 0;
-    for (std::string cell; std::getline(cells, cell, ','); ++at) {
-      if (rows.empty() && line.rfind("tick,", 0) == 0) {
-        names.push_back(cell);
-      } else {
-        row[names[at]] = cell;
-      }
-    }
-    if (!row.empty()) rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
 class RobotsNow : public driver::test::InFolder {
  protected:
-  using Row = std::map<std::string, std::string>;
+  using Row = FindingRow;
   void compare_verdicts(const std::string& column, Row& exact, Row& found) {
     const std::string verdict = found[column + ".verdict"];
     if (verdict == "unknown" || (prices(column) && verdict == "true")) return;
@@ -184,13 +95,13 @@ constexpr const char* plain[] = {"member", "spare", "beside", "out"};
 
 // What the kernel has decided is so; in rows without age its margins are near the exact ones.
 TEST_F(RobotsNow, AreJudgedConservativelyAndTightly) {
-  const Trace trace = Tracer(1).trace(3000);
+  const FleetTrace trace = FleetTracer(1).trace(3000);
   driver::test::write("flock.rta", flock);
   driver::test::write("trace.csv", trace.text);
   const Outcome kernel = rtac({"replay", "flock.rta", "trace.csv"});
   const Outcome reference = rtac({"replay", "flock.rta", "trace.csv", "--engine", "interp"});
   ASSERT_EQ(kernel.err + reference.err, "");
-  Table found = table(kernel.out), exact = table(reference.out);
+  FindingTable found = finding_table(kernel.out), exact = finding_table(reference.out);
   ASSERT_EQ(found.size(), trace.whole.size());
   ASSERT_EQ(exact.size(), trace.whole.size());
   for (std::size_t row = 0; row < exact.size(); ++row) {

@@ -1,0 +1,45 @@
+// Random traces of three robots and of plain inputs, for replays: samples are missing, late, no
+// numbers, off the grid and beyond their ranges, and ticks are missed.
+#pragma once
+
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace rtac::differential {
+
+// A row is whole when every robot has sensed all that it can, at rest.
+struct FleetTrace {
+  std::string text;
+  std::vector<bool> whole;  // by row
+};
+
+// Of robots q1, q2 and q3 of an open fleet, which sense position, velocity and battery, within 4 m
+// of the origin; inputs `permit : bool`, `load : real` of 0 .. 11 and `mode` of idle and busy; a
+// period of 50 ms.
+class FleetTracer {
+ public:
+  explicit FleetTracer(std::uint32_t seed) : random_(seed) {}
+  FleetTrace trace(int rows);
+
+ private:
+  bool chance(unsigned one_in) { return random_() % one_in == 0; }
+  double uniform(double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random_);
+  }
+  std::string number(double value);
+  std::string coordinate();
+  std::string charge();
+  std::string at_rest();
+  std::string sometimes(const std::string& value);
+  std::string any();
+  std::mt19937 random_;
+};
+
+// The findings of a replay: cells by row and name of the column.
+using FindingRow = std::map<std::string, std::string>;
+using FindingTable = std::vector<FindingRow>;
+FindingTable finding_table(const std::string& text);
+
+}  // namespace rtac::differential
