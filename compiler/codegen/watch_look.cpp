@@ -64,18 +64,24 @@ void WatchLook::view() {
   if (!kernel_.is_full()) uses_.insert({"bounds_type", "bits_type"});
 }
 
-bool WatchLook::property(const Block& block, WatchValuePrinter& values, Code& body) {
+bool WatchLook::property(const Block& block, WatchValuePrinter& values, Code& body,
+                         RepeatPrinter* repeats) {
   std::string last, all;
-  for (std::size_t i = 0; i < block.values.size(); ++i) {
-    const Value& v = block.values[i];
-    const bool is_result = ValueId(i) == block.result;
-    if (!is_result && WatchValuePrinter::is_leaf(v.op)) continue;
-    const std::string text = values.value(v, block);
-    all += text;
-    if (v.text != last && !is_result) body.comment(v.text);
+  const auto operand = [&](ValueId id) { return values.named(id, block); };
+  for (const ValueId id : written_values(block, repeats)) {
+    const Value& v = block[id];
+    const bool is_result = id == block.result;
+    const bool is_given = static_cast<std::size_t>(id) < values.given();
+    if (is_given || (!is_result && WatchValuePrinter::is_leaf(v.op))) continue;
+    const std::vector<Part>* const parts = repeats ? repeats->repeats().parts_of(id) : nullptr;
+    if (v.text != last && (!is_result || parts)) body.comment(v.text);
+    if (parts) repeats->declare(*parts, operand, body);
+    const std::string text =
+        parts ? repeats->joined(v.op, *parts, operand) : values.value(v, block);
+    all += parts ? "v->" : text;  // what is joined comes from there
     last = v.text;
     const std::string target =
-        std::string("const ") + (v.unit ? "span " : "margin ") + value_name(ValueId(i)) + " = ";
+        std::string("const ") + (v.unit ? "span " : "margin ") + value_name(id) + " = ";
     wrapped(body, (is_result ? "return " : target) + text + ";");
   }
   return all.find("v->") != std::string::npos;

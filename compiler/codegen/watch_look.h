@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/codegen/repeat_printer.h"
 #include "compiler/codegen/watch.h"
 #include "compiler/codegen/watch_values.h"
 
@@ -26,7 +27,8 @@ class WatchLook {
   // The newest parameters; `state`, `in`: what leads to the members. False: none moves.
   bool params(const std::string& state, const std::string& in, Code& body) const;
   // The body of the function of a property; false: it does not look at the view.
-  bool property(const ir::Block& block, WatchValuePrinter& values, Code& body);
+  bool property(const ir::Block& block, WatchValuePrinter& values, Code& body,
+                RepeatPrinter* repeats = nullptr);
   // Starts what is remembered: no sample was seen, parameters have their first values.
   void start(const std::string& state, Code& body) const;
   // All before `tick` is unknown.

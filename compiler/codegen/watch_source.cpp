@@ -3,6 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "compiler/codegen/repeat_printer.h"
+#include "compiler/codegen/repeats.h"
 #include "compiler/codegen/watch.h"
 #include "compiler/codegen/watch_look.h"
 #include "compiler/codegen/watch_values.h"
@@ -23,7 +25,8 @@ class WatchSource {
  public:
   WatchSource(const Module& module, const Names& names, Telling telling,
               std::set<std::string>& uses, Code& out)
-      : watch_(*module.watch),
+      : module_(module),
+        watch_(*module.watch),
         names_(names),
         p_(module.name),
         up_(upper(p_)),
@@ -34,9 +37,7 @@ class WatchSource {
 
   void print() {
     look_.view();
-    for (const PlainMonitor& m : watch_.monitors) {
-      side_.is_full() ? monitor(m) : verdict(m);
-    }
+    for (const PlainMonitor& m : watch_.monitors) monitor(m);
     look_.channels();
     if (has_past(watch_, side_.telling)) {
       look_.blind();
@@ -57,14 +58,34 @@ class WatchSource {
   }
 
   void monitor(const PlainMonitor& m) {
+    const Repeats found = find_repeats(module_, m.property);
+    RepeatPrinter repeats(side_, m.property, found, names_(m.name), function_of(m), uses_);
+    side_.is_full() ? margins(m, repeats) : verdicts(m, repeats);
+  }
+  void margins(const PlainMonitor& m, RepeatPrinter& repeats) {
+    repeats.print(
+        [&](const Repeated& repeated, Code& each) {
+          WatchValuePrinter values(side_, look_.members(), uses_);
+          values.take_as_given(repeated.arguments);
+          return look_.property(repeated.block, values, each);
+        },
+        out_);
     out_.comment(requirement(m));
     WatchValuePrinter values(side_, look_.members(), uses_);
     Code body;
-    const bool sees = look_.property(m.property, values, body);
+    const bool sees = look_.property(m.property, values, body, &repeats);
     judge(m, "margin", sees, std::move(body));
   }
-  void verdict(const PlainMonitor& m) {
-    VerdictBody body = verdict_body(side_, look_.members(), m.property, up_ + "_VERDICT_", uses_);
+  void verdicts(const PlainMonitor& m, RepeatPrinter& repeats) {
+    repeats.print(
+        [&](const Repeated& repeated, Code& each) {
+          VerdictBody body = repeated_bits(side_, look_.members(), repeated, uses_);
+          each.append(std::move(body.lines));
+          return body.looks;
+        },
+        out_);
+    VerdictBody body =
+        verdict_body(side_, look_.members(), m.property, up_ + "_VERDICT_", uses_, &repeats);
     out_.comment(m.text);
     judge(m, "int32_t", body.looks, std::move(body.lines));
   }
@@ -225,6 +246,7 @@ class WatchSource {
         [&](Code& body) { judge_all("verdicts", body); });
   }
 
+  const Module& module_;
   const Watch& watch_;
   const Names& names_;
   const std::string p_, up_;

@@ -30,6 +30,7 @@ bool WatchValuePrinter::is_leaf(const Op& op) {
 }
 std::string WatchValuePrinter::operand(ValueId id) {
   if (operands_) return operands_(id);
+  if (static_cast<std::size_t>(id) < given_) return value_name(id);
   const Op& op = (*block_)[id].op;
   return is_leaf(op) ? std::visit(*this, op) : value_name(id);
 }

@@ -28,6 +28,14 @@ class WatchValuePrinter {
         operands_(std::move(operands)) {}
 
   std::string value(const ir::Value& value, const ir::Block& block);
+  // How a value is written where it is used.
+  std::string named(ir::ValueId id, const ir::Block& block) {
+    block_ = &block;
+    return operand(id);
+  }
+  // The first values of a block are at hand, by their names, whatever they are.
+  void take_as_given(std::size_t count) { given_ = count; }
+  [[nodiscard]] std::size_t given() const { return given_; }
   // Inputs, parameters and constants are written where they are used; all else is `vN`.
   static bool is_leaf(const ir::Op& op);
 
@@ -85,6 +93,7 @@ class WatchValuePrinter {
   std::set<std::string>& uses_;
   const OfRobot of_robot_;
   const Operands operands_;  // none: by its name, a leaf by its text
+  std::size_t given_ = 0;
   const ir::Block* block_ = nullptr;
   const ir::Value* value_ = nullptr;
 };

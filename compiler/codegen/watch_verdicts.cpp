@@ -59,8 +59,10 @@ constexpr std::int64_t square_root_max = std::int64_t{1} << 30;
 
 class VerdictPrinter {
  public:
+  // `given`: so many values are at hand, by their names. `repeats`: or null.
   VerdictPrinter(const WatchKernel& kernel, const WatchNames& names, const Block& block,
-                 std::string verdict, std::set<std::string>& uses)
+                 std::string verdict, std::set<std::string>& uses, std::size_t given,
+                 RepeatPrinter* repeats)
       : kernel_(kernel),
         names_(names),
         block_(block),
@@ -68,31 +70,75 @@ class VerdictPrinter {
         uses_(uses),
         count_(block.values.size(), 0),
         needs_name_(block.values.size(), false),
-        needs_root_(block.values.size(), false) {
-    for (const Value& value : block.values) {
-      look_at_uses(value.op);
-      open_.push_back(may_be_open(value.op));
+        needs_root_(block.values.size(), false),
+        open_(block.values.size(), false),
+        given_(given),
+        repeats_(repeats),
+        order_(written_values(block, repeats)) {
+    for (const ValueId id : order_) {
+      const Op& op = block[id].op;
+      const std::vector<Part>* const parts = parts_of(id);
+      parts ? look_at_parts(*parts) : look_at_uses(op);
+      // of parts, any may be
+      open_[at(id)] = parts ? block[id].unit.has_value() : may_be_open(op);
     }
     ++count_[at(block.result)];
   }
 
   VerdictBody print() {
-    std::string last;
-    for (std::size_t i = 0; i < block_.values.size(); ++i) {
-      const Value& v = block_.values[i];
-      if (!is_named(ValueId(i))) continue;
-      if (v.text != last) body_.lines.comment(v.text);
-      last = v.text;
-      const std::string name = value_name(ValueId(i));
-      line(v.unit ? "const bounds " + name + " = " + quantity(ValueId(i)) + ";"
-                  : "const int32_t " + name + " = " + bits(v) + ";");
-    }
+    values();
     result();
+    return std::move(body_);
+  }
+  VerdictBody print_bits() {
+    values();
+    const Value& last = block_[block_.result];
+    const bool is_named = last.unit || this->is_named(block_.result);
+    line("return " + (is_named ? value_name(block_.result) : bits(last)) + ";");
     return std::move(body_);
   }
 
  private:
   static std::size_t at(ValueId id) { return static_cast<std::size_t>(id); }
+
+  void values() {
+    std::string last;
+    for (const ValueId id : order_) {
+      const Value& v = block_[id];
+      if (is_given(id) || !is_named(id)) continue;
+      if (v.text != last) body_.lines.comment(v.text);
+      last = v.text;
+      const std::vector<Part>* const parts = parts_of(id);
+      const std::string text = parts ? all_of(v.op, *parts) : v.unit ? quantity(id) : bits(v);
+      line((v.unit ? "const bounds " : "const int32_t ") + value_name(id) + " = " + text + ";");
+    }
+  }
+  [[nodiscard]] bool is_given(ValueId id) const { return at(id) < given_; }
+
+  // ---- what is repeated
+  [[nodiscard]] const std::vector<Part>* parts_of(ValueId id) const {
+    return repeats_ ? repeats_->repeats().parts_of(id) : nullptr;
+  }
+  void look_at_parts(const std::vector<Part>& parts) {
+    const auto need = [&](ValueId id) {
+      ++count_[at(id)];
+      needs_name_[at(id)] = needs_root_[at(id)] = true;
+    };
+    for (const Part& part : parts) {
+      if (part.rows == 0) {
+        need(part.value);
+        continue;
+      }
+      for (const ValueId id : repeats_->repeats().all[part.of].quantities) need(id);
+      for (const ValueId id : repeats_->repeats().all[part.of].conditions) need(id);
+    }
+  }
+  std::string all_of(const Op& join, const std::vector<Part>& parts) {
+    body_.looks = true;
+    const auto operand = [this](ValueId id) { return block_[id].unit ? whole(id) : kept(id); };
+    repeats_->declare(parts, operand, body_.lines);
+    return repeats_->joined(join, parts, operand);
+  }
 
   // ---- what needs a name, what needs its root
   void look_at_uses(const Op& op) {
@@ -126,6 +172,7 @@ class VerdictPrinter {
   }
   [[nodiscard]] bool is_named(ValueId id) const {
     const Value& v = block_[id];
+    if (is_given(id) || parts_of(id)) return true;
     if (WatchValuePrinter::is_leaf(v.op) || is_same(v.op)) return false;
     // squares of a root are what it is the root of
     if (std::holds_alternative<Root>(v.op) && !needs_root_[at(id)]) return false;
@@ -156,6 +203,7 @@ class VerdictPrinter {
   // An operand as bounds.
   std::string whole(ValueId id) {
     const Op& op = block_[id].op;
+    if (is_given(id)) return value_name(id);
     if (const auto* c = std::get_if<Const>(&op)) return fixed(num(c->value));
     if (const auto* p = std::get_if<ParamValue>(&op)) return fixed(param(*p));
     if (const auto* i = std::get_if<Input>(&op)) return signal(i->channel, i->component);
@@ -223,6 +271,7 @@ class VerdictPrinter {
   // Two bits that are at hand.
   std::string kept(ValueId id) {
     const Op& op = block_[id].op;
+    if (is_given(id)) return value_name(id);
     if (const auto* i = std::get_if<InputTruth>(&op)) return signal(i->channel, i->component);
     if (const auto* t = std::get_if<Truth>(&op)) return t->value ? "BITS_TRUE" : "BITS_FALSE";
     return value_name(id);
@@ -369,14 +418,23 @@ class VerdictPrinter {
   std::vector<int> count_;
   std::vector<bool> needs_name_, needs_root_;
   std::vector<bool> open_;  // whether a bound may be open
+  const std::size_t given_;
+  RepeatPrinter* const repeats_;
+  const std::vector<ValueId> order_;
   VerdictBody body_;
 };
 
 }  // namespace
 
 VerdictBody verdict_body(const WatchKernel& kernel, const WatchNames& names, const Block& block,
-                         const std::string& verdict, std::set<std::string>& uses) {
-  return VerdictPrinter(kernel, names, block, verdict, uses).print();
+                         const std::string& verdict, std::set<std::string>& uses,
+                         RepeatPrinter* repeats) {
+  return VerdictPrinter(kernel, names, block, verdict, uses, 0, repeats).print();
+}
+VerdictBody repeated_bits(const WatchKernel& kernel, const WatchNames& names,
+                          const Repeated& repeated, std::set<std::string>& uses) {
+  return VerdictPrinter(kernel, names, repeated.block, "", uses, repeated.arguments, nullptr)
+      .print_bits();
 }
 
 }  // namespace rtac::codegen

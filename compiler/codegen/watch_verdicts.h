@@ -9,6 +9,7 @@
 #include <string>
 
 #include "compiler/codegen/code.h"
+#include "compiler/codegen/repeat_printer.h"
 #include "compiler/codegen/watch.h"
 #include "compiler/ir/module.h"
 
@@ -21,6 +22,10 @@ struct VerdictBody {
   bool looks = false;  // at the view at all
 };
 VerdictBody verdict_body(const WatchKernel& kernel, const WatchNames& names, const ir::Block& block,
-                         const std::string& verdict, std::set<std::string>& uses);
+                         const std::string& verdict, std::set<std::string>& uses,
+                         RepeatPrinter* repeats = nullptr);
+// The values of what is repeated behind its arguments; returns bits, or bounds.
+VerdictBody repeated_bits(const WatchKernel& kernel, const WatchNames& names,
+                          const Repeated& repeated, std::set<std::string>& uses);
 
 }  // namespace rtac::codegen
