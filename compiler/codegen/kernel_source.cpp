@@ -60,7 +60,7 @@ class Source {
  private:
   void constants(Code& out) const {
     out.comment("Margins and spans are far inside int64, so that sums of them cannot overflow.");
-    out.line("#define MARGIN_MAX INT64_C(1000000000000000000)");
+    out.line("#define MARGIN_MAX INT64_C(" + num(margin_max) + ")");
     out.line("#define SPAN_MAX INT64_C(" + num(span_max(module_)) + ")");
     if (module_.decisions.empty() && module_.watch) {
       if (!module_.watch->regions.empty()) q30(out);

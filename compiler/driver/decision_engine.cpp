@@ -9,6 +9,7 @@
 #include "compiler/driver/shared_object.h"
 #include "compiler/ir/margin_unit.h"
 #include "compiler/sema/dimension.h"
+#include "compiler/sema/limits.h"
 
 namespace rtac::driver {
 namespace {
@@ -19,14 +20,11 @@ using interp::Reading;
 
 // As by the generated wrapper, coordinates that are too far are cut off, which the kernel knows as
 // outside; a charge or an angle beyond it is none.
-constexpr std::int64_t grid_limit = 1'000'000'000'000'000;
-
-// Margins beyond it are infinite (the bound of the generated wrapper).
-constexpr std::int64_t margin_max = 1'000'000'000'000'000;
+constexpr std::int64_t grid_limit = sema::grid_steps_max;
 
 std::string margin(std::int64_t millionths, const Rational& factor) {
-  if (millionths >= margin_max) return "inf";
-  if (millionths <= -margin_max) return "-inf";
+  if (millionths >= margin_limit) return "inf";
+  if (millionths <= -margin_limit) return "-inf";
   Rational value(static_cast<long>(millionths), 1'000'000);
   value.canonicalize();
   return to_decimal(Rational(value * factor));
@@ -131,7 +129,7 @@ class KernelDecisions : public DecisionEngine {
                      std::int64_t* to) {
     if (row.readings[at].kind == Reading::Kind::none) return;
     const bool known = ends(row.readings[at], step, to);
-    to[3] = known && -grid_limit < to[0] && to[1] < grid_limit ? 1 : 0;
+    to[3] = known && -grid_limit <= to[0] && to[1] <= grid_limit ? 1 : 0;
     to[2] = row.time_us;
   }
   // A message that says neither is none.

@@ -16,6 +16,10 @@
 
 namespace rtac::driver {
 
+// Margins of decisions, in millionths of their scale: from here on they are infinite, as for the
+// generated wrapper.
+inline constexpr std::int64_t margin_limit = 1'000'000'000'000'000;
+
 // What has to be known of one decision.
 struct DecisionInterface {
   std::string name, prefix;             // of its functions and types in the kernel

@@ -16,13 +16,17 @@ namespace rtac::bridge {
 // Generated code states the ABI that it was written for; see RTAC_ABI in the build.
 inline constexpr int abi = 1;
 
-inline constexpr double grid_limit = 1e15;  // beyond it a double has no exact neighbours in int64
+// As far as any grid goes: the compiler refuses limits of inputs beyond it. Every double on the way
+// is exact in int64, and so are its neighbours on the grid.
+inline constexpr double grid_limit = 1e15;
+// Margins of decisions, in millionths of their scale: from here on nothing is known of them.
+inline constexpr std::int64_t margin_limit = 1'000'000'000'000'000;
 
 // Largest and smallest grid value around `si * per_unit`, exact for every double: the error of the
 // product is recovered by a fused multiply-add.
 inline bool grid_pair(double si, double per_unit, std::int64_t& lo, std::int64_t& hi) {
   const double product = si * per_unit;
-  if (!(std::fabs(product) < grid_limit)) return false;  // also NaN
+  if (!(std::fabs(product) <= grid_limit)) return false;  // also NaN
   const double error = std::fma(si, per_unit, -product);
   const double below = std::floor(product), above = std::ceil(product);
   lo = static_cast<std::int64_t>(below) - (below == product && error < 0 ? 1 : 0);
@@ -77,9 +81,8 @@ void put(KernelPlan& to, const Path& from, std::size_t capacity) {
 // quotient, and not the product with 1e-6, is the double nearest to the decimal number, which is
 // why logs show "42.6848".
 inline double margin_of(std::int64_t millionths) {
-  constexpr std::int64_t bound = 1'000'000'000'000'000;
-  if (millionths <= -bound) return -std::numeric_limits<double>::infinity();
-  if (millionths >= bound) return std::numeric_limits<double>::infinity();
+  if (millionths <= -margin_limit) return -std::numeric_limits<double>::infinity();
+  if (millionths >= margin_limit) return std::numeric_limits<double>::infinity();
   return static_cast<double>(millionths) / 1e6;
 }
 

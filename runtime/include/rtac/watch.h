@@ -35,6 +35,9 @@ struct MarginUnit {
   double scale;  // `text` units in what margins count the millionths of
 };
 
+// Margins of findings, in millionths of their scale: infinite ones.
+inline constexpr std::int64_t infinite_margin = 500'000'000'000'000'000;
+
 inline std::int64_t floor_quotient(std::int64_t a, std::int64_t b) {  // b > 0
   return a / b - (a % b < 0 ? 1 : 0);
 }
@@ -86,15 +89,14 @@ inline void tighten(std::int64_t& param, double si, double per_unit, std::int64_
 // KernelFinding { verdict, reason, input, unit, lo, hi }
 template <class KernelFinding>
 Finding finding_of(const KernelFinding& from, const MarginUnit* units, const char* const* inputs) {
-  constexpr std::int64_t infinite = 500'000'000'000'000'000;
   Finding to;
   to.verdict = static_cast<Verdict>(from.verdict);
   to.reason = static_cast<Reason>(from.reason);
   to.input = inputs[from.input];
   to.unit = units[from.unit].text;
-  if (from.lo >= infinite) {
+  if (from.lo >= infinite_margin) {
     to.margin = std::numeric_limits<double>::infinity();
-  } else if (from.lo > -infinite) {
+  } else if (from.lo > -infinite_margin) {
     to.margin = static_cast<double>(from.lo) * units[from.unit].scale / 1e6;
   }
   return to;

@@ -52,6 +52,18 @@ std::int64_t param(double si, bool up, double per_unit = 1000, std::int64_t step
   return to;
 }
 
+// The farthest step of any grid (10^15) is a step; what is beyond it has none.
+TEST(Watch, TheLastStepOfAnyGridIsOne) {
+  for (const double sign : {1.0, -1.0}) {
+    Signal last, beyond;
+    bridge::put_number(last, sign * 1e15, 1, 1, 7);
+    EXPECT_EQ(last.lo, sign * 1'000'000'000'000'000);
+    EXPECT_EQ(last.hi, last.lo);
+    bridge::put_number(beyond, sign * std::nextafter(1e15, 2e15), 1, 1, 7);
+    EXPECT_GT(beyond.lo, beyond.hi);
+  }
+}
+
 // 0.29 is no double, and its nearest one times 1000 is less than 290.
 TEST(Watch, AParameterIsTheStepThatItsDecimalMeans) {
   for (int steps = -3000; steps <= 3000; ++steps) {
