@@ -23,6 +23,7 @@ function target_of(line, name, quoted) {
   if (name ~ /^(coin\/)?Ip[A-Z][A-Za-z]*\.hpp$/) return "Ipopt"
   if (name ~ /^(unsupported\/)?Eigen\//) return "Eigen"
   if (name ~ /^nlohmann\//) return "json"
+  if (name ~ /^pugixml/) return "pugixml"
   if (name ~ /^gmp/) return "gmp"
   return ""
 }

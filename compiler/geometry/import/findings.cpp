@@ -37,11 +37,19 @@ std::string shown(Position position) {
 }
 
 std::string line_and_column(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, std::min(offset, text.size()));
-  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-  const std::size_t start = before.rfind('\n');
-  const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
-  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+  return Lines(text.substr(0, std::min(offset, text.size()))).place(offset);
+}
+
+Lines::Lines(std::string_view text) : starts_{0} {
+  for (std::size_t i = text.find('\n'); i != std::string_view::npos; i = text.find('\n', i + 1)) {
+    starts_.push_back(i + 1);
+  }
+}
+
+std::string Lines::place(std::size_t offset) const {
+  const auto after = std::upper_bound(starts_.begin(), starts_.end(), offset);
+  return "line " + std::to_string(after - starts_.begin()) + ", column " +
+         std::to_string(offset - *(after - 1) + 1);
 }
 
 }  // namespace rtac::geometry::import

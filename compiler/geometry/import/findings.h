@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "compiler/geometry/import/areas.h"
 
@@ -18,6 +19,16 @@ std::string shown(double value);
 std::string shown(Position position);  // `(x, y)`
 // `line 3, column 7`, counted from 1 in bytes; `offset` may be the end.
 std::string line_and_column(std::string_view text, std::size_t offset);
+
+// The same for many places of one text.
+class Lines {
+ public:
+  explicit Lines(std::string_view text);
+  std::string place(std::size_t offset) const;
+
+ private:
+  std::vector<std::size_t> starts_;
+};
 
 // Readers return as soon as something is wrong; the first failure is the one that is told.
 class Findings {

@@ -42,6 +42,22 @@ bool JsonReader::expect_object(Json value) {
   return value.is_object() || wrong_kind(value, "an object");
 }
 
+std::optional<bool> JsonReader::required_boolean(Json object, std::string_view name) {
+  const auto value = required(object, name);
+  if (!value) return std::nullopt;
+  if (!value->boolean()) wrong_kind(*value, "`true` or `false`");
+  return value->boolean();
+}
+
+bool JsonReader::expect_version(Json object, double version) {
+  const auto found = required_number(object, "version");
+  if (!found || *found == version) return found.has_value();
+  return findings_.fail(object.where(), "is of version " + shown(*found),
+                        "version " + shown(version) +
+                            " can be read; open the file in the program that it comes from, in its "
+                            "present version, and save it again");
+}
+
 bool JsonReader::read_position(Json value, Position& position) {
   const auto numbers = value.numbers();
   if (numbers.size() < 2 || numbers.size() > 3) {
@@ -55,13 +71,13 @@ bool JsonReader::read_position(Json value, Position& position) {
   return true;
 }
 
-bool JsonReader::read_ring(Json positions, Ring& ring) {
+bool JsonReader::read_ring(Json positions, Closing closing, Ring& ring) {
   ring.where = positions.where();
   if (positions.kind() != JsonKind::array) return wrong_kind(positions, "an array of positions");
   for (const Json item : positions.items()) {
     if (!read_position(item, ring.positions.emplace_back())) return false;
   }
-  return finish_ring(ring, Closing::required, findings_);
+  return finish_ring(ring, closing, findings_);
 }
 
 bool JsonReader::read_polygon(Json rings, Polygon& polygon) {
@@ -69,9 +85,9 @@ bool JsonReader::read_polygon(Json rings, Polygon& polygon) {
   if (rings.kind() != JsonKind::array || items.empty()) {
     return wrong_kind(rings, "an array of rings");
   }
-  if (!read_ring(items.front(), polygon.outer)) return false;
+  if (!read_ring(items.front(), Closing::required, polygon.outer)) return false;
   for (std::size_t i = 1; i < items.size(); ++i) {
-    if (!read_ring(items[i], polygon.holes.emplace_back())) return false;
+    if (!read_ring(items[i], Closing::required, polygon.holes.emplace_back())) return false;
   }
   return true;
 }

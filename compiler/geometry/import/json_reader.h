@@ -19,11 +19,16 @@ class JsonReader {
   std::optional<Json> required_array(Json object, std::string_view name);
   std::optional<std::string_view> required_text(Json object, std::string_view name);
   std::optional<double> required_number(Json object, std::string_view name);
+  std::optional<bool> required_boolean(Json object, std::string_view name);
   bool expect_object(Json value);
+  // Another version may mean something else by the same members.
+  bool expect_version(Json object, double version);
 
-  // [x, y] or [x, y, height], in the order of the file; a height is noted once.
+  // [x, y] or [x, y, height] in the order of the file: where the latitude comes first, x is it. A
+  // height is remembered, once.
   bool read_position(Json value, Position& position);
-  // Rings of [[...]]; the first one is the outline.
+  bool read_ring(Json positions, Closing closing, Ring& ring);
+  // Closed rings of longitude and latitude; the first one is the outline.
   bool read_polygon(Json rings, Polygon& polygon);
 
   bool wrong_kind(Json value, std::string_view expected);
@@ -33,8 +38,6 @@ class JsonReader {
   const std::optional<std::string>& height_at() const { return height_at_; }
 
  private:
-  bool read_ring(Json positions, Ring& ring);
-
   Findings& findings_;
   std::optional<std::string> height_at_;
 };

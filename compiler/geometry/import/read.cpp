@@ -55,9 +55,13 @@ Outcome read_format(Format format, std::string_view text, const Limits& limits) 
     case Format::geojson:
       return read_geojson(text, limits);
     case Format::wkt:
-    case Format::kml:
+      return read_wkt(text, limits);
     case Format::qgc_plan:
+      return read_qgc_plan(text, limits);
     case Format::waypoints:
+      return read_waypoints(text, limits);
+    case Format::kml:
+      return read_kml(text, limits);
     case Format::ed269:
     case Format::ed318:
       break;

@@ -1,0 +1,137 @@
+// The fence of a QGroundControl plan. Members as in "Plan File Format" of the QGroundControl
+// developer guide (docs/en/qgc-dev-guide/file_formats/plan.md of mavlink/qgroundcontrol): version 1
+// of the plan, 2 of `geoFence`, 1 of each polygon and circle; positions are [latitude, longitude],
+// rings are not closed. The guide calls `inclusion` "enabled"; the program (QGCFencePolygon.cpp)
+// keeps the vehicle in where it is true and out where it is false.
+#include <algorithm>
+#include <array>
+
+#include "compiler/geometry/import/json_reader.h"
+#include "compiler/geometry/import/readers.h"
+
+namespace rtac::geometry::import {
+namespace {
+
+class PlanReader {
+ public:
+  explicit PlanReader(Findings& findings) : findings_(findings), json_(findings) {}
+
+  bool read_root(Json root);
+  Areas take_areas();
+
+ private:
+  bool read_fence(Json fence);
+  bool read_each(Json fence, std::string_view list, std::string_view shape);
+  bool read_item(Json item, std::string_view shape);
+  bool read_polygon(Json positions, Area& area);
+  bool read_circle(Json circle, Area& area);
+  void refuse_unknown(Json item, std::string_view shape, Area& area);
+
+  Findings& findings_;
+  JsonReader json_;
+  Areas areas_;
+};
+
+Position swapped(Position position) {
+  return {position.y, position.x};
+}
+
+// Programs that build on QGroundControl add heights and actions: what limits the area must not be
+// dropped.
+void PlanReader::refuse_unknown(Json item, std::string_view shape, Area& area) {
+  for (const Json member : item.items()) {
+    const std::array known{shape, std::string_view("inclusion"), std::string_view("version")};
+    if (std::find(known.begin(), known.end(), member.name()) != known.end()) continue;
+    refuse(area, member.where(), "QGroundControl has no member " + quote(member.name()) + " here",
+           "take it out, and say in the specification what it is for");
+  }
+}
+
+bool PlanReader::read_polygon(Json positions, Area& area) {
+  Polygon polygon;
+  if (!json_.read_ring(positions, Closing::implied, polygon.outer)) return false;
+  for (Position& position : polygon.outer.positions) position = swapped(position);
+  area.parts.push_back({std::move(polygon), {}});
+  return true;
+}
+
+bool PlanReader::read_circle(Json circle, Area& area) {
+  if (!json_.expect_object(circle)) return false;
+  Circle result;
+  result.where = circle.where();
+  const auto centre = json_.required(circle, "center");
+  if (!centre || !json_.read_position(*centre, result.centre)) return false;
+  const auto radius_m = json_.required_number(circle, "radius");
+  if (!radius_m || !check_radius(*radius_m, result.where, findings_)) return false;
+  result.centre = swapped(result.centre);
+  result.radius_m = *radius_m;
+  area.parts.push_back({std::move(result), {}});
+  return true;
+}
+
+bool PlanReader::read_item(Json item, std::string_view shape) {
+  if (!json_.expect_object(item) || !json_.expect_version(item, 1)) return false;
+  const auto is_inclusion = json_.required_boolean(item, "inclusion");
+  const auto outline = is_inclusion ? json_.required(item, shape) : std::nullopt;
+  if (!outline) return false;
+  Area area;
+  area.where = item.where();
+  area.role = *is_inclusion ? Role::keep_in : Role::keep_out;
+  if (!(shape == "polygon" ? read_polygon(*outline, area) : read_circle(*outline, area))) {
+    return false;
+  }
+  refuse_unknown(item, shape, area);
+  areas_.areas.push_back(std::move(area));
+  return true;
+}
+
+bool PlanReader::read_each(Json fence, std::string_view list, std::string_view shape) {
+  const auto items = json_.required_array(fence, list);
+  if (!items) return false;
+  if (items->kind() == JsonKind::numbers) return json_.wrong_kind(*items, "an array of objects");
+  const auto all = items->items();
+  return std::all_of(all.begin(), all.end(), [&](Json item) { return read_item(item, shape); });
+}
+
+bool PlanReader::read_fence(Json fence) {
+  if (!json_.expect_object(fence) || !json_.expect_version(fence, 2)) return false;
+  if (const auto point = fence.member("breachReturn")) {
+    areas_.notes.push_back({point->where(), "the breach return point is no area and is left out"});
+  }
+  return read_each(fence, "polygons", "polygon") && read_each(fence, "circles", "circle");
+}
+
+bool PlanReader::read_root(Json root) {
+  if (!json_.expect_object(root)) return false;
+  const auto type = json_.required_text(root, "fileType");
+  if (!type) return false;
+  if (*type != "Plan") {
+    return findings_.fail("fileType", "is " + quote(*type),
+                          "save the whole plan from QGroundControl, which writes `Plan`");
+  }
+  if (!json_.expect_version(root, 1)) return false;
+  const auto fence = json_.required(root, "geoFence");
+  return fence && read_fence(*fence);
+}
+
+Areas PlanReader::take_areas() {
+  if (json_.height_at()) {
+    areas_.notes.push_back({*json_.height_at(),
+                            "positions have heights; the fence of a plan does not say that they "
+                            "limit the area, and they are left out"});
+  }
+  return std::move(areas_);
+}
+
+}  // namespace
+
+Outcome read_qgc_plan(std::string_view text, const Limits& limits) {
+  auto tree = JsonTree::parse(text, limits);
+  if (auto* failure = std::get_if<Failure>(&tree)) return std::move(*failure);
+  Findings findings;
+  PlanReader reader(findings);
+  if (!reader.read_root(std::get<JsonTree>(tree).root())) return *findings.failure();
+  return reader.take_areas();
+}
+
+}  // namespace rtac::geometry::import
