@@ -160,7 +160,7 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
       return p.use("distance_now", "&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j");
     }
     std::string operator()(const EnergyTo& e) const {
-      return p.use("energy_now", cells(e.site) + ", &v->self, v->m");
+      return p.use("energy_now", cells(e.site) + ", &v->self, &BODY, v->m");
     }
     std::string operator()(const Add& a) const {
       return p.use("span_add", ref(a.a) + ", " + ref(a.b));

@@ -68,7 +68,7 @@ void CheckPrinter::print_look() {
 }
 
 void CheckPrinter::print_measure() {
-  use({"estimate_of", "in_order"});
+  use({"estimate_of", "in_order", "lost"});
   out_.comment("Estimates from the inputs; a stamp or a clock that goes backwards is a fault.");
   out_.block(
       signature("static void " + id_ + "_measure",
@@ -83,10 +83,10 @@ void CheckPrinter::print_measure() {
           to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) { measure_other(each); });
         }
         to.block("if (in->self < 0 || in->self >= ROBOTS)", [&](Code& body) {
-          body.line("v->self.input = " + up_ + "_INPUT_OTHER_ROBOT; /* nobody of the fleet */");
+          body.line("lost(&v->self, " + up_ + "_INPUT_OTHER_ROBOT); /* nobody of the fleet */");
         });
         to.block("if (elapsed < 0)", [&](Code& body) {
-          body.line("v->self.input = " + up_ + "_INPUT_CLOCK;");
+          body.line("lost(&v->self, " + up_ + "_INPUT_CLOCK);");
           if (uses_battery()) body.line("v->charge = span_unknown(" + up_ + "_INPUT_CLOCK);");
         });
         if (d_.held_slots > 0) {
@@ -121,7 +121,7 @@ void CheckPrinter::in_order(Code& to, const std::string& sample, const std::stri
 
 void CheckPrinter::measure_self(Code& to) {
   to.line("v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);");
-  in_order(to, "in->position", "last_position_us", "v->self.input = " + up_ + "_INPUT_POSITION;");
+  in_order(to, "in->position", "last_position_us", "lost(&v->self, " + up_ + "_INPUT_POSITION);");
   in_order(to, "in->velocity", "last_velocity_us", "v->self.input = " + up_ + "_INPUT_VELOCITY;");
   for (const ZoneIndex zone : own_places()) {
     // once a tick: every horizon and every driver starts from the same place
@@ -162,7 +162,8 @@ void CheckPrinter::measure_ages(Code& to) {
 
 void CheckPrinter::measure_other(Code& to) {
   use({"promise_kept"});
-  const std::string fault = "v->others[j].s.input = " + up_ + "_INPUT_OTHER_ROBOT;";
+  const std::string missing = up_ + "_INPUT_OTHER_ROBOT";
+  const std::string fault = "lost(&v->others[j].s, " + missing + ");";
   to.line("const " + p_ + "_other *o = &in->others[j];");
   to.line("v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, &" + id_ +
           "_heard_body);");
@@ -172,7 +173,8 @@ void CheckPrinter::measure_other(Code& to) {
             ", &s->last_other_presence_us[j]);");
   }
   in_order(to, "o->position", "last_other_us[j]", fault);
-  in_order(to, "o->velocity", "last_other_velocity_us[j]", fault);
+  in_order(to, "o->velocity", "last_other_velocity_us[j]",
+           "v->others[j].s.input = " + missing + ";");
   to.block("if (o->position.valid &&\n          !promise_kept(o->lease_end_us, v->now_us, " +
                num(d_.lease_us) + ", &s->last_other_lease_us[j]))",
            [&](Code& body) { body.line(fault); });

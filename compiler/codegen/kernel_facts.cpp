@@ -79,18 +79,18 @@ void FactPrinter::blind_robot(Code& body) {
               "_INPUT_CLOCK);");
   }
   if (!facts_of_robot()) return;
-  use({"span_unknown"});
+  use({"span_unknown", "lost"});
   const std::string clock = up_ + "_INPUT_CLOCK";
   body.line("blind.in = v->in;");
   body.line("blind.m = v->m;");
   body.line("blind.me = v->me;");
   body.line("blind.self = v->self;");
-  body.line("blind.self.input = " + clock + ";");
+  body.line("lost(&blind.self, " + clock + ");");
   body.line("blind.charge = span_unknown(" + clock + ");");
   if (!pairs()) return;
   body.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
     each.line("blind.others[j] = v->others[j];");
-    each.line("blind.others[j].s.input = " + clock + ";");
+    each.line("lost(&blind.others[j].s, " + clock + ");");
     if (d_.open_fleet && facts_of_others(d_.facts)) each.line("blind.others[j].absent = 0;");
   });
 }

@@ -1,12 +1,12 @@
 /* The checks of the library: what a property means now, and on everything within reach. */
-/*= clearance_now : place_type estimate_type body_type motion_type moved_of span_of span_unknown */
+/*= clearance_now : place_type estimate_type body_type motion_type moved_now span_of span_unknown */
 /* Signed gap between the body and the boundary, now; `at`: the place of the measured position. */
 static span clearance_now(const place *at, const estimate *s, const body *b, const motion *m) {
-  if (s->input != INPUT_NONE) {
-    return span_unknown(s->input);
+  if (s->p_input != INPUT_NONE) {
+    return span_unknown(s->p_input);
   } else {
     const int64_t gap = at->gap_mm;
-    const int64_t error = s->p_error_mm + moved_of(s, m);
+    const int64_t error = s->p_error_mm + moved_now(s, b, m);
     if (at->inside) {
       return span_of(gap - error - b->radius_mm, gap + 3 + error - b->radius_mm);
     }
@@ -172,19 +172,19 @@ typedef struct other {
 static int32_t is_absent(const other *o) {
   return o->absent;
 }
-/*= distance_now : other_type motion_type moved_of span_of span_unknown minus dot root_down */
+/*= distance_now : other_type body_type motion_type moved_now span_of span_unknown minus dot root_down */
 static span distance_now(const estimate *s, const other *o, const body *b, const motion *m,
                          const motion *any, int32_t index) {
   span gap;
-  if (s->input != INPUT_NONE) {
-    return span_unknown(s->input);
+  if (s->p_input != INPUT_NONE) {
+    return span_unknown(s->p_input);
   }
-  if (o->s.input != INPUT_NONE) {
+  if (o->s.p_input != INPUT_NONE) {
     gap = span_unknown(INPUT_OTHER_ROBOT);
   } else {
     const vec d = minus(s->p, o->s.p);
-    const int64_t error = s->p_error_mm + moved_of(s, m) + o->s.p_error_mm +
-                          (o->held != 0 ? b->hold_mm : moved_of(&o->s, any));
+    const int64_t error = s->p_error_mm + moved_now(s, b, m) + o->s.p_error_mm +
+                          (o->held != 0 ? b->hold_mm : moved_now(&o->s, b, any));
     const int64_t centre = root_down(dot(d, d));
     gap = span_of(centre - error - 2 * b->radius_mm, centre + 1 + error - 2 * b->radius_mm);
   }
@@ -329,10 +329,10 @@ static span charge_now(const KERNEL_scalar *battery, int64_t now_us, int64_t max
   return span_of(battery->lo - error_ppm - div_up(drain_ppm_per_s * div_up(age_us, 1000), 1000),
                  battery->hi + error_ppm);
 }
-/*= energy_now : cells_span estimate_type motion_type moved_of span_unknown */
-static span energy_now(const cells *c, const estimate *s, const motion *m) {
-  return s->input != INPUT_NONE ? span_unknown(s->input)
-                                : cells_span(c, s->p, s->p_error_mm + moved_of(s, m));
+/*= energy_now : cells_span estimate_type body_type motion_type moved_now span_unknown */
+static span energy_now(const cells *c, const estimate *s, const body *b, const motion *m) {
+  return s->p_input != INPUT_NONE ? span_unknown(s->p_input)
+                                  : cells_span(c, s->p, s->p_error_mm + moved_now(s, b, m));
 }
 /*= energy_reach : cells_span reach_type margin_of margin_unknown div_up span_type */
 /* From everywhere within reach the charge suffices for the way, `reserve_ppm` included. */

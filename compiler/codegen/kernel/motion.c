@@ -44,7 +44,8 @@ typedef struct motion {
 } motion;
 /*= estimate_type : vec_type */
 typedef struct estimate {
-  int32_t input; /* input that is missing; INPUT_NONE: usable */
+  int32_t input;   /* input that is missing; INPUT_NONE: usable */
+  int32_t p_input; /* the same of the position alone: where the robot is now takes no velocity */
   vec p, v;
   int64_t p_error_mm, v_error_mmps;
   int64_t speed_mmps; /* of the measured velocity, rounded up */
@@ -68,6 +69,12 @@ static int32_t within_speeds(const KERNEL_point *v) {
 static int64_t on_map(int64_t mm) {
   return clamp_of(mm, -EXTENT_MM, EXTENT_MM);
 }
+/*= lost : estimate_type */
+/* Nothing is known of the robot any more. */
+static void lost(estimate *s, int32_t input) {
+  s->input = input;
+  s->p_input = input;
+}
 /*= estimate_of : estimate_type body_type usable within_speeds on_map vec_of dot root_up div_up magnitude min_of elapsed_us */
 /* Velocity and position of unequal stamps: the velocity may have changed in between. A speed that
  * the robot cannot have is unknown; 2 mm/s: the lower corner of the grid lengthens a velocity by
@@ -75,12 +82,11 @@ static int64_t on_map(int64_t mm) {
 static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *velocity,
                             int64_t now_us, const body *b) {
   estimate s;
-  s.input = INPUT_NONE;
-  if (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity)) {
+  s.p_input = usable(position, now_us, b->position_age_us) ? INPUT_NONE : INPUT_POSITION;
+  s.input = s.p_input;
+  if (s.input == INPUT_NONE &&
+      (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity))) {
     s.input = INPUT_VELOCITY;
-  }
-  if (!usable(position, now_us, b->position_age_us)) {
-    s.input = INPUT_POSITION;
   }
   s.p = vec_of(0, 0);
   s.v = vec_of(0, 0);
@@ -88,17 +94,19 @@ static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *ve
   s.v_error_mmps = 0;
   s.speed_mmps = 0;
   s.age_us = 0;
-  if (s.input == INPUT_NONE) {
-    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+  if (s.p_input == INPUT_NONE) {
     s.p = vec_of(on_map(position->x_lo), on_map(position->y_lo));
-    s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.p_error_mm = b->position_error_mm + (on_map(position->x_hi) - s.p.x) +
                    (on_map(position->y_hi) - s.p.y);
+    s.age_us = elapsed_us(position->stamp_us, now_us);
+  }
+  if (s.input == INPUT_NONE) {
+    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+    s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
                      (velocity->y_hi - velocity->y_lo) +
                      min_of(div_up(b->accel_mmps2 * apart_ms, 1000), 2 * SPEED_MAX_MMPS);
     s.speed_mmps = root_up(dot(s.v, s.v));
-    s.age_us = elapsed_us(position->stamp_us, now_us);
     if (s.speed_mmps > b->speed_mmps + b->velocity_error_mmps + 2) {
       s.input = INPUT_VELOCITY;
     }
@@ -132,6 +140,12 @@ static int64_t speed_cap(const estimate *s, const motion *m) {
 static int64_t moved_of(const estimate *s, const motion *m) {
   const int64_t cap = speed_cap(s, m);
   return travel_of(min_of(cap, s->speed_mmps + s->v_error_mmps), div_up(s->age_us, 1000), cap, m);
+}
+/*= moved_now : estimate_type body_type motion_type moved_of div_up */
+/* The same where the velocity may be missing: then no more than the declared speed is known. */
+static int64_t moved_now(const estimate *s, const body *b, const motion *m) {
+  return s->input == INPUT_NONE ? moved_of(s, m)
+                                : div_up(b->speed_mmps * div_up(s->age_us, 1000), 1000);
 }
 /*= reach_of : reach_type estimate_type body_type motion_type speed_cap travel_of div_up min_of vec_of on_map */
 static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t horizon_us) {

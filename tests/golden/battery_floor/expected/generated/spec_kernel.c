@@ -260,7 +260,8 @@ typedef struct motion {
 } motion;
 
 typedef struct estimate {
-  int32_t input; /* input that is missing; BATTERY_FLOOR_INPUT_NONE: usable */
+  int32_t input;   /* input that is missing; BATTERY_FLOOR_INPUT_NONE: usable */
+  int32_t p_input; /* the same of the position alone: where the robot is now takes no velocity */
   vec p, v;
   int64_t p_error_mm, v_error_mmps;
   int64_t speed_mmps; /* of the measured velocity, rounded up */
@@ -285,18 +286,23 @@ static int64_t on_map(int64_t mm) {
   return clamp_of(mm, -EXTENT_MM, EXTENT_MM);
 }
 
+/* Nothing is known of the robot any more. */
+static void lost(estimate *s, int32_t input) {
+  s->input = input;
+  s->p_input = input;
+}
+
 /* Velocity and position of unequal stamps: the velocity may have changed in between. A speed that
  * the robot cannot have is unknown; 2 mm/s: the lower corner of the grid lengthens a velocity by
  * less than sqrt(2) mm/s, and the root rounds up. */
 static estimate estimate_of(const battery_floor_point *position, const battery_floor_point *velocity,
                             int64_t now_us, const body *b) {
   estimate s;
-  s.input = BATTERY_FLOOR_INPUT_NONE;
-  if (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity)) {
+  s.p_input = usable(position, now_us, b->position_age_us) ? BATTERY_FLOOR_INPUT_NONE : BATTERY_FLOOR_INPUT_POSITION;
+  s.input = s.p_input;
+  if (s.input == BATTERY_FLOOR_INPUT_NONE &&
+      (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity))) {
     s.input = BATTERY_FLOOR_INPUT_VELOCITY;
-  }
-  if (!usable(position, now_us, b->position_age_us)) {
-    s.input = BATTERY_FLOOR_INPUT_POSITION;
   }
   s.p = vec_of(0, 0);
   s.v = vec_of(0, 0);
@@ -304,17 +310,19 @@ static estimate estimate_of(const battery_floor_point *position, const battery_f
   s.v_error_mmps = 0;
   s.speed_mmps = 0;
   s.age_us = 0;
-  if (s.input == BATTERY_FLOOR_INPUT_NONE) {
-    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+  if (s.p_input == BATTERY_FLOOR_INPUT_NONE) {
     s.p = vec_of(on_map(position->x_lo), on_map(position->y_lo));
-    s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.p_error_mm = b->position_error_mm + (on_map(position->x_hi) - s.p.x) +
                    (on_map(position->y_hi) - s.p.y);
+    s.age_us = elapsed_us(position->stamp_us, now_us);
+  }
+  if (s.input == BATTERY_FLOOR_INPUT_NONE) {
+    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+    s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
                      (velocity->y_hi - velocity->y_lo) +
                      min_of(div_up(b->accel_mmps2 * apart_ms, 1000), 2 * SPEED_MAX_MMPS);
     s.speed_mmps = root_up(dot(s.v, s.v));
-    s.age_us = elapsed_us(position->stamp_us, now_us);
     if (s.speed_mmps > b->speed_mmps + b->velocity_error_mmps + 2) {
       s.input = BATTERY_FLOOR_INPUT_VELOCITY;
     }
@@ -348,6 +356,12 @@ static int64_t speed_cap(const estimate *s, const motion *m) {
 static int64_t moved_of(const estimate *s, const motion *m) {
   const int64_t cap = speed_cap(s, m);
   return travel_of(min_of(cap, s->speed_mmps + s->v_error_mmps), div_up(s->age_us, 1000), cap, m);
+}
+
+/* The same where the velocity may be missing: then no more than the declared speed is known. */
+static int64_t moved_now(const estimate *s, const body *b, const motion *m) {
+  return s->input == BATTERY_FLOOR_INPUT_NONE ? moved_of(s, m)
+                                : div_up(b->speed_mmps * div_up(s->age_us, 1000), 1000);
 }
 
 static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t horizon_us) {
@@ -583,11 +597,11 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
 
 /* Signed gap between the body and the boundary, now; `at`: the place of the measured position. */
 static span clearance_now(const place *at, const estimate *s, const body *b, const motion *m) {
-  if (s->input != BATTERY_FLOOR_INPUT_NONE) {
-    return span_unknown(s->input);
+  if (s->p_input != BATTERY_FLOOR_INPUT_NONE) {
+    return span_unknown(s->p_input);
   } else {
     const int64_t gap = at->gap_mm;
-    const int64_t error = s->p_error_mm + moved_of(s, m);
+    const int64_t error = s->p_error_mm + moved_now(s, b, m);
     if (at->inside) {
       return span_of(gap - error - b->radius_mm, gap + 3 + error - b->radius_mm);
     }
@@ -668,9 +682,9 @@ static span charge_now(const battery_floor_scalar *battery, int64_t now_us, int6
                  battery->hi + error_ppm);
 }
 
-static span energy_now(const cells *c, const estimate *s, const motion *m) {
-  return s->input != BATTERY_FLOOR_INPUT_NONE ? span_unknown(s->input)
-                                : cells_span(c, s->p, s->p_error_mm + moved_of(s, m));
+static span energy_now(const cells *c, const estimate *s, const body *b, const motion *m) {
+  return s->p_input != BATTERY_FLOOR_INPUT_NONE ? span_unknown(s->p_input)
+                                  : cells_span(c, s->p, s->p_error_mm + moved_now(s, b, m));
 }
 
 /* From everywhere within reach the charge suffices for the way, `reserve_ppm` included. */
@@ -1292,7 +1306,7 @@ static margin drive_floor_now(const drive_view *v) {
   /* r.battery >= 20 % */
   const margin v2 = margin_at_least(v0, v1, WEIGHT_PPM, 0);
   const span v3 = span_of(40000, 40000);
-  const span v4 = energy_now(&cells_to_home[v->me], &v->self, v->m);
+  const span v4 = energy_now(&cells_to_home[v->me], &v->self, &BODY, v->m);
   const span v5 = span_add(v4, v3);
   /* r.battery > energy_to(home) + 4 % */
   const margin v6 = margin_at_least(v0, v5, WEIGHT_PPM, 1);
@@ -1363,7 +1377,7 @@ static void drive_measure(drive_view *v, battery_floor_drive_state *s, int64_t e
   const battery_floor_drive_in *in = v->in;
   v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);
   if (in->position.valid && !in_order(in->position.stamp_us, v->now_us, &s->last_position_us)) {
-    v->self.input = BATTERY_FLOOR_INPUT_POSITION;
+    lost(&v->self, BATTERY_FLOOR_INPUT_POSITION);
   }
   if (in->velocity.valid && !in_order(in->velocity.stamp_us, v->now_us, &s->last_velocity_us)) {
     v->self.input = BATTERY_FLOOR_INPUT_VELOCITY;
@@ -1378,10 +1392,10 @@ static void drive_measure(drive_view *v, battery_floor_drive_state *s, int64_t e
     v->charge = span_unknown(BATTERY_FLOOR_INPUT_BATTERY);
   }
   if (in->self < 0 || in->self >= ROBOTS) {
-    v->self.input = BATTERY_FLOOR_INPUT_OTHER_ROBOT; /* nobody of the fleet */
+    lost(&v->self, BATTERY_FLOOR_INPUT_OTHER_ROBOT); /* nobody of the fleet */
   }
   if (elapsed < 0) {
-    v->self.input = BATTERY_FLOOR_INPUT_CLOCK;
+    lost(&v->self, BATTERY_FLOOR_INPUT_CLOCK);
     v->charge = span_unknown(BATTERY_FLOOR_INPUT_CLOCK);
   }
   if (elapsed != 0 && elapsed != 1) {

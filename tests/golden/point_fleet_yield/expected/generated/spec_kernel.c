@@ -252,7 +252,8 @@ typedef struct motion {
 } motion;
 
 typedef struct estimate {
-  int32_t input; /* input that is missing; POINT_FLEET_YIELD_INPUT_NONE: usable */
+  int32_t input;   /* input that is missing; POINT_FLEET_YIELD_INPUT_NONE: usable */
+  int32_t p_input; /* the same of the position alone: where the robot is now takes no velocity */
   vec p, v;
   int64_t p_error_mm, v_error_mmps;
   int64_t speed_mmps; /* of the measured velocity, rounded up */
@@ -277,18 +278,23 @@ static int64_t on_map(int64_t mm) {
   return clamp_of(mm, -EXTENT_MM, EXTENT_MM);
 }
 
+/* Nothing is known of the robot any more. */
+static void lost(estimate *s, int32_t input) {
+  s->input = input;
+  s->p_input = input;
+}
+
 /* Velocity and position of unequal stamps: the velocity may have changed in between. A speed that
  * the robot cannot have is unknown; 2 mm/s: the lower corner of the grid lengthens a velocity by
  * less than sqrt(2) mm/s, and the root rounds up. */
 static estimate estimate_of(const point_fleet_yield_point *position, const point_fleet_yield_point *velocity,
                             int64_t now_us, const body *b) {
   estimate s;
-  s.input = POINT_FLEET_YIELD_INPUT_NONE;
-  if (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity)) {
+  s.p_input = usable(position, now_us, b->position_age_us) ? POINT_FLEET_YIELD_INPUT_NONE : POINT_FLEET_YIELD_INPUT_POSITION;
+  s.input = s.p_input;
+  if (s.input == POINT_FLEET_YIELD_INPUT_NONE &&
+      (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity))) {
     s.input = POINT_FLEET_YIELD_INPUT_VELOCITY;
-  }
-  if (!usable(position, now_us, b->position_age_us)) {
-    s.input = POINT_FLEET_YIELD_INPUT_POSITION;
   }
   s.p = vec_of(0, 0);
   s.v = vec_of(0, 0);
@@ -296,17 +302,19 @@ static estimate estimate_of(const point_fleet_yield_point *position, const point
   s.v_error_mmps = 0;
   s.speed_mmps = 0;
   s.age_us = 0;
-  if (s.input == POINT_FLEET_YIELD_INPUT_NONE) {
-    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+  if (s.p_input == POINT_FLEET_YIELD_INPUT_NONE) {
     s.p = vec_of(on_map(position->x_lo), on_map(position->y_lo));
-    s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.p_error_mm = b->position_error_mm + (on_map(position->x_hi) - s.p.x) +
                    (on_map(position->y_hi) - s.p.y);
+    s.age_us = elapsed_us(position->stamp_us, now_us);
+  }
+  if (s.input == POINT_FLEET_YIELD_INPUT_NONE) {
+    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+    s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
                      (velocity->y_hi - velocity->y_lo) +
                      min_of(div_up(b->accel_mmps2 * apart_ms, 1000), 2 * SPEED_MAX_MMPS);
     s.speed_mmps = root_up(dot(s.v, s.v));
-    s.age_us = elapsed_us(position->stamp_us, now_us);
     if (s.speed_mmps > b->speed_mmps + b->velocity_error_mmps + 2) {
       s.input = POINT_FLEET_YIELD_INPUT_VELOCITY;
     }
@@ -340,6 +348,12 @@ static int64_t speed_cap(const estimate *s, const motion *m) {
 static int64_t moved_of(const estimate *s, const motion *m) {
   const int64_t cap = speed_cap(s, m);
   return travel_of(min_of(cap, s->speed_mmps + s->v_error_mmps), div_up(s->age_us, 1000), cap, m);
+}
+
+/* The same where the velocity may be missing: then no more than the declared speed is known. */
+static int64_t moved_now(const estimate *s, const body *b, const motion *m) {
+  return s->input == POINT_FLEET_YIELD_INPUT_NONE ? moved_of(s, m)
+                                : div_up(b->speed_mmps * div_up(s->age_us, 1000), 1000);
 }
 
 static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t horizon_us) {
@@ -489,15 +503,15 @@ typedef struct other {
 static span distance_now(const estimate *s, const other *o, const body *b, const motion *m,
                          const motion *any, int32_t index) {
   span gap;
-  if (s->input != POINT_FLEET_YIELD_INPUT_NONE) {
-    return span_unknown(s->input);
+  if (s->p_input != POINT_FLEET_YIELD_INPUT_NONE) {
+    return span_unknown(s->p_input);
   }
-  if (o->s.input != POINT_FLEET_YIELD_INPUT_NONE) {
+  if (o->s.p_input != POINT_FLEET_YIELD_INPUT_NONE) {
     gap = span_unknown(POINT_FLEET_YIELD_INPUT_OTHER_ROBOT);
   } else {
     const vec d = minus(s->p, o->s.p);
-    const int64_t error = s->p_error_mm + moved_of(s, m) + o->s.p_error_mm +
-                          (o->held != 0 ? b->hold_mm : moved_of(&o->s, any));
+    const int64_t error = s->p_error_mm + moved_now(s, b, m) + o->s.p_error_mm +
+                          (o->held != 0 ? b->hold_mm : moved_now(&o->s, b, any));
     const int64_t centre = root_down(dot(d, d));
     gap = span_of(centre - error - 2 * b->radius_mm, centre + 1 + error - 2 * b->radius_mm);
   }
@@ -901,7 +915,7 @@ static void fly_measure(fly_view *v, point_fleet_yield_fly_state *s, int64_t ela
   int32_t j;
   v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);
   if (in->position.valid && !in_order(in->position.stamp_us, v->now_us, &s->last_position_us)) {
-    v->self.input = POINT_FLEET_YIELD_INPUT_POSITION;
+    lost(&v->self, POINT_FLEET_YIELD_INPUT_POSITION);
   }
   if (in->velocity.valid && !in_order(in->velocity.stamp_us, v->now_us, &s->last_velocity_us)) {
     v->self.input = POINT_FLEET_YIELD_INPUT_VELOCITY;
@@ -911,21 +925,21 @@ static void fly_measure(fly_view *v, point_fleet_yield_fly_state *s, int64_t ela
     const point_fleet_yield_other *o = &in->others[j];
     v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, &fly_heard_body);
     if (o->position.valid && !in_order(o->position.stamp_us, v->now_us, &s->last_other_us[j])) {
-      v->others[j].s.input = POINT_FLEET_YIELD_INPUT_OTHER_ROBOT;
+      lost(&v->others[j].s, POINT_FLEET_YIELD_INPUT_OTHER_ROBOT);
     }
     if (o->velocity.valid && !in_order(o->velocity.stamp_us, v->now_us, &s->last_other_velocity_us[j])) {
       v->others[j].s.input = POINT_FLEET_YIELD_INPUT_OTHER_ROBOT;
     }
     if (o->position.valid &&
           !promise_kept(o->lease_end_us, v->now_us, 1000000, &s->last_other_lease_us[j])) {
-      v->others[j].s.input = POINT_FLEET_YIELD_INPUT_OTHER_ROBOT;
+      lost(&v->others[j].s, POINT_FLEET_YIELD_INPUT_OTHER_ROBOT);
     }
   }
   if (in->self < 0 || in->self >= ROBOTS) {
-    v->self.input = POINT_FLEET_YIELD_INPUT_OTHER_ROBOT; /* nobody of the fleet */
+    lost(&v->self, POINT_FLEET_YIELD_INPUT_OTHER_ROBOT); /* nobody of the fleet */
   }
   if (elapsed < 0) {
-    v->self.input = POINT_FLEET_YIELD_INPUT_CLOCK;
+    lost(&v->self, POINT_FLEET_YIELD_INPUT_CLOCK);
   }
 }
 

@@ -349,7 +349,8 @@ typedef struct motion {
 } motion;
 
 typedef struct estimate {
-  int32_t input; /* input that is missing; FACTS_INPUT_NONE: usable */
+  int32_t input;   /* input that is missing; FACTS_INPUT_NONE: usable */
+  int32_t p_input; /* the same of the position alone: where the robot is now takes no velocity */
   vec p, v;
   int64_t p_error_mm, v_error_mmps;
   int64_t speed_mmps; /* of the measured velocity, rounded up */
@@ -374,18 +375,23 @@ static int64_t on_map(int64_t mm) {
   return clamp_of(mm, -EXTENT_MM, EXTENT_MM);
 }
 
+/* Nothing is known of the robot any more. */
+static void lost(estimate *s, int32_t input) {
+  s->input = input;
+  s->p_input = input;
+}
+
 /* Velocity and position of unequal stamps: the velocity may have changed in between. A speed that
  * the robot cannot have is unknown; 2 mm/s: the lower corner of the grid lengthens a velocity by
  * less than sqrt(2) mm/s, and the root rounds up. */
 static estimate estimate_of(const facts_point *position, const facts_point *velocity,
                             int64_t now_us, const body *b) {
   estimate s;
-  s.input = FACTS_INPUT_NONE;
-  if (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity)) {
+  s.p_input = usable(position, now_us, b->position_age_us) ? FACTS_INPUT_NONE : FACTS_INPUT_POSITION;
+  s.input = s.p_input;
+  if (s.input == FACTS_INPUT_NONE &&
+      (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity))) {
     s.input = FACTS_INPUT_VELOCITY;
-  }
-  if (!usable(position, now_us, b->position_age_us)) {
-    s.input = FACTS_INPUT_POSITION;
   }
   s.p = vec_of(0, 0);
   s.v = vec_of(0, 0);
@@ -393,17 +399,19 @@ static estimate estimate_of(const facts_point *position, const facts_point *velo
   s.v_error_mmps = 0;
   s.speed_mmps = 0;
   s.age_us = 0;
-  if (s.input == FACTS_INPUT_NONE) {
-    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+  if (s.p_input == FACTS_INPUT_NONE) {
     s.p = vec_of(on_map(position->x_lo), on_map(position->y_lo));
-    s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.p_error_mm = b->position_error_mm + (on_map(position->x_hi) - s.p.x) +
                    (on_map(position->y_hi) - s.p.y);
+    s.age_us = elapsed_us(position->stamp_us, now_us);
+  }
+  if (s.input == FACTS_INPUT_NONE) {
+    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+    s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
                      (velocity->y_hi - velocity->y_lo) +
                      min_of(div_up(b->accel_mmps2 * apart_ms, 1000), 2 * SPEED_MAX_MMPS);
     s.speed_mmps = root_up(dot(s.v, s.v));
-    s.age_us = elapsed_us(position->stamp_us, now_us);
     if (s.speed_mmps > b->speed_mmps + b->velocity_error_mmps + 2) {
       s.input = FACTS_INPUT_VELOCITY;
     }
@@ -437,6 +445,12 @@ static int64_t speed_cap(const estimate *s, const motion *m) {
 static int64_t moved_of(const estimate *s, const motion *m) {
   const int64_t cap = speed_cap(s, m);
   return travel_of(min_of(cap, s->speed_mmps + s->v_error_mmps), div_up(s->age_us, 1000), cap, m);
+}
+
+/* The same where the velocity may be missing: then no more than the declared speed is known. */
+static int64_t moved_now(const estimate *s, const body *b, const motion *m) {
+  return s->input == FACTS_INPUT_NONE ? moved_of(s, m)
+                                : div_up(b->speed_mmps * div_up(s->age_us, 1000), 1000);
 }
 
 static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t horizon_us) {
@@ -672,11 +686,11 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
 
 /* Signed gap between the body and the boundary, now; `at`: the place of the measured position. */
 static span clearance_now(const place *at, const estimate *s, const body *b, const motion *m) {
-  if (s->input != FACTS_INPUT_NONE) {
-    return span_unknown(s->input);
+  if (s->p_input != FACTS_INPUT_NONE) {
+    return span_unknown(s->p_input);
   } else {
     const int64_t gap = at->gap_mm;
-    const int64_t error = s->p_error_mm + moved_of(s, m);
+    const int64_t error = s->p_error_mm + moved_now(s, b, m);
     if (at->inside) {
       return span_of(gap - error - b->radius_mm, gap + 3 + error - b->radius_mm);
     }
@@ -1604,7 +1618,7 @@ static void fly_facts_catch_up(const fly_view *v, int64_t missed) {
   blind.m = v->m;
   blind.me = v->me;
   blind.self = v->self;
-  blind.self.input = FACTS_INPUT_CLOCK;
+  lost(&blind.self, FACTS_INPUT_CLOCK);
   blind.charge = span_unknown(FACTS_INPUT_CLOCK);
   fly_facts_blind(&blind.facts, s);
   for (k = 0; k < missed; ++k) {
@@ -1757,7 +1771,7 @@ static void fly_measure(fly_view *v, facts_fly_state *s, int64_t elapsed) {
   const facts_fly_in *in = v->in;
   v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);
   if (in->position.valid && !in_order(in->position.stamp_us, v->now_us, &s->last_position_us)) {
-    v->self.input = FACTS_INPUT_POSITION;
+    lost(&v->self, FACTS_INPUT_POSITION);
   }
   if (in->velocity.valid && !in_order(in->velocity.stamp_us, v->now_us, &s->last_velocity_us)) {
     v->self.input = FACTS_INPUT_VELOCITY;
@@ -1768,10 +1782,10 @@ static void fly_measure(fly_view *v, facts_fly_state *s, int64_t elapsed) {
   v->age_of_position = sensed_age(in->position.valid, in->position.stamp_us, v->now_us, s->last_position_us,
       FACTS_INPUT_POSITION);
   if (in->self < 0 || in->self >= ROBOTS) {
-    v->self.input = FACTS_INPUT_OTHER_ROBOT; /* nobody of the fleet */
+    lost(&v->self, FACTS_INPUT_OTHER_ROBOT); /* nobody of the fleet */
   }
   if (elapsed < 0) {
-    v->self.input = FACTS_INPUT_CLOCK;
+    lost(&v->self, FACTS_INPUT_CLOCK);
   }
 }
 
