@@ -109,10 +109,15 @@ void BlockPrinter::loop(const Op& op, const std::string& target, const std::stri
 void BlockPrinter::quantifier(const std::string& name, const Op& op, Code& out) {
   units_ = false;
   this->others(name + "_each", *body_of(op), out);
-  out.block("static margin " + name + "(const " + view_ + " *v)", [&](Code& to) {
-    loop(op, "all", name + "_each", to);
-    to.line("return all;");
-  });
+  const bool counts = std::holds_alternative<CountOthers>(op);
+  out.block(
+      "static " + std::string(counts ? "span " : "margin ") + name + "(const " + view_ + " *v)",
+      [&](Code& to) {
+        loop(op, "all", name + "_each", to);
+        // what is missing leaves the ends numbers
+        if (counts) to.line("all.input = " + upper(module_.name) + "_INPUT_NONE;");
+        to.line("return all;");
+      });
   out.blank();
 }
 

@@ -40,6 +40,9 @@ DecisionPrinter::DecisionPrinter(const Module& module, const Decision& decision,
       view_(id_ + "_view"),
       uses_(uses),
       out_(out) {
+  for (const PlainMonitor& fact : d_.facts.monitors) {
+    pairs_ = pairs_ || judges_others(fact.property);
+  }
   for (const Monitor& m : d_.monitors) {
     if (m.separation_mm) separation_ = std::max(separation_.value_or(0), *m.separation_mm);
     pairs_ = pairs_ || judges_others(m);

@@ -56,9 +56,11 @@ void FactPrinter::fact(std::size_t index, BlockPrinter& blocks) {
   std::size_t at = 0;
   const auto of_robot = [&](const Value& v, const Block& block) -> std::string {
     while (&block.values[at] != &v) ++at;
-    if (!std::holds_alternative<ForOthers>(v.op)) return blocks.call(v, block);
+    if (body_of(v.op) == nullptr) return blocks.call(v, block);
+    const std::string others = name + "_v" + num(std::int64_t(at)) + "(v)";
+    if (std::holds_alternative<CountOthers>(v.op)) return others;
     use({"halves_of"});
-    return "halves_of(" + name + "_v" + num(std::int64_t(at)) + "(v))";
+    return "halves_of(" + others + ")";
   };
   WatchValuePrinter values(look_->kernel(), look_->members(), uses_, of_robot);
   Code body;

@@ -161,6 +161,9 @@ ValueId QuantityBuilder::zero(ValueId like, const sema::Expr& e) {
   const Unit same = unit_of(like);
   return add(Const{0}, same, e);
 }
+ValueId QuantityBuilder::quantity(const sema::CountOthers& v, const sema::Expr& e) {
+  return add(CountOthers{std::make_unique<Block>(robot_->others(*v.body))}, Unit::robots, e);
+}
 ValueId QuantityBuilder::quantity(const sema::EnergyTo& v, const sema::Expr& e) {
   const auto& site =
       robot_->tables

@@ -87,6 +87,7 @@ class QuantityBuilder {
   ValueId quantity(const sema::SignalRef& v, const sema::Expr& e);
   ValueId quantity(const sema::Clearance& v, const sema::Expr& e);
   ValueId quantity(const sema::EnergyTo& v, const sema::Expr& e);
+  ValueId quantity(const sema::CountOthers& v, const sema::Expr& e);
   ValueId quantity(const sema::PointClearance& v, const sema::Expr& e);
   template <class Node>
   ValueId quantity(const Node&, const sema::Expr& e);

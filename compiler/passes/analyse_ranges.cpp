@@ -16,7 +16,6 @@ constexpr std::int64_t quantity_limit = std::int64_t{1} << 48;
 constexpr std::int64_t speed_limit_mmps = 100'000;
 constexpr std::int64_t accel_limit_mmps2 = 1'000'000;
 constexpr std::int64_t horizon_limit_us = 60'000'000;
-constexpr std::int64_t robots_most = std::int64_t{1} << 16;  // more than any fleet has
 
 Rational exact(std::int64_t value) {
   return Rational(static_cast<long>(value));
@@ -38,7 +37,6 @@ class Ranges {
   Range range(const Block& block, const Value& value) {
     const auto of = [&](ValueId id) { return *block[id].range; };
     if (const auto* v = std::get_if<Const>(&value.op)) return checked(exact(v->value), value);
-    if (std::holds_alternative<CountOthers>(value.op)) return {0, robots_most};
     if (const auto* v = std::get_if<ParamValue>(&value.op)) {
       const Range& range = decision_.facts.params[v->param].range;
       return checked(exact(range.lo), exact(range.hi), value);

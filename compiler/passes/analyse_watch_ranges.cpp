@@ -14,6 +14,7 @@ namespace {
 using namespace ir;
 
 // Beyond it an age is unknown: 2^50 us, 35 years (kernel: AGE_MAX_US).
+constexpr Range number_of_robots{0, std::int64_t{1} << 16};  // more than any fleet has
 constexpr std::int64_t age_max_us = std::int64_t{1} << 50;
 
 // Places beyond it are held against no zone: products of the kernel fit 63 bits up to here. Zones
@@ -165,6 +166,11 @@ class WatchRanges {
   Wide operator()(const Battery& v) const { return of_robot(v); }
   Wide operator()(const Clearance& v) const { return of_robot(v); }
   Wide operator()(const EnergyTo& v) const { return of_robot(v); }
+  Wide operator()(const CountOthers&) const {
+    Wide any = wide(number_of_robots);
+    any.declared = false;
+    return any;
+  }
   // Other operations of robots never occur here (verified IR), and margins have no range.
   template <class Other>
   Wide operator()(const Other&) const {
@@ -305,6 +311,7 @@ class WatchRanges {
 }  // namespace
 
 Range range_of_robot(const Module& module, const Op& op) {
+  if (std::holds_alternative<CountOthers>(op)) return number_of_robots;
   constexpr std::int64_t gap_mm = std::int64_t{1} << 31;  // any distance within the extent
   if (std::holds_alternative<Battery>(op)) return {-2'000'000, 3'000'000};
   const auto* energy = std::get_if<EnergyTo>(&op);

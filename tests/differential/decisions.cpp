@@ -145,7 +145,10 @@ std::string DecisionGenerator::robot_claim() {
     case 2:
       return one_of(List{"r.battery - 20 %", "min(r.battery, 30 %)"}) + less_or_more() + "1 %";
     case 3:
-      return one_of(List{"(forall q : Quad, q != r : distance(r, q) >= 50 cm)",
+      return one_of(List{"count(q : Quad, q != r : distance(r, q) <= 2 m) <= 1",
+                         "mean[0 ms, 100 ms](count(q : Quad, q != r : distance(r, q) < 2 m)) < 1",
+                         "min(q : Quad, q != r : distance(r, q)) >= 1 m",
+                         "(forall q : Quad, q != r : distance(r, q) >= 50 cm)",
                          "(exists q : Quad, q != r : distance(r, q) < 1 m)"});
     default:
       return one_of(List{"r inside field", "r inside core"});
