@@ -24,7 +24,8 @@ enum { BATTERY_AGE_US = 5000000 };
 enum { ANY = 0, HOLDING = HAND_MONITORS + 1 }; /* of the motions */
 
 typedef struct estimate {
-  int32_t input; /* that is missing */
+  int32_t input;       /* that is missing */
+  int32_t place_input; /* the same of the position alone */
   hand_vec p, v;
   double v_error, speed, age;
 } estimate;
@@ -86,19 +87,21 @@ static int in_range(hand_vec v) {
 }
 static estimate estimate_of(const hand_point* position, const hand_point* velocity, int64_t now_us,
                             int64_t max_age_us) {
-  estimate s = {INPUT_NONE, {0, 0}, {0, 0}, 0, 0, 0};
+  estimate s = {INPUT_NONE, INPUT_NONE, {0, 0}, {0, 0}, 0, 0, 0};
   if (!usable(position, now_us, max_age_us)) {
-    s.input = INPUT_POSITION;
-  } else if (!usable(velocity, now_us, max_age_us) || !in_range(velocity->value)) {
+    s.input = s.place_input = INPUT_POSITION;
+    return s;
+  }
+  s.p = position->value;
+  s.age = (double)(now_us - position->stamp_us) * 1e-6;
+  if (!usable(velocity, now_us, max_age_us) || !in_range(velocity->value)) {
     s.input = INPUT_VELOCITY;
   } else {
     /* the velocity may have changed between the two stamps */
     const double apart = fabs((double)(position->stamp_us - velocity->stamp_us)) * 1e-6;
-    s.p = position->value;
     s.v = velocity->value;
     s.v_error = velocity_error + any_accel * apart;
     s.speed = sqrt(dot(s.v, s.v));
-    s.age = (double)(now_us - position->stamp_us) * 1e-6;
   }
   return s;
 }
@@ -112,8 +115,12 @@ static double travel(double speed, double time, double cap, double accel) {
   }
   return cap * time - (cap - speed) * (cap - speed) / (2 * accel);
 }
+/* Without a velocity, at the declared speed. */
 static double moved_since(const estimate* s, const hand_motion* m) {
   const double cap = speed_cap(s, m);
+  if (s->input != INPUT_NONE) {
+    return speed_max * s->age;
+  }
   return travel(smaller(cap, s->speed + s->v_error), s->age, cap, m->accel);
 }
 /* The bounds "capsule" and "disc" on everything within reach until the recovery has stopped. */
@@ -140,8 +147,8 @@ static reach reach_of(const estimate* s, const hand_motion* m, double horizon_s)
 /* ---- geofence ---- */
 
 static margin clearance_now(const tick* v, double least) {
-  if (v->me.input != INPUT_NONE) {
-    return unknown(v->me.input, -1);
+  if (v->me.place_input != INPUT_NONE) {
+    return unknown(v->me.place_input, -1);
   } else {
     const double error = position_error + v->moved;
     const double gap = v->gap - radius - least;
@@ -251,8 +258,8 @@ static margin fence_gives_back(const tick* v, hand_state* s) {
 
 static margin distance_now(const tick* v, int j) {
   const heard* o = &v->others[j];
-  if (v->me.input != INPUT_NONE || o->s.input != INPUT_NONE) {
-    return unknown(v->me.input != INPUT_NONE ? v->me.input : INPUT_OTHER_ROBOT, j);
+  if (v->me.place_input != INPUT_NONE || o->s.place_input != INPUT_NONE) {
+    return unknown(v->me.place_input != INPUT_NONE ? v->me.place_input : INPUT_OTHER_ROBOT, j);
   } else {
     const double theirs = o->held ? hold : moved_since(&o->s, &v->t->motions[ANY]);
     const double error = 2 * position_error + v->moved + theirs;
@@ -406,8 +413,8 @@ static void measure_battery(tick* v) {
 }
 static margin battery_now(const tick* v) {
   double least, most;
-  if (v->charge_input != INPUT_NONE || v->me.input != INPUT_NONE) {
-    return unknown(v->charge_input != INPUT_NONE ? v->charge_input : v->me.input, -1);
+  if (v->charge_input != INPUT_NONE || v->me.place_input != INPUT_NONE) {
+    return unknown(v->charge_input != INPUT_NONE ? v->charge_input : v->me.place_input, -1);
   }
   way_home(v, position_error + v->moved, &least, &most);
   return margin_of(percent * (v->charge_low - most - reserve_now),
@@ -524,7 +531,7 @@ static void measure(tick* v, hand_state* s, int64_t elapsed) {
   int j;
   v->me = estimate_of(&in->position, &in->velocity, v->now_us, MOTION_AGE_US);
   if (in->position.valid && !in_order(in->position.stamp_us, v->now_us, &s->last_position_us)) {
-    v->me.input = INPUT_POSITION;
+    v->me.input = v->me.place_input = INPUT_POSITION;
   }
   if (in->velocity.valid && !in_order(in->velocity.stamp_us, v->now_us, &s->last_velocity_us)) {
     v->me.input = INPUT_VELOCITY;
@@ -542,7 +549,7 @@ static void measure(tick* v, hand_state* s, int64_t elapsed) {
     if (j != v->self) {
       v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, HEARD_AGE_US);
       if (o->position.valid && !in_order(o->position.stamp_us, v->now_us, &s->last_other_us[j])) {
-        v->others[j].s.input = INPUT_OTHER_ROBOT;
+        v->others[j].s.input = v->others[j].s.place_input = INPUT_OTHER_ROBOT;
       }
       if (o->velocity.valid &&
           !in_order(o->velocity.stamp_us, v->now_us, &s->last_other_velocity_us[j])) {
@@ -550,17 +557,17 @@ static void measure(tick* v, hand_state* s, int64_t elapsed) {
       }
       if (o->position.valid &&
           !promise_kept(o->lease_end_us, v->now_us, &s->last_other_lease_us[j])) {
-        v->others[j].s.input = INPUT_OTHER_ROBOT;
+        v->others[j].s.input = v->others[j].s.place_input = INPUT_OTHER_ROBOT;
       }
     }
   }
   if (elapsed < 0) {
-    v->me.input = v->charge_input = INPUT_CLOCK;
+    v->me.input = v->me.place_input = v->charge_input = INPUT_CLOCK;
   }
   if (elapsed < 0 || elapsed > 1) {
     s->clear_ticks = 0;
   }
-  v->gap = v->me.input == INPUT_NONE ? signed_gap(&v->t->zone, v->me.p) : 0;
+  v->gap = v->me.place_input == INPUT_NONE ? signed_gap(&v->t->zone, v->me.p) : 0;
 }
 static void check_all(tick* v, hand_state* s, int driver, int back, check* checks) {
   if (back) {
