@@ -1,36 +1,11 @@
 // GeoJSON as of RFC 7946: longitude before latitude, WGS 84, closed rings. A Feature is an area; so
 // is a bare geometry. Points and lines enclose nothing: their areas are refused when used, since
 // maps of zones have labels and routes among them.
-#include <array>
+#include "compiler/geometry/import/geojson_reader.h"
 
-#include "compiler/geometry/import/json_reader.h"
 #include "compiler/geometry/import/readers.h"
 
 namespace rtac::geometry::import {
-namespace {
-
-class GeoJsonReader {
- public:
-  explicit GeoJsonReader(Findings& findings) : findings_(findings), json_(findings) {}
-
-  bool read_root(Json root);
-  Areas take_areas();
-
- private:
-  bool read_collection(Json collection);
-  bool read_feature(Json feature);
-  bool read_geometry(Json geometry, Area& area);
-  bool read_shape(Json geometry, std::string_view type, Area& area);
-  bool read_geometries(Json collection, Area& area);
-  bool add_polygon(Json rings, Area& area);
-  bool check_crs(Json object);
-  bool check_extensions(Json geometry);
-  void read_names(Json feature, Area& area);
-
-  Findings& findings_;
-  JsonReader json_;
-  Areas areas_;
-};
 
 // The draft of 2008 could name another reference system; RFC 7946 has taken that away.
 bool GeoJsonReader::check_crs(Json object) {
@@ -52,7 +27,7 @@ bool GeoJsonReader::check_crs(Json object) {
 }
 
 // Without this, what limits a zone in height or makes a circle of a point would be lost.
-bool GeoJsonReader::check_extensions(Json geometry) {
+bool GeoJsonReader::read_layer(Json geometry, Band& /*band*/) {
   for (const std::string_view name : {"layer", "extent"}) {
     if (const auto member = geometry.member(name)) {
       return findings_.fail(member->where(), "plain GeoJSON has no " + quote(name),
@@ -62,18 +37,32 @@ bool GeoJsonReader::check_extensions(Json geometry) {
   return true;
 }
 
-bool GeoJsonReader::add_polygon(Json rings, Area& area) {
+bool GeoJsonReader::read_point(Json point, const Band& /*band*/, Area& area) {
+  refuse(area, point.where(), "a Point encloses nothing",
+         "select areas of polygons by their names");
+  return true;
+}
+
+bool GeoJsonReader::read_metadata(Json /*collection*/) {
+  return true;
+}
+
+bool GeoJsonReader::add_polygon(Json rings, const Band& band, Area& area) {
   if (rings.kind() == JsonKind::array && rings.items().empty()) {
     refuse(area, rings.where(), "the polygon is empty", "draw it, or select another area");
     return true;
   }
   Polygon polygon;
   if (!json_.read_polygon(rings, polygon)) return false;
-  area.parts.push_back({std::move(polygon), {}});
+  area.parts.push_back({std::move(polygon), band});
   return true;
 }
 
 bool GeoJsonReader::read_geometries(Json collection, Area& area) {
+  if (const auto layer = collection.member("layer")) {
+    return findings_.fail(layer->where(), "a GeometryCollection has no heights of its own",
+                          "give each of its members a `layer`");
+  }
   const auto geometries = json_.required_array(collection, "geometries");
   if (!geometries) return false;
   for (const Json geometry : geometries->items()) {
@@ -84,14 +73,16 @@ bool GeoJsonReader::read_geometries(Json collection, Area& area) {
 
 bool GeoJsonReader::read_shape(Json geometry, std::string_view type, Area& area) {
   const auto coordinates = json_.required_array(geometry, "coordinates");
-  if (!coordinates) return false;
-  if (type == "Polygon") return add_polygon(*coordinates, area);
+  Band band;
+  if (!coordinates || !read_layer(geometry, band)) return false;
+  if (type == "Point") return read_point(geometry, band, area);
+  if (type == "Polygon") return add_polygon(*coordinates, band, area);
   if (type == "MultiPolygon") {
     if (coordinates->kind() != JsonKind::array) {
       return json_.wrong_kind(*coordinates, "an array of polygons");
     }
     for (const Json polygon : coordinates->items()) {
-      if (!add_polygon(polygon, area)) return false;
+      if (!add_polygon(polygon, band, area)) return false;
     }
     return true;
   }
@@ -101,9 +92,7 @@ bool GeoJsonReader::read_shape(Json geometry, std::string_view type, Area& area)
 }
 
 bool GeoJsonReader::read_geometry(Json geometry, Area& area) {
-  if (!json_.expect_object(geometry) || !check_crs(geometry) || !check_extensions(geometry)) {
-    return false;
-  }
+  if (!json_.expect_object(geometry) || !check_crs(geometry)) return false;
   const auto type = json_.required_text(geometry, "type");
   if (!type) return false;
   if (*type == "GeometryCollection") return read_geometries(geometry, area);
@@ -116,7 +105,7 @@ bool GeoJsonReader::read_geometry(Json geometry, Area& area) {
                         "`Polygon`, `MultiPolygon` or `GeometryCollection`, in this spelling");
 }
 
-void GeoJsonReader::read_names(Json feature, Area& area) {
+bool GeoJsonReader::read_properties(Json feature, Area& area) {
   std::vector<std::string> names;
   const auto add = [&](const std::optional<Json>& value, bool may_be_number) {
     if (!value) return;
@@ -132,9 +121,10 @@ void GeoJsonReader::read_names(Json feature, Area& area) {
   if (const auto properties = feature.member("properties")) {
     for (const char* key : {"name", "title", "identifier"}) add(properties->member(key), false);
   }
-  if (names.empty()) return;
+  if (names.empty()) return true;
   area.name = names.front();
   area.other_names.assign(names.begin() + 1, names.end());
+  return true;
 }
 
 bool GeoJsonReader::read_feature(Json feature) {
@@ -147,7 +137,7 @@ bool GeoJsonReader::read_feature(Json feature) {
   }
   Area area;
   area.where = feature.where();
-  read_names(feature, area);
+  if (!read_properties(feature, area)) return false;
   const auto geometry = json_.required(feature, "geometry");
   if (!geometry) return false;
   if (geometry->kind() == JsonKind::null) {
@@ -170,7 +160,7 @@ bool GeoJsonReader::read_collection(Json collection) {
 }
 
 bool GeoJsonReader::read_root(Json root) {
-  if (!json_.expect_object(root) || !check_crs(root)) return false;
+  if (!json_.expect_object(root) || !check_crs(root) || !read_metadata(root)) return false;
   const auto type = json_.required_text(root, "type");
   if (!type) return false;
   if (*type == "FeatureCollection") return read_collection(root);
@@ -196,15 +186,8 @@ Areas GeoJsonReader::take_areas() {
   return std::move(areas_);
 }
 
-}  // namespace
-
 Outcome read_geojson(std::string_view text, const Limits& limits) {
-  auto tree = JsonTree::parse(text, limits);
-  if (auto* failure = std::get_if<Failure>(&tree)) return std::move(*failure);
-  Findings findings;
-  GeoJsonReader reader(findings);
-  if (!reader.read_root(std::get<JsonTree>(tree).root())) return *findings.failure();
-  return reader.take_areas();
+  return read_with<GeoJsonReader>(text, limits);
 }
 
 }  // namespace rtac::geometry::import

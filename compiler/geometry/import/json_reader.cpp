@@ -42,6 +42,11 @@ bool JsonReader::expect_object(Json value) {
   return value.is_object() || wrong_kind(value, "an object");
 }
 
+std::optional<Json> JsonReader::optional_member(Json object, std::string_view name) {
+  const auto value = object.member(name);
+  return value && value->kind() != JsonKind::null ? value : std::nullopt;
+}
+
 std::optional<bool> JsonReader::required_boolean(Json object, std::string_view name) {
   const auto value = required(object, name);
   if (!value) return std::nullopt;

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <variant>
 
 #include "compiler/geometry/import/json_tree.h"
 #include "compiler/geometry/import/outlines.h"
@@ -19,6 +21,8 @@ class JsonReader {
   std::optional<Json> required_array(Json object, std::string_view name);
   std::optional<std::string_view> required_text(Json object, std::string_view name);
   std::optional<double> required_number(Json object, std::string_view name);
+  // A member that may be missing or `null`, which programs write for it.
+  static std::optional<Json> optional_member(Json object, std::string_view name);
   std::optional<bool> required_boolean(Json object, std::string_view name);
   bool expect_object(Json value);
   // Another version may mean something else by the same members.
@@ -41,5 +45,16 @@ class JsonReader {
   Findings& findings_;
   std::optional<std::string> height_at_;
 };
+
+// Parses the text and lets `Reader` read it.
+template <class Reader>
+std::variant<Areas, Failure> read_with(std::string_view text, const Limits& limits) {
+  auto tree = JsonTree::parse(text, limits);
+  if (auto* failure = std::get_if<Failure>(&tree)) return std::move(*failure);
+  Findings findings;
+  Reader reader(findings);
+  if (!reader.read_root(std::get<JsonTree>(tree).root())) return *findings.failure();
+  return reader.take_areas();
+}
 
 }  // namespace rtac::geometry::import

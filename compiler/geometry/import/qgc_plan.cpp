@@ -126,12 +126,7 @@ Areas PlanReader::take_areas() {
 }  // namespace
 
 Outcome read_qgc_plan(std::string_view text, const Limits& limits) {
-  auto tree = JsonTree::parse(text, limits);
-  if (auto* failure = std::get_if<Failure>(&tree)) return std::move(*failure);
-  Findings findings;
-  PlanReader reader(findings);
-  if (!reader.read_root(std::get<JsonTree>(tree).root())) return *findings.failure();
-  return reader.take_areas();
+  return read_with<PlanReader>(text, limits);
 }
 
 }  // namespace rtac::geometry::import

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string_view>
 
 #include "compiler/geometry/import/outlines.h"
@@ -63,19 +64,28 @@ Outcome read_format(Format format, std::string_view text, const Limits& limits) 
     case Format::kml:
       return read_kml(text, limits);
     case Format::ed269:
+      return read_ed269(text, limits);
     case Format::ed318:
-      break;
+      return read_ed318(text, limits);
   }
   return Failure{"the whole text", "is of an unknown format", "name one of the formats"};
 }
 
-// A refused area keeps no parts, so that nobody uses half of it.
+bool is_always(const Period& period) {
+  const Period always;
+  return !period.from_us && !period.until_us && period.weekdays == always.weekdays &&
+         period.from_s == always.from_s && period.until_s == always.until_s;
+}
+
+// A refused area keeps no parts, so that nobody uses half of it. One period without limits makes
+// the others empty words.
 bool finish(Areas& areas, Findings& findings) {
   if (areas.areas.empty()) {
     return findings.fail("the whole text", "has no areas", "draw at least one");
   }
   for (Area& area : areas.areas) {
     if (area.refusal) area.parts.clear();
+    if (std::any_of(area.schedule.begin(), area.schedule.end(), is_always)) area.schedule.clear();
   }
   return check_positions(areas, findings);
 }

@@ -11,6 +11,8 @@ namespace rtac::geometry::import {
 using Outcome = std::variant<Areas, Failure>;
 
 Outcome read_geojson(std::string_view text, const Limits& limits);
+Outcome read_ed269(std::string_view text, const Limits& limits);
+Outcome read_ed318(std::string_view text, const Limits& limits);
 Outcome read_kml(std::string_view text, const Limits& limits);
 Outcome read_qgc_plan(std::string_view text, const Limits& limits);
 Outcome read_waypoints(std::string_view text, const Limits& limits);

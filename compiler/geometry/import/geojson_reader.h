@@ -1,0 +1,44 @@
+// The steps of reading GeoJSON, of which ED-318 is a dialect with more members. Internal to this
+// folder.
+#pragma once
+
+#include <string_view>
+
+#include "compiler/geometry/import/json_reader.h"
+
+namespace rtac::geometry::import {
+
+class GeoJsonReader {
+ public:
+  explicit GeoJsonReader(Findings& findings) : findings_(findings), json_(findings) {}
+  GeoJsonReader(const GeoJsonReader&) = delete;
+  GeoJsonReader& operator=(const GeoJsonReader&) = delete;
+  virtual ~GeoJsonReader() = default;
+
+  bool read_root(Json root);
+  Areas take_areas();
+
+ protected:
+  // What the feature says about its area besides the geometry.
+  virtual bool read_properties(Json feature, Area& area);
+  // The band of a geometry that is no collection.
+  virtual bool read_layer(Json geometry, Band& band);
+  virtual bool read_point(Json point, const Band& band, Area& area);
+  // Of the object that holds the features.
+  virtual bool read_metadata(Json collection);
+
+  Findings& findings_;
+  JsonReader json_;
+  Areas areas_;
+
+ private:
+  bool read_collection(Json collection);
+  bool read_feature(Json feature);
+  bool read_geometry(Json geometry, Area& area);
+  bool read_shape(Json geometry, std::string_view type, Area& area);
+  bool read_geometries(Json collection, Area& area);
+  bool add_polygon(Json rings, const Band& band, Area& area);
+  bool check_crs(Json object);
+};
+
+}  // namespace rtac::geometry::import
