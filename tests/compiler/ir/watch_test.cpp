@@ -144,6 +144,24 @@ TEST(WatchBuilder, RangesEndOutsideAndErrorsAreRoundedUp) {
   EXPECT_TRUE(b.has("input x : number on mm [0, 1001] error 1, every tick")) << print(b.module);
 }
 
+// A parameter never leaves the range that was declared.
+TEST(WatchBuilder, RangesOfParametersEndInside) {
+  const Built b =
+      built(std::string(gap) + "param h : length in 0.4 mm .. 1000.6 mm = 0.5 m;", "gap >= h");
+  EXPECT_TRUE(b.has("param h on mm [1, 1000] = 500")) << print(b.module);
+}
+
+// The sizes of bodies are none that a property writes: they may lie between two steps.
+TEST(WatchBuilder, TheSizesOfBodiesAreKnownAsWellAsTheirGridAllows) {
+  const Built b = built(
+      "robot Cart { body radius 10.03 cm; motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake "
+      ">= 1 m/s^2; } sense position : point error 1 cm max_age 1 s; sense velocity : vector error "
+      "1 cm/s max_age 1 s; output push : acceleration; latency 20 ms; }\nfleet one, two : Cart;",
+      "distance(one, two) >= 1 m");
+  ASSERT_FALSE(b.diagnostics.has_errors()) << b.report();
+  EXPECT_TRUE(b.has("between 200, 201 : mm")) << b.block();
+}
+
 TEST(WatchBuilder, AnInputWithoutARangeHasADefaultOne) {
   EXPECT_TRUE(built("input x : length;", "x >= 0 m").has("by default"));
 }

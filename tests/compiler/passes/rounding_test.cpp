@@ -71,9 +71,16 @@ TEST(Rounding, OfAQuotientIsThatOfItsMargin) {
   EXPECT_EQ(millionths("x / 3 >= 1 m"), Rational(1003, 3));
 }
 
+// On the finest grid, of micrometres: a seventh of a step of the input, rounded.
+TEST(Rounding, OfAQuotientBetweenStepsIsAStepMore) {
+  EXPECT_EQ(millionths("x / 7000 >= 0 m"), Rational(8, 7));
+}
+
 TEST(Rounding, OfARootIsAStepMore) {
   // root of 1 + 1, rounded up, and a step
   EXPECT_EQ(millionths("distance(a, b) >= 1 m"), 4000);
+  // a step of x is 1000 mm^2, whose root is rounded up to 32, and a step
+  EXPECT_EQ(millionths("sqrt(x * 1 m) >= 1 m"), 33'000);
 }
 
 TEST(Rounding, OfAWindowIsThatOfItsTicks) {

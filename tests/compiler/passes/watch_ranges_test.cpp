@@ -36,6 +36,14 @@ TEST(WatchRanges, WhatLeaves62BitsIsRefusedWithItsRange) {
   EXPECT_EQ(report.substr(0, 37), "7001: this value ranges over [0 m^2, ") << report;
 }
 
+// The kernel multiplies before it divides: 10^9 steps times 12345678000 / 7000007 would fit.
+TEST(WatchRanges, TheProductInsideAFractionIsHeldAgainst62Bits) {
+  const std::string input = "input a : real [m] in 0 m .. 1000 km;";
+  const std::string report = analysed(input, "a * (12345678 / 7000007) <= 9 m").report();
+  EXPECT_EQ(report.substr(0, 34), "7001: this value ranges over [0 m,") << report;
+  EXPECT_EQ(analysed(input, "a * (12345 / 7000007) <= 9 m").report(), "");
+}
+
 TEST(WatchRanges, TheRootOfWhatMayBeNegativeIsRefused) {
   EXPECT_EQ(analysed("input b : real [m] in -1 m .. 1 m;", "sqrt(b * 1 m) <= 1 m").report(),
             "7001: the root of something that may be negative: its operand ranges over [-1 m^2, "

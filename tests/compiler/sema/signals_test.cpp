@@ -219,6 +219,8 @@ int direction(const std::string& written) {
 TEST(Signals, AParameterMovesWhereItTightens) {
   EXPECT_EQ(direction("p.x >= least"), 1);
   EXPECT_EQ(direction("p.x <= least"), -1);
+  EXPECT_EQ(direction("least <= p.x"), 1);
+  EXPECT_EQ(direction("least > p.x"), -1);
   EXPECT_EQ(direction("not (p.x <= least)"), 1);
   EXPECT_EQ(direction("(p.x >= least implies open)"), -1);
   EXPECT_EQ(direction("p.x >= 1 m - least"), -1);
@@ -236,6 +238,16 @@ TEST(Signals, AParameterMovesWhereItTightens) {
   EXPECT_EQ(direction("count[0 s, 1 s](p.x >= least) >= 3"), 1);
   EXPECT_EQ(direction("min(p.x, least) >= 0 m"), -1);
   EXPECT_EQ(direction("(if open then least else 1 m) >= p.x"), -1);
+}
+
+// Whatever a parameter decides between, and what it is equivalent to, may be looser either way.
+TEST(Signals, AParameterOfAConditionTightensInNoDirection) {
+  for (const char* const written :
+       {"(if p.x >= least then 1 m else 2 m) >= p.y", "(open iff p.x >= least)"}) {
+    const auto checked = check_text(edited(door(), {{"distance(p, q) >= least", written}}));
+    EXPECT_FALSE(checked->spec) << written;
+    EXPECT_NE(checked->reports().find("3032 "), std::string::npos) << checked->reports();
+  }
 }
 
 // The sample lies in the range, the true value within the error of it: 0 .. 3 m/s may be below 0.
