@@ -75,8 +75,7 @@ inline std::string fixed(std::string text, const diag::Diagnostic& diagnostic) {
 }
 
 // Two carts with all that the language knows, and a drone.
-inline const std::string& yard() {
-  static const std::string text = R"(spec yard;
+inline const char* const yard_text = R"(spec yard;
 
 zone arena = rectangle (0 m, 0 m) to (5 m, 5 m);
 zone box   = rectangle (2 m, 2 m) to (3 m, 3 m);
@@ -169,6 +168,8 @@ decision fly for Drone {
   priority ceiling;
 }
 )";
+inline const std::string& yard() {
+  static const std::string text = yard_text;
   return text;
 }
 
@@ -184,8 +185,8 @@ struct Rule {
   const std::string& (*base)() = yard;
 };
 
-inline void PrintTo(const Rule& rule, std::ostream* out) {
-  *out << rule.name;
+inline std::ostream& operator<<(std::ostream& out, const Rule& rule) {
+  return out << rule.name;
 }
 
 }  // namespace rtac::sema::test
