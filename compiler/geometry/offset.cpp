@@ -117,10 +117,8 @@ void add_band(const Ring& ring, const Rational& distance, BandSide side, const D
   for (std::size_t i = 0; i < n; ++i) {
     const Point& a = ring[i];
     const Point& b = ring[(i + 1) % n];
-    const Point left{a.y - b.y, b.x - a.x};
-    normals[i] = side == BandSide::interior ? left : Point{-left.x, -left.y};
-    const Rational squared = left.x * left.x + left.y * left.y;
-    pieces.push_back(swept_rectangle(a, b, normals[i], scale_up(distance, squared), side));
+    normals[i] =
+        side == BandSide::interior ? Point{a.y - b.y, b.x - a.x} : Point{b.y - a.y, a.x - b.x};
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Point& incoming = normals[(i + n - 1) % n];
@@ -131,6 +129,9 @@ void add_band(const Ring& ring, const Rational& distance, BandSide side, const D
     } else if (side == BandSide::exterior && turn > 0) {
       pieces.push_back(fan(ring[i], incoming, outgoing, disc));
     }
+    const Rational squared = outgoing.x * outgoing.x + outgoing.y * outgoing.y;
+    pieces.push_back(
+        swept_rectangle(ring[i], ring[(i + 1) % n], outgoing, scale_up(distance, squared), side));
   }
 }
 

@@ -25,6 +25,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using SegmentTraits = CGAL::Arr_segment_traits_2<Kernel>;
+using Segment = SegmentTraits::X_monotone_curve_2;
 // The data of a curve is the index of the edge it came from; where edges overlap, CGAL keeps the
 // set of their indices.
 using Traits = CGAL::Arr_consolidated_curve_data_traits_2<SegmentTraits, std::uint32_t>;
@@ -49,8 +50,14 @@ struct EdgeMeaning {
 };
 
 struct Input {
-  std::vector<Traits::Curve_2> curves;
+  std::vector<Traits::X_monotone_curve_2> curves;
   std::vector<EdgeMeaning> meanings;
+
+  void add(const Segment& segment, bool of_left_operand, std::int32_t step) {
+    const auto index = static_cast<std::uint32_t>(meanings.size());
+    meanings.push_back({of_left_operand, step});
+    curves.emplace_back(segment, index);
+  }
 };
 
 void add_rings(const std::vector<Ring>& rings, bool of_left_operand, Input& input) {
@@ -63,9 +70,7 @@ void add_rings(const std::vector<Ring>& rings, bool of_left_operand, Input& inpu
       const int order =
           ring[i].x != ring[next].x ? cmp(ring[i].x, ring[next].x) : cmp(ring[i].y, ring[next].y);
       if (order == 0) continue;
-      const auto index = static_cast<std::uint32_t>(input.meanings.size());
-      input.meanings.push_back({of_left_operand, order < 0 ? 1 : -1});
-      input.curves.emplace_back(SegmentTraits::Curve_2(points[i], points[next]), index);
+      input.add(Segment(points[i], points[next]), of_left_operand, order < 0 ? 1 : -1);
     }
   }
 }
@@ -188,7 +193,15 @@ Ring to_ring(const VertexLoop& loop) {
   return canonical(ring);
 }
 
-std::vector<PolygonWithHoles> extract(Arrangement& arrangement) {
+// The arrangement of the edges, with the windings of its faces.
+void arrange(const Input& input, Combine how, Arrangement& arrangement) {
+  CGAL::insert(arrangement, input.curves.begin(), input.curves.end());
+  compute_windings(arrangement, input, how);
+}
+
+std::vector<PolygonWithHoles> extract(const Input& input, Combine how) {
+  Arrangement arrangement;
+  arrange(input, how, arrangement);
   std::vector<PolygonWithHoles> parts(number_components(arrangement));
   std::set<const void*> done;
   for (Halfedge start : arrangement.halfedge_handles()) {
@@ -221,6 +234,42 @@ std::vector<PolygonWithHoles> extract(Arrangement& arrangement) {
   return parts;
 }
 
+struct DirectedSegment {
+  Segment segment;
+  std::int32_t step;  // see EdgeMeaning
+};
+
+// The boundary of what the pieces [from, to) cover. Neighbours in the list lie next to one another:
+// uniting them first removes most edges before they can meet those of pieces far away. Parts of
+// edges keep the lines of the edges that they are parts of, so that the exact numbers of one level
+// are not those of the level below combined.
+std::vector<DirectedSegment> united(const std::vector<Ring>& pieces, std::size_t from,
+                                    std::size_t to) {
+  constexpr std::size_t at_once = 64;
+  Input input;
+  if (to - from <= at_once) {
+    add_rings({pieces.begin() + static_cast<std::ptrdiff_t>(from),
+               pieces.begin() + static_cast<std::ptrdiff_t>(to)},
+              true, input);
+  } else {
+    const std::size_t middle = from + (to - from) / 2;
+    for (const auto& [a, b] : {std::pair{from, middle}, std::pair{middle, to}}) {
+      for (const DirectedSegment& each : united(pieces, a, b)) {
+        input.add(each.segment, true, each.step);
+      }
+    }
+  }
+  Arrangement arrangement;
+  arrange(input, Combine::unite, arrangement);
+  std::vector<DirectedSegment> boundary;
+  for (Halfedge edge : arrangement.halfedge_handles()) {
+    if (!is_boundary(edge)) continue;
+    const Segment& segment = edge->curve();  // without the indices
+    boundary.push_back({segment, edge->direction() == CGAL::ARR_LEFT_TO_RIGHT ? 1 : -1});
+  }
+  return boundary;
+}
+
 }  // namespace
 
 std::vector<PolygonWithHoles> overlay(const std::vector<Ring>& left, const std::vector<Ring>& right,
@@ -228,10 +277,17 @@ std::vector<PolygonWithHoles> overlay(const std::vector<Ring>& left, const std::
   Input input;
   add_rings(left, true, input);
   add_rings(right, false, input);
-  Arrangement arrangement;
-  CGAL::insert(arrangement, input.curves.begin(), input.curves.end());
-  compute_windings(arrangement, input, how);
-  return extract(arrangement);
+  return extract(input, how);
+}
+
+std::vector<PolygonWithHoles> overlay_band(const std::vector<Ring>& rings,
+                                           const std::vector<Ring>& pieces, Combine how) {
+  Input input;
+  add_rings(rings, true, input);
+  for (const DirectedSegment& each : united(pieces, 0, pieces.size())) {
+    input.add(each.segment, false, each.step);
+  }
+  return extract(input, how);
 }
 
 }  // namespace rtac::geometry

@@ -16,4 +16,9 @@ enum class Combine { unite, intersect, subtract };
 std::vector<PolygonWithHoles> overlay(const std::vector<Ring>& left, const std::vector<Ring>& right,
                                       Combine how);
 
+// The same, where the right operand is a heap of pieces whose neighbours in the list overlap: in
+// near n log n also when each of them overlaps hundreds of others.
+std::vector<PolygonWithHoles> overlay_band(const std::vector<Ring>& rings,
+                                           const std::vector<Ring>& pieces, Combine how);
+
 }  // namespace rtac::geometry

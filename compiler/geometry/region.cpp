@@ -74,14 +74,15 @@ Region Region::subtract(const Region& other) const {
 
 Region Region::shrink(const Rational& distance) const {
   if (distance <= 0) return *this;
-  return Region(overlay(impl_->rings(), boundary_band(impl_->parts, distance, BandSide::interior),
-                        Combine::subtract));
+  return Region(overlay_band(impl_->rings(),
+                             boundary_band(impl_->parts, distance, BandSide::interior),
+                             Combine::subtract));
 }
 
 Region Region::grow(const Rational& distance) const {
   if (distance <= 0) return *this;
-  return Region(overlay(impl_->rings(), boundary_band(impl_->parts, distance, BandSide::exterior),
-                        Combine::unite));
+  return Region(overlay_band(
+      impl_->rings(), boundary_band(impl_->parts, distance, BandSide::exterior), Combine::unite));
 }
 
 bool Region::empty() const {

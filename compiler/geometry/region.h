@@ -24,7 +24,7 @@ struct PolygonWithHoles {
 
 // Why a polygon as written is not one. `ring` 0 is the outer ring, 1.. the holes in order;
 // `vertex` is the index in that ring as written. Problems are looked for in the order of `Kind`,
-// then of ring, vertex and other.
+// then of ring and vertex; of two edges or holes, by the later one first.
 struct Problem {
   enum class Kind {
     too_short,        // fewer than three different vertices

@@ -1,91 +1,52 @@
-// Exact throughout. Doubles only skip pairs of edges that are certainly apart: by their rounded-out
-// boxes, then by the side of a line with a bound on the rounding error. A sweep over x keeps that
-// near n log n for the outlines that occur, and at worst n^2 comparisons of doubles (10,000
-// vertices: a fraction of a second). Unlike a library test for simplicity it names
-// both edges and the meeting point.
+// One sweep over all edges tells that they are in order, in n log n steps whatever they are. Only
+// when they are not, the first problem is searched, so that it can be named: sweeps over ever other
+// starts of the list find the first edge that meets one before it.
 #include "compiler/geometry/validate.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "compiler/geometry/ring.h"
+#include "compiler/geometry/sweep.h"
 
 namespace rtac::geometry {
 namespace {
 
-struct Bounds {
-  double lo, hi;
-};
+using Kind = Problem::Kind;
+using Rings = std::vector<const Ring*>;
 
-// get_d truncates towards zero: one step to either side contains the exact values.
-Bounds bounds(const Rational& a, const Rational& b) {
-  const double x = a.get_d();
-  const double y = b.get_d();
-  const double infinity = std::numeric_limits<double>::infinity();
-  return {std::nextafter(std::min(x, y), -infinity), std::nextafter(std::max(x, y), infinity)};
-}
-
-struct Edge {
-  const Point* a;
-  const Point* b;
-  std::size_t ring, index;
-  Bounds x, y;
-  double ax, ay, bx, by;
-};
-
-// Both ends of `e` are certainly on one side of the line of `f`. `error` bounds the error of the
-// products below.
-bool beside(const Edge& e, const Edge& f, double error) {
-  const double dx = f.bx - f.ax;
-  const double dy = f.by - f.ay;
-  const double side_a = dx * (e.ay - f.ay) - dy * (e.ax - f.ax);
-  const double side_b = dx * (e.by - f.ay) - dy * (e.bx - f.ax);
-  return std::min(side_a, side_b) > error || std::max(side_a, side_b) < -error;
-}
-
-bool disjoint(const Bounds& a, const Bounds& b) {
-  return a.hi < b.lo || b.hi < a.lo;
-}
-
-// The lowest-left common point of two closed segments.
-std::optional<Point> meeting_point(const Edge& e, const Edge& f) {
-  const int a_side = orientation(*f.a, *f.b, *e.a);
-  const int b_side = orientation(*f.a, *f.b, *e.b);
-  if (a_side * b_side < 0 && orientation(*e.a, *e.b, *f.a) * orientation(*e.a, *e.b, *f.b) < 0) {
-    const Rational from_a = cross(*f.a, *f.b, *e.a);
-    const Rational share = from_a / (from_a - cross(*f.a, *f.b, *e.b));
-    return Point{e.a->x + share * (e.b->x - e.a->x), e.a->y + share * (e.b->y - e.a->y)};
+std::optional<Problem> find_short_ring(const Rings& rings) {
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const Ring& ring = *rings[r];
+    if (ring.empty()) return Problem{Kind::too_short, r, 0, 0, Point{}};
+    const auto is_new = [&](const Point& p) { return !same(p, ring[0]); };
+    const auto second = std::find_if(ring.begin(), ring.end(), is_new);
+    const bool three = std::any_of(second, ring.end(),
+                                   [&](const Point& p) { return is_new(p) && !same(p, *second); });
+    if (!three) return Problem{Kind::too_short, r, 0, 0, ring[0]};
   }
-  // Otherwise a common point, if any, includes an end point of one of them.
-  std::optional<Point> lowest;
-  const auto consider = [&](const Point& p, const Edge& on) {
-    if (on_segment(p, *on.a, *on.b) && (!lowest || lower_left(p, *lowest))) lowest = p;
-  };
-  consider(*e.a, f);
-  consider(*e.b, f);
-  consider(*f.a, e);
-  consider(*f.b, e);
-  return lowest;
+  return std::nullopt;
 }
 
-// Two edges of one ring that follow each other share a vertex; they intersect only when the
-// second runs back along the first (a spike).
-std::optional<Point> spike(const Edge& first, const Edge& second) {
-  const Point& tip = *first.b;
-  if (orientation(*first.a, tip, *second.b) != 0) return std::nullopt;
-  const Rational forward =
-      (tip.x - first.a->x) * (second.b->x - tip.x) + (tip.y - first.a->y) * (second.b->y - tip.y);
-  return forward < 0 ? std::optional<Point>(tip) : std::nullopt;
-}
-
-std::optional<Point> self_meeting(const Edge& e, const Edge& f, std::size_t ring_size) {
-  if ((e.index + 1) % ring_size == f.index) return spike(e, f);
-  if ((f.index + 1) % ring_size == e.index) return spike(f, e);
-  return meeting_point(e, f);
+std::optional<Problem> find_repeated_vertex(const Edges& edges, const Rings& rings) {
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    std::vector<std::pair<std::uint32_t, std::size_t>> ranks;
+    for (std::size_t i = 0; i < rings[r]->size(); ++i) {
+      ranks.emplace_back(edges[edges.first(r) + i].rank_a, i);
+    }
+    std::sort(ranks.begin(), ranks.end());
+    std::optional<Problem> first;
+    for (std::size_t k = 1, start = 0; k < ranks.size(); ++k) {
+      if (ranks[k].first != ranks[start].first) {
+        start = k;
+      } else if (!first || ranks[k].second < first->vertex) {
+        first = Problem{Kind::repeats_vertex, r, ranks[k].second, ranks[start].second,
+                        (*rings[r])[ranks[k].second]};
+      }
+    }
+    if (first) return first;
+  }
+  return std::nullopt;
 }
 
 bool on_one_line(const Ring& ring) {
@@ -93,141 +54,175 @@ bool on_one_line(const Ring& ring) {
                      [&](const Point& p) { return orientation(ring[0], ring[1], p) == 0; });
 }
 
-using Rings = std::vector<const Ring*>;
-
-std::vector<Edge> edges_by_x(const Rings& rings) {
-  std::vector<Edge> edges;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const Ring& ring = *rings[r];
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point& a = ring[i];
-      const Point& b = ring[(i + 1) % ring.size()];
-      edges.push_back({&a, &b, r, i, bounds(a.x, b.x), bounds(a.y, b.y), a.x.get_d(), a.y.get_d(),
-                       b.x.get_d(), b.y.get_d()});
-    }
+// The last item of the shortest start of [from, to) that is out of order; all of it is.
+template <typename OutOfOrder>
+std::size_t culprit(std::size_t from, std::size_t to, OutOfOrder out_of_order) {
+  std::size_t good = from;
+  while (to - good > 1) {
+    const std::size_t middle = good + (to - good) / 2;
+    (out_of_order(middle) ? to : good) = middle;
   }
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const Edge& a, const Edge& b) { return a.x.lo < b.x.lo; });
-  return edges;
+  return to - 1;
 }
 
-// Calls visit(e, f), e before f in the order of rings and vertices, for every two edges that may
-// meet.
-template <typename Visit>
-void for_each_near_pair(const std::vector<Edge>& edges, Visit visit) {
-  // With coordinates up to m, rounded by m 2^-52 each, differences are off by at most
-  // 4 m 2^-52, products of them by 17 m^2 2^-52, and their difference by less than 40 m^2 2^-52.
-  double most = 0;
-  for (const Edge& e : edges)
-    most = std::max({most, std::abs(e.x.lo), std::abs(e.x.hi), std::abs(e.y.lo), std::abs(e.y.hi)});
-  const double error = 64 * most * most * std::numeric_limits<double>::epsilon();
-  std::vector<const Edge*> active;
-  for (const Edge& edge : edges) {
-    std::erase_if(active, [&](const Edge* other) { return other->x.hi < edge.x.lo; });
-    for (const Edge* other : active) {
-      if (disjoint(edge.y, other->y) || beside(edge, *other, error) ||
-          beside(*other, edge, error)) {
-        continue;
-      }
-      const bool in_order = std::tie(other->ring, other->index) < std::tie(edge.ring, edge.index);
-      visit(in_order ? *other : edge, in_order ? edge : *other);
-    }
-    active.push_back(&edge);
-  }
-}
-
-std::optional<Problem> find_short_ring(const Rings& rings) {
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const Ring& ring = *rings[r];
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < ring.size() && different < 3; ++i) {
-      const auto before = ring.begin() + static_cast<std::ptrdiff_t>(i);
-      if (std::none_of(ring.begin(), before, [&](const Point& p) { return same(p, ring[i]); })) {
-        ++different;
-      }
-    }
-    if (different < 3) {
-      return Problem{Problem::Kind::too_short, r, 0, 0, ring.empty() ? Point{} : ring[0]};
+std::optional<Problem> find_crossing(const Edges& edges, std::size_t ring) {
+  const std::size_t from = edges.first(ring), to = from + edges.size(ring);
+  if (!sweep(edges, from, to).meet) return std::nullopt;
+  const std::size_t f =
+      culprit(from, to, [&](std::size_t end) { return sweep(edges, from, end).meet; });
+  for (std::size_t e = from; e < f; ++e) {
+    if (const auto where = edges.meeting(edges[e], edges[f])) {
+      return Problem{Kind::self_intersects, ring, edges[e].index, edges[f].index, *where};
     }
   }
   return std::nullopt;
 }
 
-std::optional<Problem> find_repeated_vertex(const Rings& rings) {
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const Ring& ring = *rings[r];
-    std::map<Point, std::size_t, decltype(&lower_left)> seen(&lower_left);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto [first, added] = seen.emplace(ring[i], i);
-      if (!added) return Problem{Problem::Kind::repeats_vertex, r, i, first->second, ring[i]};
-    }
-  }
-  return std::nullopt;
-}
-
-bool precedes(const Problem& a, const Problem& b) {
-  return std::tie(a.ring, a.vertex, a.other) < std::tie(b.ring, b.vertex, b.other);
-}
-
-void keep_first(std::optional<Problem>& first, const Problem& problem) {
-  if (!first || precedes(problem, *first)) first = problem;
-}
-
-std::optional<Problem> find_degenerate(const Rings& rings, const std::vector<Edge>& edges) {
+std::optional<Problem> find_degenerate(const Edges& edges, const Rings& rings) {
   // A ring on one line would always intersect itself; that it has no area is the better reason.
-  std::vector<bool> flat(rings.size());
-  for (std::size_t r = 0; r < rings.size(); ++r) flat[r] = on_one_line(*rings[r]);
-  std::optional<Problem> first;
-  for_each_near_pair(edges, [&](const Edge& e, const Edge& f) {
-    if (e.ring != f.ring || flat[e.ring]) return;
-    if (const auto where = self_meeting(e, f, rings[e.ring]->size())) {
-      keep_first(first, {Problem::Kind::self_intersects, e.ring, e.index, f.index, *where});
+  std::optional<Problem> flat;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    if (on_one_line(*rings[r])) {
+      if (!flat) flat = Problem{Kind::no_area, r, 0, 0, rings[r]->front()};
+    } else if (auto problem = find_crossing(edges, r)) {
+      return problem;
     }
-  });
-  if (first) return first;
-  const auto ring = std::find(flat.begin(), flat.end(), true);
-  if (ring == flat.end()) return std::nullopt;
-  const auto r = static_cast<std::size_t>(ring - flat.begin());
-  return Problem{Problem::Kind::no_area, r, 0, 0, rings[r]->front()};
+  }
+  return flat;
+}
+
+// Runs of edges that follow each other, with the box around each run.
+class Runs {
+ public:
+  Runs(const Edges& edges, std::size_t ring) : edges_(edges) {
+    const std::size_t to = edges.first(ring) + edges.size(ring);
+    for (std::size_t from = edges.first(ring); from < to; from += run_size) {
+      Run run{from, std::min(from + run_size, to), edges[from].x, edges[from].y};
+      for (std::size_t i = from; i < run.to; ++i) {
+        run.x = around(run.x, edges[i].x);
+        run.y = around(run.y, edges[i].y);
+      }
+      runs_.push_back(run);
+      x_ = runs_.size() == 1 ? run.x : around(x_, run.x);
+      y_ = runs_.size() == 1 ? run.y : around(y_, run.y);
+    }
+  }
+
+  [[nodiscard]] bool apart(const Runs& other) const {
+    return disjoint(x_, other.x_) || disjoint(y_, other.y_);
+  }
+  // The first edge that meets `e`, and where.
+  [[nodiscard]] std::optional<std::pair<std::size_t, Point>> meeting(const Edge& e) const {
+    for (const Run& run : runs_) {
+      if (disjoint(e.x, run.x) || disjoint(e.y, run.y)) continue;
+      for (std::size_t i = run.from; i < run.to; ++i) {
+        if (auto where = edges_.meeting(e, edges_[i])) return std::pair{edges_[i].index, *where};
+      }
+    }
+    return std::nullopt;
+  }
+  // The start of `v` lies inside the ring; not on it.
+  [[nodiscard]] bool enclose(const Edge& v) const {
+    bool inside = false;
+    for (const Run& run : runs_) {
+      if (disjoint(v.y, run.y) || run.x.hi < v.x.lo) continue;
+      for (std::size_t i = run.from; i < run.to; ++i) {
+        inside ^= is_crossed(edges_[i], v);
+      }
+    }
+    return inside;
+  }
+
+ private:
+  static constexpr std::size_t run_size = 64;
+  struct Run {
+    std::size_t from, to;
+    Bounds x, y;
+  };
+  static Bounds around(const Bounds& a, const Bounds& b) {
+    return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
+  }
+  // By the ray from the start of `v` to the right. An edge owns its lower end only.
+  [[nodiscard]] bool is_crossed(const Edge& e, const Edge& v) const {
+    const bool a_below = e.a->y <= v.a->y;
+    return a_below != (e.b->y <= v.a->y) && edges_.side(e, v, false) == (a_below ? 1 : -1);
+  }
+
+  const Edges& edges_;
+  std::vector<Run> runs_;
+  Bounds x_{0, 0}, y_{0, 0};
+};
+
+// The first edge of `ring` that meets an edge of the other ring.
+struct Meeting {
+  std::size_t edge, other_edge;
+  Point where;
+};
+std::optional<Meeting> first_meeting(const Edges& edges, std::size_t ring, const Runs& other) {
+  for (std::size_t i = 0; i < edges.size(ring); ++i) {
+    if (auto met = other.meeting(edges[edges.first(ring) + i])) {
+      return Meeting{i, met->first, std::move(met->second)};
+    }
+  }
+  return std::nullopt;
 }
 
 // All rings are simple by now.
-std::optional<Problem> find_misplaced_hole(const Rings& rings, const std::vector<Edge>& edges) {
-  std::optional<Problem> outside;
-  std::optional<Problem> overlap;
-  for_each_near_pair(edges, [&](const Edge& e, const Edge& f) {
-    if (e.ring == f.ring) return;
-    const auto where = meeting_point(e, f);
-    if (!where) return;
-    if (e.ring == 0) {
-      keep_first(outside, {Problem::Kind::hole_outside_ring, f.ring, f.index, e.index, *where});
-    } else if (!overlap || std::tie(e.ring, f.ring, e.index) <
-                               std::tie(overlap->ring, overlap->other, overlap->vertex)) {
-      overlap = Problem{Problem::Kind::holes_overlap, e.ring, e.index, f.ring, *where};
-    }
-  });
-  // Where no edges meet, one vertex speaks for the whole ring.
-  for (std::size_t r = 1; r < rings.size() && (!outside || outside->ring > r); ++r) {
-    const Point& p = rings[r]->front();
-    if (locate(p, *rings[0]) == Side::outside) {
-      keep_first(outside, {Problem::Kind::hole_outside_ring, r, 0, 0, p});
-    }
-  }
-  if (outside) return outside;
+std::optional<Problem> find_hole_outside(const Edges& edges, const Rings& rings) {
+  const Runs outer(edges, 0);
   for (std::size_t r = 1; r < rings.size(); ++r) {
-    for (std::size_t s = r + 1; s < rings.size(); ++s) {
-      if (overlap && std::tie(overlap->ring, overlap->other) <= std::tie(r, s)) return overlap;
-      const Point& p = rings[r]->front();
-      const Point& q = rings[s]->front();
-      if (locate(p, *rings[s]) == Side::inside) {
-        return Problem{Problem::Kind::holes_overlap, r, 0, s, p};
-      }
-      if (locate(q, *rings[r]) == Side::inside) {
-        return Problem{Problem::Kind::holes_overlap, r, 0, s, q};
-      }
+    if (auto met = first_meeting(edges, r, outer)) {
+      return Problem{Kind::hole_outside_ring, r, met->edge, met->other_edge, std::move(met->where)};
+    }
+    // Where no edges meet, one vertex speaks for the whole ring.
+    if (!outer.enclose(edges[edges.first(r)])) {
+      return Problem{Kind::hole_outside_ring, r, 0, 0, rings[r]->front()};
     }
   }
-  return overlap;
+  return std::nullopt;
+}
+
+// Of two holes, `second` being the runs of ring `s`.
+std::optional<Problem> overlap(const Edges& edges, const Rings& rings, std::size_t r, std::size_t s,
+                               const Runs& second) {
+  const Runs first(edges, r);
+  if (first.apart(second)) return std::nullopt;
+  if (auto met = first_meeting(edges, r, second)) {
+    return Problem{Kind::holes_overlap, r, met->edge, s, std::move(met->where)};
+  }
+  if (second.enclose(edges[edges.first(r)])) {
+    return Problem{Kind::holes_overlap, r, 0, s, rings[r]->front()};
+  }
+  if (first.enclose(edges[edges.first(s)])) {
+    return Problem{Kind::holes_overlap, r, 0, s, rings[s]->front()};
+  }
+  return std::nullopt;
+}
+
+// The holes before ring `end` neither meet nor enclose one another.
+bool are_apart(const Edges& edges, std::size_t end) {
+  const Swept swept = sweep(edges, edges.first(1), edges.first(end));
+  return !swept.meet && std::all_of(swept.parents.begin(), swept.parents.end(),
+                                    [](std::size_t parent) { return parent == no_ring; });
+}
+
+std::optional<Problem> find_overlap(const Edges& edges, const Rings& rings) {
+  if (rings.size() < 2 || are_apart(edges, rings.size())) return std::nullopt;
+  const std::size_t s =
+      culprit(1, rings.size(), [&](std::size_t end) { return !are_apart(edges, end); });
+  const Runs second(edges, s);
+  for (std::size_t r = 1; r < s; ++r) {
+    if (auto problem = overlap(edges, rings, r, s, second)) return problem;
+  }
+  return std::nullopt;
+}
+
+// No edges meet, and every hole lies in the outer ring and in nothing else.
+bool in_order(const Edges& edges, const Rings& rings) {
+  const Swept swept = sweep(edges, 0, edges.first(rings.size() - 1) + rings.back()->size());
+  return !swept.meet && swept.parents[0] == no_ring &&
+         std::all_of(swept.parents.begin() + 1, swept.parents.end(),
+                     [](std::size_t parent) { return parent == 0; });
 }
 
 }  // namespace
@@ -236,10 +231,12 @@ std::optional<Problem> find_problem(const Ring& outer, const std::vector<Ring>& 
   Rings rings{&outer};
   for (const Ring& hole : holes) rings.push_back(&hole);
   if (auto problem = find_short_ring(rings)) return problem;
-  if (auto problem = find_repeated_vertex(rings)) return problem;
-  const std::vector<Edge> edges = edges_by_x(rings);
-  if (auto problem = find_degenerate(rings, edges)) return problem;
-  return holes.empty() ? std::nullopt : find_misplaced_hole(rings, edges);
+  const Edges edges(rings);
+  if (auto problem = find_repeated_vertex(edges, rings)) return problem;
+  if (in_order(edges, rings)) return std::nullopt;
+  if (auto problem = find_degenerate(edges, rings)) return problem;
+  if (auto problem = find_hole_outside(edges, rings)) return problem;
+  return find_overlap(edges, rings);
 }
 
 }  // namespace rtac::geometry

@@ -8,7 +8,7 @@
 
 namespace rtac::geometry {
 
-// The first problem in the order of Problem::Kind, then of ring, vertex and other; nullopt: valid.
+// The first problem in the order that Problem states; nullopt: valid.
 std::optional<Problem> find_problem(const Ring& outer, const std::vector<Ring>& holes);
 
 }  // namespace rtac::geometry

@@ -2,6 +2,7 @@
 // written and the exact place. A diagnostic can only be as good as this.
 #include <gtest/gtest.h>
 
+#include "compiler/geometry/sweep.h"
 #include "testing.h"
 
 namespace rtac::geometry {
@@ -123,40 +124,209 @@ TEST(Validate, NearMissesOfOneBillionthAreAccepted) {
   EXPECT_TRUE(std::holds_alternative<Problem>(with_tip(q(-1, 1000000000000))));
 }
 
-TEST(Validate, AgreesWithAllPairsOnRandomRings) {
-  // Small integer coordinates make touching and overlapping edges frequent. The reference
-  // compares every two edges, by signs only.
-  Random random(7);
-  int simple = 0;
-  for (int i = 0; i < 3000; ++i) {
-    Ring ring;
-    const long n = pick(random, 3, 6);
-    for (long k = 0; k < n; ++k) ring.push_back(pt(pick(random, 0, 4), pick(random, 0, 4)));
-    const auto side = [](const Point& a, const Point& b, const Point& c) {
-      return sgn(Rational((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
-    };
-    bool meets = false;
-    const auto size = static_cast<std::size_t>(n);
-    for (std::size_t e = 0; e < size; ++e) {
-      const Segment s{ring[e], ring[(e + 1) % size]};
-      if (s.a.x == s.b.x && s.a.y == s.b.y) {
-        meets = true;
-        continue;
-      }
-      // A vertex that is not an end of the edge lies on it, or two edges cross.
-      for (std::size_t v = 0; v < size; ++v) {
-        if (v != e && v != (e + 1) % size) meets = meets || squared_distance(ring[v], s) == 0;
-      }
-      for (std::size_t f = 0; f < size; ++f) {
-        const Segment t{ring[f], ring[(f + 1) % size]};
-        meets = meets || (side(s.a, s.b, t.a) * side(s.a, s.b, t.b) < 0 &&
-                          side(t.a, t.b, s.a) * side(t.a, t.b, s.b) < 0);
-      }
+int side(const Point& a, const Point& b, const Point& c) {
+  return sgn(Rational((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
+}
+// Two segments have a common point.
+bool meet(const Segment& s, const Segment& t) {
+  const auto on = [](const Point& p, const Segment& e) { return squared_distance(p, e) == 0; };
+  return on(s.a, t) || on(s.b, t) || on(t.a, s) || on(t.b, s) ||
+         (side(s.a, s.b, t.a) * side(s.a, s.b, t.b) < 0 &&
+          side(t.a, t.b, s.a) * side(t.a, t.b, s.b) < 0);
+}
+Segment edge(const Ring& ring, std::size_t i) {
+  return {ring[i], ring[(i + 1) % ring.size()]};
+}
+bool same_place(const Point& p, const Point& q) {
+  return p.x == q.x && p.y == q.y;
+}
+// Edges e < f of a ring have more in common than the vertex that neighbours share.
+bool cross_in_ring(const Ring& ring, std::size_t e, std::size_t f) {
+  const Segment s = edge(ring, e), t = edge(ring, f);
+  if (f == e + 1) return squared_distance(s.a, t) == 0 || squared_distance(t.b, s) == 0;
+  if (e == 0 && f + 1 == ring.size()) {
+    return squared_distance(t.a, s) == 0 || squared_distance(s.b, t) == 0;
+  }
+  return meet(s, t);
+}
+bool repeats(const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (same_place(ring[i], ring[k])) return true;
     }
-    EXPECT_EQ(std::holds_alternative<Problem>(Region::polygon(ring, {})), meets) << i;
-    simple += meets ? 0 : 1;
+  }
+  return false;
+}
+bool is_flat(const Ring& ring) {
+  return std::all_of(ring.begin(), ring.end(),
+                     [&](const Point& p) { return side(ring[0], ring[1], p) == 0; });
+}
+// The first edge that crosses one before it, and the first such one, by comparing every two.
+std::optional<std::pair<std::size_t, std::size_t>> first_crossing(const Ring& ring) {
+  for (std::size_t f = 1; f < ring.size(); ++f) {
+    for (std::size_t e = 0; e < f; ++e) {
+      if (cross_in_ring(ring, e, f)) return std::pair{e, f};
+    }
+  }
+  return std::nullopt;
+}
+Ring random_ring(Random& random, long vertices_max, long low, long high) {
+  Ring ring;
+  const long n = pick(random, 3, vertices_max);
+  for (long k = 0; k < n; ++k) ring.push_back(pt(pick(random, low, high), pick(random, low, high)));
+  return ring;
+}
+
+TEST(Validate, NamesTheFirstCrossingOfRandomRings) {
+  // Small integer coordinates make touching and overlapping edges frequent. The reference compares
+  // every two edges.
+  Random random(7);
+  int simple = 0, crossing = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const Ring ring = random_ring(random, 8, 0, 5);
+    if (repeats(ring)) continue;
+    const auto result = Region::polygon(ring, {});
+    const auto expected = first_crossing(ring);
+    const auto* problem = std::get_if<Problem>(&result);
+    ASSERT_EQ(problem != nullptr, expected.has_value()) << i;
+    if (problem == nullptr) {
+      ++simple;
+    } else if (is_flat(ring)) {
+      EXPECT_EQ(problem->kind, Kind::no_area) << i;
+    } else {
+      ++crossing;
+      EXPECT_EQ(problem->kind, Kind::self_intersects) << i;
+      EXPECT_EQ(std::pair(problem->vertex, problem->other), *expected) << i;
+    }
   }
   EXPECT_GT(simple, 300);
+  EXPECT_GT(crossing, 300);
+}
+
+bool edges_meet(const Ring& a, const Ring& b) {
+  for (std::size_t e = 0; e < a.size(); ++e) {
+    for (std::size_t f = 0; f < b.size(); ++f) {
+      if (meet(edge(a, e), edge(b, f))) return true;
+    }
+  }
+  return false;
+}
+
+TEST(Validate, NamesTheFirstMisplacedHoleOfRandomOnes) {
+  // Against definitions: a hole lies outside when edges meet or its first vertex is outside; two
+  // holes overlap when edges meet or one holds the first vertex of the other.
+  Random random(8);
+  int outside = 0, overlapping = 0, valid = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Ring outer =
+        i % 2 == 0 ? box_ring(-1000, -1000, 9000, 9000) : random_ring(random, 5, 0, 8);
+    std::vector<Ring> holes;
+    for (long k = pick(random, 1, 3); k > 0; --k) {
+      const long x = pick(random, -1, 6), y = pick(random, -1, 6);
+      holes.push_back(random_ring(random, 4, 0, 3));
+      for (Point& p : holes.back()) p = {p.x + x, p.y + y};
+    }
+    const auto sound = [](const Ring& r) {
+      return !repeats(r) && !is_flat(r) && !first_crossing(r);
+    };
+    if (!sound(outer) || !std::all_of(holes.begin(), holes.end(), sound)) continue;
+    const Region ground = polygon(outer);
+    Problem expected{Kind::too_short, 0, 0, 0, {}};
+    for (std::size_t s = holes.size(); s > 0; --s) {
+      for (std::size_t r = s - 1; r > 0; --r) {
+        const Ring &a = holes[r - 1], &b = holes[s - 1];
+        if (edges_meet(a, b) || polygon(b).contains(a[0]) || polygon(a).contains(b[0])) {
+          expected = {Kind::holes_overlap, r, 0, s, {}};
+        }
+      }
+    }
+    for (std::size_t r = holes.size(); r > 0; --r) {
+      if (edges_meet(holes[r - 1], outer) || !ground.contains(holes[r - 1][0])) {
+        expected = {Kind::hole_outside_ring, r, 0, 0, {}};
+      }
+    }
+    const auto result = Region::polygon(outer, holes);
+    const auto* problem = std::get_if<Problem>(&result);
+    ASSERT_EQ(problem == nullptr, expected.kind == Kind::too_short) << i;
+    if (problem == nullptr) {
+      ++valid;
+      continue;
+    }
+    EXPECT_EQ(problem->kind, expected.kind) << i;
+    EXPECT_EQ(problem->ring, expected.ring) << i;
+    EXPECT_EQ(problem->kind == Kind::holes_overlap ? problem->other : 0, expected.other) << i;
+    (expected.kind == Kind::holes_overlap ? overlapping : outside) += 1;
+  }
+  EXPECT_GT(valid, 300);
+  EXPECT_GT(outside, 300);
+  EXPECT_GT(overlapping, 150);
+}
+
+// ---- large rings ------------------------------------------------------------------------------
+
+// A comb of `teeth` long teeth, 1 m apart, turned by quarters.
+Ring comb(long teeth, int quarters) {
+  Ring ring{pt(teeth, -1), pt(teeth, 0)};
+  for (long i = teeth; i-- > 0;) {
+    ring.push_back({q(4 * i + 2, 4), q(teeth)});
+    ring.push_back({q(4 * i + 1, 4), q(0)});
+  }
+  ring.push_back(pt(-1, -1));
+  for (Point& p : ring) {
+    for (int k = 0; k < quarters; ++k) p = {-p.y, p.x};
+  }
+  return ring;
+}
+
+TEST(Validate, WorkGrowsAsNLogN) {
+  // Teeth side by side in every direction: boxes of edges overlap, all of them at once.
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    const Ring ring = comb(50'000, quarters);
+    const Edges edges({&ring});
+    const Swept swept = sweep(edges, 0, ring.size());
+    EXPECT_FALSE(swept.meet);
+    // log2 of 100,000 edges is 17: two searches in a balanced tree for each edge.
+    EXPECT_LT(swept.comparisons, 2 * 17 * ring.size()) << quarters;
+  }
+}
+
+TEST(Validate, ManyHolesAreTold) {
+  // 40,000 triangles: comparing every two of them would take minutes.
+  const Ring outer = box_ring(-1000, -1000, 401000, 401000);
+  std::vector<Ring> holes;
+  for (long i = 0; i < 40'000; ++i) {
+    const long x = i % 200 * 2, y = i / 200 * 2;
+    holes.push_back({pt(x, y), pt(x + 1, y), pt(x, y + 1)});
+  }
+  EXPECT_TRUE(std::holds_alternative<Region>(Region::polygon(outer, holes)));
+  // The last one moves into the one before it.
+  for (Point& p : holes.back()) p.x -= q(7, 4);
+  const Problem p = problem(outer, holes);
+  EXPECT_EQ(p.kind, Kind::holes_overlap);
+  EXPECT_EQ(std::pair(p.ring, p.other), std::pair(std::size_t{39'999}, std::size_t{40'000}));
+}
+
+TEST(Validate, OneFaultAmongManyVerticesIsNamed) {
+  // One vertex of 100,000 slips to the next tooth but one.
+  Ring ring = comb(50'000, 1);
+  ring[60'000] = ring[60'004];
+  EXPECT_EQ(problem(ring).kind, Kind::repeats_vertex);
+  ring[60'000].x += q(1, 1000);
+  const Problem p = problem(ring);
+  EXPECT_EQ(p.kind, Kind::self_intersects);
+  EXPECT_EQ(std::pair(p.vertex, p.other), std::pair(std::size_t{59'999}, std::size_t{60'001}));
+}
+
+TEST(Validate, VerticesInDisorderAreFoundInBoundedWork) {
+  // Half a billion crossings; only the first one is of interest.
+  Random random(3);
+  Ring ring;
+  for (int i = 0; i < 30'000; ++i) {
+    ring.push_back(mm(pick(random, 0, 100'000'000), pick(random, 0, 100'000'000)));
+  }
+  const Problem p = problem(ring);
+  EXPECT_EQ(p.kind, Kind::self_intersects);
+  EXPECT_LT(p.other, 100U);
 }
 
 }  // namespace
