@@ -214,6 +214,13 @@ std::optional<SnappedZone> snap_inside(const Region& region) {
 std::optional<SnappedZone> snap_around(const Region& region) {
   if (region.empty() || !fits(region)) return std::nullopt;
   if (all_on_grid(region)) return to_zone(region);
+  // Rounded to the other side, most outlines do.
+  std::vector<Ring> rings;
+  for_each_ring(region, [&](const Ring& ring) {
+    rings.push_back(reversed(round_ring(reversed(ring))));
+  });
+  const Region simple = Region::of_rings(rings);
+  if (fits(simple) && all_on_grid(simple) && simple.contains(region)) return to_zone(simple);
   // What is around it, within a frame, is snapped from within.
   const Region frame = frame_of(region);
   const auto outside = snap_inside(frame.subtract(region));

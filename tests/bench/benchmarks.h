@@ -1,4 +1,4 @@
-// The four groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
+// The five groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
 // on the error stream.
 #pragma once
 
@@ -17,5 +17,6 @@ bool measure_steps(const Effort& effort, Report& report);
 bool measure_simulation(const Effort& effort, Report& report);
 bool measure_watch(const Effort& effort, Report& report);
 bool measure_compiler(const Effort& effort, Report& report);
+bool measure_zones(Report& report);
 
 }  // namespace rtac::bench

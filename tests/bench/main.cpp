@@ -1,4 +1,4 @@
-// rtac_bench [--json FILE] [--quick] [--only step|simulation|watch|compiler]
+// rtac_bench [--json FILE] [--quick] [--only step|simulation|watch|compiler|zones]
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -25,15 +25,15 @@ Arguments parse(int argc, char** argv) {
       a.json = argv[++i];
     } else if (flag == "--only" && i + 1 < argc) {
       a.only = argv[++i];
-      a.good =
-          a.only == "step" || a.only == "simulation" || a.only == "watch" || a.only == "compiler";
+      a.good = a.only == "step" || a.only == "simulation" || a.only == "watch" ||
+               a.only == "compiler" || a.only == "zones";
     } else {
       a.good = false;
     }
     if (!a.good) {
-      std::cerr
-          << "rtac_bench: cannot make sense of `" << argv[i] << "`\n"
-          << "usage: rtac_bench [--json FILE] [--quick] [--only step|simulation|watch|compiler]\n";
+      std::cerr << "rtac_bench: cannot make sense of `" << argv[i] << "`\n"
+                << "usage: rtac_bench [--json FILE] [--quick] [--only "
+                   "step|simulation|watch|compiler|zones]\n";
     }
   }
   return a;
@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
     measured = rtac::bench::measure_simulation(a.effort, report) && measured;
   if (wanted("watch")) measured = rtac::bench::measure_watch(a.effort, report) && measured;
   if (wanted("compiler")) measured = rtac::bench::measure_compiler(a.effort, report) && measured;
+  if (wanted("zones")) measured = rtac::bench::measure_zones(report) && measured;
   std::cout << report.text();
   if (!a.json.empty() && !rtac::sim::write_text_file(a.json, report.json())) {
     std::cerr << "rtac_bench: cannot write `" << a.json << "`\n";

@@ -62,6 +62,40 @@ Point random_point(Random& random) {
   return {q(pick(random, -1000000, 6000000), 1000003), q(pick(random, -1000000, 6000000), 1000003)};
 }
 
+// A rough ring about the origin: 240 vertices about 4 cm apart, on radii of 1 m to 1.2 m.
+Region rough_ring(Random& random) {
+  Ring ring;
+  for (long i = 0; i < 240; ++i) {
+    // Directions of four quarters by equal steps of a tangent, close enough to a circle.
+    const Rational t = q(i % 60, 60), square = t * t;
+    Point u{(1 - square) / (1 + square), 2 * t / (1 + square)};
+    for (long k = 0; k < i / 60; ++k) u = {-u.y, u.x};
+    const Rational radius = q(pick(random, 1000, 1200), 1000);
+    ring.push_back({radius * u.x, radius * u.y});
+  }
+  return polygon(ring);
+}
+
+TEST(Shrink, DistancesOfManyEdgesAreOneSidedAndTight) {
+  // Every piece of the band overlaps dozens of others, which are united in groups.
+  Random random(5);
+  const Region region = rough_ring(random);
+  const std::vector<Segment> edges = boundary(region);
+  for (const Rational& distance : {q(3, 10), q(7, 10)}) {
+    const Region smaller = region.shrink(distance), larger = region.grow(distance);
+    expect_shrunk(region, smaller, distance);
+    expect_grown(region, larger, distance);
+    const Rational enough = distance + q(2, 1000);
+    for (int k = 0; k < 300; ++k) {
+      const Point p{q(pick(random, -2000000, 2000000), 1000003),
+                    q(pick(random, -2000000, 2000000), 1000003)};
+      if (squared_distance(p, edges) < enough * enough) continue;
+      EXPECT_EQ(smaller.contains(p), region.contains(p));
+      EXPECT_EQ(larger.contains(p), region.contains(p));
+    }
+  }
+}
+
 TEST(Shrink, RandomRegionsAreOneSidedAndTight) {
   Random random(3);
   int kept = 0;
