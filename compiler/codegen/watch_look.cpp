@@ -174,19 +174,16 @@ void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
                                               : use(alone, arguments);
   wrapped(body, "v->" + signal.seen + " = " + value + ";");
 }
-bool WatchLook::params(const std::string& state, const std::string& in, Code& body) const {
-  bool moves = false;
+void WatchLook::params(const std::string& state, const std::string& in, Code& body) const {
   for (std::size_t k = 0; k < watch_.params.size(); ++k) {
     const Param& param = watch_.params[k];
     if (param.tightens == 0) continue;
-    moves = true;
     uses_.insert("tighter");
     const std::string value = state + "tightest_" + members_.params[k];
     body.line(value + " = tighter(" + value + ", " + in + members_.params[k] + ", " +
               num(param.range.lo) + ", " + num(param.range.hi) + ", " +
               (param.tightens > 0 ? "1" : "0") + ");");
   }
-  return moves;
 }
 
 void WatchLook::start(const std::string& state, Code& body) const {

@@ -24,8 +24,8 @@ class WatchLook {
   // The statement that looks at an input; `view`, `in`: pointers.
   [[nodiscard]] std::string call(std::size_t channel, const std::string& view,
                                  const std::string& in) const;
-  // The newest parameters; `state`, `in`: what leads to the members. False: none moves.
-  bool params(const std::string& state, const std::string& in, Code& body) const;
+  // The newest parameters; `state`, `in`: what leads to the members.
+  void params(const std::string& state, const std::string& in, Code& body) const;
   // The body of the function of a property; false: it does not look at the view.
   bool property(const ir::Block& block, WatchValuePrinter& values, Code& body,
                 RepeatPrinter* repeats = nullptr);

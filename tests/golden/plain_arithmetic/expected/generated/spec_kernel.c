@@ -710,8 +710,7 @@ static int32_t arm_resume(arm_monitors_state *s, int64_t now_us, int64_t *since_
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, const arm_monitors_in *in,
-                                int64_t now_us) {
+static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -724,7 +723,6 @@ static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, const arm_mo
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -741,7 +739,7 @@ void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t
                        arm_monitors_out *out) {
   arm_view v;
   int32_t k;
-  if (arm_begin(&v, s, in, now_us) == 0) {
+  if (arm_begin(&v, s, now_us) == 0) {
     for (k = 0; k < ARM_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(ARM_INPUT_CLOCK));
     }
@@ -876,7 +874,7 @@ static int32_t arm_verdicts_resume(arm_monitors_verdicts_state *s, int64_t now_u
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t arm_verdicts_begin(arm_verdicts_view *v, arm_monitors_verdicts_state *s,
-                                         const arm_monitors_in *in, int64_t now_us) {
+                                         int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -889,7 +887,6 @@ static inline int32_t arm_verdicts_begin(arm_verdicts_view *v, arm_monitors_verd
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -906,7 +903,7 @@ void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in
                            int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
   arm_verdicts_view v;
   int32_t k;
-  if (arm_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (arm_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < ARM_MONITORS; ++k) {
       verdicts[k] = ARM_VERDICT_UNKNOWN;
     }

@@ -1473,8 +1473,7 @@ static int32_t yard_resume(yard_monitors_state *s, int64_t now_us) {
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s,
-                                 const yard_monitors_in *in, int64_t now_us) {
+static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s, int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
   if (begun == 0) {
     begun = yard_resume(s, now_us);
@@ -1484,7 +1483,6 @@ static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s,
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1503,7 +1501,7 @@ void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int6
                         yard_monitors_out *out) {
   yard_view v;
   int32_t k;
-  if (yard_begin(&v, s, in, now_us) == 0) {
+  if (yard_begin(&v, s, now_us) == 0) {
     for (k = 0; k < YARD_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(YARD_INPUT_CLOCK));
     }
@@ -1591,7 +1589,7 @@ static int32_t yard_verdicts_resume(yard_monitors_verdicts_state *s, int64_t now
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t yard_verdicts_begin(yard_verdicts_view *v, yard_monitors_verdicts_state *s,
-                                          const yard_monitors_in *in, int64_t now_us) {
+                                          int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
   if (begun == 0) {
     begun = yard_verdicts_resume(s, now_us);
@@ -1601,7 +1599,6 @@ static inline int32_t yard_verdicts_begin(yard_verdicts_view *v, yard_monitors_v
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1620,7 +1617,7 @@ void yard_monitors_verdicts(yard_monitors_verdicts_state *s, const yard_monitors
                             int64_t now_us, int32_t verdicts[YARD_MONITORS]) {
   yard_verdicts_view v;
   int32_t k;
-  if (yard_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (yard_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < YARD_MONITORS; ++k) {
       verdicts[k] = YARD_VERDICT_UNKNOWN;
     }

@@ -549,8 +549,7 @@ static int32_t door_resume(door_monitors_state *s, int64_t now_us, int64_t *sinc
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t door_begin(door_view *v, door_monitors_state *s,
-                                 const door_monitors_in *in, int64_t now_us) {
+static inline int32_t door_begin(door_view *v, door_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -563,7 +562,6 @@ static inline int32_t door_begin(door_view *v, door_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -582,7 +580,7 @@ void door_monitors_step(door_monitors_state *s, const door_monitors_in *in, int6
                         door_monitors_out *out) {
   door_view v;
   int32_t k;
-  if (door_begin(&v, s, in, now_us) == 0) {
+  if (door_begin(&v, s, now_us) == 0) {
     for (k = 0; k < DOOR_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(DOOR_INPUT_CLOCK));
     }
@@ -689,7 +687,7 @@ static int32_t door_verdicts_resume(door_monitors_verdicts_state *s, int64_t now
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t door_verdicts_begin(door_verdicts_view *v, door_monitors_verdicts_state *s,
-                                          const door_monitors_in *in, int64_t now_us) {
+                                          int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -702,7 +700,6 @@ static inline int32_t door_verdicts_begin(door_verdicts_view *v, door_monitors_v
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -721,7 +718,7 @@ void door_monitors_verdicts(door_monitors_verdicts_state *s, const door_monitors
                             int64_t now_us, int32_t verdicts[DOOR_MONITORS]) {
   door_verdicts_view v;
   int32_t k;
-  if (door_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (door_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < DOOR_MONITORS; ++k) {
       verdicts[k] = DOOR_VERDICT_UNKNOWN;
     }

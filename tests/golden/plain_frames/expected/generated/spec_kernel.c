@@ -1252,8 +1252,7 @@ static int32_t gripper_resume(gripper_monitors_state *s, int64_t now_us, int64_t
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s,
-                                    const gripper_monitors_in *in, int64_t now_us) {
+static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1266,7 +1265,6 @@ static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1288,7 +1286,7 @@ void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in 
                            int64_t now_us, gripper_monitors_out *out) {
   gripper_view v;
   int32_t k;
-  if (gripper_begin(&v, s, in, now_us) == 0) {
+  if (gripper_begin(&v, s, now_us) == 0) {
     for (k = 0; k < GRIPPER_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(GRIPPER_INPUT_CLOCK));
     }
@@ -1611,8 +1609,7 @@ static int32_t gripper_verdicts_resume(gripper_monitors_verdicts_state *s, int64
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t gripper_verdicts_begin(gripper_verdicts_view *v,
-                                             gripper_monitors_verdicts_state *s,
-                                             const gripper_monitors_in *in, int64_t now_us) {
+                                             gripper_monitors_verdicts_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1625,7 +1622,6 @@ static inline int32_t gripper_verdicts_begin(gripper_verdicts_view *v,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1647,7 +1643,7 @@ void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s, const gripper
                                int64_t now_us, int32_t verdicts[GRIPPER_MONITORS]) {
   gripper_verdicts_view v;
   int32_t k;
-  if (gripper_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (gripper_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < GRIPPER_MONITORS; ++k) {
       verdicts[k] = GRIPPER_VERDICT_UNKNOWN;
     }

@@ -725,8 +725,7 @@ static int32_t signal_resume(signal_monitors_state *s, int64_t now_us, int64_t *
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s,
-                                   const signal_monitors_in *in, int64_t now_us) {
+static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -739,7 +738,6 @@ static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -758,7 +756,7 @@ void signal_monitors_step(signal_monitors_state *s, const signal_monitors_in *in
                           signal_monitors_out *out) {
   signal_view v;
   int32_t k;
-  if (signal_begin(&v, s, in, now_us) == 0) {
+  if (signal_begin(&v, s, now_us) == 0) {
     for (k = 0; k < SIGNAL_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(SIGNAL_INPUT_CLOCK));
     }
@@ -1025,8 +1023,7 @@ static int32_t signal_verdicts_resume(signal_monitors_verdicts_state *s, int64_t
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t signal_verdicts_begin(signal_verdicts_view *v,
-                                            signal_monitors_verdicts_state *s,
-                                            const signal_monitors_in *in, int64_t now_us) {
+                                            signal_monitors_verdicts_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -1039,7 +1036,6 @@ static inline int32_t signal_verdicts_begin(signal_verdicts_view *v,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1059,7 +1055,7 @@ void signal_monitors_verdicts(signal_monitors_verdicts_state *s, const signal_mo
                               int64_t now_us, int32_t verdicts[SIGNAL_MONITORS]) {
   signal_verdicts_view v;
   int32_t k;
-  if (signal_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (signal_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < SIGNAL_MONITORS; ++k) {
       verdicts[k] = SIGNAL_VERDICT_UNKNOWN;
     }

@@ -1130,8 +1130,7 @@ static int32_t pump_resume(pump_monitors_state *s, int64_t now_us, int64_t *sinc
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s,
-                                 const pump_monitors_in *in, int64_t now_us) {
+static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1144,7 +1143,6 @@ static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1162,7 +1160,7 @@ void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int6
                         pump_monitors_out *out) {
   pump_view v;
   int32_t k;
-  if (pump_begin(&v, s, in, now_us) == 0) {
+  if (pump_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PUMP_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(PUMP_INPUT_CLOCK));
     }
@@ -1364,7 +1362,7 @@ static int32_t pump_verdicts_resume(pump_monitors_verdicts_state *s, int64_t now
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t pump_verdicts_begin(pump_verdicts_view *v, pump_monitors_verdicts_state *s,
-                                          const pump_monitors_in *in, int64_t now_us) {
+                                          int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1377,7 +1375,6 @@ static inline int32_t pump_verdicts_begin(pump_verdicts_view *v, pump_monitors_v
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1397,7 +1394,7 @@ void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors
                             int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
   pump_verdicts_view v;
   int32_t k;
-  if (pump_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (pump_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PUMP_MONITORS; ++k) {
       verdicts[k] = PUMP_VERDICT_UNKNOWN;
     }

@@ -1214,8 +1214,7 @@ static int32_t crane_resume(crane_monitors_state *s, int64_t now_us, int64_t *si
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s,
-                                  const crane_monitors_in *in, int64_t now_us) {
+static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1228,7 +1227,6 @@ static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1248,7 +1246,7 @@ void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, i
                          crane_monitors_out *out) {
   crane_view v;
   int32_t k;
-  if (crane_begin(&v, s, in, now_us) == 0) {
+  if (crane_begin(&v, s, now_us) == 0) {
     for (k = 0; k < CRANE_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(CRANE_INPUT_CLOCK));
     }
@@ -1464,8 +1462,7 @@ static int32_t crane_verdicts_resume(crane_monitors_verdicts_state *s, int64_t n
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t crane_verdicts_begin(crane_verdicts_view *v,
-                                           crane_monitors_verdicts_state *s,
-                                           const crane_monitors_in *in, int64_t now_us) {
+                                           crane_monitors_verdicts_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1478,7 +1475,6 @@ static inline int32_t crane_verdicts_begin(crane_verdicts_view *v,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1498,7 +1494,7 @@ void crane_monitors_verdicts(crane_monitors_verdicts_state *s, const crane_monit
                              int64_t now_us, int32_t verdicts[CRANE_MONITORS]) {
   crane_verdicts_view v;
   int32_t k;
-  if (crane_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (crane_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < CRANE_MONITORS; ++k) {
       verdicts[k] = CRANE_VERDICT_UNKNOWN;
     }

@@ -1028,7 +1028,7 @@ static int32_t plain_robots_resume(plain_robots_monitors_state *s, int64_t now_u
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t plain_robots_begin(plain_robots_view *v, plain_robots_monitors_state *s,
-                                         const plain_robots_monitors_in *in, int64_t now_us) {
+                                         int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
     begun = plain_robots_resume(s, now_us);
@@ -1038,7 +1038,6 @@ static inline int32_t plain_robots_begin(plain_robots_view *v, plain_robots_moni
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1066,7 +1065,7 @@ void plain_robots_monitors_step(plain_robots_monitors_state *s,
                                 plain_robots_monitors_out *out) {
   plain_robots_view v;
   int32_t k;
-  if (plain_robots_begin(&v, s, in, now_us) == 0) {
+  if (plain_robots_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(PLAIN_ROBOTS_INPUT_CLOCK));
     }
@@ -1392,7 +1391,6 @@ static int32_t plain_robots_verdicts_resume(plain_robots_monitors_verdicts_state
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t plain_robots_verdicts_begin(plain_robots_verdicts_view *v,
                                                   plain_robots_monitors_verdicts_state *s,
-                                                  const plain_robots_monitors_in *in,
                                                   int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1403,7 +1401,6 @@ static inline int32_t plain_robots_verdicts_begin(plain_robots_verdicts_view *v,
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1431,7 +1428,7 @@ void plain_robots_monitors_verdicts(plain_robots_monitors_verdicts_state *s,
                                     int32_t verdicts[PLAIN_ROBOTS_MONITORS]) {
   plain_robots_verdicts_view v;
   int32_t k;
-  if (plain_robots_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (plain_robots_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
       verdicts[k] = PLAIN_ROBOTS_VERDICT_UNKNOWN;
     }
