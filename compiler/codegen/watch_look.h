@@ -50,6 +50,8 @@ class WatchLook {
   void channel(std::size_t index, Code& out);
   std::string fresh(std::size_t index, const std::string& first, Code& out);
   std::string whole_sample(std::size_t index, Code& out);
+  [[nodiscard]] bool is_seen_whole(std::size_t channel) const;
+  void whole(std::size_t index, Code& out);
   void component(std::size_t index, std::uint32_t k, Code& body);
   std::string unknown(bool is_truth);
   std::string use(const std::string& function, const std::string& arguments);
@@ -58,6 +60,7 @@ class WatchLook {
   const ir::Watch& watch_;
   const WatchNames members_;
   const ChannelUses asked_;
+  const std::vector<bool> needed_whole_;  // by channel
   const std::string view_, clock_;
   std::set<std::string>& uses_;
   Code& out_;
