@@ -7,7 +7,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 /*= bounds_type */
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -66,7 +68,6 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 /*= known_sum : bounds_of */
-/* Of quantities of which something is known: */
 static inline bounds known_sum(bounds a, bounds b) {
   bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
   sum.lo_open = a.lo_open | b.lo_open;
@@ -120,7 +121,6 @@ static inline bounds known_greatest(bounds a, bounds b) {
   return bounds_between(max_of(lower_half(a), lower_half(b)), max_of(upper_half(a), upper_half(b)));
 }
 /*= bounds_sum : known_sum bounds_known bounds_nothing */
-/* The same of quantities of which perhaps nothing is known: nor of what is made of them. */
 static inline bounds bounds_sum(bounds a, bounds b) {
   return bounds_known(a) && bounds_known(b) ? known_sum(a, b) : bounds_nothing();
 }
