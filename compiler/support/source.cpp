@@ -24,13 +24,7 @@ struct CloseFile {
 
 }  // namespace
 
-FileId SourceManager::add(std::string path, std::string text) {
-  auto line_starts = find_line_starts(text);
-  files_.push_back({std::move(path), std::move(text), std::move(line_starts)});
-  return FileId{static_cast<std::uint32_t>(files_.size() - 1)};
-}
-
-std::optional<FileId> SourceManager::load(const std::string& path, std::string& why) {
+std::optional<std::string> read_file(const std::string& path, std::string& why) {
   errno = 0;
   const std::unique_ptr<std::FILE, CloseFile> file{std::fopen(path.c_str(), "rb")};
   if (!file) {
@@ -41,7 +35,7 @@ std::optional<FileId> SourceManager::load(const std::string& path, std::string& 
   std::vector<char> block(std::size_t{1} << 16);
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
     text.append(block.data(), count);
-    if (text.size() > file_bytes_max) {
+    if (text.size() > SourceManager::file_bytes_max) {
       why = "the file is larger than 64 MiB";
       return std::nullopt;
     }
@@ -50,7 +44,19 @@ std::optional<FileId> SourceManager::load(const std::string& path, std::string& 
     why = std::strerror(errno);  // a directory opens, but does not read
     return std::nullopt;
   }
-  return add(path, std::move(text));
+  return text;
+}
+
+FileId SourceManager::add(std::string path, std::string text) {
+  auto line_starts = find_line_starts(text);
+  files_.push_back({std::move(path), std::move(text), std::move(line_starts)});
+  return FileId{static_cast<std::uint32_t>(files_.size() - 1)};
+}
+
+std::optional<FileId> SourceManager::load(const std::string& path, std::string& why) {
+  std::optional<std::string> text = read_file(path, why);
+  if (!text) return std::nullopt;
+  return add(path, std::move(*text));
 }
 
 const SourceManager::File& SourceManager::get(FileId file) const {

@@ -26,6 +26,10 @@ struct LineColumn {
   std::uint32_t column = 1;
 };
 
+// The whole file; nullopt: it cannot be opened or read, or is larger than
+// SourceManager::file_bytes_max. `why` receives the reason.
+std::optional<std::string> read_file(const std::string& path, std::string& why);
+
 class SourceManager {
  public:
   // Offsets are 32 bit, and a specification is a page: anything larger is a mistake in the path.

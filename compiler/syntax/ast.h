@@ -159,13 +159,26 @@ struct PolygonLit {  // polygon [p, p, p] hole [p, p, p]
   Ring outer;
   std::vector<Ring> holes;
 };
+// What a file leaves open, or what of it is meant: feature "hospital", in m, axes latitude
+// longitude, inclusions all, exclusions, flat "why", timeless "why".
+enum class ImportWord { feature, unit, axes, inclusions, exclusions, flat, timeless };
+struct ImportOption {
+  ImportWord word = ImportWord::feature;
+  std::optional<Text> text;
+  std::vector<Name> names;  // sema knows them
+  SourceRange range;
+};
+struct ImportLit {  // import "city.geojson" feature "hospital"
+  Text path;
+  std::vector<ImportOption> options;
+};
 struct ErrorExpr {};  // stands where a syntax error was; sema stays silent about it
 
 struct Expr {
   SourceRange range;
   std::variant<NumberLit, BoolLit, NameRef, Member, Call, Unary, Binary, Held, Previously, Past,
                Since, WithinOf, Aggregate, Conditional, Let, Index, Quantified, OverFleet, PointLit,
-               RectangleLit, CircleLit, PolygonLit, ErrorExpr>
+               RectangleLit, CircleLit, PolygonLit, ImportLit, ErrorExpr>
       node;
 };
 
@@ -318,6 +331,9 @@ struct GridItem {  // grid 0.1 mm, 1 mm/s;  the resolution of inputs of these di
 struct FrameItem {  // frame gps, base;
   std::vector<Name> names;
 };
+struct OriginItem {  // origin 47.3977 deg, 8.5456 deg;   of the map: latitude, longitude, altitude
+  std::vector<ExprPtr> values;
+};
 struct AssumeItem {  // assume φ checked by NAME;   assume φ unchecked "why";
   ExprPtr condition;
   std::optional<Name> checked_by;
@@ -378,8 +394,8 @@ struct DecisionItem {
 struct Item {
   SourceRange range;
   std::variant<ImportItem, PeriodItem, InputItem, ParamItem, EnumItem, FunItem, ScaleItem, GridItem,
-               FrameItem, AssumeItem, ZoneItem, RobotItem, FleetItem, SiteItem, ControllerItem,
-               MonitorItem, DecisionItem>
+               FrameItem, OriginItem, AssumeItem, ZoneItem, RobotItem, FleetItem, SiteItem,
+               ControllerItem, MonitorItem, DecisionItem>
       node;
   // A mistake in its text is reported and could only be mended by a guess, so that the tree may not
   // be what is meant.
@@ -399,13 +415,23 @@ struct File {
   FileId id{};
   std::optional<Name> spec;  // an imported file has none
   std::vector<Item> items;
+  std::vector<Text> zone_files;  // the paths of all ImportLit
   Loss loss;
+};
+
+// A file that zones are read from.
+struct ZoneFile {
+  FileId importer{};
+  std::string written;  // the path in the importer
+  std::string path;     // from here
+  std::shared_ptr<const std::string> text;
 };
 
 // The root file and everything that it imports, importers after their imports, each file once.
 struct Program {
   std::vector<File> files;
-  bool import_failed = false;  // the names of a file are not known
+  std::vector<ZoneFile> zone_files;  // each importer and path once; what cannot be read is missing
+  bool import_failed = false;        // the names of a file are not known
 };
 
 }  // namespace rtac::syntax

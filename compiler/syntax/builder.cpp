@@ -213,4 +213,9 @@ Operand Builder::polygon(const SourceRange& range, PolygonParts parts) {
   return grow(range, parts.height, std::move(parts.node));
 }
 
+ImportLit Builder::zone_file(Text path) {
+  zone_files_.push_back(path);
+  return {std::move(path), {}};
+}
+
 }  // namespace rtac::syntax

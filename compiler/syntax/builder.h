@@ -129,6 +129,7 @@ class Builder {
   Operand rectangle(const SourceRange& range, Operand from, Operand to);
   Operand circle(const SourceRange& range, Operand centre, Operand radius);
   Operand polygon(const SourceRange& range, PolygonParts parts);
+  ImportLit zone_file(Text path);
 
   // The result.
   [[nodiscard]] bool failed() const { return failed_; }
@@ -137,6 +138,7 @@ class Builder {
   [[nodiscard]] const std::optional<SourceRange>& too_high() const { return too_high_; }
   std::vector<Item> take_items() { return std::move(items_); }
   std::vector<Name> take_specs() { return std::move(specs_); }
+  std::vector<Text> take_zone_files() { return std::move(zone_files_); }
 
  private:
   // Wraps a node over parts of at most `height` levels.
@@ -157,6 +159,7 @@ class Builder {
   std::optional<SourceRange> too_high_;
   std::vector<Item> items_;
   std::vector<Name> specs_;
+  std::vector<Text> zone_files_;
 };
 
 }  // namespace rtac::syntax

@@ -160,6 +160,11 @@ class Dumper {
   void add(const FrameItem& node, const SourceRange& range) {
     line("Frame " + join(node.names, ", "), range);
   }
+  void add(const OriginItem& node, const SourceRange& range) {
+    line("Origin", range);
+    Level level{text_};
+    for (const ExprPtr& value : node.values) add(*value);
+  }
   void add(const AssumeItem& node, const SourceRange& range) {
     line("Assume", range);
     Level level{text_};

@@ -160,6 +160,16 @@ class ExprDumper {
     Level level{text_};
     add_all(ring.points);
   }
+  void add(const ImportLit& node, const SourceRange& range) {
+    line("Import " + spell_text(node.path.text), range);
+    Level level{text_};
+    for (const ImportOption& option : node.options) {
+      std::string text{spell(option.word)};
+      if (option.text) text += ' ' + spell_text(option.text->text);
+      for (const Name& name : option.names) text += ' ' + name.text;
+      line(text, option.range);
+    }
+  }
   void add(const ErrorExpr&, const SourceRange& range) { line("Error", range); }
 
   TreeText& text_;

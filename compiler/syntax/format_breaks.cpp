@@ -14,6 +14,12 @@ std::optional<BreakClass> class_of_word(const Piece& piece) {
     case T::RESOLUTION:
     case T::CHECKED:
     case T::UNCHECKED:
+    case T::FEATURE:
+    case T::AXES:
+    case T::INCLUSIONS:
+    case T::EXCLUSIONS:
+    case T::FLAT:
+    case T::TIMELESS:
       return BreakClass::part;
     case T::FOR:
     case T::SINCE:

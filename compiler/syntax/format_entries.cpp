@@ -99,6 +99,7 @@ class Aligner {
       case T::SCALE:
       case T::GRID:
       case T::FRAME:
+      case T::ORIGIN:
       case T::PERIOD:
         return entry.begin + 1;
       default:

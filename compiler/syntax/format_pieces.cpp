@@ -23,6 +23,7 @@ bool ends_operand(const Piece& piece) {
     case T::RIGHT_BRACKET:
     case T::TRUE:
     case T::FALSE:
+    case T::EXCLUSIONS:  // the end of `import "file" exclusions`, or a name
       return true;
     default:
       return piece.is_name;

@@ -163,6 +163,7 @@ const std::vector<Form>& all_forms() {
       {Block::items, T::SCALE, "scale 0.5 m/s;"},
       {Block::items, T::GRID, "grid 0.1 mm, 1 mm/s;"},
       {Block::items, T::FRAME, "frame gps, base;"},
+      {Block::items, T::ORIGIN, "origin 47.3977 deg, 8.5456 deg;"},
       {Block::items, T::ASSUME, "assume speed <= 3 m/s checked by no_run;"},
       {Block::robot, T::LATENCY, "latency 40 ms;"},
       {Block::robot, T::BODY, "body radius 0.2 m;"},

@@ -23,6 +23,11 @@ bool is_first_in_column(const Token& token, const SourceManager& sources) {
   return begin == 0 || sources.text(token.range.file)[begin - 1] == '\n';
 }
 
+bool expects_operand(TokenKind before) {
+  return before == T::ASSIGN || before == T::PIPE || before == T::AMPERSAND || before == T::MINUS ||
+         before == T::LEFT_PAREN || before == T::COMMA || before == T::INSIDE;
+}
+
 // Most words that start items are reserved: one at the start of a line starts an item whatever is
 // still open. So a missing `}` costs no more than its own item. The others may be names and words
 // of clauses too: they start an item behind a whole one, outside of braces, where no blank is in
@@ -31,8 +36,10 @@ bool starts_stretch(const std::vector<Token>& tokens, std::size_t index, int bra
                     const SourceManager& sources) {
   const Word* word = find_word(tokens[index].kind);
   if (index == 0 || !tokens[index].first_on_line || !word) return false;
-  if (word->word_kind == WordKind::item) return true;
   const TokenKind before = tokens[index - 1].kind;
+  // a zone of a file: `zone z =` on the line above
+  const bool within = word->kind == T::IMPORT && expects_operand(before);
+  if (word->word_kind == WordKind::item) return !within;
   return word->word_kind == WordKind::soft && brace_depth == 0 &&
          (before == T::SEMICOLON || before == T::RIGHT_BRACE) &&
          is_first_in_column(tokens[index], sources);
@@ -97,6 +104,7 @@ void add_attempt(Attempt attempt, File& file, diag::Engine& diagnostics) {
     if (!file.spec) file.spec = std::move(name);
   }
   for (Item& item : attempt.items) file.items.push_back(std::move(item));
+  append(file.zone_files, std::move(attempt.zone_files));
   file.loss.names.merge(attempt.loss.names);
   file.loss.items = file.loss.items || attempt.loss.items;
   file.loss.rest = file.loss.rest || attempt.loss.rest;
@@ -186,6 +194,7 @@ class ProgramParser {
     for (const Item& item : file.items) {
       if (const auto* node = std::get_if<ImportItem>(&item.node)) follow(node->path, id);
     }
+    for (const Text& written : file.zone_files) read_zones(written, id);
     program_.files.push_back(std::move(file));
     open_.pop_back();
   }
@@ -205,9 +214,46 @@ class ProgramParser {
                          {{SourceRange{file.id, 0, 0}, "spec my_spec;\n"}}});
   }
 
-  void follow(const Text& import, FileId importer) {
+  [[nodiscard]] std::string path_from(FileId importer, const std::string& written) const {
     const std::filesystem::path base = std::filesystem::path{sources_.path(importer)}.parent_path();
-    const std::string path = (base / import.text).lexically_normal().string();
+    return (base / written).lexically_normal().string();
+  }
+
+  // A file is read once, however many zones are taken from it.
+  void read_zones(const Text& import, FileId importer) {
+    const std::string path = path_from(importer, import.text);
+    std::shared_ptr<const std::string> text;
+    for (const ZoneFile& known : program_.zone_files) {
+      if (known.importer == importer && known.written == import.text) return;
+      if (known.path == path) text = known.text;
+    }
+    if (!text) {
+      std::string why;
+      std::optional<std::string> read = read_file(path, why);
+      if (!read) {
+        report_unreadable(import, path, why);
+        return;
+      }
+      if (std::find(dependencies_.begin(), dependencies_.end(), path) == dependencies_.end()) {
+        dependencies_.push_back(path);
+      }
+      text = std::make_shared<const std::string>(std::move(*read));
+    }
+    program_.zone_files.push_back({importer, import.text, path, std::move(text)});
+  }
+
+  void report_unreadable(const Text& import, const std::string& path, const std::string& why) {
+    diagnostics_.report({Code::import_not_found,
+                         import.range,
+                         "cannot read the imported file " + quote(path, kPathBytesMax),
+                         why,
+                         {},
+                         "the path is relative to the directory of the importing file",
+                         {}});
+  }
+
+  void follow(const Text& import, FileId importer) {
+    const std::string path = path_from(importer, import.text);
     const std::string id = identity(path);
     if (std::any_of(open_.begin(), open_.end(),
                     [&](const Opened& file) { return file.identity == id; })) {
@@ -220,13 +266,7 @@ class ProgramParser {
     const std::optional<FileId> loaded = sources_.load(path, why);
     if (!loaded) {
       program_.import_failed = true;
-      diagnostics_.report({Code::import_not_found,
-                           import.range,
-                           "cannot read the imported file " + quote(path, kPathBytesMax),
-                           why,
-                           {},
-                           "the path is relative to the directory of the importing file",
-                           {}});
+      report_unreadable(import, path, why);
       return;
     }
     dependencies_.push_back(path);

@@ -43,6 +43,7 @@ Attempt attempt_parse(const std::vector<Token>& tokens, const SourceManager& sou
   attempt.too_high = builder.too_high();
   attempt.items = builder.take_items();
   attempt.specs = builder.take_specs();
+  attempt.zone_files = builder.take_zone_files();
   return attempt;
 }
 

@@ -20,6 +20,7 @@ struct Attempt {
   std::optional<SourceRange> too_high;  // an expression that became ErrorExpr for its height
   std::vector<Item> items;
   std::vector<Name> specs;  // names of `spec` lines
+  std::vector<Text> zone_files;
   // Of the repair: what it has taken away, and the places of edits that nobody is told of.
   Loss loss;
   std::vector<SourceRange> silent_edits;

@@ -83,6 +83,7 @@ Strength strength_of(const Expr& expr) {
           [](const RectangleLit&) { return zone_level; },
           [](const CircleLit&) { return zone_level; },
           [](const PolygonLit&) { return zone_level; },
+          [](const ImportLit&) { return zone_level; },
           [](const NumberLit&) { return primary_level; },
           [](const BoolLit&) { return primary_level; },
           [](const NameRef&) { return primary_level; },
@@ -204,6 +205,17 @@ std::string print_node(const PolygonLit& node) {
   std::string result = "polygon [" + print_list(node.outer.points) + ']';
   for (const PolygonLit::Ring& hole : node.holes)
     result += " hole [" + print_list(hole.points) + ']';
+  return result;
+}
+std::string print_option(const ImportOption& option) {
+  std::string result{spell(option.word)};
+  if (option.text) result += ' ' + spell_text(option.text->text);
+  for (const Name& name : option.names) result += ' ' + name.text;
+  return result;
+}
+std::string print_node(const ImportLit& node) {
+  std::string result = "import " + spell_text(node.path.text);
+  for (const ImportOption& option : node.options) result += ' ' + print_option(option);
   return result;
 }
 // Not specification text: a tree with errors is printed only to be looked at.

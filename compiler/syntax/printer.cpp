@@ -151,6 +151,9 @@ std::string print_node(const GridItem& node) {
 std::string print_node(const FrameItem& node) {
   return "frame " + join(node.names, ", ") + ";\n";
 }
+std::string print_node(const OriginItem& node) {
+  return print_list("origin", node.values).substr(1) + ";\n";
+}
 std::string print_node(const AssumeItem& node) {
   return "assume " + print_expr(*node.condition) +
          (node.checked_by ? " checked by " + node.checked_by->text : "") +

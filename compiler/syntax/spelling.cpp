@@ -64,6 +64,26 @@ std::string_view spell(PastOp op) {
   return {};
 }
 
+std::string_view spell(ImportWord word) {
+  switch (word) {
+    case ImportWord::feature:
+      return "feature";
+    case ImportWord::unit:
+      return "in";
+    case ImportWord::axes:
+      return "axes";
+    case ImportWord::inclusions:
+      return "inclusions";
+    case ImportWord::exclusions:
+      return "exclusions";
+    case ImportWord::flat:
+      return "flat";
+    case ImportWord::timeless:
+      return "timeless";
+  }
+  return {};
+}
+
 std::string_view spell(Quantifier quantifier) {
   switch (quantifier) {
     case Quantifier::forall:

@@ -14,6 +14,7 @@ std::string_view spell(PastOp op);
 std::string_view spell(Quantifier quantifier);
 std::string_view spell(Relation relation);
 std::string_view spell(Role role);
+std::string_view spell(ImportWord word);
 
 // A string literal with its quotes and escapes.
 std::string spell_text(const std::string& text);

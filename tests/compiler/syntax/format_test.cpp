@@ -86,6 +86,20 @@ bool has_syntax_error(const std::string& text) {
   return !Parsed{text}.codes().empty();
 }
 
+// Zones of files are operands: signs behind their words are operators, and long ones are broken
+// in front of the words.
+TEST(Format, ZonesOfFiles) {
+  EXPECT_EQ(formatted("origin  47.3977 deg,8.5456 deg ;\n"
+                      "zone a=import \"a.plan\"exclusions-import \"b.wkt\"in m-c;\n"),
+            "origin 47.3977 deg, 8.5456 deg;\n"
+            "zone   a = import \"a.plan\" exclusions - import \"b.wkt\" in m - c;\n");
+  EXPECT_EQ(formatted("zone long_name = import \"a_folder/and_a_long_name.json\" feature \"one of "
+                      "many\" flat \"everything here stays on the ground\";\n"),
+            "zone long_name = import \"a_folder/and_a_long_name.json\"\n"
+            "                 feature \"one of many\"\n"
+            "                 flat \"everything here stays on the ground\";\n");
+}
+
 TEST(Format, KeepsTokensAndCommentsOfAllSpecifications) {
   int formatted_count = 0;
   for (const char* folder : {"/specs", "/tests", "/examples"}) {

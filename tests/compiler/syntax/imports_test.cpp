@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "tests/compiler/syntax/syntax_test_util.h"
 
@@ -69,6 +70,49 @@ TEST_F(Imports, ComeBeforeTheirImportersAndOnce) {
   for (const std::string& path : dependencies_) read.push_back(relative(path));
   EXPECT_EQ(read, (std::vector<std::string>{"root.rta", "lib/left.rta", "lib/base.rta",
                                             "lib/right.rta"}));
+}
+
+// Files of zones are read with the others, once each, from the folder of who names them.
+TEST_F(Imports, OfZonesAreReadAndNamedAsDependencies) {
+  write("root.rta",
+        "spec r;\nimport \"lib/zones.rta\";\nzone a = import \"x.geojson\" feature \"a\";\n"
+        "zone b =\n  import \"x.geojson\" feature \"b\" | import \"./x.geojson\";\n");
+  write("lib/zones.rta", "zone c = import \"../x.geojson\" - import \"y.wkt\" in m;\n");
+  write("x.geojson", "{}");
+  write("lib/y.wkt", "POLYGON EMPTY");
+  parse("root.rta");
+  EXPECT_EQ(messages(), "");
+  std::vector<std::string> read;
+  for (const std::string& path : dependencies_) read.push_back(relative(path));
+  EXPECT_EQ(read,
+            (std::vector<std::string>{"root.rta", "lib/zones.rta", "x.geojson", "lib/y.wkt"}));
+  std::set<const std::string*> texts;
+  for (const ZoneFile& file : program_.zone_files) texts.insert(file.text.get());
+  EXPECT_EQ(program_.zone_files.size(), 4U);
+  EXPECT_EQ(texts.size(), 2U);
+}
+
+TEST_F(Imports, OfZonesThatCannotBeReadAreReportedAtThePath) {
+  write("root.rta", "spec r;\nzone a = import \"no/such.geojson\";\nzone b = import \"lib\";\n");
+  parse("root.rta");
+  EXPECT_EQ(messages(), R"(error[1019]: cannot read the imported file `no/such.geojson`
+ --> root.rta:2:17
+  |
+2 | zone a = import "no/such.geojson";
+  |                 ^^^^^^^^^^^^^^^^^ No such file or directory
+  |
+help: the path is relative to the directory of the importing file
+
+error[1019]: cannot read the imported file `lib`
+ --> root.rta:3:17
+  |
+3 | zone b = import "lib";
+  |                 ^^^^^ Is a directory
+  |
+help: the path is relative to the directory of the importing file
+
+2 errors
+)");
 }
 
 TEST_F(Imports, ReportMistakesOfAllFiles) {

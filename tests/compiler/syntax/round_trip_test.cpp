@@ -43,6 +43,18 @@ TEST(RoundTrip, HoldsForAllSpecs) {
   }
 }
 
+// Zones of files with all that may be said of one, and the words as names elsewhere.
+TEST(RoundTrip, HoldsForZonesOfFiles) {
+  expect_round_trip(
+      "origin 47.3977 deg, -8.5456 deg, 432 m;\n"
+      "zone a = import \"x \\\"y.geojson\" feature \"one\" flat \"why\" timeless \"why\";\n"
+      "zone b = (import \"w.wkt\" in deg axes latitude longitude | import \"w.wkt\" in m) - "
+      "import \"m.plan\" exclusions;\n"
+      "zone c = shrink(import \"m.plan\" inclusions all exclusions, 1 m) & c;\n"
+      "input origin, feature, axes, inclusions, exclusions, flat, timeless : bool;\n"
+      "monitor m { \"R\" always origin and not exclusions or p inside import \"x\" in m; }\n");
+}
+
 TEST(RoundTrip, KeepsGroupsThatNeedBrackets) {
   for (const char* expression : {"(a + b) * c",
                                  "a - (b - c)",
