@@ -25,6 +25,7 @@ function target_of(line, name, quoted) {
   if (name ~ /^nlohmann\//) return "json"
   if (name ~ /^pugixml/) return "pugixml"
   if (name ~ /^gmp/) return "gmp"
+  if (name ~ /^GeographicLib\//) return "GeographicLib"
   return ""
 }
 
