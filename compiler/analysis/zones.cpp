@@ -1,7 +1,10 @@
 #include "compiler/analysis/zones.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+
+#include "compiler/analysis/ring_problems.h"
 
 namespace rtac::analysis {
 namespace {
@@ -13,9 +16,6 @@ constexpr std::size_t edges_max = 256;  // a kernel without an index checks ever
 
 std::string metres(const Rational& value) {
   return to_decimal(value) + " m";
-}
-std::string place(const geometry::Point& p) {
-  return "(" + metres(p.x) + ", " + metres(p.y) + ")";
 }
 
 bool fits_grid(const geometry::Region& region) {
@@ -111,6 +111,50 @@ class Evaluator {
     }
     return operand->grow(side == Side::outer ? node.distance : Rational(node.distance - slack_m));
   }
+  // What a file says is off by at most its error: of a zone to stay in the boundary is moved
+  // inwards by it, else outwards. Its areas lie to each other as in the file, so they are combined
+  // before.
+  Result eval(const sema::ZoneImport& node, const SourceRange& range, Side side) {
+    std::vector<geometry::Region> groups, exclusions;
+    for (const auto& group : node.inclusions) {
+      std::optional<geometry::Region> all;
+      for (const auto& each : group) {
+        auto region = area(each, range, side);
+        if (!region) return std::nullopt;
+        all = all ? all->intersect(*region) : std::move(*region);
+      }
+      if (all) groups.push_back(std::move(*all));
+    }
+    for (const auto& each : node.exclusions) {
+      auto region = area(each, range, other(side));
+      if (!region) return std::nullopt;
+      exclusions.push_back(std::move(*region));
+    }
+    geometry::Region zone = united(std::move(groups));
+    if (!exclusions.empty()) zone = zone.subtract(united(std::move(exclusions)));
+    return side == Side::inner ? zone.shrink(node.error) : zone.grow(node.error);
+  }
+  Result area(const sema::ZoneImport::Area& area, const SourceRange& range, Side side) {
+    std::vector<geometry::Region> parts;
+    for (const auto& part : area.parts) {
+      auto region = std::visit([&](const auto& shape) { return eval(shape, range, side); }, part);
+      if (!region) return std::nullopt;
+      parts.push_back(std::move(*region));
+    }
+    return united(std::move(parts));
+  }
+  // In one sweep, however many they are.
+  static geometry::Region united(std::vector<geometry::Region> regions) {
+    if (regions.size() == 1) return std::move(regions[0]);
+    std::vector<geometry::Ring> rings;
+    for (const geometry::Region& region : regions) {
+      for (geometry::PolygonWithHoles& polygon : region.polygons()) {
+        rings.push_back(std::move(polygon.outer));
+        std::move(polygon.holes.begin(), polygon.holes.end(), std::back_inserter(rings));
+      }
+    }
+    return geometry::Region::of_rings(rings);
+  }
   Result eval(const sema::ZonePolygon& polygon, const SourceRange& range, Side) {
     const auto ring = [](const sema::ZonePolygon::Ring& from) {
       geometry::Ring to;
@@ -121,62 +165,10 @@ class Evaluator {
     for (const auto& hole : polygon.holes) holes.push_back(ring(hole));
     auto result = geometry::Region::polygon(ring(polygon.outer), holes);
     if (const auto* problem = std::get_if<geometry::Problem>(&result)) {
-      report(*problem, polygon, range);
+      diagnostics_.report(describe(*problem, polygon, range));
       return std::nullopt;
     }
     return std::get<geometry::Region>(std::move(result));
-  }
-
-  void report(const geometry::Problem& problem, const sema::ZonePolygon& polygon,
-              const SourceRange& range) {
-    const auto& ring = problem.ring == 0 ? polygon.outer : polygon.holes[problem.ring - 1];
-    const auto at = [&](std::size_t i) {
-      return i < ring.point_ranges.size() ? ring.point_ranges[i] : range;
-    };
-    const std::string which =
-        problem.ring == 0 ? "the outer ring" : "hole " + std::to_string(problem.ring);
-    const std::string vertex = "vertex " + std::to_string(problem.vertex + 1);
-    diag::Diagnostic d{};
-    d.range = at(problem.vertex);
-    switch (problem.kind) {
-      case geometry::Problem::Kind::too_short:
-        d.code = Code::ring_too_short;
-        d.range = ring.range;
-        d.message = which + " has fewer than three different vertices";
-        d.help = "a ring needs at least three vertices that do not lie on one line";
-        break;
-      case geometry::Problem::Kind::repeats_vertex:
-        d.code = Code::ring_repeats_vertex;
-        d.message =
-            vertex + " of " + which + " repeats vertex " + std::to_string(problem.other + 1);
-        d.notes.push_back({at(problem.other), "the vertex was here first"});
-        d.help = "remove one of the two; rings are closed by themselves";
-        break;
-      case geometry::Problem::Kind::self_intersects:
-        d.code = Code::ring_self_intersects;
-        d.message = which + " crosses or touches itself at " + place(problem.where);
-        d.label = "the edge that starts at this vertex";
-        d.notes.push_back({at(problem.other), "it meets the edge that starts here"});
-        d.help = "order the vertices along the boundary, or write two polygons joined by `|`";
-        break;
-      case geometry::Problem::Kind::no_area:
-        d.code = Code::ring_has_no_area;
-        d.range = ring.range;
-        d.message = which + " encloses no area";
-        d.help = "move at least one vertex off the line through the others";
-        break;
-      case geometry::Problem::Kind::hole_outside_ring:
-        d.code = Code::hole_outside_ring;
-        d.message = which + " does not lie inside the outer ring, see its " + vertex;
-        d.help = "to cut a notch from the edge, subtract a polygon: `outer - notch`";
-        break;
-      case geometry::Problem::Kind::holes_overlap:
-        d.code = Code::holes_overlap;
-        d.message = which + " and hole " + std::to_string(problem.other) + " overlap or touch";
-        d.help = "write them as one hole, or subtract both: `outer - (a | b)`";
-        break;
-    }
-    diagnostics_.report(std::move(d));
   }
 
   void report_empty(const sema::Zone& zone) {
@@ -187,6 +179,9 @@ class Evaluator {
     if (const auto* offset = std::get_if<sema::ZoneOffset>(&zone.value->node)) {
       const Result operand = expr(*offset->operand, Side::inner);
       if (operand) d.help = largest_shrink(*operand);
+    } else if (const auto* imported = std::get_if<sema::ZoneImport>(&zone.value->node)) {
+      d.help = "the boundary may be off by " + metres(imported->error) +
+               ": nothing of the areas of the file is farther within them";
     } else {
       const auto* binary = std::get_if<sema::ZoneBinary>(&zone.value->node);
       d.help = binary && binary->op == sema::ZoneOp::subtract

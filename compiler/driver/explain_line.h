@@ -21,6 +21,8 @@ struct Remark {
 
 // Of what belongs to no robot: period, inputs, parameters, every expression of every monitor.
 std::vector<Remark> watch_remarks(const Compilation& c);
+// Of the origin of the map and of zones that are read from files.
+std::vector<Remark> import_remarks(const Compilation& c);
 // Of robots, zones, controllers, monitors and decisions.
 std::vector<Remark> robot_remarks(const Compilation& c);
 

@@ -38,6 +38,17 @@ geometry::Ring ring(const sema::ZonePolygon::Ring& from) {
   return to;
 }
 
+geometry::Region together(const std::vector<geometry::Region>& regions) {
+  std::vector<geometry::Ring> rings;
+  for (const geometry::Region& region : regions) {
+    for (const geometry::PolygonWithHoles& polygon : region.polygons()) {
+      rings.push_back(polygon.outer);
+      rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+    }
+  }
+  return geometry::Region::of_rings(rings);
+}
+
 }  // namespace
 
 // Curves and offsets are known within polygons: from inside, or from outside where the zone is
@@ -60,6 +71,35 @@ struct Zones::Evaluate {
     auto result = geometry::Region::polygon(ring(node.outer), holes);
     auto* good = std::get_if<geometry::Region>(&result);
     return good != nullptr ? Region(std::move(*good)) : std::nullopt;
+  }
+  // The boundary is known within the error of the file: what surely lies inside, or may.
+  Region operator()(const sema::ZoneImport& node) const {
+    std::vector<geometry::Region> groups, exclusions;
+    for (const auto& group : node.inclusions) {
+      Region all;
+      for (const auto& each : group) {
+        Region region = area(each, bound);
+        if (!region) return std::nullopt;
+        all = all ? all->intersect(*region) : std::move(*region);
+      }
+      if (all) groups.push_back(std::move(*all));
+    }
+    for (const auto& each : node.exclusions) {
+      Region region = area(each, other(bound));
+      if (!region) return std::nullopt;
+      exclusions.push_back(std::move(*region));
+    }
+    const geometry::Region zone = together(groups).subtract(together(exclusions));
+    return bound == Bound::within ? zone.shrink(node.error) : zone.grow(node.error);
+  }
+  Region area(const sema::ZoneImport::Area& area, Bound of_bound) const {
+    std::vector<geometry::Region> parts;
+    for (const auto& part : area.parts) {
+      Region region = std::visit(Evaluate{zones, of_bound}, part);
+      if (!region) return std::nullopt;
+      parts.push_back(std::move(*region));
+    }
+    return together(parts);
   }
   Region operator()(const sema::ZoneBinary& node) const {
     const bool subtracts = node.op == sema::ZoneOp::subtract;

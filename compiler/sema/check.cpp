@@ -7,6 +7,7 @@
 #include "compiler/sema/fleets.h"
 #include "compiler/sema/inputs.h"
 #include "compiler/sema/monitors.h"
+#include "compiler/sema/origin.h"
 #include "compiler/sema/property.h"
 #include "compiler/sema/robots.h"
 #include "compiler/sema/watches.h"
@@ -20,11 +21,13 @@ std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnost
     context.spec.name = program.files.back().spec->text;
     context.spec.name_range = program.files.back().spec->range;
   }
-  // Each step needs the ones before it: names before uses, robots before the places that belong
-  // to them, places before the kinds that charge there, limits of kinds before the controllers
-  // that must keep them, the period and the signals before the properties that speak of them,
-  // properties before the decisions that say when they are judged.
+  // Each step needs the ones before it: names before uses, the origin before the zones that are
+  // placed about it, robots before the places that belong to them, places before the kinds that
+  // charge there, limits of kinds before the controllers that must keep them, the period and the
+  // signals before the properties that speak of them, properties before the decisions that say when
+  // they are judged.
   declare_all(context, program);
+  check_origin(context, program);
   check_zones(context);
   check_fleets(context, program);
   check_sites(context, program);

@@ -90,7 +90,7 @@ bool senses(const syntax::RobotItem& robot, const char* name) {
 }  // namespace
 
 Context::Context(diag::Engine& engine, const syntax::Program& program)
-    : engine_(engine), all_names_lost_(program.import_failed) {
+    : zone_files(program.zone_files), engine_(engine), all_names_lost_(program.import_failed) {
   bool lost_items = program.import_failed;
   for (const syntax::File& file : program.files) {
     lost_names_.insert(file.loss.names.begin(), file.loss.names.end());

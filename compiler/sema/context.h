@@ -7,9 +7,11 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "compiler/diagnostics/engine.h"
+#include "compiler/geometry/import/areas.h"
 #include "compiler/sema/finding.h"
 #include "compiler/sema/names.h"
 #include "compiler/sema/spec.h"
@@ -136,6 +138,11 @@ class Context {
   std::set<ParamId> faulty_params, used_params;
   std::set<std::string> refused_functions;  // a built-in one has their name
   bool period_written = false;              // it may have a mistake
+  const std::vector<syntax::ZoneFile>& zone_files;
+  // Each file is read once, however many zones are taken from it.
+  std::map<std::string, std::variant<geometry::import::Areas, geometry::import::Failure>>
+      read_files;
+  bool origin_written = false;    // it may have a mistake
   std::set<SiteId> faulty_sites;  // a place of theirs has a mistake: which robots lack one is open
 
  private:

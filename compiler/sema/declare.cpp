@@ -118,6 +118,7 @@ class Declarer {
   void operator()(const SourceRange&, const syntax::ScaleItem&) {}
   void operator()(const SourceRange&, const syntax::GridItem&) {}
   void operator()(const SourceRange&, const syntax::AssumeItem&) {}
+  void operator()(const SourceRange&, const syntax::OriginItem&) {}
 
   void operator()(const SourceRange&, const syntax::FrameItem& written) {
     for (const syntax::Name& name : written.names) {

@@ -144,6 +144,37 @@ std::string interval(const Interval& window) {
          (window.to ? si_text(*window.to, dims::time) : std::string("inf")) + "]";
 }
 
+std::string text_of(const ZonePolygon& polygon) {
+  std::string text = "polygon " + ring(polygon.outer);
+  for (const auto& hole : polygon.holes) text += " hole " + ring(hole);
+  return text;
+}
+std::string text_of(const ZoneCircle& circle) {
+  return "circle " + point_text(circle.centre) + " radius " + to_decimal(circle.radius);
+}
+std::string text_of(const ZoneImport::Area& area) {
+  std::string text;
+  for (const auto& part : area.parts) {
+    text += text.empty() ? "" : " | ";
+    text += std::visit([](const auto& shape) { return text_of(shape); }, part);
+  }
+  return area.parts.size() > 1 ? "(" + text + ")" : text;
+}
+std::string text_of(const std::vector<ZoneImport::Area>& areas, const char* joined) {
+  std::string text;
+  for (const ZoneImport::Area& area : areas) text += (text.empty() ? "" : joined) + text_of(area);
+  return areas.size() > 1 ? "(" + text + ")" : text;
+}
+std::string text_of(const ZoneImport& imported) {
+  std::string text;
+  for (const auto& group : imported.inclusions) {
+    text += (text.empty() ? "" : " | ") + text_of(group, " & ");
+  }
+  if (imported.inclusions.size() > 1) text = "(" + text + ")";
+  if (!imported.exclusions.empty()) text += " - " + text_of(imported.exclusions, " | ");
+  return "import \"" + imported.path + "\" error " + to_decimal(imported.error) + " [" + text + "]";
+}
+
 }  // namespace
 
 std::string ExprPrinter::zone(ZoneId id) const {
@@ -154,18 +185,13 @@ std::string ExprPrinter::zone(ZoneId id) const {
 std::string ExprPrinter::zone(const ZoneExpr& expr) const {
   return std::visit(
       Overloaded{
-          [](const ZonePolygon& polygon) {
-            std::string text = "polygon " + ring(polygon.outer);
-            for (const auto& hole : polygon.holes) text += " hole " + ring(hole);
-            return text;
-          },
-          [](const ZoneCircle& circle) {
-            return "circle " + point_text(circle.centre) + " radius " + to_decimal(circle.radius);
-          },
+          [](const ZonePolygon& polygon) { return text_of(polygon); },
+          [](const ZoneCircle& circle) { return text_of(circle); },
           [&](const ZoneRef& reference) { return zone(reference.zone); },
           [&](const ZoneBinary& binary) {
             return "(" + zone(*binary.left) + symbol_of(binary.op) + zone(*binary.right) + ")";
           },
+          [](const ZoneImport& imported) { return text_of(imported); },
           [&](const ZoneOffset& offset) {
             return std::string(offset.distance < 0 ? "shrink(" : "grow(") + zone(*offset.operand) +
                    ", " + to_decimal(Rational(abs(offset.distance))) + ")";

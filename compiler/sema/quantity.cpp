@@ -301,7 +301,8 @@ std::string form_of(const syntax::Expr& expr) {
   if (std::holds_alternative<syntax::PointLit>(expr.node)) return "a point";
   if (std::holds_alternative<syntax::RectangleLit>(expr.node) ||
       std::holds_alternative<syntax::CircleLit>(expr.node) ||
-      std::holds_alternative<syntax::PolygonLit>(expr.node)) {
+      std::holds_alternative<syntax::PolygonLit>(expr.node) ||
+      std::holds_alternative<syntax::ImportLit>(expr.node)) {
     return "a zone";
   }
   if (std::holds_alternative<syntax::BoolLit>(expr.node) ||

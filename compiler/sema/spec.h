@@ -3,6 +3,7 @@
 // Each entry keeps the range of its source text, so that every later message can point to it.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,16 +50,30 @@ struct Frame {
 };
 inline constexpr FrameId map_frame{0};  // there always is; robots live in it
 
+// Where (0 m, 0 m) of `map` is, x to the east and y to the north: the azimuthal equidistant
+// projection of the WGS 84 ellipsoid.
+struct Origin {
+  Quantity latitude, longitude;      // rad, as the unit `deg` has it
+  std::optional<Quantity> altitude;  // m above mean sea level
+};
+
 // ---- zones ------------------------------------------------------------------------------------
 
 struct ZoneExpr;
 using ZoneExprPtr = std::unique_ptr<ZoneExpr>;
 
 struct ZonePolygon {  // a rectangle is a polygon with four corners
+  // What a message about a ring of another file tells of its vertices.
+  struct InFile {
+    std::string where;                    // the file and the place in it
+    std::vector<std::uint32_t> vertices;  // of each point; long edges have points between vertices
+    std::vector<std::array<double, 2>> positions;  // of each vertex: latitude, longitude; or x, y
+  };
   struct Ring {
     std::vector<Point> points;
-    std::vector<SourceRange> point_ranges;
+    std::vector<SourceRange> point_ranges;  // of an imported ring: none
     SourceRange range;
+    std::optional<InFile> in_file = std::nullopt;
   };
   Ring outer;
   std::vector<Ring> holes;
@@ -79,9 +94,24 @@ struct ZoneOffset {  // grow when positive, shrink when negative
   ZoneExprPtr operand;
   Rational distance;
 };
+// The areas of a file: inside any of the inclusions, which is inside all of its areas, and outside
+// of every exclusion.
+struct ZoneImport {
+  struct Area {  // the union of its parts
+    std::vector<std::variant<ZonePolygon, ZoneCircle>> parts;
+  };
+  std::string path;  // as written
+  std::vector<std::vector<Area>> inclusions;
+  std::vector<Area> exclusions;
+  Rational error;                        // m: boundary and distances are off by at most this much
+  bool degrees = false;                  // it was projected
+  std::size_t vertices = 0, points = 0;  // in the file; with those within long edges
+  Rational farthest;                     // m, rounded up: from (0 m, 0 m)
+  std::vector<std::string> remarks;      // what is left out, with the author's reasons
+};
 struct ZoneExpr {
   SourceRange range;
-  std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset> node;
+  std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport> node;
 };
 struct Zone {
   std::string name;  // empty: written inside a property (shrink(free, 15 cm)); named by its place
@@ -431,6 +461,7 @@ struct Spec {
   std::string name;
   SourceRange name_range;
   std::vector<Frame> frames{{"map", {}}};
+  std::optional<Origin> origin;  // of the map
   std::vector<Zone> zones;
   std::vector<RobotKind> kinds;
   std::vector<Robot> robots;  // in the order of the fleets

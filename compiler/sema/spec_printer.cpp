@@ -24,6 +24,7 @@ class SpecPrinter {
   std::string print() {
     line(0, "spec " + spec_.name);
     for (std::size_t i = 1; i < spec_.frames.size(); ++i) line(0, "frame " + spec_.frames[i].name);
+    if (spec_.origin) print(*spec_.origin);
     for (const Zone& zone : spec_.zones) {
       if (!zone.name.empty())
         line(0, "zone " + zone.name + frame_of(zone) + " = " + exprs_.zone(*zone.value));
@@ -59,6 +60,12 @@ class SpecPrinter {
   void line(int depth, const std::string& text) {
     text_.append(static_cast<std::size_t>(2 * depth), ' ');
     text_ += text + "\n";
+  }
+
+  void print(const Origin& origin) {
+    line(0, "origin " + si_text(origin.latitude, dims::angle) + ", " +
+                si_text(origin.longitude, dims::angle) +
+                (origin.altitude ? ", " + si_text(*origin.altitude, dims::length) : ""));
   }
 
   void print(const RobotKind& kind) {

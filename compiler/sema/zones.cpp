@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/sema/frames.h"
+#include "compiler/sema/imports.h"
 #include "compiler/sema/quantity.h"
 #include "compiler/sema/suggest.h"
 
@@ -86,6 +87,11 @@ class ZoneChecker {
       ring.point_ranges.push_back(vertex->range);
     }
     return good;
+  }
+
+  ZoneExprPtr zone(const syntax::Expr& expr, const syntax::ImportLit& written) {
+    auto imported = import_zone(context_, written, frame_);
+    return imported ? make(expr.range, std::move(*imported)) : nullptr;
   }
 
   ZoneExprPtr zone(const syntax::Expr& expr, const syntax::Binary& binary) {
@@ -175,8 +181,8 @@ class ZoneChecker {
   }
 
   static constexpr const char* zone_help =
-      "write the name of a zone, `rectangle`, `circle`, `polygon`, `shrink(zone, length)`, or "
-      "zones joined by `|`, `&` and `-`";
+      "write the name of a zone, `rectangle`, `circle`, `polygon`, `shrink(zone, length)`, `import "
+      "\"file\"`, or zones joined by `|`, `&` and `-`";
 
   Context& context_;
   FrameId frame_;

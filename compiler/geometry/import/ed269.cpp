@@ -13,8 +13,7 @@ namespace {
 
 class Ed269Reader {
  public:
-  Ed269Reader(Findings& findings, const Limits& limits)
-      : findings_(findings), json_(findings, limits) {}
+  explicit Ed269Reader(Findings& findings) : findings_(findings), json_(findings) {}
 
   bool read_root(Json root);
   Areas take_areas();
@@ -136,7 +135,8 @@ bool Ed269Reader::read_zone(Json zone) {
   for (const Json volume : items) {
     if (!read_volume(volume, area)) return false;
   }
-  return json_.add(std::move(area), areas_);
+  areas_.areas.push_back(std::move(area));
+  return true;
 }
 
 bool Ed269Reader::read_root(Json root) {

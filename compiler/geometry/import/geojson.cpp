@@ -145,7 +145,8 @@ bool GeoJsonReader::read_feature(Json feature) {
   } else if (!read_geometry(*geometry, area)) {
     return false;
   }
-  return json_.add(std::move(area), areas_);
+  areas_.areas.push_back(std::move(area));
+  return true;
 }
 
 bool GeoJsonReader::read_collection(Json collection) {
@@ -167,7 +168,8 @@ bool GeoJsonReader::read_root(Json root) {
   Area area;
   area.where = root.where();
   if (!read_geometry(root, area)) return false;
-  return json_.add(std::move(area), areas_);
+  areas_.areas.push_back(std::move(area));
+  return true;
 }
 
 Areas GeoJsonReader::take_areas() {

@@ -10,8 +10,7 @@ namespace rtac::geometry::import {
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(Findings& findings, const Limits& limits)
-      : findings_(findings), json_(findings, limits) {}
+  explicit GeoJsonReader(Findings& findings) : findings_(findings), json_(findings) {}
   GeoJsonReader(const GeoJsonReader&) = delete;
   GeoJsonReader& operator=(const GeoJsonReader&) = delete;
   virtual ~GeoJsonReader() = default;

@@ -14,8 +14,7 @@ namespace {
 
 class PlanReader {
  public:
-  PlanReader(Findings& findings, const Limits& limits)
-      : findings_(findings), json_(findings, limits) {}
+  explicit PlanReader(Findings& findings) : findings_(findings), json_(findings) {}
 
   bool read_root(Json root);
   Areas take_areas();
@@ -82,7 +81,8 @@ bool PlanReader::read_item(Json item, std::string_view shape) {
     return false;
   }
   refuse_unknown(item, shape, area);
-  return json_.add(std::move(area), areas_);
+  areas_.areas.push_back(std::move(area));
+  return true;
 }
 
 bool PlanReader::read_each(Json fence, std::string_view list, std::string_view shape) {

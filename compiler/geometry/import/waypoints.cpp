@@ -209,7 +209,8 @@ bool WaypointReader::start_polygon(const Item& item) {
   Polygon polygon;
   polygon.outer.where = item.where;
   area.parts.push_back({std::move(polygon), {}});
-  return add_area(std::move(area), limits_, areas_, findings_);
+  areas_.areas.push_back(std::move(area));
+  return true;
 }
 
 bool WaypointReader::read_vertex(const Item& item) {
@@ -242,7 +243,8 @@ bool WaypointReader::read_circle(const Item& item) {
                                .radius_m = item.params[0],
                                .where = item.where},
                         {}});
-  return add_area(std::move(area), limits_, areas_, findings_);
+  areas_.areas.push_back(std::move(area));
+  return true;
 }
 
 bool WaypointReader::read_item(const Item& item) {

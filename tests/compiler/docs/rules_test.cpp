@@ -157,6 +157,9 @@ TEST(Rule7_1, IsAsShown) {
 TEST(Rule7_2, IsAsShown) {
   expect_as_shown("7.2");
 }
+TEST(Rule7_3, IsAsShown) {
+  expect_as_shown("7.3");
+}
 TEST(Rule8, IsAsShown) {
   expect_as_shown("8");
 }

@@ -16,7 +16,7 @@ std::unique_ptr<Checked> check_spec(const std::string& path) {
 TEST(Specs, CheckCleanInTheSoundMode) {
   for (const char* path :
        {"robot_delivery/robot_delivery.rta", "drone_surveillance/drone_surveillance.rta",
-        "drone_surveillance/drone_sound_1.rta"}) {
+        "drone_surveillance/drone_sound_1.rta", "park_survey/park_survey.rta"}) {
     const auto checked = check_spec(path);
     ASSERT_TRUE(checked);
     EXPECT_TRUE(checked->engine.all().empty()) << path << "\n" << checked->reports();

@@ -1,0 +1,90 @@
+// What became of files of zones: how they were placed on the map, and how exactly.
+#include "compiler/driver/explain_line.h"
+#include "compiler/driver/explain_text.h"
+#include "compiler/sema/dimension.h"
+#include "compiler/support/overloaded.h"
+
+namespace rtac::driver {
+namespace {
+
+namespace dims = sema::dims;
+
+class ImportRemarks {
+ public:
+  std::vector<Remark> run(const sema::Spec& spec) {
+    if (spec.origin) origin(*spec.origin);
+    for (const sema::Zone& zone : spec.zones) look(*zone.value);
+    return std::move(out_);
+  }
+
+ private:
+  void origin(const sema::Origin& origin) {
+    std::vector<std::string> details = {
+        "(0 m, 0 m) of the map; x to the east, y to the north",
+        "azimuthal equidistant on WGS 84: distances from here are exact"};
+    if (origin.altitude) {
+      details.push_back("altitude " + sema::show(origin.altitude->value, dims::length) +
+                        " above mean sea level");
+    }
+    const SourceRange& first = origin.latitude.range;
+    out_.push_back({{first.file, first.begin, origin.longitude.range.end},
+                    "origin of the map",
+                    std::move(details)});
+  }
+
+  void look(const sema::ZoneExpr& expr) {
+    std::visit(Overloaded{
+                   [](const sema::ZonePolygon&) {},
+                   [](const sema::ZoneCircle&) {},
+                   [](const sema::ZoneRef&) {},
+                   [&](const sema::ZoneBinary& node) {
+                     look(*node.left);
+                     look(*node.right);
+                   },
+                   [&](const sema::ZoneOffset& node) { look(*node.operand); },
+                   [&](const sema::ZoneImport& node) { imported(expr.range, node); },
+               },
+               expr.node);
+  }
+
+  static std::string parts(const sema::ZoneImport& node) {
+    std::size_t areas = 0;
+    for (const auto& group : node.inclusions) areas += group.size();
+    std::string text = count(areas, "area");
+    if (!node.exclusions.empty()) {
+      text += " less " + count(node.exclusions.size(), "exclusion");
+    }
+    return text;
+  }
+  void imported(const SourceRange& source, const sema::ZoneImport& node) {
+    std::string positions = count(node.vertices, "position");
+    if (node.points > node.vertices) {
+      positions += ", placed as " + std::to_string(node.points) +
+                   " points: long edges are straight in degrees, and bent on the map";
+    }
+    std::vector<std::string> details = {
+        parts(node) + ", up to " + sema::show(node.farthest, dims::length) + " from (0 m, 0 m)",
+        std::move(positions),
+        node.degrees ? "projected from degrees: azimuthal equidistant on WGS 84, about the origin"
+                     : "in metres, as the file has it"};
+    if (node.error > 0) {
+      details.push_back(
+          "boundary and distances are off by at most " + to_decimal(Rational(node.error * 1000)) +
+          " mm: moved in by that for who has to be inside, out for who has to be outside");
+    } else {
+      details.emplace_back("exact");
+    }
+    details.insert(details.end(), node.remarks.begin(), node.remarks.end());
+    out_.push_back({source, "import \"" + node.path + "\"", std::move(details)});
+  }
+
+  std::vector<Remark> out_;
+};
+
+}  // namespace
+
+std::vector<Remark> import_remarks(const Compilation& c) {
+  return ImportRemarks().run(*c.spec);
+}
+
+}  // namespace rtac::driver

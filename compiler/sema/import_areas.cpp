@@ -1,0 +1,190 @@
+#include "compiler/sema/import_areas.h"
+
+#include <cmath>
+
+#include "compiler/sema/dimension.h"
+#include "compiler/sema/in_file.h"
+
+namespace rtac::sema {
+
+using geometry::NoPlace;
+using geometry::import::Area;
+using geometry::import::Circle;
+using geometry::import::Format;
+using geometry::import::Polygon;
+
+namespace {
+
+std::string kilometres(double metres) {
+  return to_decimal(Rational(static_cast<long>(std::min(std::ceil(metres / 1000), 1e12)))) + " km";
+}
+
+class AreaPlacer {
+ public:
+  AreaPlacer(Context& context, const ImportJob& job)
+      : context_(context), job_(job), placer_(job.reading, job.origin) {}
+
+  std::optional<ZoneImport> run() {
+    result_.path = job_.written.path.text;
+    result_.degrees = job_.reading.degrees;
+    result_.remarks = job_.remarks;
+    for (const auto& group : job_.inclusions) {
+      if (!add(group, result_.inclusions.emplace_back())) return std::nullopt;
+    }
+    if (!add(job_.exclusions, result_.exclusions)) return std::nullopt;
+    note_turned();
+    result_.error = placer_.error();
+    result_.points = placer_.points();
+    result_.farthest = Rational(static_cast<long>(std::ceil(placer_.farthest_m())));
+    return std::move(result_);
+  }
+
+ private:
+  bool add(const std::vector<const Area*>& areas, std::vector<ZoneImport::Area>& to) {
+    for (const Area* area : areas) {
+      ZoneImport::Area& added = to.emplace_back();
+      for (const auto& part : area->parts) {
+        const auto one = [&](const auto& shape) { return place(shape, added); };
+        if (!std::visit(one, part.shape)) return false;
+      }
+    }
+    return true;
+  }
+
+  bool place(const Polygon& from, ZoneImport::Area& to) {
+    ZonePolygon polygon;
+    if (!ring(from.outer, true, polygon.outer)) return false;
+    for (const auto& hole : from.holes) {
+      if (!ring(hole, false, polygon.holes.emplace_back())) return false;
+    }
+    to.parts.emplace_back(std::move(polygon));
+    return true;
+  }
+  bool place(const Circle& from, ZoneImport::Area& to) {
+    const auto placed = placer_.place(from);
+    result_.vertices += 1;
+    if (const auto* fault = std::get_if<NoPlace>(&placed)) {
+      return report(*fault, from.where + ", the circle about " + shown(from.centre));
+    }
+    const auto& circle = std::get<geometry::PlacedCircle>(placed);
+    to.parts.emplace_back(ZoneCircle{{circle.x, circle.y}, circle.radius});
+    return true;
+  }
+
+  bool ring(const geometry::import::Ring& from, bool outer, ZonePolygon::Ring& to) {
+    auto placed = placer_.place(from);
+    result_.vertices += from.positions.size();
+    if (const auto* fault = std::get_if<NoPlace>(&placed)) {
+      return report(*fault, from.where + ", vertex " + std::to_string(fault->vertex + 1) + " " +
+                                shown(from.positions[fault->vertex]));
+    }
+    to.range = job_.written.path.range;
+    to.in_file.emplace();
+    to.in_file->where = job_.path + ": " + from.where;
+    for (auto& point : std::get<geometry::PlacedRing>(placed).points) {
+      to.points.push_back({std::move(point.x), std::move(point.y)});
+      to.in_file->vertices.push_back(point.vertex);
+    }
+    to.in_file->positions.reserve(from.positions.size());
+    for (const auto& position : from.positions) to.in_file->positions.push_back(pair(position));
+    look_at_direction(from, outer);
+    return true;
+  }
+
+  // Latitude first, as people say it; of metres east first.
+  [[nodiscard]] std::array<double, 2> pair(const geometry::import::Position& p) const {
+    const bool turn = job_.reading.degrees && !job_.reading.latitude_first;
+    return turn ? std::array{p.y, p.x} : std::array{p.x, p.y};
+  }
+  [[nodiscard]] std::string shown(const geometry::import::Position& p) const {
+    return position_text(pair(p));
+  }
+
+  // ---- which way round: RFC 7946, 3.1.6
+
+  void look_at_direction(const geometry::import::Ring& from, bool outer) {
+    const bool stated = job_.format == Format::geojson || job_.format == Format::ed318;
+    if (!stated || job_.axes_written || geometry::counter_clockwise(from) == outer) return;
+    if (turned_++ == 0) first_turned_ = from.where;
+  }
+  void note_turned() {
+    if (turned_ == 0) return;
+    const std::string more =
+        turned_ == 1 ? "" : " and " + std::to_string(turned_ - 1) + " more rings";
+    const std::string go = turned_ == 1 ? " goes" : " go";
+    context_.report(Finding(Code::ring_turned, job_.written.path.range,
+                            "`" + job_.path + "`: " + first_turned_ + more + go +
+                                " the other way round than GeoJSON asks for, and " +
+                                (turned_ == 1 ? "is" : "are") + " turned")
+                        .label("outer rings go counter-clockwise, holes clockwise")
+                        .help("nothing is wrong with the zone"));
+  }
+
+  // ---- positions without a place
+
+  bool report(const NoPlace& fault, const std::string& where) {
+    const bool globe = fault.kind == NoPlace::Kind::off_globe ||
+                       fault.kind == NoPlace::Kind::near_pole ||
+                       fault.kind == NoPlace::Kind::across_the_map;
+    Finding finding(globe ? Code::no_place_on_map : Code::zone_far_away, job_.written.path.range,
+                    "`" + job_.path + "`, " + where + " " + what(fault));
+    finding.label(fault.near_swapped ? "longitude and latitude swapped?" : "has no place");
+    finding.help(fault.near_swapped ? swapped_help() : help(fault));
+    context_.report(finding);
+    return false;
+  }
+  [[nodiscard]] std::string what(const NoPlace& fault) const {
+    switch (fault.kind) {
+      case NoPlace::Kind::off_globe:
+        return "is not on the globe";
+      case NoPlace::Kind::near_pole:
+        return "is too near to a pole";
+      case NoPlace::Kind::across_the_map:
+        return "starts an edge over more than 180 deg of longitude";
+      case NoPlace::Kind::far_away:
+        return "is " + kilometres(fault.distance_m) + " from " +
+               (job_.reading.degrees ? "the origin" : "(0 m, 0 m)");
+      case NoPlace::Kind::too_many:
+        return "makes it more than " + std::to_string(geometry::points_max) + " points";
+    }
+    return "";
+  }
+  [[nodiscard]] std::string help(const NoPlace& fault) const {
+    switch (fault.kind) {
+      case NoPlace::Kind::off_globe:
+        return "latitudes are -90 to 90 deg, longitudes -180 to 180 deg";
+      case NoPlace::Kind::near_pole:
+        return "latitudes of up to 89 deg work";
+      case NoPlace::Kind::across_the_map:
+        return "cut an area that crosses 180 deg of longitude in two there; other edges are short";
+      case NoPlace::Kind::far_away:
+        return "zones within " +
+               kilometres(job_.reading.degrees ? geometry::reach_m_max : geometry::metres_max) +
+               (job_.reading.degrees ? " of `origin`" : "") + " work";
+      case NoPlace::Kind::too_many:
+        return "simplify the outlines, or select areas by `feature \"name\"`";
+    }
+    return "";
+  }
+  [[nodiscard]] std::string swapped_help() const {
+    const std::string axes =
+        job_.reading.latitude_first ? "`axes longitude latitude`" : "`axes latitude longitude`";
+    return "the other way round it would be near the origin: write " + axes +
+           " behind the file, or mend it";
+  }
+
+  Context& context_;
+  const ImportJob& job_;
+  geometry::Placer placer_;
+  ZoneImport result_;
+  std::size_t turned_ = 0;
+  std::string first_turned_;
+};
+
+}  // namespace
+
+std::optional<ZoneImport> place_areas(Context& context, const ImportJob& job) {
+  return AreaPlacer(context, job).run();
+}
+
+}  // namespace rtac::sema

@@ -1,0 +1,29 @@
+// From the areas of a file to the polygons and circles of a zone. Internal to imports.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/geometry/import/areas.h"
+#include "compiler/geometry/place/placer.h"
+#include "compiler/sema/context.h"
+
+namespace rtac::sema {
+
+struct ImportJob {
+  const syntax::ImportLit& written;
+  std::string path;  // from here, for messages
+  geometry::import::Format format{};
+  geometry::Reading reading;
+  std::optional<geometry::Origin> origin;
+  bool axes_written = false;
+  std::vector<std::vector<const geometry::import::Area*>> inclusions;
+  std::vector<const geometry::import::Area*> exclusions;
+  std::vector<std::string> remarks;
+};
+
+// nullopt: some position has no place, which is reported.
+std::optional<ZoneImport> place_areas(Context& context, const ImportJob& job);
+
+}  // namespace rtac::sema

@@ -1,0 +1,148 @@
+// Zones of files on the command line: dependencies, mistakes by their place in the file, what is
+// derived, and that nothing depends on where the files lie.
+#include "tests/compiler/driver/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+const char* const origin = "origin 47.3977 deg, 8.5456 deg;\n";
+
+class ZoneFiles : public InFolder {
+ protected:
+  // GeoJSON of one polygon: rings of positions in degrees.
+  static void write_polygon(const fs::path& path, const std::string& rings) {
+    write(path, R"({"type":"Polygon","coordinates":[)" + rings + "]}");
+  }
+  static constexpr const char* square =
+      "[[8.545,47.397],[8.547,47.397],[8.547,47.399],[8.545,47.399],[8.545,47.397]]";
+  static constexpr const char* inner =
+      "[[8.5455,47.3975],[8.5455,47.398],[8.546,47.398],[8.546,47.3975],[8.5455,47.3975]]";
+
+  // A monitor of a point in that zone.
+  static std::string spec(const std::string& zone, const std::string& items = origin) {
+    return "spec s;\nperiod 1 s;\n" + items + "zone z = " + zone +
+           ";\ninput p : point in -900 .. 900 m;\n"
+           "monitor m { \"R1: in\" always p inside z; }\n";
+  }
+  static std::string said(const std::string& zone) {
+    write("s.rta", spec(zone));
+    const Outcome o = rtac({"check", "s.rta"});
+    EXPECT_EQ(o.status, 1) << o.err;
+    return o.err;
+  }
+  static void expect_said(const std::string& zone, const std::string& text) {
+    const std::string all = said(zone);
+    EXPECT_NE(all.find(text), std::string::npos) << all;
+  }
+};
+
+TEST_F(ZoneFiles, AreInTheDependencyFile) {
+  write_polygon("sites/a b.geojson", square);
+  write("s.rta", spec("import \"sites/a b.geojson\" | import \"./sites/a b.geojson\""));
+  const Outcome o = rtac({"build", "s.rta", "-o", "out", "--depfile", "out/d"});
+  ASSERT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(read("out/d"), "out/s_kernel.h: \\\n  s.rta \\\n  sites/a\\ b.geojson\n");
+}
+
+// The same files give the same text wherever they lie, and no path is in it.
+TEST_F(ZoneFiles, GiveTheSameCodeEverywhere) {
+  std::string first;
+  for (const std::string folder : {"one", "another/place"}) {
+    write_polygon(fs::path(folder) / "a.geojson", square);
+    write(fs::path(folder) / "s.rta", spec("import \"a.geojson\""));
+    const Outcome o = rtac({"build", (folder_ / folder / "s.rta").string(), "-o", folder + "/out"});
+    ASSERT_EQ(o.status, 0) << o.err;
+    std::string all;
+    for (const char* file : {"s.cpp", "s.h", "s_kernel.c", "s_kernel.h", "s_manifest.json"}) {
+      all += read(fs::path(folder) / "out" / file);
+    }
+    EXPECT_EQ(all.find(folder_.string()), std::string::npos);
+    if (first.empty()) first = all;
+    EXPECT_EQ(all, first);
+  }
+}
+
+TEST_F(ZoneFiles, FaultsOfRingsAreNamedByTheirPlace) {
+  write_polygon("a.geojson",
+                "[[8.545,47.397],[8.547,47.399],[8.547,47.397],[8.545,47.399],"
+                "[8.545,47.397]]");
+  expect_said(
+      "import \"a.geojson\"",
+      "error[4001]: a.geojson: coordinates[0]: the edge from vertex 1 (47.397, 8.545) meets "
+      "the one from vertex 3 (47.397, 8.547) at (");
+  write_polygon("a.geojson",
+                "[[8.545,47.397],[8.547,47.397],[8.547,47.397],[8.547,47.399],"
+                "[8.545,47.397]]");
+  expect_said("import \"a.geojson\"",
+              "vertex 3 (47.397, 8.547) of a.geojson: coordinates[0] repeats vertex 2");
+  write_polygon("a.geojson",
+                std::string(square) + ",[[8.55,47.4],[8.55,47.401],[8.551,47.401],[8.55,47.4]]");
+  expect_said(
+      "import \"a.geojson\"",
+      "error[4005]: a.geojson: coordinates[1] does not lie inside a.geojson: coordinates[0]");
+  write_polygon("a.geojson", std::string(square) + "," + inner + "," + inner);
+  expect_said(
+      "import \"a.geojson\"",
+      "error[4006]: a.geojson: coordinates[1] and a.geojson: coordinates[2] overlap or touch");
+}
+
+TEST_F(ZoneFiles, ThinnerThanTheirErrorAreEmpty) {
+  write_polygon("a.geojson", "[[8.545,47.397],[8.547,47.397],[8.547,47.39700001],[8.545,47.397]]");
+  expect_said("import \"a.geojson\"", "error[4007]: zone `z` is empty");
+}
+
+TEST_F(ZoneFiles, AreExplained) {
+  write_polygon("a.geojson", std::string(square) + "," + inner);
+  write("s.rta", spec("import \"a.geojson\""));
+  const Outcome zone = rtac({"explain", "s.rta:4"});
+  ASSERT_EQ(zone.status, 0) << zone.err;
+  for (const char* line : {"import \"a.geojson\"\n", "  1 area, up to 1", "  8 positions\n",
+                           "azimuthal equidistant on WGS 84", "off by at most 1.3"}) {
+    EXPECT_NE(zone.out.find(line), std::string::npos) << line << "\n" << zone.out;
+  }
+  const Outcome place = rtac({"explain", "s.rta:3"});
+  EXPECT_NE(place.out.find("(0 m, 0 m) of the map"), std::string::npos) << place.out;
+}
+
+// A point nearer to the boundary than the error is in the zone and out of it, as far as anybody
+// knows; both engines say so, and agree on everything else.
+TEST_F(ZoneFiles, TheirErrorMakesPointsUnknown) {
+  write_polygon("a.geojson", square);
+  write("s.rta", spec("import \"a.geojson\""));
+  // the western border is at x = -45.294482 m in the south and -45.292768 m in the north
+  write("t.csv", "time,p.x,p.y\n0,-45.293,0\n1,-45.280,0\n2,-45.320,0\n3,0,0\n");
+  for (const std::string engine : {"interp", "kernel"}) {
+    const Outcome o = rtac({"replay", "--engine", engine, "s.rta", "t.csv"});
+    std::vector<std::string> found;
+    std::istringstream lines(o.out);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t begin = line.find(',', line.find(',') + 1) + 1;  // behind tick and time
+      found.push_back(line.substr(begin, line.find(',', begin) - begin));
+    }
+    ASSERT_EQ(found.size(), 5U) << o.out;
+    EXPECT_EQ(found[1], "unknown") << engine << o.out;
+    EXPECT_EQ(found[2], "true") << engine << o.out;
+    EXPECT_EQ(found[3], "false") << engine << o.out;
+    EXPECT_EQ(found[4], "true") << engine << o.out;
+  }
+}
+
+// A file of many polygons is united in one sweep; what neighbours share leaves no gap.
+TEST_F(ZoneFiles, NeighboursWithACommonBorderStayJoined) {
+  std::string text = R"({"type":"MultiPolygon","coordinates":[)";
+  for (int i = 0; i < 8; ++i) {
+    const std::string west = std::to_string(8.54 + 0.002 * i),
+                      east = std::to_string(8.542 + 0.002 * i);
+    text += (i > 0 ? ",[[[" : "[[[") + west + ",47.397],[" + east + ",47.397],[" + east +
+            ",47.399],[" + west + ",47.399],[" + west + ",47.397]]]";
+  }
+  write("a.geojson", text + "]}");
+  write("s.rta", spec("shrink(import \"a.geojson\", 1 m)"));
+  write("t.csv", "time,p.x,p.y\n0,-120.786,0\n1,30.195,10\n");
+  const Outcome o = rtac({"replay", "--engine", "kernel", "s.rta", "t.csv"});
+  EXPECT_EQ(o.out.find("false"), std::string::npos) << o.out << o.err;
+  EXPECT_EQ(o.out.find("unknown"), std::string::npos) << o.out << o.err;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test

@@ -1,0 +1,263 @@
+// Zones of files: what the author and the file say together, and what is missing.
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/compiler/sema/helpers.h"
+
+namespace rtac::sema::test {
+namespace {
+
+namespace fs = std::filesystem;
+using diag::Code;
+
+// A square of about 150 m, 100 m east of the origin of the tests.
+std::string square(const std::string& name, double east_deg = 0) {
+  const auto at = [&](double longitude, const char* latitude) {
+    return "[" + std::to_string(longitude + east_deg) + "," + latitude + "]";
+  };
+  const std::string first = at(8.547, "47.397");
+  return R"({"type":"Feature","properties":{"name":")" + name +
+         R"("},"geometry":{"type":"Polygon","coordinates":[[)" + first + "," + at(8.549, "47.397") +
+         "," + at(8.549, "47.3983") + "," + at(8.547, "47.3983") + "," + first + "]]}}";
+}
+std::string collection(const std::string& features) {
+  return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+}
+
+class ZoneFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) /
+              ("rtac_zones_" + std::string(info->name()) + "_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    write("city.geojson", collection(square("park") + "," + square("hospital", 0.01)));
+    write("hall.wkt", "POLYGON ((0 0, 20 0, 20 10, 0 10, 0 0), (5 2, 5 3, 6 3, 6 2, 5 2))");
+    write("degrees.wkt", "POLYGON ((47.397 8.547, 47.397 8.549, 47.398 8.549, 47.397 8.547))");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  // The plan of an autopilot: polygons and circles, each `in` or out.
+  void write_plan(const std::vector<bool>& polygons, const std::vector<bool>& circles) const {
+    const auto item = [](const std::string& shape, bool in) {
+      return "{" + shape + R"(,"inclusion":)" + (in ? "true" : "false") + R"(,"version":1})";
+    };
+    std::string all, round;
+    for (const bool in : polygons) {
+      all += (all.empty() ? "" : ",") +
+             item(R"("polygon":[[47.397,8.544],[47.397,8.547],[47.399,8.547],[47.399,8.544]])", in);
+    }
+    for (const bool in : circles) {
+      round += (round.empty() ? "" : ",") +
+               item(R"("circle":{"center":[47.398,8.5456],"radius":30})", in);
+    }
+    write("m.plan", R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"circles":[)" +
+                        round + R"(],"polygons":[)" + all +
+                        R"(]},"mission":{"items":[],"version":2}})");
+  }
+  [[nodiscard]] std::unique_ptr<Checked> check(const std::string& items) const {
+    Checked start;
+    const FileId root = start.sources.add((folder_ / "s.rta").string(), "spec s;\n" + items);
+    return check_file(std::move(start), root);
+  }
+  static constexpr const char* origin = "origin 47.3977 deg, 8.5456 deg;\n";
+
+  // One error of that code, at that text, that says this.
+  void expect(const std::string& items, Code code, const std::string& place,
+              const std::string& says, const std::string& helps) const {
+    const auto checked = check(items);
+    SCOPED_TRACE(items + checked->reports());
+    ASSERT_EQ(checked->engine.all().size(), 1U);
+    const diag::Diagnostic& found = checked->engine.all().front();
+    EXPECT_EQ(found.code, code);
+    EXPECT_EQ(checked->sources.text(*found.range), place);
+    EXPECT_NE(found.message.find(says), std::string::npos);
+    EXPECT_NE(found.help.find(helps), std::string::npos);
+    EXPECT_FALSE(checked->spec);
+  }
+  [[nodiscard]] ZoneImport imported(const std::string& items) const {
+    const auto checked = check(items);
+    EXPECT_TRUE(checked->spec) << checked->reports();
+    if (!checked->spec) return {};
+    auto* found = std::get_if<ZoneImport>(&checked->spec->zones.back().value->node);
+    EXPECT_NE(found, nullptr);
+    return found != nullptr ? std::move(*found) : ZoneImport{};
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ZoneFiles, AllAreasOfAFileAreItsZone) {
+  const ZoneImport zone = imported(std::string(origin) + "zone z = import \"city.geojson\";");
+  EXPECT_EQ(zone.path, "city.geojson");
+  ASSERT_EQ(zone.inclusions.size(), 2U);  // inside any of them
+  EXPECT_EQ(zone.vertices, 8U);
+  EXPECT_TRUE(zone.degrees);
+  EXPECT_GT(zone.error, 0);
+  EXPECT_LT(zone.error, Rational(2, 1000));
+  const auto& park = std::get<ZonePolygon>(zone.inclusions[0][0].parts[0]);
+  EXPECT_EQ(floor_to_int(park.outer.points[0].x), 105);  // 0.0014 deg to the east
+  EXPECT_EQ(floor_to_int(park.outer.points[0].y), -78);  // 0.0007 deg to the south
+  ASSERT_TRUE(park.outer.in_file);
+  EXPECT_NE(park.outer.in_file->where.find("city.geojson: features[0]"), std::string::npos);
+}
+
+TEST_F(ZoneFiles, AFeatureIsOneAreaOfIt) {
+  const ZoneImport zone =
+      imported(std::string(origin) + "zone z = import \"city.geojson\" feature \"hospital\";");
+  ASSERT_EQ(zone.inclusions.size(), 1U);
+  EXPECT_EQ(zone.vertices, 4U);
+}
+
+TEST_F(ZoneFiles, MetresAreTakenAsTheyAre) {
+  const ZoneImport zone = imported("zone z = import \"hall.wkt\" in m;");
+  const auto& hall = std::get<ZonePolygon>(zone.inclusions[0][0].parts[0]);
+  EXPECT_EQ(hall.outer.points[1].x, 20);
+  EXPECT_EQ(hall.holes.size(), 1U);
+  EXPECT_EQ(zone.error, 0);
+  EXPECT_FALSE(zone.degrees);
+}
+
+// What is in metres may be in any frame; degrees are of the map.
+TEST_F(ZoneFiles, OnlyMetresAreInOtherFrames) {
+  EXPECT_TRUE(check("frame base;\nzone z @ base = import \"hall.wkt\" in m;")->spec);
+  expect(std::string(origin) + "frame base;\nzone z @ base = import \"city.geojson\";",
+         Code::frames_differ, "\"city.geojson\"", "a file in degrees", "");
+}
+
+TEST_F(ZoneFiles, AxesAreTakenAsTheyAreSaid) {
+  const ZoneImport zone = imported(
+      std::string(origin) + "zone z = import \"degrees.wkt\" in deg axes latitude longitude;");
+  const auto& polygon = std::get<ZonePolygon>(zone.inclusions[0][0].parts[0]);
+  EXPECT_EQ(floor_to_int(polygon.outer.points[0].x), 105);
+}
+
+TEST_F(ZoneFiles, OfAPlanTheExclusionsAreTakenAway) {
+  write_plan({true}, {false});
+  const ZoneImport zone = imported(std::string(origin) + "zone z = import \"m.plan\";");
+  EXPECT_EQ(zone.inclusions.size(), 1U);
+  ASSERT_EQ(zone.exclusions.size(), 1U);
+  EXPECT_EQ(std::get<ZoneCircle>(zone.exclusions[0].parts[0]).radius, 30);
+}
+
+TEST_F(ZoneFiles, SeveralInclusionsAreAllOrAny) {
+  write_plan({true, true}, {});
+  const std::string zone = std::string(origin) + "zone z = import \"m.plan\"";
+  EXPECT_EQ(imported(zone + " inclusions any;").inclusions.size(), 2U);
+  const ZoneImport all = imported(zone + " inclusions all;");
+  ASSERT_EQ(all.inclusions.size(), 1U);
+  EXPECT_EQ(all.inclusions[0].size(), 2U);
+  expect(zone + ";", Code::import_ambiguous, "\"m.plan\"", "has 2 inclusions", "`inclusions all`");
+  expect(zone + " inclusions some;", Code::unknown_word, "some", "", "");
+}
+
+TEST_F(ZoneFiles, ExclusionsAloneAreAZoneWhenThatIsSaid) {
+  write_plan({false}, {false});
+  const std::string zone = std::string(origin) + "zone z = import \"m.plan\"";
+  const ZoneImport out = imported(zone + " exclusions;");
+  EXPECT_EQ(out.inclusions.size(), 2U);
+  EXPECT_TRUE(out.exclusions.empty());
+  expect(zone + ";", Code::import_ambiguous, "\"m.plan\"", "where not to be", "exclusions");
+}
+
+TEST_F(ZoneFiles, WhatHasNoEffectIsRefused) {
+  const std::string city = std::string(origin) + "zone z = import \"city.geojson\" ";
+  expect(city + "in m;", Code::clause_without_effect, "in m", "is in degrees", "leave it out");
+  expect(city + "inclusions all;", Code::clause_without_effect, "inclusions all",
+         "has no inclusions", "leave it out");
+  expect(city + "exclusions;", Code::clause_without_effect, "exclusions", "has no exclusions",
+         "all of its areas");
+  expect(city + "flat \"one floor\";", Code::clause_without_effect, "flat \"one floor\"",
+         "limits of height", "leave it out");
+  expect(city + "timeless \"open\";", Code::clause_without_effect, "timeless \"open\"",
+         "has a schedule", "leave it out");
+  expect("zone z = import \"hall.wkt\" in m axes latitude longitude;", Code::clause_without_effect,
+         "axes latitude longitude", "east and north", "leave it out");
+}
+
+TEST_F(ZoneFiles, WhatIsLeftOpenIsAskedFor) {
+  expect("zone z = import \"hall.wkt\";", Code::import_ambiguous, "\"hall.wkt\"",
+         "metres or degrees", "in m");
+  expect(std::string(origin) + "zone z = import \"degrees.wkt\" in deg;", Code::import_ambiguous,
+         "\"degrees.wkt\"", "which of its axes is the latitude", "axes latitude longitude");
+  expect(std::string(origin) + "zone z = import \"degrees.wkt\" in deg axes latitude latitude;",
+         Code::import_ambiguous, "axes latitude latitude", "both axes", "axes longitude latitude");
+  expect("zone z = import \"city.geojson\";", Code::origin_missing, "\"city.geojson\"",
+         "has no origin", "origin 47.3977 deg");
+}
+
+TEST_F(ZoneFiles, WordsThatAreNotKnownAreReported) {
+  expect("zone z = import \"hall.wkt\" in ft;", Code::unknown_word, "ft", "ft", "");
+  expect(std::string(origin) + "zone z = import \"degrees.wkt\" in deg axes lat longitude;",
+         Code::unknown_word, "lat", "lat", "latitude");
+  expect("zone z = import \"hall.wkt\" in m in m;", Code::duplicate_clause, "in m", "`in`", "");
+  expect(std::string(origin) + "zone z = import \"city.geojson\" feature \"hospitl\";",
+         Code::unknown_feature, "\"hospitl\"", "has no feature `hospitl`", "hospital");
+}
+
+TEST_F(ZoneFiles, SwappedAxesAreSuspected) {
+  const auto swapped = [&](const std::string& origin_is, const std::string& axes,
+                           const std::string& mend) {
+    expect("origin " + origin_is + ";\nzone z = import \"city.geojson\"" + axes + ";",
+           Code::zone_far_away, "\"city.geojson\"", "vertex 1 (", mend);
+  };
+  swapped("8.5456 deg, 47.3977 deg", "", "axes latitude longitude");
+  swapped("47.3977 deg, 8.5456 deg", " axes latitude longitude", "axes longitude latitude");
+  swapped("47.3977 deg, 11 deg", "", "within 100 km");
+}
+
+TEST_F(ZoneFiles, AtThePolesNothingHasAPlace) {
+  write("pole.geojson",
+        R"({"type":"Polygon","coordinates":[[[10,88.9],[10.2,88.9],[10.2,89.01],[10,88.9]]]})");
+  expect("origin 88.9 deg, 10 deg;\nzone z = import \"pole.geojson\";", Code::no_place_on_map,
+         "\"pole.geojson\"", "vertex 3 (89.01, 10.2) is too near to a pole", "up to 89 deg");
+}
+
+TEST_F(ZoneFiles, RingsThatGoTheOtherWayRoundAreNoted) {
+  write("turned.geojson",
+        R"({"type":"Polygon","coordinates":[[[8.547,47.397],[8.547,47.398],[8.549,47.398],)"
+        R"([8.547,47.397]]]})");
+  const auto checked = check(std::string(origin) + "zone z = import \"turned.geojson\";");
+  ASSERT_TRUE(checked->spec) << checked->reports();
+  ASSERT_EQ(checked->engine.all().size(), 1U);
+  EXPECT_EQ(checked->engine.all().front().code, Code::ring_turned);
+}
+
+TEST_F(ZoneFiles, UnusableFilesAreReportedWithThePlace) {
+  write("cut.geojson", R"({"type":"Polygon","coordinates":[[[8.5,47)");
+  expect(std::string(origin) + "zone z = import \"cut.geojson\";", Code::zone_file_unusable,
+         "\"cut.geojson\"", "cut.geojson`", "");
+  write("line.geojson", R"({"type":"LineString","coordinates":[[8.5,47],[8.6,47]]})");
+  expect(std::string(origin) + "zone z = import \"line.geojson\";", Code::zone_file_unusable,
+         "\"line.geojson\"", "line.geojson`", "");
+  write("notes.txt", "buy milk");
+  expect(std::string(origin) + "zone z = import \"notes.txt\";", Code::zone_file_unusable,
+         "\"notes.txt\"", "the format", "GeoJSON");
+}
+
+TEST_F(ZoneFiles, TheOriginIsOneLatitudeAndOneLongitude) {
+  expect("origin 47.3977 deg;", Code::wrong_argument_count, "origin 47.3977 deg;", "`origin` takes",
+         "432 m");
+  expect("origin 91 deg, 8 deg;", Code::quantity_out_of_range, "91 deg", "cannot be 91 deg",
+         "the latitude comes first");
+  expect("origin 47.3977, 8 deg;", Code::unit_missing, "47.3977", "", "");
+  expect("origin 47 deg, 8 deg;\norigin 47 deg, 8 deg;", Code::duplicate_clause,
+         "origin 47 deg, 8 deg;", "`origin`", "");
+  const auto checked = check("origin 47.3977 deg, -8.5456 deg, 432 m;");
+  ASSERT_TRUE(checked->spec && checked->spec->origin) << checked->reports();
+  EXPECT_EQ(checked->spec->origin->altitude->value, 432);
+}
+
+// A faulty origin is one mistake, not one for each zone.
+TEST_F(ZoneFiles, AreSilentAboutAFaultyOrigin) {
+  expect("origin 47.3977 deg, 200 deg;\nzone z = import \"city.geojson\";",
+         Code::quantity_out_of_range, "200 deg", "cannot be 200 deg", "");
+}
+
+}  // namespace
+}  // namespace rtac::sema::test
