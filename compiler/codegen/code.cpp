@@ -92,7 +92,7 @@ void Code::print(const std::vector<Node>& nodes, Style style, int depth, std::st
       const Block& block = *std::get<std::shared_ptr<Block>>(node);
       out += indent + block.head + " {\n";
       print(block.body, style, depth + 1, out);
-      out += indent + block.tail + "\n";
+      if (!block.tail.empty()) out += indent + block.tail + "\n";
     }
   }
 }

@@ -20,7 +20,7 @@ class Code {
   Code& blank() { return line(""); }
   // Wrapped to the width of the file, in /* */ or // form.
   Code& comment(std::string text);
-  // `head {`, the body one level deeper, `tail`.
+  // `head {`, the body one level deeper, `tail`; without a tail another block goes on: `} else`.
   Code& block(std::string head, const std::function<void(Code&)>& body, std::string tail = "}");
   // What another one holds.
   Code& append(Code other);

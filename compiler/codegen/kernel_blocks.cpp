@@ -1,5 +1,7 @@
 #include "compiler/codegen/kernel_blocks.h"
 
+#include <utility>
+
 #include "compiler/codegen/kernel_decision.h"
 #include "compiler/codegen/watch_values.h"
 #include "compiler/ir/margin_unit.h"
@@ -30,6 +32,21 @@ std::string place_symbol(const ZoneTable& zone, const Names& names) {
 }
 std::string cells_symbol(const SiteTable& site, const Names& names) {
   return "cells_to_" + names(site.name);
+}
+
+std::vector<std::string> fact_symbols(const Decision& decision, const Names& names) {
+  const std::string prefix = "FACT_" + upper(names(decision.name)) + "_";
+  std::set<std::string> taken = {fact_count_symbol(decision, names)};
+  std::vector<std::string> symbols;
+  for (const PlainMonitor& fact : decision.facts.monitors) {
+    std::string symbol = prefix + upper(fact.name);
+    while (!taken.insert(symbol).second) symbol += "_";  // names may differ in case alone
+    symbols.push_back(std::move(symbol));
+  }
+  return symbols;
+}
+std::string fact_count_symbol(const Decision& decision, const Names& names) {
+  return "FACT_" + upper(names(decision.name)) + "_COUNT";
 }
 
 std::string BlockPrinter::use(const std::string& function, const std::string& arguments) {
@@ -199,7 +216,9 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
       return p.use("held_for", ref(h.a) + ", &v->runs[" + num(2 * h.slot) + "], " + num(h.ticks) +
                                    ", v->new_tick");
     }
-    std::string operator()(const Fact& f) const { return "v->fact[" + num(f.index) + "]"; }
+    std::string operator()(const Fact& f) const {
+      return "v->fact[" + fact_symbols(p.decision_, p.names_)[f.index] + "]";
+    }
     std::string operator()(const ParamValue& v) const {
       const WatchKernel kernel = kernel_of_facts(p.module_, p.decision_, p.names_);
       const std::string value = param_value(kernel, watch_names(kernel.watch), v.param);

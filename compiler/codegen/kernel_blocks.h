@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "compiler/codegen/code.h"
 #include "compiler/codegen/names.h"
@@ -42,6 +43,10 @@ class BlockPrinter {
   std::set<std::string>& uses_;
   bool units_ = false;
 };
+
+// The facts of a decision, as indices; and how many there are.
+std::vector<std::string> fact_symbols(const ir::Decision& decision, const Names& names);
+std::string fact_count_symbol(const ir::Decision& decision, const Names& names);
 
 // Names of the constant tables.
 std::string zone_symbol(const ir::ZoneTable& zone, const Names& names);

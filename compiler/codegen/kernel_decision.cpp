@@ -179,6 +179,17 @@ std::vector<Sensed> DecisionPrinter::aged() const {
 void DecisionPrinter::print_view() {
   use({"estimate_type", "reach_type", "span_type"});
   if (pairs()) use({"other_type"});
+  if (!d_.facts.monitors.empty()) {
+    out_.comment("What is judged now, whatever the look-ahead: by the functions below.");
+    out_.block(
+        "enum",
+        [&](Code& to) {
+          for (const std::string& symbol : fact_symbols(d_, names_)) to.line(symbol + ",");
+          to.line(fact_count_symbol(d_, names_));
+        },
+        "};");
+    out_.blank();
+  }
   out_.comment("What a tick knows, seen with one horizon and the motion of one driver.");
   out_.block(
       "typedef struct " + view_,
@@ -209,8 +220,7 @@ void DecisionPrinter::print_view() {
         if (has_signals(d_)) to.line(id_ + "_facts_view facts;");
         if (!d_.facts.monitors.empty()) {
           use({"margin_type"});
-          to.line("margin fact[" + num(std::int64_t(d_.facts.monitors.size())) +
-                  "]; /* what is judged now, by the functions below */");
+          to.line("margin fact[" + fact_count_symbol(d_, names_) + "];");
         }
       },
       "} " + view_ + ";");

@@ -65,7 +65,7 @@ void FactPrinter::fact(std::size_t index, BlockPrinter& blocks) {
   WatchValuePrinter values(look_->kernel(), look_->members(), uses_, of_robot);
   Code body;
   const bool sees = look_->property(m.property, values, body);
-  out_.comment("fact[" + num(std::int64_t(index)) + "], " + m.name + ": " + m.text);
+  out_.comment(fact_symbols(d_, names_)[index] + ": " + m.text);
   out_.block("static margin " + name + "(const " + view_ + " *v)", [&](Code& to) {
     if (!sees) to.line("(void)v;");
     to.append(body);
@@ -99,29 +99,29 @@ void FactPrinter::blind_robot(Code& body) {
 
 void FactPrinter::catch_up() {
   const std::string most = num(missed_ticks_max), facts = look_->kernel().functions;
+  const std::vector<std::string> symbols = fact_symbols(d_, names_);
   out_.comment("Ticks that were missed saw nothing. Beyond " + most +
                " of them the past is forgotten.");
-  out_.block(
-      "static void " + facts + "_catch_up(const " + view_ + " *v, int64_t missed)",
-      [&](Code& body) {
-        body.line(look_->kernel().state + " *s = v->facts.s;");
-        body.line(view_ + " blind;").line("int64_t k;");
-        if (facts_of_robot() && pairs()) body.line("int32_t j;");
-        body.block("if (missed > " + most + ")", [&](Code& gap) {
-          look_->forget("s->", "s->ticks.now + missed", gap);
-          gap.line("return;");
-        });
-        blind_robot(body);
-        body.line(facts + "_blind(&blind.facts, s);");
-        body.block("for (k = 0; k < missed; ++k)", [&](Code& each) {
-          for (std::size_t i = 0; i < d_.facts.monitors.size(); ++i) {
-            use({"fact_margin"});
-            const std::string at = num(std::int64_t(i));
-            each.line("blind.fact[" + at + "] = fact_margin(" + id_ + "_fact_" + at + "(&blind));");
-          }
-          look_->next_tick("s->", each);
-        });
-      });
+  out_.block("static void " + facts + "_catch_up(const " + view_ + " *v, int64_t missed)",
+             [&](Code& body) {
+               body.line(look_->kernel().state + " *s = v->facts.s;");
+               body.line(view_ + " blind;").line("int64_t k;");
+               if (facts_of_robot() && pairs()) body.line("int32_t j;");
+               body.block("if (missed > " + most + ")", [&](Code& gap) {
+                 look_->forget("s->", "s->ticks.now + missed", gap);
+                 gap.line("return;");
+               });
+               blind_robot(body);
+               body.line(facts + "_blind(&blind.facts, s);");
+               body.block("for (k = 0; k < missed; ++k)", [&](Code& each) {
+                 for (std::size_t i = 0; i < d_.facts.monitors.size(); ++i) {
+                   use({"fact_margin"});
+                   wrapped(each, "blind.fact[" + symbols[i] + "] = fact_margin(" + id_ + "_fact_" +
+                                     num(std::int64_t(i)) + "(&blind));");
+                 }
+                 look_->next_tick("s->", each);
+               });
+             });
   out_.blank();
 }
 
@@ -144,6 +144,7 @@ void FactPrinter::judge() {
   const std::string facts = look_->kernel().functions;
   const bool judges = !d_.facts.monitors.empty();
   const bool each_tick = arrives_each_tick(d_.facts);
+  const std::vector<std::string> symbols = fact_symbols(d_, names_);
   out_.comment(
       "Once a tick: a second step within it finds what the first one found, and one back in time "
       "knows nothing.");
@@ -161,10 +162,9 @@ void FactPrinter::judge() {
           look(tick);
           for (std::size_t i = 0; i < d_.facts.monitors.size(); ++i) {
             use({"kept_of", "fact_margin"});
-            const std::string at = num(std::int64_t(i));
-            tick.line("found = " + id_ + "_fact_" + at + "(v);");
-            tick.line("s->facts.found[" + at + "] = kept_of(found);");
-            tick.line("v->fact[" + at + "] = fact_margin(found);");
+            tick.line("found = " + id_ + "_fact_" + num(std::int64_t(i)) + "(v);");
+            tick.line("s->facts.found[" + symbols[i] + "] = kept_of(found);");
+            tick.line("v->fact[" + symbols[i] + "] = fact_margin(found);");
           }
           look_->next_tick("s->facts.", tick);
           tick.line("return;");
@@ -172,14 +172,12 @@ void FactPrinter::judge() {
         if (!each_tick) body.line("(void)first;");
         if (!judges) return;
         use({"margin_kept", "margin_unknown"});
-        body.block(
-            "for (k = 0; k < " + num(std::int64_t(d_.facts.monitors.size())) + "; ++k)",
-            [&](Code& each) {
-              each.line("v->fact[k] = elapsed < 0 ? margin_unknown(" + up_ + "_INPUT_CLOCK)");
-              each.line(
-                  "                          "
-                  " : fact_margin(margin_kept(s->facts.found[k]));");
-            });
+        body.block("for (k = 0; k < " + fact_count_symbol(d_, names_) + "; ++k)", [&](Code& each) {
+          each.line("v->fact[k] = elapsed < 0 ? margin_unknown(" + up_ + "_INPUT_CLOCK)");
+          each.line(
+              "                          "
+              " : fact_margin(margin_kept(s->facts.found[k]));");
+        });
       });
   out_.blank();
 }

@@ -1,6 +1,7 @@
 #include "compiler/codegen/watch_look.h"
 
 #include "compiler/codegen/temporal.h"
+#include "compiler/codegen/watch_known.h"
 
 namespace rtac::codegen {
 
@@ -11,6 +12,7 @@ WatchLook::WatchLook(WatchKernel kernel, std::set<std::string>& uses, Code& out)
       watch_(kernel_.watch),
       members_(watch_names(watch_)),
       asked_(channel_uses(watch_)),
+      needed_whole_(needed_whole(watch_)),
       view_(kernel_.functions + "_view"),
       clock_(upper(kernel_.prefix) + "_INPUT_CLOCK"),
       uses_(uses),
@@ -51,6 +53,10 @@ void WatchLook::view() {
         body.line("int64_t now_us, since_us; /* after since_us a sample is one of this tick */");
         for (const WatchSignal& s : members_.signals) {
           if (asked_.used[s.channel]) body.line(type_of(s.channel) + " " + s.seen + ";");
+        }
+        for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
+          if (!is_seen_whole(c)) continue;
+          body.line("int32_t has_" + members_.channels[c] + "; /* all of it */");
         }
         for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
           if (!asked_.age[c]) continue;
@@ -97,6 +103,10 @@ void WatchLook::blind() {
                body.line("v->" + s.seen + " = " + unknown(is_truth(s.channel)) + ";");
              }
              for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
+               if (!is_seen_whole(c)) continue;
+               body.line("v->has_" + members_.channels[c] + " = 0;");
+             }
+             for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
                if (!asked_.age[c]) continue;
                body.line("v->age_of_" + members_.channels[c] + " = " + unknown(false) + ";");
              }
@@ -118,7 +128,11 @@ void WatchLook::channel(std::size_t index, Code& out) {
   const std::string& name = members_.channels[index];
   const std::string first = "in->" + members_.signal(std::uint32_t(index), 0).name;
   wrapped(out, "const int32_t fresh_" + name + " = " + fresh(index, first, out) + ";");
-  for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, out);
+  if (is_seen_whole(index)) {
+    whole(index, out);
+  } else {
+    for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, out);
+  }
   if (!asked_.age[index]) return;
   const std::string of = "&" + first + ", " + whole_sample(index, out) + ", v->now_us";
   const std::string age = kernel_.is_full() ? use("age_span", of + ", " + kernel_.numbers[index])
@@ -154,6 +168,36 @@ std::string WatchLook::whole_sample(std::size_t index, Code& out) {
   }
   return "whole_" + name;
 }
+bool WatchLook::is_seen_whole(std::size_t channel) const {
+  return !kernel_.is_full() && needed_whole_[channel];
+}
+// Usually all components have a value, and nobody asks again which of them do.
+void WatchLook::whole(std::size_t index, Code& out) {
+  const Channel& c = watch_.inputs[index];
+  const std::string has = "v->has_" + members_.channels[index];
+  const WatchSignal& first = members_.signal(std::uint32_t(index), 0);
+  std::string stamps, marks, ranges;
+  Code all;
+  for (std::uint32_t k = 0; k < c.components.size(); ++k) {
+    const WatchSignal& signal = members_.signal(std::uint32_t(index), k);
+    const std::string in = "in->" + signal.name;
+    const ChannelGrid& grid = c.grid(k);
+    const std::string range = num(grid.range.lo) + ", " + num(grid.range.hi);
+    if (k > 0) stamps += " &&\n      " + in + ".stamp_us == in->" + first.name + ".stamp_us";
+    marks += " &&\n      " + in + ".valid != 0";
+    ranges += " &&\n      " + use("number_within", "&" + in + ", " + range);
+    all.line("v->" + signal.seen + " = " +
+             use("bounds_measured", "&" + in + ", " + num(grid.error_steps)) + ";");
+  }
+  Code parts;
+  for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, parts);
+  parts.line(has + " = 0;");
+  all.line(has + " = 1;");
+  out.block(
+      "if (fresh_" + members_.channels[index] + stamps + marks + ranges + ")",
+      [&](Code& usual) { usual.append(std::move(all)); }, "");
+  out.block("} else", [&](Code& some) { some.append(std::move(parts)); });
+}
 void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
   const Channel& c = watch_.inputs[index];
   const WatchSignal& signal = members_.signal(std::uint32_t(index), k);
@@ -174,19 +218,16 @@ void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
                                               : use(alone, arguments);
   wrapped(body, "v->" + signal.seen + " = " + value + ";");
 }
-bool WatchLook::params(const std::string& state, const std::string& in, Code& body) const {
-  bool moves = false;
+void WatchLook::params(const std::string& state, const std::string& in, Code& body) const {
   for (std::size_t k = 0; k < watch_.params.size(); ++k) {
     const Param& param = watch_.params[k];
     if (param.tightens == 0) continue;
-    moves = true;
     uses_.insert("tighter");
     const std::string value = state + "tightest_" + members_.params[k];
     body.line(value + " = tighter(" + value + ", " + in + members_.params[k] + ", " +
               num(param.range.lo) + ", " + num(param.range.hi) + ", " +
               (param.tightens > 0 ? "1" : "0") + ");");
   }
-  return moves;
 }
 
 void WatchLook::start(const std::string& state, Code& body) const {

@@ -24,8 +24,8 @@ class WatchLook {
   // The statement that looks at an input; `view`, `in`: pointers.
   [[nodiscard]] std::string call(std::size_t channel, const std::string& view,
                                  const std::string& in) const;
-  // The newest parameters; `state`, `in`: what leads to the members. False: none moves.
-  bool params(const std::string& state, const std::string& in, Code& body) const;
+  // The newest parameters; `state`, `in`: what leads to the members.
+  void params(const std::string& state, const std::string& in, Code& body) const;
   // The body of the function of a property; false: it does not look at the view.
   bool property(const ir::Block& block, WatchValuePrinter& values, Code& body,
                 RepeatPrinter* repeats = nullptr);
@@ -50,6 +50,8 @@ class WatchLook {
   void channel(std::size_t index, Code& out);
   std::string fresh(std::size_t index, const std::string& first, Code& out);
   std::string whole_sample(std::size_t index, Code& out);
+  [[nodiscard]] bool is_seen_whole(std::size_t channel) const;
+  void whole(std::size_t index, Code& out);
   void component(std::size_t index, std::uint32_t k, Code& body);
   std::string unknown(bool is_truth);
   std::string use(const std::string& function, const std::string& arguments);
@@ -58,6 +60,7 @@ class WatchLook {
   const ir::Watch& watch_;
   const WatchNames members_;
   const ChannelUses asked_;
+  const std::vector<bool> needed_whole_;  // by channel
   const std::string view_, clock_;
   std::set<std::string>& uses_;
   Code& out_;

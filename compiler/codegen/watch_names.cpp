@@ -44,7 +44,7 @@ WatchNames watch_names(const Watch& watch) {
   for (const PlainMonitor& monitor : watch.monitors) numbers.insert(upper(legal(monitor.name)));
   for (const Channel& channel : watch.inputs) {
     out.channels.push_back(numbered(signal_word(channel.name), numbers));
-    seen.insert("age_of_" + out.channels.back());
+    seen.insert({"age_of_" + out.channels.back(), "has_" + out.channels.back()});
   }
   for (std::uint32_t c = 0; c < watch.inputs.size(); ++c) {
     const Channel& channel = watch.inputs[c];

@@ -146,31 +146,41 @@ class WatchSource {
     out_.blank();
   }
   [[nodiscard]] bool each_tick() const { return arrives_each_tick(watch_); }
+  [[nodiscard]] bool asks_for_inputs() const {
+    return params_move() ||
+           std::any_of(watch_.monitors.begin(), watch_.monitors.end(),
+                       [](const PlainMonitor& m) { return !channels_of(m).empty(); });
+  }
+  [[nodiscard]] bool params_move() const {
+    return std::any_of(watch_.params.begin(), watch_.params.end(),
+                       [](const Param& param) { return param.tightens != 0; });
+  }
 
   void begin() {
     uses_.insert("tick_follows");
     out_.comment("Which tick has come; 0: there is none since the last step.");
-    look_.function(
-        "static inline int32_t " + side_.functions + "_begin",
-        {view() + " *v", side_.state + " *s", "const " + p_ + "_monitors_in *in", "int64_t now_us"},
-        [&](Code& body) {
-          if (each_tick()) body.line("int64_t since_us = s->judged_us;");
-          body.line("int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, " +
-                    num(watch_.period_us) + ");");
-          body.block("if (begun == 0)", [&](Code& late) {
-            late.line("begun = " + side_.functions + "_resume(s, now_us" +
-                      (each_tick() ? ", &since_us" : "") + ");");
-          });
-          body.block("if (begun == 0)", [](Code& none) { none.line("return 0;"); });
-          body.line("v->s = s;");
-          body.line("v->now_us = now_us;");
-          if (each_tick()) {
-            body.line("v->since_us = since_us;");
-            body.line("s->judged_us = now_us;");
-          }
-          if (!look_.params("v->s->", "in->", body)) body.line("(void)in;");
-          body.line("return 1;");
-        });
+    std::vector<std::string> parameters = {view() + " *v", side_.state + " *s"};
+    if (params_move()) parameters.push_back("const " + p_ + "_monitors_in *in");
+    parameters.emplace_back("int64_t now_us");
+    look_.function("static inline int32_t " + side_.functions + "_begin", parameters,
+                   [&](Code& body) {
+                     if (each_tick()) body.line("int64_t since_us = s->judged_us;");
+                     body.line("int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, " +
+                               num(watch_.period_us) + ");");
+                     body.block("if (begun == 0)", [&](Code& late) {
+                       late.line("begun = " + side_.functions + "_resume(s, now_us" +
+                                 (each_tick() ? ", &since_us" : "") + ");");
+                     });
+                     body.block("if (begun == 0)", [](Code& none) { none.line("return 0;"); });
+                     body.line("v->s = s;");
+                     body.line("v->now_us = now_us;");
+                     if (each_tick()) {
+                       body.line("v->since_us = since_us;");
+                       body.line("s->judged_us = now_us;");
+                     }
+                     look_.params("v->s->", "in->", body);
+                     body.line("return 1;");
+                   });
     out_.blank();
   }
 
@@ -217,7 +227,9 @@ class WatchSource {
         [&](Code& body) {
           body.line(view() + " v;");
           body.line("int32_t k;");
-          body.block("if (" + side_.functions + "_begin(&v, s, in, now_us) == 0)",
+          if (!asks_for_inputs()) body.line("(void)in;");
+          const std::string given = params_move() ? "in, " : "";
+          body.block("if (" + side_.functions + "_begin(&v, s, " + given + "now_us) == 0)",
                      [&](Code& unknown) {
                        unknown.block("for (k = 0; k < " + monitors() + "; ++k)", none);
                        if (side_.is_full()) unknown.line("out->tick = s->clock.tick;");

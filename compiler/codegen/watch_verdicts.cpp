@@ -1,5 +1,6 @@
 #include "compiler/codegen/watch_verdicts.h"
 
+#include <algorithm>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "compiler/codegen/temporal.h"
+#include "compiler/codegen/watch_known.h"
 #include "compiler/codegen/watch_values.h"
 #include "compiler/ir/operands.h"
 #include "compiler/support/overloaded.h"
@@ -86,6 +88,10 @@ class VerdictPrinter {
   }
 
   VerdictBody print() {
+    of_known_ =
+        std::none_of(order_.begin(), order_.end(), [&](ValueId id) { return parts_of(id); }) &&
+        needs_all_inputs(block_);
+    if (of_known_) only_when_known();
     values();
     result();
     return std::move(body_);
@@ -174,6 +180,7 @@ class VerdictPrinter {
     const Value& v = block_[id];
     if (is_given(id) || parts_of(id)) return true;
     if (WatchValuePrinter::is_leaf(v.op) || is_same(v.op)) return false;
+    if (is_asked_by_ends(id)) return false;
     // squares of a root are what it is the root of
     if (std::holds_alternative<Root>(v.op) && !needs_root_[at(id)]) return false;
     if (v.unit || is_temporal(v.op) || std::holds_alternative<InputSame>(v.op) ||
@@ -182,10 +189,32 @@ class VerdictPrinter {
     }
     return needs_name_[at(id)] || count_[at(id)] > 1;
   }
+  // The squares of a norm are compared, and nothing else is made of them.
+  [[nodiscard]] bool is_asked_by_ends(ValueId id) const {
+    return of_known_ && std::holds_alternative<Norm>(block_[id].op) && !needs_root_[at(id)];
+  }
   // The same number of steps of another grid.
   static bool is_same(const Op& op) {
     const auto* scale = std::get_if<Scale>(&op);
     return scale && scale->num == 1 && scale->den == 1;
+  }
+
+  // ---- what needs all of its inputs is unknown when one of them is missing; behind that question
+  // all of its quantities are known
+  void only_when_known() {
+    std::string missing;
+    for (const auto& [channel, components] : components_of(block_)) {
+      if (asks_for_whole(kernel_.watch.inputs[channel], components)) {
+        missing += " || " + view("has_" + names_.channels[channel]) + " == 0";
+        continue;
+      }
+      for (const std::uint32_t k : components) {
+        missing += " || " + use("bounds_known", signal(channel, k)) + " == 0";
+      }
+    }
+    if (missing.empty()) return;  // nothing is measured
+    line("if (" + missing.substr(4) + ") {");
+    body_.lines.line("  return " + verdict_ + "UNKNOWN;").line("}");
   }
 
   // ---- quantities
@@ -231,29 +260,32 @@ class VerdictPrinter {
   std::string quantity(ValueId id) {
     const Op& op = block_[id].op;
     if (is_temporal(op)) return temporal(op);
-    if (const auto* v = std::get_if<Add>(&op)) return call("bounds_sum", v->a, v->b);
+    if (const auto* v = std::get_if<Add>(&op)) return call(made("sum"), v->a, v->b);
     if (const auto* v = std::get_if<Negate>(&op)) return call("bounds_negative", v->a);
     if (const auto* v = std::get_if<Scale>(&op)) {
-      return use("bounds_scaled", whole(v->a) + ", " + num(v->num) + ", " + num(v->den));
+      return use(made("scaled"), whole(v->a) + ", " + num(v->num) + ", " + num(v->den));
     }
     if (const auto* v = std::get_if<Multiply>(&op)) {
-      return v->a == v->b ? call("bounds_square", v->a) : call("bounds_product", v->a, v->b);
+      return v->a == v->b ? call(made("square"), v->a) : call(made("product"), v->a, v->b);
     }
-    if (const auto* v = std::get_if<Minimum>(&op)) return call("bounds_least", v->a, v->b);
-    if (const auto* v = std::get_if<Maximum>(&op)) return call("bounds_greatest", v->a, v->b);
-    if (const auto* v = std::get_if<Absolute>(&op)) return call("bounds_size", v->a);
-    if (const auto* v = std::get_if<Root>(&op)) return call("bounds_root", v->a);
+    if (const auto* v = std::get_if<Minimum>(&op)) return call(made("least"), v->a, v->b);
+    if (const auto* v = std::get_if<Maximum>(&op)) return call(made("greatest"), v->a, v->b);
+    if (const auto* v = std::get_if<Absolute>(&op)) return call(made("size"), v->a);
+    if (const auto* v = std::get_if<Root>(&op)) return call(made("root"), v->a);
     if (const auto* v = std::get_if<Norm>(&op)) {
-      const std::string squares = call("bounds_squares", v->a, v->b);
-      return needs_root_[at(id)] ? use("bounds_root", squares) : squares;
+      const std::string squares = call(made("squares"), v->a, v->b);
+      return needs_root_[at(id)] ? use(made("root"), squares) : squares;
     }
     if (const auto* v = std::get_if<Choose>(&op)) {
       return use("bounds_chosen", kept(v->condition) + ", " + whole(v->a) + ", " + whole(v->b));
     }
     return as_full(block_[id]);
   }
-  std::string call(const char* function, ValueId a) { return use(function, whole(a)); }
-  std::string call(const char* function, ValueId a, ValueId b) {
+  [[nodiscard]] std::string made(const std::string& how) const {
+    return (of_known_ ? "known_" : "bounds_") + how;
+  }
+  std::string call(const std::string& function, ValueId a) { return use(function, whole(a)); }
+  std::string call(const std::string& function, ValueId a, ValueId b) {
     return use(function, whole(a) + ", " + whole(b));
   }
   std::string temporal(const Op& op) {
@@ -287,7 +319,13 @@ class VerdictPrinter {
     const std::string sure = in(operation(v.op, Side::surely, true), 0);
     const std::string may = in(operation(v.op, Side::perhaps, true), 0);
     if (sure == may) return sure + " ? BITS_TRUE : BITS_FALSE";
-    return sure + " ? BITS_TRUE : " + may + " ? BITS_UNKNOWN : BITS_FALSE";
+    return sure + " ? BITS_TRUE : " + clearly_not(v.op) + may + " ? BITS_UNKNOWN : BITS_FALSE";
+  }
+  // Whether a bound is open is asked only when the comparison is as near as that.
+  std::string clearly_not(const Op& op) {
+    const auto* v = std::get_if<AtLeast>(&op);
+    if (!v || v->strict || square_of(*v) || opened(*v, false).empty()) return "";
+    return comparison(*v, Side::perhaps, false, "").text + " ? BITS_FALSE : ";
   }
   std::string inside(const PointInside& v) {
     return use("bits_inside", kept(v.condition) + ", &" + region_symbol(kernel_.watch[v.within]) +
@@ -338,7 +376,11 @@ class VerdictPrinter {
     if (const auto square = square_of(v)) return by_squares(*square, side, wanted);
     // What a bound excludes: a > b surely, unless the lower bound of a is one of its values.
     const bool is_sure = side == Side::surely;
-    const std::string open = is_sure == v.strict ? opened(v, is_sure) : "";
+    return comparison(v, side, wanted, is_sure == v.strict ? opened(v, is_sure) : "");
+  }
+  // `open`: 1 when a bound that decides is open.
+  Text comparison(const AtLeast& v, Side side, bool wanted, const std::string& open) {
+    const bool is_sure = side == Side::surely;
     const std::string left = end(v.a, side, true), right = end(v.b, side, false);
     if (is_fixed(v.a)) {  // what is fixed stands behind
       const std::string moved = open.empty() ? right : right + (is_sure ? " - " : " + ") + open;
@@ -349,12 +391,21 @@ class VerdictPrinter {
   }
   // 1 when one of the bounds that meet is open: lower a and upper b, or upper a and lower b.
   std::string opened(const AtLeast& v, bool lower_of_a) {
-    const char* const of_a = lower_of_a ? ".lo_open" : ".hi_open";
-    const char* const of_b = lower_of_a ? ".hi_open" : ".lo_open";
     if (!open_[at(v.a)] && !open_[at(v.b)]) return "";
-    if (!open_[at(v.a)]) return whole(v.b) + of_b;
-    if (!open_[at(v.b)]) return whole(v.a) + of_a;
-    return "(" + whole(v.a) + of_a + " | " + whole(v.b) + of_b + ")";
+    if (!open_[at(v.a)]) return open_end(v.b, !lower_of_a);
+    if (!open_[at(v.b)]) return open_end(v.a, lower_of_a);
+    return "(" + open_end(v.a, lower_of_a) + " | " + open_end(v.b, !lower_of_a) + ")";
+  }
+  // Both bounds of an input are open or none. It is found anew where it is asked: a tick seldom
+  // asks.
+  std::string open_end(ValueId id, bool lower) {
+    const Op& op = block_[id].op;
+    if (is_given(id)) return whole(id) + (lower ? ".lo_open" : ".hi_open");
+    if (is_same(op)) return open_end(std::get<Scale>(op).a, lower);
+    const auto* i = std::get_if<Input>(&op);
+    if (!i) return whole(id) + (lower ? ".lo_open" : ".hi_open");
+    const std::int64_t error = kernel_.watch.inputs[i->channel].grid(i->component).error_steps;
+    return use("bounds_between_steps", whole(id) + ", " + num(error));
   }
   [[nodiscard]] bool is_fixed(ValueId id) const {
     const Op& op = block_[id].op;
@@ -385,14 +436,20 @@ class VerdictPrinter {
       return compared(end(s.root, side, !s.below), relation, num(limit));
     }
     const auto square = [](std::int64_t a) { return num(a * a); };
-    const std::string ends = whole(s.root);
     if (s.below) {
       return side == Side::surely
-                 ? compared(ends + ".hi", wanted ? "<=" : ">", square(s.limit))
-                 : compared(ends + ".lo", wanted ? "<" : ">=", square(s.limit + 1));
+                 ? compared(squares(s.root, false), wanted ? "<=" : ">", square(s.limit))
+                 : compared(squares(s.root, true), wanted ? "<" : ">=", square(s.limit + 1));
     }
-    return side == Side::surely ? compared(ends + ".lo", wanted ? ">=" : "<", square(s.limit))
-                                : compared(ends + ".hi", wanted ? ">" : "<=", square(s.limit - 1));
+    return side == Side::surely
+               ? compared(squares(s.root, true), wanted ? ">=" : "<", square(s.limit))
+               : compared(squares(s.root, false), wanted ? ">" : "<=", square(s.limit - 1));
+  }
+  // One end of what it is the root of.
+  std::string squares(ValueId root, bool lower) {
+    if (!is_asked_by_ends(root)) return whole(root) + (lower ? ".lo" : ".hi");
+    const auto& norm = std::get<Norm>(block_[root].op);
+    return call(lower ? "known_squares_least" : "known_squares_most", norm.a, norm.b);
   }
 
   // ---- the result: not before it is known that it is not sure, it is asked whether it may be
@@ -415,6 +472,7 @@ class VerdictPrinter {
   const Block& block_;
   const std::string verdict_;
   std::set<std::string>& uses_;
+  bool of_known_ = false;  // all of its inputs are needed, and known where they are asked for
   std::vector<int> count_;
   std::vector<bool> needs_name_, needs_root_;
   std::vector<bool> open_;  // whether a bound may be open

@@ -13,6 +13,16 @@
 namespace rtac::fuzz {
 namespace {
 
+std::vector<std::filesystem::path> zone_files() {
+  std::vector<std::filesystem::path> result;
+  const auto root = std::filesystem::path{RTAC_SOURCE_DIR} / "tests/fuzz/zones";
+  for (const auto& entry : std::filesystem::directory_iterator(root)) {
+    result.push_back(entry.path());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 std::vector<std::filesystem::path> texts() {
   std::vector<std::filesystem::path> result;
   for (const char* folder : {"tests/fuzz/corpus", "tests/golden", "specs"}) {
@@ -67,6 +77,20 @@ TEST(FuzzReplay, CutTextsThroughTheParser) {
 }
 TEST(FuzzReplay, CutTextsThroughTheCheck) {
   expect_sound_when_cut(run_check, 89);
+}
+
+TEST(FuzzReplay, ZoneFiles) {
+  const auto all = zone_files();
+  ASSERT_GE(all.size(), 10U);
+  for (const auto& path : all) EXPECT_EQ(run_zones(content(path)), "") << path;
+}
+TEST(FuzzReplay, CutZoneFiles) {
+  for (const auto& path : zone_files()) {
+    const std::string text = content(path);
+    for (std::size_t end = 0; end < text.size(); end += 7) {
+      ASSERT_EQ(run_zones(std::string_view(text).substr(0, end)), "") << path << " up to " << end;
+    }
+  }
 }
 
 }  // namespace

@@ -17,5 +17,7 @@ std::string run_parser(std::string_view text);
 std::string run_check(std::string_view text);
 // The whole compiler: what is accepted becomes code, and the reference interpreter can run it.
 std::string run_compiler(std::string_view text);
+// Every reader of zone files: areas that hold what areas.h promises, or a failure with its place.
+std::string run_zones(std::string_view text);
 
 }  // namespace rtac::fuzz

@@ -207,6 +207,7 @@ const char* const formulas[] = {
     "d / 7 + p.x <= 0.3 m",
     "abs(y) >= 0",
     "p.x + p.y <= 1 m",
+    "distance(p, q) >= 1 m",
     "once[6 s, 6 s] b",
 };
 
@@ -228,6 +229,10 @@ const std::vector<Mutant>& verdict_mutants() {
       {"perhaps_is_surely", R"((v->\w+)\.lo >= )", "$1.hi >= "},
       {"negation_keeps_its_side", R"(\((v->\w+|v\d+) & 2\) == 0)", "($1 & 1) == 0"},
       {"unknown_condition_is_true", R"(condition == BITS_TRUE)", "condition != BITS_FALSE"},
+      {"missing_inputs_are_not_missed", R"(v->has_p == 0)", "0"},
+      {"open_bounds_are_closed", R"(return measured\.lo \+ error < [^;]*;)", "return 0;"},
+      {"far_is_near", R"(const int64_t most = max_of\(-a\.lo, a\.hi\);)",
+       "const int64_t most = a.lo > 0 ? a.lo : 0;"},
       {"any_value_is_the_same", R"(a\.lo == b\.lo && a\.hi == b\.lo)", "1"},
       {"since_needs_no_hold", R"(\(\*so_far & hold\) \| x)", "*so_far | x"},
       {"once_is_now", R"(\*so_far = \*so_far \| x;)", "*so_far = x;"},

@@ -16,11 +16,19 @@ static inline ends ends_product(ends a, ends b) {
   return ends_of(min_of(min_of(a.lo * b.lo, a.lo * b.hi), min_of(a.hi * b.lo, a.hi * b.hi)),
                  max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
 }
-/*= ends_square : ends_of max_of */
-static inline ends ends_square(ends a) {
+/*= least_square : ends_type */
+static inline int64_t least_square(ends a) {
   const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  return least * least;
+}
+/*= most_square : ends_type max_of */
+static inline int64_t most_square(ends a) {
   const int64_t most = max_of(-a.lo, a.hi);
-  return ends_of(least * least, most * most);
+  return most * most;
+}
+/*= ends_square : least_square most_square ends_of */
+static inline ends ends_square(ends a) {
+  return ends_of(least_square(a), most_square(a));
 }
 /*= ends_squares : ends_square ends_of */
 /* a^2 + b^2. */

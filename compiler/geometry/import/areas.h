@@ -100,12 +100,21 @@ struct Areas {
   std::vector<Note> notes;
 };
 
+// What the formats say, and how rings end in them:
+//   geojson    longitude first, closed; names from `id`, `name`, `title` and `identifier`
+//   wkt        neither axes nor, without an SRID, a unit; closed; several texts: several areas
+//   kml        longitude first, closed; a band where a polygon is extruded
+//   qgc_plan   latitude first (turned here), not closed; keep-in and keep-out, without groups
+//   waypoints  latitude first (turned here), not closed; keep-in and keep-out, with groups
+//   ed269      longitude first, closed; a band for each part, restrictions, schedules
+//   ed318      the same in GeoJSON
 enum class Format { geojson, wkt, kml, qgc_plan, waypoints, ed269, ed318 };
 
 // By its extension and content; nullopt: none of them.
 std::optional<Format> format_of(const std::string& path, const std::string& text);
 
 struct Limits {
+  std::size_t areas_max = 200'000;  // the zones of a large State are tens of thousands
   std::size_t positions_max = 2'000'000;
   std::size_t values_max = 8'000'000;  // objects, arrays, texts and so on, whatever they are for
   std::size_t bytes_max = std::size_t{256} << 20;

@@ -13,7 +13,8 @@ namespace {
 
 class Ed269Reader {
  public:
-  explicit Ed269Reader(Findings& findings) : findings_(findings), json_(findings) {}
+  Ed269Reader(Findings& findings, const Limits& limits)
+      : findings_(findings), json_(findings, limits) {}
 
   bool read_root(Json root);
   Areas take_areas();
@@ -135,8 +136,7 @@ bool Ed269Reader::read_zone(Json zone) {
   for (const Json volume : items) {
     if (!read_volume(volume, area)) return false;
   }
-  areas_.areas.push_back(std::move(area));
-  return true;
+  return json_.add(std::move(area), areas_);
 }
 
 bool Ed269Reader::read_root(Json root) {

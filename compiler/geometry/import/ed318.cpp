@@ -27,10 +27,7 @@ void add_texts(Json texts, Area& area) {
   for (const Json item : texts.items()) {
     const auto text = item.member("text");
     if (!text || !text->string() || text->string()->empty()) continue;
-    const std::string name(*text->string());
-    const auto& known = area.other_names;
-    if (name == area.name || std::find(known.begin(), known.end(), name) != known.end()) continue;
-    area.other_names.push_back(name);
+    if (*text->string() != area.name) area.other_names.emplace_back(*text->string());
   }
 }
 

@@ -145,8 +145,7 @@ bool GeoJsonReader::read_feature(Json feature) {
   } else if (!read_geometry(*geometry, area)) {
     return false;
   }
-  areas_.areas.push_back(std::move(area));
-  return true;
+  return json_.add(std::move(area), areas_);
 }
 
 bool GeoJsonReader::read_collection(Json collection) {
@@ -168,8 +167,7 @@ bool GeoJsonReader::read_root(Json root) {
   Area area;
   area.where = root.where();
   if (!read_geometry(root, area)) return false;
-  areas_.areas.push_back(std::move(area));
-  return true;
+  return json_.add(std::move(area), areas_);
 }
 
 Areas GeoJsonReader::take_areas() {

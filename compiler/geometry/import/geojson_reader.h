@@ -10,7 +10,8 @@ namespace rtac::geometry::import {
 
 class GeoJsonReader {
  public:
-  explicit GeoJsonReader(Findings& findings) : findings_(findings), json_(findings) {}
+  GeoJsonReader(Findings& findings, const Limits& limits)
+      : findings_(findings), json_(findings, limits) {}
   GeoJsonReader(const GeoJsonReader&) = delete;
   GeoJsonReader& operator=(const GeoJsonReader&) = delete;
   virtual ~GeoJsonReader() = default;

@@ -14,7 +14,7 @@ namespace rtac::geometry::import {
 
 class JsonReader {
  public:
-  explicit JsonReader(Findings& findings) : findings_(findings) {}
+  JsonReader(Findings& findings, const Limits& limits) : findings_(findings), limits_(limits) {}
 
   // A member that must be there, and of this kind. nullopt: the failure is reported.
   std::optional<Json> required(Json object, std::string_view name);
@@ -37,12 +37,15 @@ class JsonReader {
 
   bool wrong_kind(Json value, std::string_view expected);
 
+  bool add(Area area, Areas& areas) { return add_area(std::move(area), limits_, areas, findings_); }
+
   Findings& findings() { return findings_; }
   // The first position that has a height, if any.
   const std::optional<std::string>& height_at() const { return height_at_; }
 
  private:
   Findings& findings_;
+  const Limits& limits_;
   std::optional<std::string> height_at_;
 };
 
@@ -52,7 +55,7 @@ std::variant<Areas, Failure> read_with(std::string_view text, const Limits& limi
   auto tree = JsonTree::parse(text, limits);
   if (auto* failure = std::get_if<Failure>(&tree)) return std::move(*failure);
   Findings findings;
-  Reader reader(findings);
+  Reader reader(findings, limits);
   if (!reader.read_root(std::get<JsonTree>(tree).root())) return *findings.failure();
   return reader.take_areas();
 }

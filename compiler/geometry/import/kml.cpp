@@ -62,7 +62,7 @@ class KmlReader {
   bool read_ring(xml_node node, Ring& ring, Heights& heights);
   bool read_position(std::string_view tuple, Ring& ring, Heights& heights);
   bool read_band(xml_node polygon, const Heights& heights, Area& area, Band& band);
-  void refuse_link(xml_node link);
+  bool refuse_link(xml_node link);
 
   Lines lines_;
   const Limits& limits_;
@@ -229,18 +229,17 @@ bool KmlReader::read_placemark(xml_node placemark) {
   if (area.parts.empty()) {
     refuse(area, area.where, "the Placemark has no Polygon", "select another area");
   }
-  areas_.areas.push_back(std::move(area));
-  return true;
+  return add_area(std::move(area), limits_, areas_, findings_);
 }
 
 // What it links to may be another zone of the same map.
-void KmlReader::refuse_link(xml_node link) {
+bool KmlReader::refuse_link(xml_node link) {
   Area area;
   area.where = place(link);
   area.name = text_of(child_of(link, "name"));
   refuse(area, area.where, "a NetworkLink is not followed",
          "save what it links to as a file of its own");
-  areas_.areas.push_back(std::move(area));
+  return add_area(std::move(area), limits_, areas_, findings_);
 }
 
 bool KmlReader::read_features(xml_node container, std::size_t depth) {
@@ -250,7 +249,7 @@ bool KmlReader::read_features(xml_node container, std::size_t depth) {
   for (const xml_node child : container.children()) {
     const std::string_view name = name_of(child);
     if (name == "Placemark" && !read_placemark(child)) return false;
-    if (name == "NetworkLink") refuse_link(child);
+    if (name == "NetworkLink" && !refuse_link(child)) return false;
     if (is_one_of(name, {"Document", "Folder"}) && !read_features(child, depth + 1)) return false;
   }
   return true;

@@ -167,6 +167,15 @@ void refuse(Area& area, std::string where, std::string message, std::string help
   area.refusal = Failure{std::move(where), std::move(message), std::move(help)};
 }
 
+bool add_area(Area area, const Limits& limits, Areas& areas, Findings& findings) {
+  if (areas.areas.size() >= limits.areas_max) {
+    return findings.fail(area.where, "more than " + std::to_string(limits.areas_max) + " areas",
+                         "split the file, or leave out what is no zone");
+  }
+  areas.areas.push_back(std::move(area));
+  return true;
+}
+
 bool check_positions(const Areas& areas, Findings& findings) {
   if (areas.unit != Unit::degrees) return check_extent(areas, findings);
   if (areas.axes == Axes::unstated) return check_unordered_globe(areas, findings);

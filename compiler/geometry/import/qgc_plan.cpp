@@ -14,7 +14,8 @@ namespace {
 
 class PlanReader {
  public:
-  explicit PlanReader(Findings& findings) : findings_(findings), json_(findings) {}
+  PlanReader(Findings& findings, const Limits& limits)
+      : findings_(findings), json_(findings, limits) {}
 
   bool read_root(Json root);
   Areas take_areas();
@@ -81,8 +82,7 @@ bool PlanReader::read_item(Json item, std::string_view shape) {
     return false;
   }
   refuse_unknown(item, shape, area);
-  areas_.areas.push_back(std::move(area));
-  return true;
+  return json_.add(std::move(area), areas_);
 }
 
 bool PlanReader::read_each(Json fence, std::string_view list, std::string_view shape) {

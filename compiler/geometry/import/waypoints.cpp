@@ -209,8 +209,7 @@ bool WaypointReader::start_polygon(const Item& item) {
   Polygon polygon;
   polygon.outer.where = item.where;
   area.parts.push_back({std::move(polygon), {}});
-  areas_.areas.push_back(std::move(area));
-  return true;
+  return add_area(std::move(area), limits_, areas_, findings_);
 }
 
 bool WaypointReader::read_vertex(const Item& item) {
@@ -243,8 +242,7 @@ bool WaypointReader::read_circle(const Item& item) {
                                .radius_m = item.params[0],
                                .where = item.where},
                         {}});
-  areas_.areas.push_back(std::move(area));
-  return true;
+  return add_area(std::move(area), limits_, areas_, findings_);
 }
 
 bool WaypointReader::read_item(const Item& item) {

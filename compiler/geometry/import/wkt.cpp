@@ -289,11 +289,8 @@ bool WktReader::read() {
     Area area;
     area.where = here();
     if (!read_srid() || !read_geometry(area, 1)) return false;
-    if (++positions_ > limits_.positions_max) {
-      return findings_.fail(area.where, "too many areas", "split the file");
-    }
-    if (take(';')) skip_spaces();
-    areas_.areas.push_back(std::move(area));
+    if (!add_area(std::move(area), limits_, areas_, findings_)) return false;
+    take(';');
   }
   if (!extra_at_.empty()) {
     areas_.notes.push_back({extra_at_,

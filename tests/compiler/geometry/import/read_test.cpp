@@ -57,6 +57,35 @@ TEST(Read, ByteOrderMarkAndCarriageReturnsAreNoMatter) {
             "");
 }
 
+TEST(Read, AreasAreLimitedInEveryFormat) {
+  const std::string feature = R"({"type":"Feature","geometry":null,"properties":)"
+                              R"({"identifier":"A","type":"CONDITIONAL"}})";
+  const std::string features =
+      R"({"type":"FeatureCollection","features":[)" + feature + "," + feature + "]}";
+  const std::string zone =
+      R"({"identifier":"A","restriction":"CONDITIONAL","applicability":[{"permanent":"YES"}],)"
+      R"("geometry":[{"uomDimensions":"M","horizontalProjection":)"
+      R"({"type":"Circle","center":[1,2],"radius":3}}]})";
+  const std::string circle =
+      R"({"circle":{"center":[1,2],"radius":3},"inclusion":true,"version":1})";
+  const std::string item = "0 0 0 5003 9 0 0 0 1 2 0 1\n";
+  const std::vector<std::pair<Format, std::string>> texts{
+      {Format::geojson, features},
+      {Format::ed318, features},
+      {Format::ed269, R"({"features":[)" + zone + "," + zone + "]}"},
+      {Format::qgc_plan, R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"polygons":[],)"
+                         R"("circles":[)" +
+                             circle + "," + circle + "]}}"},
+      {Format::waypoints, "QGC WPL 110\n" + item + item},
+      {Format::wkt, "POINT EMPTY POINT EMPTY"},
+      {Format::kml, "<kml><Placemark/><Placemark/></kml>"},
+      {Format::kml, "<kml><NetworkLink/><NetworkLink/></kml>"}};
+  for (const auto& [format, text] : texts) {
+    EXPECT_EQ(failure_of(format, text, {.areas_max = 2}), "") << text;
+    EXPECT_TRUE(contains(failure_of(format, text, {.areas_max = 1}), "more than 1 areas")) << text;
+  }
+}
+
 // Names of a file end up in messages: cut, on one line, and whole characters only.
 TEST(Read, MessagesQuoteShortly) {
   const std::string name = std::string(59, 'a') + "\xc3\xa4" + std::string(100'000, 'b');

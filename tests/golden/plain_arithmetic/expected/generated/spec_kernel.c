@@ -112,10 +112,18 @@ static inline ends ends_product(ends a, ends b) {
                  max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
 }
 
-static inline ends ends_square(ends a) {
+static inline int64_t least_square(ends a) {
   const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  return least * least;
+}
+
+static inline int64_t most_square(ends a) {
   const int64_t most = max_of(-a.lo, a.hi);
-  return ends_of(least * least, most * most);
+  return most * most;
+}
+
+static inline ends ends_square(ends a) {
+  return ends_of(least_square(a), most_square(a));
 }
 
 /* What is below 0 within its error counts as 0. */
@@ -135,7 +143,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -152,6 +162,11 @@ static inline bounds bounds_of(int64_t lo, int64_t hi) {
 
 static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+/* Whether what was measured, and widened by `error`, lies between two steps. */
+static inline int32_t bounds_between_steps(bounds measured, int64_t error) {
+  return measured.lo + error < measured.hi - error;
 }
 
 static inline int32_t bounds_known(bounds a) {
@@ -182,38 +197,40 @@ static inline bounds bounds_between(int64_t lower, int64_t upper) {
   return b;
 }
 
-static inline bounds bounds_sum(bounds a, bounds b) {
-  bounds sum = bounds_nothing();
-  if (bounds_known(a) && bounds_known(b)) {
-    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
-    sum.lo_open = a.lo_open | b.lo_open;
-    sum.hi_open = a.hi_open | b.hi_open;
-  }
+static inline bounds known_sum(bounds a, bounds b) {
+  bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+  sum.lo_open = a.lo_open | b.lo_open;
+  sum.hi_open = a.hi_open | b.hi_open;
   return sum;
 }
 
-static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
-  bounds b = a;
-  if (bounds_known(a)) {
-    b = bounds_within(ends_scaled(bounds_ends(a), num, den));
-    b.lo_open = num > 0 ? a.lo_open : 0;
-    b.hi_open = num > 0 ? a.hi_open : 0;
-  }
+static inline bounds known_scaled(bounds a, int64_t num, int64_t den) {
+  bounds b = bounds_within(ends_scaled(bounds_ends(a), num, den));
+  b.lo_open = num > 0 ? a.lo_open : 0;
+  b.hi_open = num > 0 ? a.hi_open : 0;
   return b;
 }
 
+static inline bounds known_square(bounds a) {
+  return bounds_within(ends_square(bounds_ends(a)));
+}
+
+static inline bounds known_size(bounds a) {
+  const int64_t lower = lower_half(a);
+  const int64_t upper = upper_half(a);
+  return bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b) ? known_sum(a, b) : bounds_nothing();
+}
+
 static inline bounds bounds_square(bounds a) {
-  return bounds_known(a) ? bounds_within(ends_square(bounds_ends(a))) : a;
+  return bounds_known(a) ? known_square(a) : a;
 }
 
 static inline bounds bounds_size(bounds a) {
-  bounds size = a;
-  if (bounds_known(a)) {
-    const int64_t lower = lower_half(a);
-    const int64_t upper = upper_half(a);
-    size = bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
-  }
-  return size;
+  return bounds_known(a) ? known_size(a) : a;
 }
 
 /* a where the condition is true, b where it is false, anything of both where it is unknown. */
@@ -407,30 +424,38 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const arm_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const arm_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const arm_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const arm_signal *s, int32_t fresh) {
@@ -710,8 +735,7 @@ static int32_t arm_resume(arm_monitors_state *s, int64_t now_us, int64_t *since_
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, const arm_monitors_in *in,
-                                int64_t now_us) {
+static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -724,7 +748,6 @@ static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, const arm_mo
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -741,7 +764,7 @@ void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t
                        arm_monitors_out *out) {
   arm_view v;
   int32_t k;
-  if (arm_begin(&v, s, in, now_us) == 0) {
+  if (arm_begin(&v, s, now_us) == 0) {
     for (k = 0; k < ARM_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(ARM_INPUT_CLOCK));
     }
@@ -791,14 +814,17 @@ static inline int32_t slow_verdict(const arm_verdicts_view *v) {
 
 /* v * v + w * w <= 9 m^2/s^2 */
 static inline int32_t energy__verdict(const arm_verdicts_view *v) {
+  if (bounds_known(v->v) == 0 || bounds_known(v->w) == 0) {
+    return ARM_VERDICT_UNKNOWN;
+  }
   /* v * v */
-  const bounds v1 = bounds_size(v->v);
-  const bounds v2 = bounds_square(v1);
+  const bounds v1 = known_size(v->v);
+  const bounds v2 = known_square(v1);
   /* w * w */
-  const bounds v4 = bounds_size(v->w);
-  const bounds v5 = bounds_square(v4);
+  const bounds v4 = known_size(v->w);
+  const bounds v5 = known_square(v4);
   /* v * v + w * w */
-  const bounds v6 = bounds_sum(v2, v5);
+  const bounds v6 = known_sum(v2, v5);
   /* v * v + w * w <= 9 m^2/s^2 */
   if (v6.hi <= 9000000) {
     return ARM_VERDICT_TRUE;
@@ -808,10 +834,13 @@ static inline int32_t energy__verdict(const arm_verdicts_view *v) {
 
 /* (v + 2 * w) / 3 < 2 m/s */
 static inline int32_t mean_speed_verdict(const arm_verdicts_view *v) {
+  if (bounds_known(v->v) == 0 || bounds_known(v->w) == 0) {
+    return ARM_VERDICT_UNKNOWN;
+  }
   /* 2 * w */
-  const bounds v2 = bounds_scaled(v->w, 2, 1);
+  const bounds v2 = known_scaled(v->w, 2, 1);
   /* v + 2 * w */
-  const bounds v3 = bounds_sum(v->v, v2);
+  const bounds v3 = known_sum(v->v, v2);
   /* (v + 2 * w) / 3 < 2 m/s */
   if (v3.hi - v3.hi_open < 6000) {
     return ARM_VERDICT_TRUE;
@@ -827,13 +856,17 @@ static inline int32_t reach_verdict(const arm_verdicts_view *v) {
   if (v4.lo >= v->lever.hi) {
     return ARM_VERDICT_TRUE;
   }
-  return v4.hi - v->lever.lo_open >= v->lever.lo ? ARM_VERDICT_UNKNOWN : ARM_VERDICT_FALSE;
+  return v4.hi - bounds_between_steps(v->lever, 0) >= v->lever.lo ? ARM_VERDICT_UNKNOWN
+      : ARM_VERDICT_FALSE;
 }
 
 /* sqrt(lever * 1 m) <= 1.2 m */
 static inline int32_t side_verdict(const arm_verdicts_view *v) {
+  if (bounds_known(v->lever) == 0) {
+    return ARM_VERDICT_UNKNOWN;
+  }
   /* sqrt(lever * 1 m) */
-  const bounds v2 = bounds_scaled(v->lever, 1000, 1);
+  const bounds v2 = known_scaled(v->lever, 1000, 1);
   /* sqrt(lever * 1 m) <= 1.2 m */
   if (v2.hi <= 1440000) {
     return ARM_VERDICT_TRUE;
@@ -876,7 +909,7 @@ static int32_t arm_verdicts_resume(arm_monitors_verdicts_state *s, int64_t now_u
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t arm_verdicts_begin(arm_verdicts_view *v, arm_monitors_verdicts_state *s,
-                                         const arm_monitors_in *in, int64_t now_us) {
+                                         int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -889,7 +922,6 @@ static inline int32_t arm_verdicts_begin(arm_verdicts_view *v, arm_monitors_verd
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -906,7 +938,7 @@ void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in
                            int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
   arm_verdicts_view v;
   int32_t k;
-  if (arm_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (arm_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < ARM_MONITORS; ++k) {
       verdicts[k] = ARM_VERDICT_UNKNOWN;
     }

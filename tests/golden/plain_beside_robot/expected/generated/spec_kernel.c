@@ -125,7 +125,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -144,18 +146,13 @@ static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
 }
 
-static inline int32_t bounds_known(bounds a) {
-  return a.lo > -INT64_MAX;
+/* Whether what was measured, and widened by `error`, lies between two steps. */
+static inline int32_t bounds_between_steps(bounds measured, int64_t error) {
+  return measured.lo + error < measured.hi - error;
 }
 
-static inline bounds bounds_sum(bounds a, bounds b) {
-  bounds sum = bounds_nothing();
-  if (bounds_known(a) && bounds_known(b)) {
-    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
-    sum.lo_open = a.lo_open | b.lo_open;
-    sum.hi_open = a.hi_open | b.hi_open;
-  }
-  return sum;
+static inline int32_t bounds_known(bounds a) {
+  return a.lo > -INT64_MAX;
 }
 
 static inline bounds bounds_negative(bounds a) {
@@ -163,6 +160,17 @@ static inline bounds bounds_negative(bounds a) {
   b.lo_open = a.hi_open;
   b.hi_open = a.lo_open;
   return b;
+}
+
+static inline bounds known_sum(bounds a, bounds b) {
+  bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+  sum.lo_open = a.lo_open | b.lo_open;
+  sum.hi_open = a.hi_open | b.hi_open;
+  return sum;
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b) ? known_sum(a, b) : bounds_nothing();
 }
 
 /* Margins of several units: each tells that of the atom that decides its lower end, and its upper
@@ -948,30 +956,38 @@ static int64_t tick_until(const yard_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const yard_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const yard_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const yard_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const yard_signal *s, int32_t fresh) {
@@ -1473,8 +1489,7 @@ static int32_t yard_resume(yard_monitors_state *s, int64_t now_us) {
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s,
-                                 const yard_monitors_in *in, int64_t now_us) {
+static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s, int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
   if (begun == 0) {
     begun = yard_resume(s, now_us);
@@ -1484,7 +1499,6 @@ static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s,
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1503,7 +1517,7 @@ void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int6
                         yard_monitors_out *out) {
   yard_view v;
   int32_t k;
-  if (yard_begin(&v, s, in, now_us) == 0) {
+  if (yard_begin(&v, s, now_us) == 0) {
     for (k = 0; k < YARD_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(YARD_INPUT_CLOCK));
     }
@@ -1549,7 +1563,7 @@ static inline int32_t calm_verdict(const yard_verdicts_view *v) {
   if (v->wind.hi <= 12000 || (v->gate_open & 2) == 0) {
     return YARD_VERDICT_TRUE;
   }
-  return (v->wind.lo + v->wind.lo_open <= 12000 || (v->gate_open & 1) == 0)
+  return (v->wind.lo + bounds_between_steps(v->wind, 0) <= 12000 || (v->gate_open & 1) == 0)
       ? YARD_VERDICT_UNKNOWN : YARD_VERDICT_FALSE;
 }
 
@@ -1591,7 +1605,7 @@ static int32_t yard_verdicts_resume(yard_monitors_verdicts_state *s, int64_t now
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t yard_verdicts_begin(yard_verdicts_view *v, yard_monitors_verdicts_state *s,
-                                          const yard_monitors_in *in, int64_t now_us) {
+                                          int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
   if (begun == 0) {
     begun = yard_verdicts_resume(s, now_us);
@@ -1601,7 +1615,6 @@ static inline int32_t yard_verdicts_begin(yard_verdicts_view *v, yard_monitors_v
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1620,7 +1633,7 @@ void yard_monitors_verdicts(yard_monitors_verdicts_state *s, const yard_monitors
                             int64_t now_us, int32_t verdicts[YARD_MONITORS]) {
   yard_verdicts_view v;
   int32_t k;
-  if (yard_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (yard_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < YARD_MONITORS; ++k) {
       verdicts[k] = YARD_VERDICT_UNKNOWN;
     }

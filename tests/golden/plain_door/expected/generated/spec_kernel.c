@@ -32,7 +32,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -49,6 +51,11 @@ static inline bounds bounds_of(int64_t lo, int64_t hi) {
 
 static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+/* Whether what was measured, and widened by `error`, lies between two steps. */
+static inline int32_t bounds_between_steps(bounds measured, int64_t error) {
+  return measured.lo + error < measured.hi - error;
 }
 
 /* Margins of several units: each tells that of the atom that decides its lower end, and its upper
@@ -342,30 +349,38 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const door_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const door_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const door_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const door_signal *s, int32_t fresh) {
@@ -549,8 +564,7 @@ static int32_t door_resume(door_monitors_state *s, int64_t now_us, int64_t *sinc
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t door_begin(door_view *v, door_monitors_state *s,
-                                 const door_monitors_in *in, int64_t now_us) {
+static inline int32_t door_begin(door_view *v, door_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -563,7 +577,6 @@ static inline int32_t door_begin(door_view *v, door_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -582,7 +595,7 @@ void door_monitors_step(door_monitors_state *s, const door_monitors_in *in, int6
                         door_monitors_out *out) {
   door_view v;
   int32_t k;
-  if (door_begin(&v, s, in, now_us) == 0) {
+  if (door_begin(&v, s, now_us) == 0) {
     for (k = 0; k < DOOR_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(DOOR_INPUT_CLOCK));
     }
@@ -619,8 +632,8 @@ static inline int32_t no_run_with_open_door_verdict(const door_verdicts_view *v)
   if ((v2 & 1) != 0 || v->speed.hi <= 300) {
     return DOOR_VERDICT_TRUE;
   }
-  return ((v2 & 2) != 0 || v->speed.lo + v->speed.lo_open <= 300) ? DOOR_VERDICT_UNKNOWN
-      : DOOR_VERDICT_FALSE;
+  return ((v2 & 2) != 0 || v->speed.lo + bounds_between_steps(v->speed, 10) <= 300)
+      ? DOOR_VERDICT_UNKNOWN : DOOR_VERDICT_FALSE;
 }
 
 /* not (open and moving) */
@@ -689,7 +702,7 @@ static int32_t door_verdicts_resume(door_monitors_verdicts_state *s, int64_t now
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t door_verdicts_begin(door_verdicts_view *v, door_monitors_verdicts_state *s,
-                                          const door_monitors_in *in, int64_t now_us) {
+                                          int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -702,7 +715,6 @@ static inline int32_t door_verdicts_begin(door_verdicts_view *v, door_monitors_v
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -721,7 +733,7 @@ void door_monitors_verdicts(door_monitors_verdicts_state *s, const door_monitors
                             int64_t now_us, int32_t verdicts[DOOR_MONITORS]) {
   door_verdicts_view v;
   int32_t k;
-  if (door_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (door_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < DOOR_MONITORS; ++k) {
       verdicts[k] = DOOR_VERDICT_UNKNOWN;
     }

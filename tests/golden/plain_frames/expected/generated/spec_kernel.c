@@ -117,10 +117,18 @@ static inline ends ends_product(ends a, ends b) {
                  max_of(max_of(a.lo * b.lo, a.lo * b.hi), max_of(a.hi * b.lo, a.hi * b.hi)));
 }
 
-static inline ends ends_square(ends a) {
+static inline int64_t least_square(ends a) {
   const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  return least * least;
+}
+
+static inline int64_t most_square(ends a) {
   const int64_t most = max_of(-a.lo, a.hi);
-  return ends_of(least * least, most * most);
+  return most * most;
+}
+
+static inline ends ends_square(ends a) {
+  return ends_of(least_square(a), most_square(a));
 }
 
 /* a^2 + b^2. */
@@ -147,7 +155,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -164,6 +174,11 @@ static inline bounds bounds_of(int64_t lo, int64_t hi) {
 
 static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+/* Whether what was measured, and widened by `error`, lies between two steps. */
+static inline int32_t bounds_between_steps(bounds measured, int64_t error) {
+  return measured.lo + error < measured.hi - error;
 }
 
 static inline int32_t bounds_known(bounds a) {
@@ -194,16 +209,6 @@ static inline bounds bounds_between(int64_t lower, int64_t upper) {
   return b;
 }
 
-static inline bounds bounds_sum(bounds a, bounds b) {
-  bounds sum = bounds_nothing();
-  if (bounds_known(a) && bounds_known(b)) {
-    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
-    sum.lo_open = a.lo_open | b.lo_open;
-    sum.hi_open = a.hi_open | b.hi_open;
-  }
-  return sum;
-}
-
 static inline bounds bounds_negative(bounds a) {
   bounds b = bounds_of(-a.hi, -a.lo);
   b.lo_open = a.hi_open;
@@ -211,40 +216,60 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
-static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
-  bounds b = a;
-  if (bounds_known(a)) {
-    b = bounds_within(ends_scaled(bounds_ends(a), num, den));
-    b.lo_open = num > 0 ? a.lo_open : 0;
-    b.hi_open = num > 0 ? a.hi_open : 0;
-  }
+static inline bounds known_sum(bounds a, bounds b) {
+  bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+  sum.lo_open = a.lo_open | b.lo_open;
+  sum.hi_open = a.hi_open | b.hi_open;
+  return sum;
+}
+
+static inline bounds known_scaled(bounds a, int64_t num, int64_t den) {
+  bounds b = bounds_within(ends_scaled(bounds_ends(a), num, den));
+  b.lo_open = num > 0 ? a.lo_open : 0;
+  b.hi_open = num > 0 ? a.hi_open : 0;
   return b;
 }
 
+static inline bounds known_product(bounds a, bounds b) {
+  return bounds_within(ends_product(bounds_ends(a), bounds_ends(b)));
+}
+
+static inline bounds known_square(bounds a) {
+  return bounds_within(ends_square(bounds_ends(a)));
+}
+
+static inline bounds known_squares(bounds a, bounds b) {
+  return bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)));
+}
+
+static inline bounds known_size(bounds a) {
+  const int64_t lower = lower_half(a);
+  const int64_t upper = upper_half(a);
+  return bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b) ? known_sum(a, b) : bounds_nothing();
+}
+
+static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
+  return bounds_known(a) ? known_scaled(a, num, den) : a;
+}
+
 static inline bounds bounds_product(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_within(ends_product(bounds_ends(a), bounds_ends(b)))
-             : bounds_nothing();
+  return bounds_known(a) && bounds_known(b) ? known_product(a, b) : bounds_nothing();
 }
 
 static inline bounds bounds_square(bounds a) {
-  return bounds_known(a) ? bounds_within(ends_square(bounds_ends(a))) : a;
+  return bounds_known(a) ? known_square(a) : a;
 }
 
 static inline bounds bounds_squares(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)))
-             : bounds_nothing();
+  return bounds_known(a) && bounds_known(b) ? known_squares(a, b) : bounds_nothing();
 }
 
 static inline bounds bounds_size(bounds a) {
-  bounds size = a;
-  if (bounds_known(a)) {
-    const int64_t lower = lower_half(a);
-    const int64_t upper = upper_half(a);
-    size = bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
-  }
-  return size;
+  return bounds_known(a) ? known_size(a) : a;
 }
 
 /* Margins of several units: each tells that of the atom that decides its lower end, and its upper
@@ -784,30 +809,38 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const gripper_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const gripper_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const gripper_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const gripper_signal *s, int32_t fresh) {
@@ -1252,8 +1285,7 @@ static int32_t gripper_resume(gripper_monitors_state *s, int64_t now_us, int64_t
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s,
-                                    const gripper_monitors_in *in, int64_t now_us) {
+static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1266,7 +1298,6 @@ static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1288,7 +1319,7 @@ void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in 
                            int64_t now_us, gripper_monitors_out *out) {
   gripper_view v;
   int32_t k;
-  if (gripper_begin(&v, s, in, now_us) == 0) {
+  if (gripper_begin(&v, s, now_us) == 0) {
     for (k = 0; k < GRIPPER_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(GRIPPER_INPUT_CLOCK));
     }
@@ -1439,8 +1470,8 @@ static inline int32_t hung_verdict(const gripper_verdicts_view *v) {
   if (v->hook_z.lo >= v->load_z.hi && v34.hi <= 40000) {
     return GRIPPER_VERDICT_TRUE;
   }
-  return (v->hook_z.hi - (v->hook_z.hi_open | v->load_z.lo_open) >= v->load_z.lo &&
-      v34.lo < 40401) ? GRIPPER_VERDICT_UNKNOWN : GRIPPER_VERDICT_FALSE;
+  return (v->hook_z.hi - (bounds_between_steps(v->hook_z, 0) | bounds_between_steps(v->load_z,
+      0)) >= v->load_z.lo && v34.lo < 40401) ? GRIPPER_VERDICT_UNKNOWN : GRIPPER_VERDICT_FALSE;
 }
 
 /* gear == (if busy then drive else park) */
@@ -1476,8 +1507,8 @@ static inline int32_t rested_verdict(const gripper_verdicts_view *v) {
   /* abs(move.linear) */
   const bounds v1 = bounds_size(v->move_linear);
   /* abs(move.linear) <= 0.1 m/s */
-  const int32_t v3 = v1.hi <= 100 ? BITS_TRUE : v1.lo + v1.lo_open <= 100 ? BITS_UNKNOWN
-      : BITS_FALSE;
+  const int32_t v3 = v1.hi <= 100 ? BITS_TRUE : v1.lo > 100 ? BITS_FALSE
+      : v1.lo + v1.lo_open <= 100 ? BITS_UNKNOWN : BITS_FALSE;
   /* once[0 s, 5 min] abs(move.linear) <= 0.1 m/s */
   const int32_t v4 = once_within(v3, &v->s->once_0, 0, 0, 3000, &v->s->ticks);
   if ((v4 & 1) != 0) {
@@ -1611,8 +1642,7 @@ static int32_t gripper_verdicts_resume(gripper_monitors_verdicts_state *s, int64
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t gripper_verdicts_begin(gripper_verdicts_view *v,
-                                             gripper_monitors_verdicts_state *s,
-                                             const gripper_monitors_in *in, int64_t now_us) {
+                                             gripper_monitors_verdicts_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1625,7 +1655,6 @@ static inline int32_t gripper_verdicts_begin(gripper_verdicts_view *v,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1647,7 +1676,7 @@ void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s, const gripper
                                int64_t now_us, int32_t verdicts[GRIPPER_MONITORS]) {
   gripper_verdicts_view v;
   int32_t k;
-  if (gripper_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (gripper_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < GRIPPER_MONITORS; ++k) {
       verdicts[k] = GRIPPER_VERDICT_UNKNOWN;
     }

@@ -103,10 +103,18 @@ static inline ends ends_of(int64_t lo, int64_t hi) {
   return e;
 }
 
-static inline ends ends_square(ends a) {
+static inline int64_t least_square(ends a) {
   const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  return least * least;
+}
+
+static inline int64_t most_square(ends a) {
   const int64_t most = max_of(-a.lo, a.hi);
-  return ends_of(least * least, most * most);
+  return most * most;
+}
+
+static inline ends ends_square(ends a) {
+  return ends_of(least_square(a), most_square(a));
 }
 
 /* a^2 + b^2. */
@@ -126,7 +134,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -173,16 +183,6 @@ static inline bounds bounds_between(int64_t lower, int64_t upper) {
   return b;
 }
 
-static inline bounds bounds_sum(bounds a, bounds b) {
-  bounds sum = bounds_nothing();
-  if (bounds_known(a) && bounds_known(b)) {
-    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
-    sum.lo_open = a.lo_open | b.lo_open;
-    sum.hi_open = a.hi_open | b.hi_open;
-  }
-  return sum;
-}
-
 static inline bounds bounds_negative(bounds a) {
   bounds b = bounds_of(-a.hi, -a.lo);
   b.lo_open = a.hi_open;
@@ -190,14 +190,31 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
+static inline bounds known_sum(bounds a, bounds b) {
+  bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+  sum.lo_open = a.lo_open | b.lo_open;
+  sum.hi_open = a.hi_open | b.hi_open;
+  return sum;
+}
+
+static inline bounds known_squares(bounds a, bounds b) {
+  return bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)));
+}
+
+static inline bounds known_root(bounds a) {
+  return bounds_within(ends_root(bounds_ends(a)));
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b) ? known_sum(a, b) : bounds_nothing();
+}
+
 static inline bounds bounds_squares(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)))
-             : bounds_nothing();
+  return bounds_known(a) && bounds_known(b) ? known_squares(a, b) : bounds_nothing();
 }
 
 static inline bounds bounds_root(bounds a) {
-  return bounds_known(a) ? bounds_within(ends_root(bounds_ends(a))) : a;
+  return bounds_known(a) ? known_root(a) : a;
 }
 
 /* a where the condition is true, b where it is false, anything of both where it is unknown. */
@@ -583,30 +600,38 @@ static int64_t tick_until(const plain_members_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const plain_members_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const plain_members_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const plain_members_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const plain_members_signal *s, int32_t fresh) {
@@ -1497,8 +1522,8 @@ static inline int32_t apart_verdict(const plain_members_verdicts_view *v) {
 static bounds alive_verdict_each_0(const bounds *const *of, const uint16_t *row) {
   const bounds v0 = *of[row[0]];
   /* c.battery >= 20 % */
-  const int32_t v2 = v0.lo >= 200000 ? BITS_TRUE : v0.hi - v0.hi_open >= 200000 ? BITS_UNKNOWN
-      : BITS_FALSE;
+  const int32_t v2 = v0.lo >= 200000 ? BITS_TRUE : v0.hi < 200000 ? BITS_FALSE
+      : v0.hi - v0.hi_open >= 200000 ? BITS_UNKNOWN : BITS_FALSE;
   /* count(c : Cart : c.battery >= 20 %) */
   const bounds v5 = bounds_chosen(v2, bounds_of(1000, 1000), bounds_of(0, 0));
   return v5;

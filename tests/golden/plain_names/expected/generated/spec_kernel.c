@@ -32,7 +32,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -49,6 +51,11 @@ static inline bounds bounds_of(int64_t lo, int64_t hi) {
 
 static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+/* Whether what was measured, and widened by `error`, lies between two steps. */
+static inline int32_t bounds_between_steps(bounds measured, int64_t error) {
+  return measured.lo + error < measured.hi - error;
 }
 
 /* Margins of several units: each tells that of the atom that decides its lower end, and its upper
@@ -364,30 +371,38 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const signal_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const signal_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const signal_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const signal_signal *s, int32_t fresh) {
@@ -725,8 +740,7 @@ static int32_t signal_resume(signal_monitors_state *s, int64_t now_us, int64_t *
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s,
-                                   const signal_monitors_in *in, int64_t now_us) {
+static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -739,7 +753,6 @@ static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -758,7 +771,7 @@ void signal_monitors_step(signal_monitors_state *s, const signal_monitors_in *in
                           signal_monitors_out *out) {
   signal_view v;
   int32_t k;
-  if (signal_begin(&v, s, in, now_us) == 0) {
+  if (signal_begin(&v, s, now_us) == 0) {
     for (k = 0; k < SIGNAL_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(SIGNAL_INPUT_CLOCK));
     }
@@ -848,8 +861,8 @@ static inline int32_t Clock_verdict(const signal_verdicts_view *v) {
   if ((v7 & 1) != 0 && (v->clock & 1) != 0 && v->lo.hi <= 1000) {
     return SIGNAL_VERDICT_TRUE;
   }
-  return ((v7 & 2) != 0 && (v->clock & 2) != 0 && v->lo.lo + v->lo.lo_open <= 1000)
-      ? SIGNAL_VERDICT_UNKNOWN : SIGNAL_VERDICT_FALSE;
+  return ((v7 & 2) != 0 && (v->clock & 2) != 0 && v->lo.lo + bounds_between_steps(v->lo,
+      0) <= 1000) ? SIGNAL_VERDICT_UNKNOWN : SIGNAL_VERDICT_FALSE;
 }
 
 /* once (NULL or double) */
@@ -871,8 +884,8 @@ static inline int32_t x_verdict(const signal_verdicts_view *v) {
   if (v->p_x.hi <= 1000 && (v->p_x_ & 1) != 0) {
     return SIGNAL_VERDICT_TRUE;
   }
-  return (v->p_x.lo + v->p_x.lo_open <= 1000 && (v->p_x_ & 2) != 0) ? SIGNAL_VERDICT_UNKNOWN
-      : SIGNAL_VERDICT_FALSE;
+  return (v->p_x.lo + bounds_between_steps(v->p_x, 0) <= 1000 && (v->p_x_ & 2) != 0)
+      ? SIGNAL_VERDICT_UNKNOWN : SIGNAL_VERDICT_FALSE;
 }
 
 static inline void signal_verdicts_look_s(signal_verdicts_view *v, const signal_monitors_in *in) {
@@ -1025,8 +1038,7 @@ static int32_t signal_verdicts_resume(signal_monitors_verdicts_state *s, int64_t
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t signal_verdicts_begin(signal_verdicts_view *v,
-                                            signal_monitors_verdicts_state *s,
-                                            const signal_monitors_in *in, int64_t now_us) {
+                                            signal_monitors_verdicts_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
   if (begun == 0) {
@@ -1039,7 +1051,6 @@ static inline int32_t signal_verdicts_begin(signal_verdicts_view *v,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1059,7 +1070,7 @@ void signal_monitors_verdicts(signal_monitors_verdicts_state *s, const signal_mo
                               int64_t now_us, int32_t verdicts[SIGNAL_MONITORS]) {
   signal_verdicts_view v;
   int32_t k;
-  if (signal_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (signal_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < SIGNAL_MONITORS; ++k) {
       verdicts[k] = SIGNAL_VERDICT_UNKNOWN;
     }

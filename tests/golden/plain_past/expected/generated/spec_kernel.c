@@ -54,7 +54,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -71,6 +73,11 @@ static inline bounds bounds_of(int64_t lo, int64_t hi) {
 
 static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+/* Whether what was measured, and widened by `error`, lies between two steps. */
+static inline int32_t bounds_between_steps(bounds measured, int64_t error) {
+  return measured.lo + error < measured.hi - error;
 }
 
 static inline int32_t bounds_known(bounds a) {
@@ -101,16 +108,6 @@ static inline bounds bounds_between(int64_t lower, int64_t upper) {
   return b;
 }
 
-static inline bounds bounds_sum(bounds a, bounds b) {
-  bounds sum = bounds_nothing();
-  if (bounds_known(a) && bounds_known(b)) {
-    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
-    sum.lo_open = a.lo_open | b.lo_open;
-    sum.hi_open = a.hi_open | b.hi_open;
-  }
-  return sum;
-}
-
 static inline bounds bounds_negative(bounds a) {
   bounds b = bounds_of(-a.hi, -a.lo);
   b.lo_open = a.hi_open;
@@ -118,24 +115,36 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
-static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
-  bounds b = a;
-  if (bounds_known(a)) {
-    b = bounds_within(ends_scaled(bounds_ends(a), num, den));
-    b.lo_open = num > 0 ? a.lo_open : 0;
-    b.hi_open = num > 0 ? a.hi_open : 0;
-  }
+static inline bounds known_sum(bounds a, bounds b) {
+  bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+  sum.lo_open = a.lo_open | b.lo_open;
+  sum.hi_open = a.hi_open | b.hi_open;
+  return sum;
+}
+
+static inline bounds known_scaled(bounds a, int64_t num, int64_t den) {
+  bounds b = bounds_within(ends_scaled(bounds_ends(a), num, den));
+  b.lo_open = num > 0 ? a.lo_open : 0;
+  b.hi_open = num > 0 ? a.hi_open : 0;
   return b;
 }
 
+static inline bounds known_size(bounds a) {
+  const int64_t lower = lower_half(a);
+  const int64_t upper = upper_half(a);
+  return bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b) ? known_sum(a, b) : bounds_nothing();
+}
+
+static inline bounds bounds_scaled(bounds a, int64_t num, int64_t den) {
+  return bounds_known(a) ? known_scaled(a, num, den) : a;
+}
+
 static inline bounds bounds_size(bounds a) {
-  bounds size = a;
-  if (bounds_known(a)) {
-    const int64_t lower = lower_half(a);
-    const int64_t upper = upper_half(a);
-    size = bounds_between(lower > 0 ? lower : (upper < 0 ? -upper : 0), max_of(-lower, upper));
-  }
-  return size;
+  return bounds_known(a) ? known_size(a) : a;
 }
 
 /* Margins of several units: each tells that of the atom that decides its lower end, and its upper
@@ -808,30 +817,38 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const pump_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const pump_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const pump_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const pump_signal *s, int32_t fresh) {
@@ -1130,8 +1147,7 @@ static int32_t pump_resume(pump_monitors_state *s, int64_t now_us, int64_t *sinc
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s,
-                                 const pump_monitors_in *in, int64_t now_us) {
+static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1144,7 +1160,6 @@ static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1162,7 +1177,7 @@ void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int6
                         pump_monitors_out *out) {
   pump_view v;
   int32_t k;
-  if (pump_begin(&v, s, in, now_us) == 0) {
+  if (pump_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PUMP_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(PUMP_INPUT_CLOCK));
     }
@@ -1248,8 +1263,9 @@ static inline int32_t primed_verdict(const pump_verdicts_view *v) {
   if (v->s->ticks.now < 50 || (v2 & 1) != 0 || v->pressure.lo >= 2000) {
     return PUMP_VERDICT_TRUE;
   }
-  return (v->s->ticks.now < 50 || (v2 & 2) != 0 || v->pressure.hi - v->pressure.hi_open >= 2000)
-      ? PUMP_VERDICT_UNKNOWN : PUMP_VERDICT_FALSE;
+  return (v->s->ticks.now < 50 || (v2 & 2) != 0 ||
+      v->pressure.hi - bounds_between_steps(v->pressure, 10) >= 2000) ? PUMP_VERDICT_UNKNOWN
+      : PUMP_VERDICT_FALSE;
 }
 
 /* max[0 s, 1 s](pressure) - min[0 s, 1 s](pressure) <= 500 kg/m/s^2 */
@@ -1364,7 +1380,7 @@ static int32_t pump_verdicts_resume(pump_monitors_verdicts_state *s, int64_t now
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t pump_verdicts_begin(pump_verdicts_view *v, pump_monitors_verdicts_state *s,
-                                          const pump_monitors_in *in, int64_t now_us) {
+                                          int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1377,7 +1393,6 @@ static inline int32_t pump_verdicts_begin(pump_verdicts_view *v, pump_monitors_v
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1397,7 +1412,7 @@ void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors
                             int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
   pump_verdicts_view v;
   int32_t k;
-  if (pump_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (pump_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PUMP_MONITORS; ++k) {
       verdicts[k] = PUMP_VERDICT_UNKNOWN;
     }

@@ -102,7 +102,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -141,16 +143,6 @@ static inline bounds bounds_between(int64_t lower, int64_t upper) {
   return b;
 }
 
-static inline bounds bounds_sum(bounds a, bounds b) {
-  bounds sum = bounds_nothing();
-  if (bounds_known(a) && bounds_known(b)) {
-    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
-    sum.lo_open = a.lo_open | b.lo_open;
-    sum.hi_open = a.hi_open | b.hi_open;
-  }
-  return sum;
-}
-
 static inline bounds bounds_negative(bounds a) {
   bounds b = bounds_of(-a.hi, -a.lo);
   b.lo_open = a.hi_open;
@@ -158,11 +150,23 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
+static inline bounds known_sum(bounds a, bounds b) {
+  bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+  sum.lo_open = a.lo_open | b.lo_open;
+  sum.hi_open = a.hi_open | b.hi_open;
+  return sum;
+}
+
+static inline bounds known_greatest(bounds a, bounds b) {
+  return bounds_between(max_of(lower_half(a), lower_half(b)), max_of(upper_half(a), upper_half(b)));
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b) ? known_sum(a, b) : bounds_nothing();
+}
+
 static inline bounds bounds_greatest(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_between(max_of(lower_half(a), lower_half(b)),
-                              max_of(upper_half(a), upper_half(b)))
-             : bounds_nothing();
+  return bounds_known(a) && bounds_known(b) ? known_greatest(a, b) : bounds_nothing();
 }
 
 /* Margins of several units: each tells that of the atom that decides its lower end, and its upper
@@ -638,30 +642,38 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const crane_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const crane_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const crane_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const crane_signal *s, int32_t fresh) {
@@ -1214,8 +1226,7 @@ static int32_t crane_resume(crane_monitors_state *s, int64_t now_us, int64_t *si
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s,
-                                  const crane_monitors_in *in, int64_t now_us) {
+static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1228,7 +1239,6 @@ static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1248,7 +1258,7 @@ void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, i
                          crane_monitors_out *out) {
   crane_view v;
   int32_t k;
-  if (crane_begin(&v, s, in, now_us) == 0) {
+  if (crane_begin(&v, s, now_us) == 0) {
     for (k = 0; k < CRANE_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(CRANE_INPUT_CLOCK));
     }
@@ -1464,8 +1474,7 @@ static int32_t crane_verdicts_resume(crane_monitors_verdicts_state *s, int64_t n
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t crane_verdicts_begin(crane_verdicts_view *v,
-                                           crane_monitors_verdicts_state *s,
-                                           const crane_monitors_in *in, int64_t now_us) {
+                                           crane_monitors_verdicts_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1478,7 +1487,6 @@ static inline int32_t crane_verdicts_begin(crane_verdicts_view *v,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1498,7 +1506,7 @@ void crane_monitors_verdicts(crane_monitors_verdicts_state *s, const crane_monit
                              int64_t now_us, int32_t verdicts[CRANE_MONITORS]) {
   crane_verdicts_view v;
   int32_t k;
-  if (crane_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (crane_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < CRANE_MONITORS; ++k) {
       verdicts[k] = CRANE_VERDICT_UNKNOWN;
     }

@@ -103,10 +103,18 @@ static inline ends ends_of(int64_t lo, int64_t hi) {
   return e;
 }
 
-static inline ends ends_square(ends a) {
+static inline int64_t least_square(ends a) {
   const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  return least * least;
+}
+
+static inline int64_t most_square(ends a) {
   const int64_t most = max_of(-a.lo, a.hi);
-  return ends_of(least * least, most * most);
+  return most * most;
+}
+
+static inline ends ends_square(ends a) {
+  return ends_of(least_square(a), most_square(a));
 }
 
 /* a^2 + b^2. */
@@ -126,7 +134,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -143,6 +153,11 @@ static inline bounds bounds_of(int64_t lo, int64_t hi) {
 
 static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
+}
+
+/* Whether what was measured, and widened by `error`, lies between two steps. */
+static inline int32_t bounds_between_steps(bounds measured, int64_t error) {
+  return measured.lo + error < measured.hi - error;
 }
 
 static inline int32_t bounds_known(bounds a) {
@@ -173,16 +188,6 @@ static inline bounds bounds_between(int64_t lower, int64_t upper) {
   return b;
 }
 
-static inline bounds bounds_sum(bounds a, bounds b) {
-  bounds sum = bounds_nothing();
-  if (bounds_known(a) && bounds_known(b)) {
-    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
-    sum.lo_open = a.lo_open | b.lo_open;
-    sum.hi_open = a.hi_open | b.hi_open;
-  }
-  return sum;
-}
-
 static inline bounds bounds_negative(bounds a) {
   bounds b = bounds_of(-a.hi, -a.lo);
   b.lo_open = a.hi_open;
@@ -190,14 +195,31 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
+static inline bounds known_sum(bounds a, bounds b) {
+  bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+  sum.lo_open = a.lo_open | b.lo_open;
+  sum.hi_open = a.hi_open | b.hi_open;
+  return sum;
+}
+
+static inline bounds known_squares(bounds a, bounds b) {
+  return bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)));
+}
+
+static inline bounds known_root(bounds a) {
+  return bounds_within(ends_root(bounds_ends(a)));
+}
+
+static inline bounds bounds_sum(bounds a, bounds b) {
+  return bounds_known(a) && bounds_known(b) ? known_sum(a, b) : bounds_nothing();
+}
+
 static inline bounds bounds_squares(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)))
-             : bounds_nothing();
+  return bounds_known(a) && bounds_known(b) ? known_squares(a, b) : bounds_nothing();
 }
 
 static inline bounds bounds_root(bounds a) {
-  return bounds_known(a) ? bounds_within(ends_root(bounds_ends(a))) : a;
+  return bounds_known(a) ? known_root(a) : a;
 }
 
 /* a where the condition is true, b where it is false, anything of both where it is unknown. */
@@ -583,30 +605,38 @@ static int64_t tick_until(const plain_robots_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const plain_robots_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const plain_robots_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const plain_robots_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 /* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
@@ -1028,7 +1058,7 @@ static int32_t plain_robots_resume(plain_robots_monitors_state *s, int64_t now_u
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t plain_robots_begin(plain_robots_view *v, plain_robots_monitors_state *s,
-                                         const plain_robots_monitors_in *in, int64_t now_us) {
+                                         int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
     begun = plain_robots_resume(s, now_us);
@@ -1038,7 +1068,6 @@ static inline int32_t plain_robots_begin(plain_robots_view *v, plain_robots_moni
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1066,7 +1095,7 @@ void plain_robots_monitors_step(plain_robots_monitors_state *s,
                                 plain_robots_monitors_out *out) {
   plain_robots_view v;
   int32_t k;
-  if (plain_robots_begin(&v, s, in, now_us) == 0) {
+  if (plain_robots_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(PLAIN_ROBOTS_INPUT_CLOCK));
     }
@@ -1114,22 +1143,27 @@ typedef struct plain_robots_verdicts_view {
   bounds carts_0_velocity_y;
   bounds carts_1_velocity_x;
   bounds carts_1_velocity_y;
+  int32_t has_gate; /* all of it */
+  int32_t has_lead_position; /* all of it */
   bounds age_of_carts_0_position; /* us */
 } plain_robots_verdicts_view;
 
 /* distance(lead, gate) <= 5 m */
 static inline int32_t near_verdict(const plain_robots_verdicts_view *v) {
+  if (v->has_gate == 0 || v->has_lead_position == 0) {
+    return PLAIN_ROBOTS_VERDICT_UNKNOWN;
+  }
   /* gate */
   const bounds v2 = bounds_negative(v->gate_x);
   /* distance(lead, gate) */
-  const bounds v3 = bounds_sum(v->lead_position_x, v2);
+  const bounds v3 = known_sum(v->lead_position_x, v2);
   /* gate */
   const bounds v6 = bounds_negative(v->gate_y);
   /* distance(lead, gate) */
-  const bounds v7 = bounds_sum(v->lead_position_y, v6);
-  const bounds v8 = bounds_root(bounds_squares(v3, v7));
+  const bounds v7 = known_sum(v->lead_position_y, v6);
+  const bounds v8 = known_root(known_squares(v3, v7));
   const bounds v10 = bounds_negative(bounds_of(200, 200));
-  const bounds v11 = bounds_sum(v8, v10);
+  const bounds v11 = known_sum(v8, v10);
   /* distance(lead, gate) <= 5 m */
   if (v11.hi <= 5000) {
     return PLAIN_ROBOTS_VERDICT_TRUE;
@@ -1171,19 +1205,23 @@ static inline int32_t apart_verdict(const plain_robots_verdicts_view *v) {
 /* count(c : Cart : c.battery >= 20 %) >= 2 */
 static inline int32_t alive_verdict(const plain_robots_verdicts_view *v) {
   /* c.battery >= 20 % */
-  const int32_t v2 = v->lead_battery.lo >= 200000 ? BITS_TRUE
-      : v->lead_battery.hi - v->lead_battery.hi_open >= 200000 ? BITS_UNKNOWN : BITS_FALSE;
+  const int32_t v2 = v->lead_battery.lo >= 200000 ? BITS_TRUE : v->lead_battery.hi < 200000
+      ? BITS_FALSE : v->lead_battery.hi - bounds_between_steps(v->lead_battery, 10000) >= 200000
+      ? BITS_UNKNOWN : BITS_FALSE;
   /* count(c : Cart : c.battery >= 20 %) */
   const bounds v5 = bounds_chosen(v2, bounds_of(1000, 1000), bounds_of(0, 0));
   /* c.battery >= 20 % */
-  const int32_t v7 = v->carts_0_battery.lo >= 200000 ? BITS_TRUE
-      : v->carts_0_battery.hi - v->carts_0_battery.hi_open >= 200000 ? BITS_UNKNOWN : BITS_FALSE;
+  const int32_t v7 = v->carts_0_battery.lo >= 200000 ? BITS_TRUE : v->carts_0_battery.hi < 200000
+      ? BITS_FALSE : v->carts_0_battery.hi - bounds_between_steps(v->carts_0_battery,
+      10000) >= 200000 ? BITS_UNKNOWN : BITS_FALSE;
   /* count(c : Cart : c.battery >= 20 %) */
   const bounds v8 = bounds_chosen(v7, bounds_of(1000, 1000), bounds_of(0, 0));
   const bounds v9 = bounds_sum(v5, v8);
   /* c.battery >= 20 % */
   const int32_t v11 = v->carts_1_battery.lo >= 200000 ? BITS_TRUE
-      : v->carts_1_battery.hi - v->carts_1_battery.hi_open >= 200000 ? BITS_UNKNOWN : BITS_FALSE;
+      : v->carts_1_battery.hi < 200000 ? BITS_FALSE
+      : v->carts_1_battery.hi - bounds_between_steps(v->carts_1_battery, 10000) >= 200000
+      ? BITS_UNKNOWN : BITS_FALSE;
   /* count(c : Cart : c.battery >= 20 %) */
   const bounds v12 = bounds_chosen(v11, bounds_of(1000, 1000), bounds_of(0, 0));
   const bounds v13 = bounds_sum(v9, v12);
@@ -1225,9 +1263,21 @@ static inline void plain_robots_verdicts_look_gate(plain_robots_verdicts_view *v
                                                    const plain_robots_monitors_in *in) {
   const int32_t good_gate = sample_good(&in->gate_x, &v->s->last_gate_us, v->now_us);
   const int32_t fresh_gate = good_gate;
-  v->gate_x = bounds_number(&in->gate_x, fresh_gate, -9000, 9000, 0);
-  v->gate_y = bounds_number(&in->gate_y, fresh_gate &&
-      in->gate_y.stamp_us == in->gate_x.stamp_us, -9000, 9000, 0);
+  if (fresh_gate &&
+      in->gate_y.stamp_us == in->gate_x.stamp_us &&
+      in->gate_x.valid != 0 &&
+      in->gate_y.valid != 0 &&
+      number_within(&in->gate_x, -9000, 9000) &&
+      number_within(&in->gate_y, -9000, 9000)) {
+    v->gate_x = bounds_measured(&in->gate_x, 0);
+    v->gate_y = bounds_measured(&in->gate_y, 0);
+    v->has_gate = 1;
+  } else {
+    v->gate_x = bounds_number(&in->gate_x, fresh_gate, -9000, 9000, 0);
+    v->gate_y = bounds_number(&in->gate_y, fresh_gate &&
+        in->gate_y.stamp_us == in->gate_x.stamp_us, -9000, 9000, 0);
+    v->has_gate = 0;
+  }
 }
 
 static inline void plain_robots_verdicts_look_lead_position(plain_robots_verdicts_view *v,
@@ -1236,10 +1286,22 @@ static inline void plain_robots_verdicts_look_lead_position(plain_robots_verdict
       &v->s->last_lead_position_us, v->now_us);
   const int32_t fresh_lead_position = good_lead_position &&
       elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
-  v->lead_position_x = bounds_number(&in->lead_position_x, fresh_lead_position, -100000000,
-      100000000, 20);
-  v->lead_position_y = bounds_number(&in->lead_position_y, fresh_lead_position &&
-      in->lead_position_y.stamp_us == in->lead_position_x.stamp_us, -100000000, 100000000, 20);
+  if (fresh_lead_position &&
+      in->lead_position_y.stamp_us == in->lead_position_x.stamp_us &&
+      in->lead_position_x.valid != 0 &&
+      in->lead_position_y.valid != 0 &&
+      number_within(&in->lead_position_x, -100000000, 100000000) &&
+      number_within(&in->lead_position_y, -100000000, 100000000)) {
+    v->lead_position_x = bounds_measured(&in->lead_position_x, 20);
+    v->lead_position_y = bounds_measured(&in->lead_position_y, 20);
+    v->has_lead_position = 1;
+  } else {
+    v->lead_position_x = bounds_number(&in->lead_position_x, fresh_lead_position, -100000000,
+        100000000, 20);
+    v->lead_position_y = bounds_number(&in->lead_position_y, fresh_lead_position &&
+        in->lead_position_y.stamp_us == in->lead_position_x.stamp_us, -100000000, 100000000, 20);
+    v->has_lead_position = 0;
+  }
 }
 
 static inline void plain_robots_verdicts_look_carts_0_position(plain_robots_verdicts_view *v,
@@ -1356,6 +1418,8 @@ static void plain_robots_verdicts_blind(plain_robots_verdicts_view *v,
   v->carts_0_velocity_y = bounds_nothing();
   v->carts_1_velocity_x = bounds_nothing();
   v->carts_1_velocity_y = bounds_nothing();
+  v->has_gate = 0;
+  v->has_lead_position = 0;
   v->age_of_carts_0_position = bounds_nothing();
 }
 
@@ -1392,7 +1456,6 @@ static int32_t plain_robots_verdicts_resume(plain_robots_monitors_verdicts_state
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t plain_robots_verdicts_begin(plain_robots_verdicts_view *v,
                                                   plain_robots_monitors_verdicts_state *s,
-                                                  const plain_robots_monitors_in *in,
                                                   int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
@@ -1403,7 +1466,6 @@ static inline int32_t plain_robots_verdicts_begin(plain_robots_verdicts_view *v,
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1431,7 +1493,7 @@ void plain_robots_monitors_verdicts(plain_robots_monitors_verdicts_state *s,
                                     int32_t verdicts[PLAIN_ROBOTS_MONITORS]) {
   plain_robots_verdicts_view v;
   int32_t k;
-  if (plain_robots_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (plain_robots_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
       verdicts[k] = PLAIN_ROBOTS_VERDICT_UNKNOWN;
     }

@@ -103,10 +103,18 @@ static inline ends ends_of(int64_t lo, int64_t hi) {
   return e;
 }
 
-static inline ends ends_square(ends a) {
+static inline int64_t least_square(ends a) {
   const int64_t least = a.lo > 0 ? a.lo : (a.hi < 0 ? -a.hi : 0);
+  return least * least;
+}
+
+static inline int64_t most_square(ends a) {
   const int64_t most = max_of(-a.lo, a.hi);
-  return ends_of(least * least, most * most);
+  return most * most;
+}
+
+static inline ends ends_square(ends a) {
+  return ends_of(least_square(a), most_square(a));
 }
 
 /* a^2 + b^2. */
@@ -126,7 +134,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -145,8 +155,9 @@ static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
 }
 
-static inline int32_t bounds_known(bounds a) {
-  return a.lo > -INT64_MAX;
+/* Whether what was measured, and widened by `error`, lies between two steps. */
+static inline int32_t bounds_between_steps(bounds measured, int64_t error) {
+  return measured.lo + error < measured.hi - error;
 }
 
 static inline ends bounds_ends(bounds a) {
@@ -173,16 +184,6 @@ static inline bounds bounds_between(int64_t lower, int64_t upper) {
   return b;
 }
 
-static inline bounds bounds_sum(bounds a, bounds b) {
-  bounds sum = bounds_nothing();
-  if (bounds_known(a) && bounds_known(b)) {
-    sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
-    sum.lo_open = a.lo_open | b.lo_open;
-    sum.hi_open = a.hi_open | b.hi_open;
-  }
-  return sum;
-}
-
 static inline bounds bounds_negative(bounds a) {
   bounds b = bounds_of(-a.hi, -a.lo);
   b.lo_open = a.hi_open;
@@ -190,21 +191,23 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
-static inline bounds bounds_squares(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)))
-             : bounds_nothing();
+static inline bounds known_sum(bounds a, bounds b) {
+  bounds sum = bounds_of(a.lo + b.lo, a.hi + b.hi);
+  sum.lo_open = a.lo_open | b.lo_open;
+  sum.hi_open = a.hi_open | b.hi_open;
+  return sum;
 }
 
-static inline bounds bounds_root(bounds a) {
-  return bounds_known(a) ? bounds_within(ends_root(bounds_ends(a))) : a;
+static inline bounds known_squares(bounds a, bounds b) {
+  return bounds_within(ends_squares(bounds_ends(a), bounds_ends(b)));
 }
 
-static inline bounds bounds_greatest(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_between(max_of(lower_half(a), lower_half(b)),
-                              max_of(upper_half(a), upper_half(b)))
-             : bounds_nothing();
+static inline bounds known_root(bounds a) {
+  return bounds_within(ends_root(bounds_ends(a)));
+}
+
+static inline bounds known_greatest(bounds a, bounds b) {
+  return bounds_between(max_of(lower_half(a), lower_half(b)), max_of(upper_half(a), upper_half(b)));
 }
 
 static inline int32_t bits_same(bounds a, bounds b) {
@@ -403,30 +406,38 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const test_stand_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const test_stand_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const test_stand_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 /* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
@@ -790,20 +801,26 @@ typedef struct test_stand_verdicts_view {
   bounds cells_2;
   bounds errors;
   bounds charge;
+  int32_t has_wheel; /* all of it */
+  int32_t has_target; /* all of it */
+  int32_t has_cells; /* all of it */
   bounds age_of_charge; /* us */
 } test_stand_verdicts_view;
 
 /* distance(wheel, target) >= gap */
 static inline int32_t apart_verdict(const test_stand_verdicts_view *v) {
+  if (v->has_wheel == 0 || v->has_target == 0) {
+    return TEST_STAND_VERDICT_UNKNOWN;
+  }
   /* target */
   const bounds v2 = bounds_negative(v->target_x);
   /* distance(wheel, target) */
-  const bounds v3 = bounds_sum(v->wheel_x, v2);
+  const bounds v3 = known_sum(v->wheel_x, v2);
   /* target */
   const bounds v6 = bounds_negative(v->target_y);
   /* distance(wheel, target) */
-  const bounds v7 = bounds_sum(v->wheel_y, v6);
-  const bounds v8 = bounds_root(bounds_squares(v3, v7));
+  const bounds v7 = known_sum(v->wheel_y, v6);
+  const bounds v8 = known_root(known_squares(v3, v7));
   /* distance(wheel, target) >= gap */
   if (v8.lo >= v->s->tightest_gap) {
     return TEST_STAND_VERDICT_TRUE;
@@ -825,9 +842,12 @@ static inline int32_t shifted_verdict(const test_stand_verdicts_view *v) {
 
 /* max(cells[0], cells[1], cells[2]) <= 330 K */
 static inline int32_t cool_verdict(const test_stand_verdicts_view *v) {
+  if (v->has_cells == 0) {
+    return TEST_STAND_VERDICT_UNKNOWN;
+  }
   /* max(cells[0], cells[1], cells[2]) */
-  const bounds v2 = bounds_greatest(v->cells_0, v->cells_1);
-  const bounds v4 = bounds_greatest(v2, v->cells_2);
+  const bounds v2 = known_greatest(v->cells_0, v->cells_1);
+  const bounds v4 = known_greatest(v2, v->cells_2);
   /* max(cells[0], cells[1], cells[2]) <= 330 K */
   if (v4.hi <= 330000) {
     return TEST_STAND_VERDICT_TRUE;
@@ -841,8 +861,8 @@ static inline int32_t fed_verdict(const test_stand_verdicts_view *v) {
   if (v->charge.lo >= 200000 && v->age_of_charge.hi <= 500000) {
     return TEST_STAND_VERDICT_TRUE;
   }
-  return (v->charge.hi - v->charge.hi_open >= 200000 && v->age_of_charge.lo <= 500000)
-      ? TEST_STAND_VERDICT_UNKNOWN : TEST_STAND_VERDICT_FALSE;
+  return (v->charge.hi - bounds_between_steps(v->charge, 0) >= 200000 &&
+      v->age_of_charge.lo <= 500000) ? TEST_STAND_VERDICT_UNKNOWN : TEST_STAND_VERDICT_FALSE;
 }
 
 /* errors <= 3 */
@@ -851,7 +871,7 @@ static inline int32_t clean_verdict(const test_stand_verdicts_view *v) {
   if (v->errors.hi <= 3) {
     return TEST_STAND_VERDICT_TRUE;
   }
-  return v->errors.lo + v->errors.lo_open <= 3 ? TEST_STAND_VERDICT_UNKNOWN
+  return v->errors.lo + bounds_between_steps(v->errors, 0) <= 3 ? TEST_STAND_VERDICT_UNKNOWN
       : TEST_STAND_VERDICT_FALSE;
 }
 
@@ -861,7 +881,7 @@ static inline int32_t alive_verdict(const test_stand_verdicts_view *v) {
   if (v->charge.lo >= 10000) {
     return TEST_STAND_VERDICT_TRUE;
   }
-  return v->charge.hi - v->charge.hi_open >= 10000 ? TEST_STAND_VERDICT_UNKNOWN
+  return v->charge.hi - bounds_between_steps(v->charge, 0) >= 10000 ? TEST_STAND_VERDICT_UNKNOWN
       : TEST_STAND_VERDICT_FALSE;
 }
 
@@ -881,28 +901,68 @@ static inline void test_stand_verdicts_look_wheel(test_stand_verdicts_view *v,
                                                   const test_stand_monitors_in *in) {
   const int32_t good_wheel = sample_good(&in->wheel_x, &v->s->last_wheel_us, v->now_us);
   const int32_t fresh_wheel = good_wheel;
-  v->wheel_x = bounds_number(&in->wheel_x, fresh_wheel, -536870912, 536870912, 0);
-  v->wheel_y = bounds_number(&in->wheel_y, fresh_wheel &&
-      in->wheel_y.stamp_us == in->wheel_x.stamp_us, -536870912, 536870912, 0);
+  if (fresh_wheel &&
+      in->wheel_y.stamp_us == in->wheel_x.stamp_us &&
+      in->wheel_x.valid != 0 &&
+      in->wheel_y.valid != 0 &&
+      number_within(&in->wheel_x, -536870912, 536870912) &&
+      number_within(&in->wheel_y, -536870912, 536870912)) {
+    v->wheel_x = bounds_measured(&in->wheel_x, 0);
+    v->wheel_y = bounds_measured(&in->wheel_y, 0);
+    v->has_wheel = 1;
+  } else {
+    v->wheel_x = bounds_number(&in->wheel_x, fresh_wheel, -536870912, 536870912, 0);
+    v->wheel_y = bounds_number(&in->wheel_y, fresh_wheel &&
+        in->wheel_y.stamp_us == in->wheel_x.stamp_us, -536870912, 536870912, 0);
+    v->has_wheel = 0;
+  }
 }
 
 static inline void test_stand_verdicts_look_target(test_stand_verdicts_view *v,
                                                    const test_stand_monitors_in *in) {
   const int32_t good_target = sample_good(&in->target_x, &v->s->last_target_us, v->now_us);
   const int32_t fresh_target = good_target;
-  v->target_x = bounds_number(&in->target_x, fresh_target, -536870912, 536870912, 0);
-  v->target_y = bounds_number(&in->target_y, fresh_target &&
-      in->target_y.stamp_us == in->target_x.stamp_us, -536870912, 536870912, 0);
+  if (fresh_target &&
+      in->target_y.stamp_us == in->target_x.stamp_us &&
+      in->target_x.valid != 0 &&
+      in->target_y.valid != 0 &&
+      number_within(&in->target_x, -536870912, 536870912) &&
+      number_within(&in->target_y, -536870912, 536870912)) {
+    v->target_x = bounds_measured(&in->target_x, 0);
+    v->target_y = bounds_measured(&in->target_y, 0);
+    v->has_target = 1;
+  } else {
+    v->target_x = bounds_number(&in->target_x, fresh_target, -536870912, 536870912, 0);
+    v->target_y = bounds_number(&in->target_y, fresh_target &&
+        in->target_y.stamp_us == in->target_x.stamp_us, -536870912, 536870912, 0);
+    v->has_target = 0;
+  }
 }
 
 static inline void test_stand_verdicts_look_cells(test_stand_verdicts_view *v,
                                                   const test_stand_monitors_in *in) {
   const int32_t fresh_cells = sample_arrived(&in->cells_0, v->since_us, v->now_us);
-  v->cells_0 = bounds_number(&in->cells_0, fresh_cells, 250000, 350000, 0);
-  v->cells_1 = bounds_number(&in->cells_1, fresh_cells &&
-      in->cells_1.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
-  v->cells_2 = bounds_number(&in->cells_2, fresh_cells &&
-      in->cells_2.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
+  if (fresh_cells &&
+      in->cells_1.stamp_us == in->cells_0.stamp_us &&
+      in->cells_2.stamp_us == in->cells_0.stamp_us &&
+      in->cells_0.valid != 0 &&
+      in->cells_1.valid != 0 &&
+      in->cells_2.valid != 0 &&
+      number_within(&in->cells_0, 250000, 350000) &&
+      number_within(&in->cells_1, 250000, 350000) &&
+      number_within(&in->cells_2, 250000, 350000)) {
+    v->cells_0 = bounds_measured(&in->cells_0, 0);
+    v->cells_1 = bounds_measured(&in->cells_1, 0);
+    v->cells_2 = bounds_measured(&in->cells_2, 0);
+    v->has_cells = 1;
+  } else {
+    v->cells_0 = bounds_number(&in->cells_0, fresh_cells, 250000, 350000, 0);
+    v->cells_1 = bounds_number(&in->cells_1, fresh_cells &&
+        in->cells_1.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
+    v->cells_2 = bounds_number(&in->cells_2, fresh_cells &&
+        in->cells_2.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
+    v->has_cells = 0;
+  }
 }
 
 static inline void test_stand_verdicts_look_errors(test_stand_verdicts_view *v,

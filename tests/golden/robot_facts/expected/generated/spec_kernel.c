@@ -143,7 +143,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -1303,30 +1305,38 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const facts_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const facts_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const facts_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 static inline int32_t bits_truth(const facts_signal *s, int32_t fresh) {
@@ -1535,6 +1545,15 @@ static inline void fly_facts_look_heat(fly_facts_view *v, const facts_fly_facts_
   v->heat = number_of(&in->heat, fresh_heat, 250000, 400000, 1000, 10);
 }
 
+/* What is judged now, whatever the look-ahead: by the functions below. */
+enum {
+  FACT_FLY_ALLOWED_FACT_1,
+  FACT_FLY_ALLOWED_FACT_2,
+  FACT_FLY_ALLOWED_FACT_3,
+  FACT_FLY_SEEN_FACT_1,
+  FACT_FLY_COUNT
+};
+
 /* What a tick knows, seen with one horizon and the motion of one driver. */
 typedef struct fly_view {
   const facts_fly_in *in;
@@ -1552,10 +1571,10 @@ typedef struct fly_view {
   place at_zone_of_line_25; /* of the robot itself */
   span age_of_position; /* us */
   fly_facts_view facts;
-  margin fact[4]; /* what is judged now, by the functions below */
+  margin fact[FACT_FLY_COUNT];
 } fly_view;
 
-/* fact[0], allowed_fact_1: once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear
+/* FACT_FLY_ALLOWED_FACT_1: once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear
  * == parked) */
 static margin fly_fact_0(const fly_view *v) {
   /* once[0 s, 400 ms] permit */
@@ -1573,7 +1592,7 @@ static margin fly_fact_0(const fly_view *v) {
   return both(v1, v7);
 }
 
-/* fact[1], allowed_fact_2: historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) */
+/* FACT_FLY_ALLOWED_FACT_2: historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) */
 static margin fly_fact_1(const fly_view *v) {
   /* d inside shrink(room, 50 cm) */
   const span v0 = clearance_now(&v->at_zone_of_line_25, &v->self, &BODY, v->m);
@@ -1582,7 +1601,7 @@ static margin fly_fact_1(const fly_view *v) {
       0, 0, 10, &v->facts.s->ticks);
 }
 
-/* fact[2], allowed_fact_3: gear == moving since clearance(d, room) < 20 cm */
+/* FACT_FLY_ALLOWED_FACT_3: gear == moving since clearance(d, room) < 20 cm */
 static margin fly_fact_2(const fly_view *v) {
   /* gear == moving */
   const margin v0 = is_value(v->facts.gear, 1);
@@ -1593,7 +1612,7 @@ static margin fly_fact_2(const fly_view *v) {
   return since_margin_ever(v0, v3, &v->facts.s->since_3);
 }
 
-/* fact[3], seen_fact_1: once[0 s, 100 ms] age(d.position) <= 50 ms */
+/* FACT_FLY_SEEN_FACT_1: once[0 s, 100 ms] age(d.position) <= 50 ms */
 static margin fly_fact_3(const fly_view *v) {
   /* age(d.position) */
   const span v0 = v->age_of_position;
@@ -1622,10 +1641,10 @@ static void fly_facts_catch_up(const fly_view *v, int64_t missed) {
   blind.charge = span_unknown(FACTS_INPUT_CLOCK);
   fly_facts_blind(&blind.facts, s);
   for (k = 0; k < missed; ++k) {
-    blind.fact[0] = fact_margin(fly_fact_0(&blind));
-    blind.fact[1] = fact_margin(fly_fact_1(&blind));
-    blind.fact[2] = fact_margin(fly_fact_2(&blind));
-    blind.fact[3] = fact_margin(fly_fact_3(&blind));
+    blind.fact[FACT_FLY_ALLOWED_FACT_1] = fact_margin(fly_fact_0(&blind));
+    blind.fact[FACT_FLY_ALLOWED_FACT_2] = fact_margin(fly_fact_1(&blind));
+    blind.fact[FACT_FLY_ALLOWED_FACT_3] = fact_margin(fly_fact_2(&blind));
+    blind.fact[FACT_FLY_SEEN_FACT_1] = fact_margin(fly_fact_3(&blind));
     s->ticks.now += 1;
   }
 }
@@ -1648,21 +1667,21 @@ static void fly_facts_judge(fly_view *v, facts_fly_state *s, int32_t first, int6
     fly_facts_look_gear(&v->facts, &v->in->facts);
     fly_facts_look_heat(&v->facts, &v->in->facts);
     found = fly_fact_0(v);
-    s->facts.found[0] = kept_of(found);
-    v->fact[0] = fact_margin(found);
+    s->facts.found[FACT_FLY_ALLOWED_FACT_1] = kept_of(found);
+    v->fact[FACT_FLY_ALLOWED_FACT_1] = fact_margin(found);
     found = fly_fact_1(v);
-    s->facts.found[1] = kept_of(found);
-    v->fact[1] = fact_margin(found);
+    s->facts.found[FACT_FLY_ALLOWED_FACT_2] = kept_of(found);
+    v->fact[FACT_FLY_ALLOWED_FACT_2] = fact_margin(found);
     found = fly_fact_2(v);
-    s->facts.found[2] = kept_of(found);
-    v->fact[2] = fact_margin(found);
+    s->facts.found[FACT_FLY_ALLOWED_FACT_3] = kept_of(found);
+    v->fact[FACT_FLY_ALLOWED_FACT_3] = fact_margin(found);
     found = fly_fact_3(v);
-    s->facts.found[3] = kept_of(found);
-    v->fact[3] = fact_margin(found);
+    s->facts.found[FACT_FLY_SEEN_FACT_1] = kept_of(found);
+    v->fact[FACT_FLY_SEEN_FACT_1] = fact_margin(found);
     s->facts.ticks.now += 1;
     return;
   }
-  for (k = 0; k < 4; ++k) {
+  for (k = 0; k < FACT_FLY_COUNT; ++k) {
     v->fact[k] = elapsed < 0 ? margin_unknown(FACTS_INPUT_CLOCK)
                                : fact_margin(margin_kept(s->facts.found[k]));
   }
@@ -1687,14 +1706,14 @@ static margin fly_walls_ahead(const fly_view *v) {
  * permit and (mean[0 s, 100 ms](heat) < 350 K or gear == parked) */
 static margin fly_allowed_now(const fly_view *v) {
   /* once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear == parked) */
-  const margin v0 = v->fact[0];
+  const margin v0 = v->fact[FACT_FLY_ALLOWED_FACT_1];
   return v0;
 }
 
 /* Everything within reach; recovery: back_off */
 static margin fly_allowed_ahead(const fly_view *v) {
   /* once[0 s, 400 ms] permit and (mean[0 s, 100 ms](heat) < 350 K or gear == parked) */
-  const margin v0 = v->fact[0];
+  const margin v0 = v->fact[FACT_FLY_ALLOWED_FACT_1];
   return v0;
 }
 
@@ -1702,9 +1721,9 @@ static margin fly_allowed_ahead(const fly_view *v) {
  * since clearance(d, room) < 20 cm) */
 static margin fly_allowed_return(const fly_view *v) {
   /* historically[0 s, 500 ms] (d inside shrink(room, 50 cm)) */
-  const margin v0 = v->fact[1];
+  const margin v0 = v->fact[FACT_FLY_ALLOWED_FACT_2];
   /* gear == moving since clearance(d, room) < 20 cm */
-  const margin v1 = v->fact[2];
+  const margin v1 = v->fact[FACT_FLY_ALLOWED_FACT_3];
   const margin v2 = margin_not(v1);
   const margin v3 = margin_and(v0, v2);
   return v3;
@@ -1714,14 +1733,14 @@ static margin fly_allowed_return(const fly_view *v) {
  * 50 ms */
 static margin fly_seen_now(const fly_view *v) {
   /* once[0 s, 100 ms] age(d.position) <= 50 ms */
-  const margin v0 = v->fact[3];
+  const margin v0 = v->fact[FACT_FLY_SEEN_FACT_1];
   return v0;
 }
 
 /* Everything within reach; recovery: back_off */
 static margin fly_seen_ahead(const fly_view *v) {
   /* once[0 s, 100 ms] age(d.position) <= 50 ms */
-  const margin v0 = v->fact[3];
+  const margin v0 = v->fact[FACT_FLY_SEEN_FACT_1];
   return v0;
 }
 
@@ -1979,8 +1998,7 @@ static int32_t facts_resume(facts_monitors_state *s, int64_t now_us, int64_t *si
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t facts_begin(facts_view *v, facts_monitors_state *s,
-                                  const facts_monitors_in *in, int64_t now_us) {
+static inline int32_t facts_begin(facts_view *v, facts_monitors_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 50000);
   if (begun == 0) {
@@ -1993,7 +2011,6 @@ static inline int32_t facts_begin(facts_view *v, facts_monitors_state *s,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -2012,7 +2029,7 @@ void facts_monitors_step(facts_monitors_state *s, const facts_monitors_in *in, i
                          facts_monitors_out *out) {
   facts_view v;
   int32_t k;
-  if (facts_begin(&v, s, in, now_us) == 0) {
+  if (facts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < FACTS_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(FACTS_INPUT_CLOCK));
     }
@@ -2111,8 +2128,7 @@ static int32_t facts_verdicts_resume(facts_monitors_verdicts_state *s, int64_t n
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t facts_verdicts_begin(facts_verdicts_view *v,
-                                           facts_monitors_verdicts_state *s,
-                                           const facts_monitors_in *in, int64_t now_us) {
+                                           facts_monitors_verdicts_state *s, int64_t now_us) {
   int64_t since_us = s->judged_us;
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 50000);
   if (begun == 0) {
@@ -2125,7 +2141,6 @@ static inline int32_t facts_verdicts_begin(facts_verdicts_view *v,
   v->now_us = now_us;
   v->since_us = since_us;
   s->judged_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -2144,7 +2159,7 @@ void facts_monitors_verdicts(facts_monitors_verdicts_state *s, const facts_monit
                              int64_t now_us, int32_t verdicts[FACTS_MONITORS]) {
   facts_verdicts_view v;
   int32_t k;
-  if (facts_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (facts_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < FACTS_MONITORS; ++k) {
       verdicts[k] = FACTS_VERDICT_UNKNOWN;
     }
