@@ -102,7 +102,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -148,11 +150,12 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
+static inline bounds known_greatest(bounds a, bounds b) {
+  return bounds_between(max_of(lower_half(a), lower_half(b)), max_of(upper_half(a), upper_half(b)));
+}
+
 static inline bounds bounds_greatest(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_between(max_of(lower_half(a), lower_half(b)),
-                              max_of(upper_half(a), upper_half(b)))
-             : bounds_nothing();
+  return bounds_known(a) && bounds_known(b) ? known_greatest(a, b) : bounds_nothing();
 }
 
 /* Margins of several units: each tells that of the atom that decides its lower end, and its upper
@@ -464,30 +467,38 @@ static int64_t tick_until(const park_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const park_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const park_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const park_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 /* The same for margins: unknown for the lack of `input`. */
@@ -869,8 +880,7 @@ static int32_t park_resume(park_monitors_state *s, int64_t now_us) {
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t park_begin(park_view *v, park_monitors_state *s,
-                                 const park_monitors_in *in, int64_t now_us) {
+static inline int32_t park_begin(park_view *v, park_monitors_state *s, int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
     begun = park_resume(s, now_us);
@@ -880,7 +890,6 @@ static inline int32_t park_begin(park_view *v, park_monitors_state *s,
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -897,7 +906,7 @@ void park_monitors_step(park_monitors_state *s, const park_monitors_in *in, int6
                         park_monitors_out *out) {
   park_view v;
   int32_t k;
-  if (park_begin(&v, s, in, now_us) == 0) {
+  if (park_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PARK_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(PARK_INPUT_CLOCK));
     }
@@ -984,7 +993,7 @@ static int32_t park_verdicts_resume(park_monitors_verdicts_state *s, int64_t now
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t park_verdicts_begin(park_verdicts_view *v, park_monitors_verdicts_state *s,
-                                          const park_monitors_in *in, int64_t now_us) {
+                                          int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
     begun = park_verdicts_resume(s, now_us);
@@ -994,7 +1003,6 @@ static inline int32_t park_verdicts_begin(park_verdicts_view *v, park_monitors_v
   }
   v->s = s;
   v->now_us = now_us;
-  (void)in;
   return 1;
 }
 
@@ -1011,7 +1019,7 @@ void park_monitors_verdicts(park_monitors_verdicts_state *s, const park_monitors
                             int64_t now_us, int32_t verdicts[PARK_MONITORS]) {
   park_verdicts_view v;
   int32_t k;
-  if (park_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (park_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < PARK_MONITORS; ++k) {
       verdicts[k] = PARK_VERDICT_UNKNOWN;
     }
