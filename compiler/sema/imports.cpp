@@ -119,6 +119,9 @@ class Importer {
     }
     if (const auto* failure = std::get_if<Failure>(&at->second)) return unusable(*failure);
     areas_ = &std::get<Areas>(at->second);
+    for (const auto& note : areas_->notes) {
+      job_.remarks.push_back(note.where + ": " + note.message);
+    }
     return true;
   }
   bool unusable(const Failure& failure) {

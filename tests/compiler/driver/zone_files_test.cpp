@@ -104,6 +104,15 @@ TEST_F(ZoneFiles, AreExplained) {
   EXPECT_NE(place.out.find("(0 m, 0 m) of the map"), std::string::npos) << place.out;
 }
 
+// Heights of vertices limit nothing in GeoJSON; who thinks they do is told that they are left out.
+TEST_F(ZoneFiles, WhatTheirReadersLeaveOutIsExplained) {
+  write_polygon("a.geojson", "[[8.545,47.397,9],[8.547,47.397],[8.547,47.399],[8.545,47.397,9]]");
+  write("s.rta", spec("import \"a.geojson\""));
+  const Outcome o = rtac({"explain", "s.rta:4"});
+  EXPECT_NE(o.out.find("  coordinates[0][0]: positions have heights"), std::string::npos)
+      << o.out << o.err;
+}
+
 // A point nearer to the boundary than the error is in the zone and out of it, as far as anybody
 // knows; both engines say so, and agree on everything else.
 TEST_F(ZoneFiles, TheirErrorMakesPointsUnknown) {
