@@ -72,6 +72,14 @@ TEST(Ed269, StackedVolumesArePartsWithTheirOwnHeightsInMetres) {
   EXPECT_FALSE(area.parts[1].band.floor || area.parts[1].band.ceiling);
 }
 
+// 200 m above the sea may well be below 120 m above the ground.
+TEST(Ed269, HeightsOfDifferentReferencesAreNotCompared) {
+  const Area area =
+      area_of(zone(volume(R"("uomDimensions":"M","lowerLimit":200,"lowerVerticalReference":"AMSL",)"
+                          R"("upperLimit":120,"upperVerticalReference":"AGL")")));
+  EXPECT_TRUE(area.parts.at(0).band.floor && area.parts[0].band.ceiling);
+}
+
 TEST(Ed269, CirclesAreInMetres) {
   EXPECT_EQ(circle_of(area_of(zone(volume(heights, circle)))).radius_m, 500);
   EXPECT_EQ(circle_of(area_of(zone(volume(heights, circle)))).centre, (Position{6.1, 49.5}));
