@@ -35,7 +35,10 @@ bool has(std::string_view text, std::string_view part) {
 // ED-318 is GeoJSON with more members, of which plain GeoJSON would lose the heights and times.
 std::optional<Format> format_of_json(std::string_view text) {
   if (has(text, "\"horizontalProjection\"")) return Format::ed269;
-  if (has(text, "\"zoneAuthority\"")) return Format::ed318;
+  for (const char* member : {"\"zoneAuthority\"", "\"limitedApplicability\"", "\"lowerReference\"",
+                             "\"upperReference\"", "\"subType\""}) {
+    if (has(text, member)) return Format::ed318;
+  }
   if (has(text, "\"fileType\"")) return Format::qgc_plan;
   if (has(text, "\"type\"")) return Format::geojson;
   return std::nullopt;

@@ -30,8 +30,9 @@ bool GeoJsonReader::check_crs(Json object) {
 bool GeoJsonReader::read_layer(Json geometry, Band& /*band*/) {
   for (const std::string_view name : {"layer", "extent"}) {
     if (const auto member = geometry.member(name)) {
-      return findings_.fail(member->where(), "plain GeoJSON has no " + quote(name),
-                            "read the file as ED-318");
+      return findings_.fail(
+          member->where(), "plain GeoJSON has no " + quote(name),
+          "take it out; a file of ED-318 has `zoneAuthority` among the properties of its features");
     }
   }
   return true;

@@ -28,6 +28,10 @@ TEST(FormatOf, ContentDecidesWhereTheExtensionDoesNot) {
 TEST(FormatOf, Ed318IsRecognisedUnderTheExtensionOfGeoJson) {
   EXPECT_EQ(format_of("b.geojson", R"({"type":"FeatureCollection","zoneAuthority":[]})"),
             Format::ed318);
+  for (const char* member :
+       {"limitedApplicability", "lowerReference", "upperReference", "subType"}) {
+    EXPECT_EQ(format_of("b.json", "{\"type\":1,\"" + std::string(member) + "\":0}"), Format::ed318);
+  }
 }
 
 TEST(FormatOf, NothingIsGuessed) {
