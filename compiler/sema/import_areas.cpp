@@ -1,9 +1,11 @@
 #include "compiler/sema/import_areas.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/in_file.h"
+#include "compiler/sema/origin.h"
 
 namespace rtac::sema {
 
@@ -33,6 +35,7 @@ class AreaPlacer {
     }
     if (!add(job_.exclusions, result_.exclusions)) return std::nullopt;
     note_turned();
+    suspect_degrees();
     result_.error = placer_.error();
     result_.points = placer_.points();
     result_.farthest = Rational(static_cast<long>(std::ceil(placer_.farthest_m())));
@@ -120,6 +123,34 @@ class AreaPlacer {
                         .help("nothing is wrong with the zone"));
   }
 
+  // ---- metres that would make sense as degrees
+
+  void suspect_degrees() {
+    if (job_.reading.degrees || !context_.spec.origin) return;
+    const geometry::Origin origin = in_degrees(*context_.spec.origin);
+    if (!fits_in_degrees(origin, false) && !fits_in_degrees(origin, true)) return;
+    context_.report(
+        Finding(
+            Code::unit_suspicious, job_.written.path.range,
+            "`" + job_.path + "` is read in metres, and in degrees it would lie near the origin")
+            .label("degrees?")
+            .help("write `in deg axes longitude latitude`, or `latitude longitude`, if it is in "
+                  "degrees"));
+  }
+  [[nodiscard]] bool fits_in_degrees(const geometry::Origin& origin, bool latitude_first) const {
+    geometry::Placer placer({true, latitude_first, false}, origin);
+    const auto fits = [&](const Area* area) {
+      return std::all_of(area->parts.begin(), area->parts.end(), [&](const auto& part) {
+        const auto* polygon = std::get_if<Polygon>(&part.shape);
+        return polygon != nullptr &&
+               std::holds_alternative<geometry::PlacedRing>(placer.place(polygon->outer));
+      });
+    };
+    return std::all_of(job_.inclusions.begin(), job_.inclusions.end(), [&](const auto& group) {
+      return std::all_of(group.begin(), group.end(), fits);
+    });
+  }
+
   // ---- positions without a place
 
   bool report(const NoPlace& fault, const std::string& where) {
@@ -169,8 +200,9 @@ class AreaPlacer {
   [[nodiscard]] std::string swapped_help() const {
     const std::string axes =
         job_.reading.latitude_first ? "`axes longitude latitude`" : "`axes latitude longitude`";
-    return "the other way round it would be near the origin: write " + axes +
-           " behind the file, or mend it";
+    return "the other way round it would be near the origin, where the latitude comes first; if it "
+           "is the file that has them so, write " +
+           axes + " behind it";
   }
 
   Context& context_;

@@ -278,15 +278,23 @@ class Importer {
     return settle_groups(inclusions);
   }
 
-  // `import "x" exclusions`: the areas to keep out of are the zone.
+  // `import "x" exclusions`: the areas to keep out of are the zone, with those that depend on a
+  // permission, which nobody has at compile time.
   bool settle_exclusions(const ImportOption& only, const std::vector<const Area*>& open) {
-    if (job_.exclusions.empty()) {
+    std::vector<const Area*> restricted = std::move(job_.exclusions);
+    job_.exclusions.clear();
+    for (const Area* area : open) {
+      if (area->restriction.empty()) continue;
+      restricted.push_back(area);
+      const std::string name = area->name.empty() ? area->where : area->name;
+      job_.remarks.push_back(name + ", " + area->restriction + ", counts as an exclusion");
+    }
+    if (restricted.empty()) {
       return without_effect(
           only, "`" + job_.path + "` has no exclusions",
           open.empty() ? "leave it out" : "leave it out: the zone is all of its areas");
     }
-    for (const Area* area : job_.exclusions) job_.inclusions.push_back({area});
-    job_.exclusions.clear();
+    for (const Area* area : restricted) job_.inclusions.push_back({area});
     return true;
   }
 

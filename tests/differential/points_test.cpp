@@ -50,6 +50,16 @@ const std::vector<Case>& cases() {
        false,
        4,
        {{3, 1}, {1, 3}, {0.5, 0.5}}},
+      {"of_a_file",
+       "import \"" RTAC_SOURCE_DIR "/compiler/docs/examples/field.geojson\" feature \"field\"",
+       false,
+       120,
+       {{-98.138, -100.06}, {98.138, -100.06}, {98.135, 100.062}, {-98.135, 100.062}}},
+      {"of_a_plan",
+       "import \"" RTAC_SOURCE_DIR "/compiler/docs/examples/mission.plan\" inclusions all",
+       false,
+       150,
+       {{-98.138, -77.824}, {30.196, -77.825}, {30.196, 100.062}, {-98.135, 100.062}, {27.5, 11}}},
   };
   return all;
 }
@@ -100,14 +110,15 @@ class PointsAndZones : public ::testing::TestWithParam<std::size_t> {
 // elsewhere.
 TEST_P(PointsAndZones, AreJudgedConservativelyAndTightly) {
   const Case& c = cases()[GetParam()];
-  const std::string text = std::string("spec s;\nperiod 1 s;\nzone z = ") + c.zone +
-                           ";\ninput p : point;\ninput q : point error 2 cm;\n"
-                           "monitor a { \"R1: in\" always p inside z; }\n"
-                           "monitor b { \"R2: out\" always not p inside z; }\n"
-                           "monitor c { \"R3: clear\" always clearance(p, z) >= 10 cm; }\n"
-                           "monitor d { \"R4: near\" always distance(q, z) <= 50 cm; }\n"
-                           "monitor e { \"R5: in\" always q inside z; }\n" +
-                           robot(c);
+  const std::string text =
+      std::string("spec s;\nperiod 1 s;\norigin 47.3977 deg, 8.5456 deg;\nzone z = ") + c.zone +
+      ";\ninput p : point;\ninput q : point error 2 cm;\n"
+      "monitor a { \"R1: in\" always p inside z; }\n"
+      "monitor b { \"R2: out\" always not p inside z; }\n"
+      "monitor c { \"R3: clear\" always clearance(p, z) >= 10 cm; }\n"
+      "monitor d { \"R4: near\" always distance(q, z) <= 50 cm; }\n"
+      "monitor e { \"R5: in\" always q inside z; }\n" +
+      robot(c);
   const auto checked = check(text, Until::kernel);
   ASSERT_EQ(checked->problem, "");
   const auto reference = driver::make_interpreter(*checked->compilation.spec);
@@ -172,7 +183,7 @@ TEST(PlacesInBoxes, HaveMarginsThatContainTheExactOnes) {
   EXPECT_EQ(result.different, 0u) << result.first;
 }
 
-INSTANTIATE_TEST_SUITE_P(Zones, PointsAndZones, ::testing::Range<std::size_t>(0, 6),
+INSTANTIATE_TEST_SUITE_P(Zones, PointsAndZones, ::testing::Range<std::size_t>(0, cases().size()),
                          [](const auto& zone) { return std::string(cases()[zone.param].name); });
 
 }  // namespace

@@ -165,6 +165,68 @@ TEST_F(ZoneFiles, ExclusionsAloneAreAZoneWhenThatIsSaid) {
   expect(zone + ";", Code::import_ambiguous, "\"m.plan\"", "where not to be", "exclusions");
 }
 
+// Zones of unmanned aviation have bands, schedules and restrictions: each is asked about.
+TEST_F(ZoneFiles, OfAviationAskAboutHeightsTimesAndPermissions) {
+  const auto zone = [](const std::string& name, const std::string& restriction,
+                       const std::string& applies, const std::string& circle) {
+    return R"({"identifier":")" + name + R"(","country":"CHE","name":")" + name +
+           R"(","type":"COMMON","restriction":")" + restriction +
+           R"(","reason":["SENSITIVE"],"applicability":[)" + applies +
+           R"(],"zoneAuthority":[],"geometry":[{"uomDimensions":"M","lowerLimit":0,)"
+           R"("lowerVerticalReference":"AGL","upperLimit":120,"upperVerticalReference":"AGL",)"
+           R"("horizontalProjection":{"type":"Circle","center":)" +
+           circle + R"(,"radius":300}}]})";
+  };
+  const std::string always = R"({"permanent":"YES"})";
+  const std::string daily =
+      R"({"permanent":"NO","schedule":[{"day":["MON"],"startTime":"08:00:00Z",)"
+      R"("endTime":"12:00:00Z"}]})";
+  write("uas.json", R"({"title":"t","features":[)" +
+                        zone("JAIL", "PROHIBITED", always, "[8.546,47.398]") + "," +
+                        zone("SCHOOL", "REQ_AUTHORISATION", daily, "[8.55,47.398]") + "]}");
+  const std::string zones = std::string(origin) + "zone z = import \"uas.json\" ";
+  expect(zones + ";", Code::import_ambiguous, "\"uas.json\"", "where not to be", "exclusions");
+  expect(zones + "exclusions;", Code::import_ambiguous, "\"uas.json\"", "between certain heights",
+         "flat \"why\"");
+  expect(zones + "exclusions flat \"all heights\";", Code::import_ambiguous, "\"uas.json\"",
+         "at certain times", "timeless \"why\"");
+  const ZoneImport all =
+      imported(zones + "exclusions flat \"all heights\" timeless \"at any time\";");
+  EXPECT_EQ(all.inclusions.size(), 2U);
+  ASSERT_GE(all.remarks.size(), 3U);
+  const auto end = all.remarks.end();
+  EXPECT_EQ(*(end - 3), "SCHOOL, REQ_AUTHORISATION, counts as an exclusion");
+  EXPECT_EQ(*(end - 2), "flat: all heights");
+  EXPECT_EQ(*(end - 1), "timeless: at any time");
+  EXPECT_EQ(imported(zones + "feature \"JAIL\" exclusions flat \"all\";").inclusions.size(), 1U);
+}
+
+// A way from vertex to vertex that a format does not describe is covered by the error, one that is
+// straight in degrees is divided.
+TEST_F(ZoneFiles, EdgesThatMayRunEitherWayWidenTheError) {
+  const std::string positions = "[47.39,8.52],[47.39,8.57],[47.41,8.57],[47.41,8.52]";
+  write("m.plan", R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"circles":[],)"
+                  R"("polygons":[{"inclusion":true,"version":1,"polygon":[)" +
+                      positions + R"(]}]},"mission":{"items":[],"version":2}})");
+  write("g.geojson", R"({"type":"Polygon","coordinates":[[[8.52,47.39],[8.57,47.39],[8.57,47.41],)"
+                     R"([8.52,47.41],[8.52,47.39]]]})");
+  const ZoneImport plan = imported(std::string(origin) + "zone z = import \"m.plan\";");
+  const ZoneImport straight = imported(std::string(origin) + "zone z = import \"g.geojson\";");
+  EXPECT_EQ(plan.points, 4U);
+  EXPECT_GT(plan.error, Rational(3, 10));
+  EXPECT_GT(straight.points, 40U);
+  EXPECT_LT(straight.error, Rational(3, 1000));
+}
+
+TEST_F(ZoneFiles, MetresThatLookLikeDegreesAreSuspicious) {
+  const auto checked = check(std::string(origin) + "zone z = import \"degrees.wkt\" in m;");
+  ASSERT_EQ(checked->engine.all().size(), 1U) << checked->reports();
+  EXPECT_EQ(checked->engine.all().front().code, Code::unit_suspicious);
+  EXPECT_TRUE(checked->spec);
+  const auto hall = check(std::string(origin) + "zone z = import \"hall.wkt\" in m;");
+  EXPECT_TRUE(hall->engine.all().empty());
+}
+
 TEST_F(ZoneFiles, WhatHasNoEffectIsRefused) {
   const std::string city = std::string(origin) + "zone z = import \"city.geojson\" ";
   expect(city + "in m;", Code::clause_without_effect, "in m", "is in degrees", "leave it out");
