@@ -50,6 +50,8 @@ TEST(Placer, SwapsAxesThatAreTheOtherWayRound) {
   Placer one({}, field), other({true, true, true}, field);
   const PlacedRing a = placed(one, ring_of({{8.55, 47.40}}));
   const PlacedRing b = placed(other, ring_of({{47.40, 8.55}}));
+  ASSERT_EQ(a.points.size(), 1U);
+  ASSERT_EQ(b.points.size(), 1U);
   EXPECT_EQ(a.points[0].x, b.points[0].x);
   EXPECT_EQ(a.points[0].y, b.points[0].y);
 }
