@@ -5,6 +5,7 @@
 #include <string>
 
 #include "compiler/analysis/ring_problems.h"
+#include "compiler/analysis/sites.h"
 
 namespace rtac::analysis {
 namespace {
@@ -80,6 +81,10 @@ class Evaluator {
   }
   Result eval(const sema::ZoneRef& ref, const SourceRange&, Side side) {
     return zone(ref.zone, side);
+  }
+  Result eval(const sema::ZoneComplement& complement, const SourceRange&, Side side) {
+    const Result of = zone(complement.zone, other(side));
+    return of ? Result(geometry::Region::everywhere().subtract(*of)) : std::nullopt;
   }
   Result eval(const sema::ZoneCircle& circle, const SourceRange&, Side side) {
     return geometry::Region::circle({circle.centre.x, circle.centre.y}, circle.radius,
@@ -286,6 +291,14 @@ class Baker {
 
 }  // namespace
 
+std::vector<std::optional<geometry::Region>> exact_zones(const sema::Spec& spec) {
+  diag::Engine reported_before;
+  Evaluator evaluator(spec, reported_before);
+  std::vector<std::optional<geometry::Region>> zones;
+  for (std::uint32_t i = 0; i < spec.zones.size(); ++i) zones.push_back(evaluator.zone(ZoneId(i)));
+  return zones;
+}
+
 std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
                                                          const std::vector<ZoneUse>& wanted,
                                                          diag::Engine& diagnostics) {
@@ -300,6 +313,7 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
     if (use.points) around = evaluator.around(ZoneId(i));
     result[i] = baker.bake(spec.zones[i], use, std::move(*region), around);
   }
+  check_idle_sites(spec, [&](ZoneId id) { return evaluator.zone(id); }, diagnostics);
   return result;
 }
 

@@ -34,6 +34,10 @@ struct EvaluatedZone {
 // a wider one is only more careful.
 std::int32_t cell_mm_for(std::int64_t width_mm, std::int64_t height_mm);
 
+// By ZoneId, as keep-ins: never larger than the exact zones; nullopt for a faulty one. For
+// pictures, of a specification without errors.
+std::vector<std::optional<geometry::Region>> exact_zones(const sema::Spec& spec);
+
 // By ZoneId; nullopt for a zone that is faulty (reported) or not wanted.
 std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
                                                          const std::vector<ZoneUse>& wanted,

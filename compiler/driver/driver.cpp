@@ -23,6 +23,8 @@
 #include "compiler/driver/options.h"
 #include "compiler/driver/replay.h"
 #include "compiler/driver/summary.h"
+#include "compiler/driver/zone_layers.h"
+#include "compiler/driver/zone_svg.h"
 
 namespace rtac::driver {
 namespace {
@@ -139,6 +141,32 @@ int build(const Options& options, Compilation& c) {
   return exit_usage;
 }
 
+int refuse_picture(Compilation& c, diag::Code code, std::string problem, std::string help) {
+  c.diagnostics.report({code, std::nullopt, std::move(problem), "", {}, std::move(help), {}});
+  return exit_usage;
+}
+
+int draw_zones(const Options& options, Compilation& c, std::ostream& out) {
+  const auto is_output = [&](const std::string& path) { return same_file(path, options.output); };
+  const bool to_file = options.output != "-";
+  if (to_file && std::any_of(c.dependencies.begin(), c.dependencies.end(), is_output)) {
+    return refuse_picture(c, diag::Code::usage,
+                          "`-o " + options.output + "` would overwrite the specification",
+                          "give it a name that no specification has, such as `zones.svg`");
+  }
+  const std::string name =
+      options.spec == "-" ? "the specification " + c.spec->name : base_name(options.spec);
+  std::string picture = zone_svg("Zones of " + name, zone_sheets(c));
+  if (!to_file) {
+    out << picture;
+    return exit_clean;
+  }
+  std::string problem = write_all({{options.output, std::move(picture)}});
+  if (problem.empty()) return exit_clean;
+  return refuse_picture(c, diag::Code::cannot_write, std::move(problem),
+                        "give a file that can be written after `-o`");
+}
+
 bool has_warnings(const Compilation& c) {
   const auto& all = c.diagnostics.all();
   return std::any_of(all.begin(), all.end(), [](const diag::Diagnostic& d) {
@@ -193,6 +221,7 @@ bool is_ready(const Options& options, const Compilation& c) {
 int run_compiled(const Options& options, Compilation& c, std::ostream& out) {
   if (options.command == Command::replay) return replay(options, c, out);
   if (options.command == Command::build) return build(options, c);
+  if (options.command == Command::zones) return draw_zones(options, c, out);
   if (options.command == Command::explain) return explain_line(options, c, out);
   const bool dumped =
       options.dump_ast || options.dump_spec || options.dump_ir || !options.print_after.empty();
@@ -258,6 +287,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     case Command::check:
     case Command::build:
     case Command::replay:
+    case Command::zones:
       break;
   }
   return run(options, out, err);

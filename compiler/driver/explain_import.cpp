@@ -37,6 +37,7 @@ class ImportRemarks {
                    [](const sema::ZonePolygon&) {},
                    [](const sema::ZoneCircle&) {},
                    [](const sema::ZoneRef&) {},
+                   [](const sema::ZoneComplement&) {},  // of a zone of its own
                    [&](const sema::ZoneBinary& node) {
                      look(*node.left);
                      look(*node.right);

@@ -7,10 +7,12 @@ namespace {
 
 struct FlagText {
   const char *flag, *value, *text;
+  const char* command = nullptr;  // the only one that it is about; none: all that have the flag
 };
 // In the order in which they are listed. A text may have several lines.
 constexpr FlagText flag_texts[] = {
-    {"-o", "DIR", "directory of the generated files; made when it is not there"},
+    {"-o", "DIR", "directory of the generated files; made when it is not there", "build"},
+    {"-o", "FILE", "the picture; - is standard output", "zones"},
     {"--namespace", "NAME",
      "C++ namespace of the generated code; default: the specification's name"},
     {"--depfile", "FILE", "write the dependencies for make or ninja"},
@@ -114,6 +116,15 @@ constexpr CommandText command_texts[] = {
      "  2  usage, or a file or trace that cannot be used\n"
      "  3  a monitor was false in the trace; what is ahead does not count\n"
      "  70 a bug of rtac\n"},
+    {"zones", "rtac zones SPEC -o FILE [FLAG...]",
+     "Draws the zones of a specification as SVG, with a scale: every zone that has a name, where "
+     "it\n"
+     "is declared and how; the places that the checks leave of it, at the distance of a robot's\n"
+     "body, of its ways and of the return of control; and the sites. Circles are drawn as the\n"
+     "polygons that stand for them. SPEC is the path of a .rta file, or - for standard input.\n",
+     "  rtac zones yard.rta -o zones.svg\n"
+     "  rtac zones yard.rta -o - >zones.svg\n",
+     spec_codes},
     {"fmt", "rtac fmt FILE... [FLAG...]",
      "Writes specifications in the canonical layout. Comments, blank lines between items and the\n"
      "lines that an author began at operators are kept; what a file says does not change. A file\n"
@@ -140,11 +151,16 @@ constexpr CommandText command_texts[] = {
      "  70 a bug of rtac\n"},
 };
 
-std::string flag_lines(const std::vector<std::string>& flags) {
+bool is_about(const FlagText& flag, const std::string& command) {
+  return flag.command == nullptr || command == flag.command;
+}
+
+std::string flag_lines(const std::vector<std::string>& flags, const std::string& command) {
   constexpr std::size_t column = 26;
   std::string lines;
   for (const FlagText& each : flag_texts) {
     if (std::find(flags.begin(), flags.end(), each.flag) == flags.end()) continue;
+    if (!is_about(each, command)) continue;
     std::string line = std::string("  ") + each.flag + (*each.value ? " " : "") + each.value;
     if (line.size() + 2 > column) {
       lines += line + "\n";
@@ -166,6 +182,7 @@ std::string overview() {
          "  rtac check SPEC              check, and print what was derived\n"
          "  rtac build SPEC -o DIR       write the modules and the runtime of the system\n"
          "  rtac replay SPEC TRACE       judge a recorded trace; the findings are CSV\n"
+         "  rtac zones SPEC -o FILE      draw the zones as SVG: from where, and what checks leave\n"
          "  rtac fmt FILE...             write specifications in the canonical layout\n"
          "  rtac explain CODE            what a diagnostic means, and what to do\n"
          "  rtac explain FILE:LINE       what was derived for a line: ranges, grids, errors, "
@@ -190,7 +207,7 @@ std::string overview() {
 std::string help_text(const std::string& command, const std::vector<std::string>& flags) {
   for (const CommandText& each : command_texts) {
     if (command != each.name) continue;
-    const std::string lines = flag_lines(flags);
+    const std::string lines = flag_lines(flags, command);
     return std::string("usage: ") + each.usage + "\n\n" + each.about +
            (lines.empty() ? "" : "\nFlags:\n" + lines) + "\nExamples:\n" + each.examples +
            "\nExit codes:\n" + each.exit_codes;

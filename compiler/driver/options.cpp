@@ -37,13 +37,14 @@ bool is_pass(const std::string& name) {
   return std::any_of(all.begin(), all.end(), [&](const auto& pass) { return name == pass.name; });
 }
 
-std::string value_hint(const std::string& flag) {
+// `picture`: `-o` names the file of a picture.
+std::string value_hint(const std::string& flag, bool picture = false) {
   if (flag == "--format") return "`text`, `json` and `sarif` exist";
   if (flag == "--engine") return "`kernel` and `interp` exist";
   if (flag == "--print-after") return "there are " + pass_names();
   if (flag == "--namespace" || flag == "--monitor") return "`" + flag + " NAME`";
   if (flag == "--max-bytes") return "`--max-bytes 4096`";
-  return "`" + flag + (flag == "-o" ? " DIR`" : " FILE`");
+  return "`" + flag + (flag == "-o" && !picture ? " DIR`" : " FILE`");
 }
 
 bool asks_for_help(const std::string& word) {
@@ -73,6 +74,7 @@ const std::vector<CommandInfo>& commands() {
        Command::replay,
        {"--engine", "--monitor", "--format", "-Werror", "--max-bytes"},
        2},
+      {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
       {"explain", Command::explain, {}, 1},
   };
@@ -136,9 +138,11 @@ struct Parser {
   }
   // A second value of a flag would silently win over the first.
   void take(const std::string& flag, const std::string& value, std::string& place) {
+    const bool picture = options.command == Command::zones;
+    const bool standard_output = picture && flag == "-o" && value == "-";
     if (value.empty()) {
-      problem = {"`" + flag + "` needs a value after it", value_hint(flag)};
-    } else if (value[0] == '-' && flag != "--max-bytes") {
+      problem = {"`" + flag + "` needs a value after it", value_hint(flag, picture)};
+    } else if (value[0] == '-' && flag != "--max-bytes" && !standard_output) {
       problem = {"`" + flag + "` needs a value after it, not the flag `" + value + "`",
                  "a path that starts with a dash is written `./" + value + "`"};
     } else if (!place.empty()) {
@@ -207,6 +211,7 @@ struct Parser {
         [[fallthrough]];
       case Command::check:
       case Command::build:
+      case Command::zones:
       case Command::help:
       case Command::version:
         options.spec = operands[0];
@@ -260,6 +265,10 @@ struct Parser {
     if (!problem.message.empty()) return;
     if (options.command == Command::build && options.output.empty()) {
       problem = {"`rtac build` needs a place for the generated files", "add `-o DIR`"};
+    }
+    if (options.command == Command::zones && options.output.empty()) {
+      problem = {"`rtac zones` needs a place for the picture",
+                 "add `-o zones.svg`, or `-o -` for standard output"};
     }
     if (options.command == Command::check && !(options.output + options.depfile).empty()) {
       problem = {"`rtac check` writes no files",

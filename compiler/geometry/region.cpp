@@ -65,6 +65,13 @@ Region Region::of_rings(const std::vector<Ring>& rings) {
   return Region(overlay(rings, {}, Combine::unite));
 }
 
+Region Region::everywhere() {
+  // Less than 2^29 mm, so that what is snapped around it stays on the grid.
+  const Rational reach_m = 536'000;
+  return Region({PolygonWithHoles{
+      {{-reach_m, -reach_m}, {reach_m, -reach_m}, {reach_m, reach_m}, {-reach_m, reach_m}}, {}}});
+}
+
 Region Region::circle(const Point& centre, const Rational& radius, bool inner) {
   if (radius <= 0) return {};
   const std::vector<Point> directions = regular_directions_32();

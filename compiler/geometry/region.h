@@ -56,6 +56,8 @@ class Region {
   // Every point about which the rings wind at least once: outer rings counter-clockwise, holes
   // clockwise; they may overlap and touch.
   static Region of_rings(const std::vector<Ring>& rings);
+  // The places that coordinates on the grid may name: a square of 1,072 km about the origin.
+  static Region everywhere();
   // A regular 32-gon inscribed in the circle (inner) or circumscribed about it (!inner), with
   // rational vertices that lie exactly inside / outside.
   static Region circle(const Point& centre, const Rational& radius, bool inner);

@@ -61,6 +61,10 @@ struct Zones::Evaluate {
     return std::visit(Evaluate{zones, of_bound}, expr.node);
   }
   Region operator()(const sema::ZoneRef& node) const { return zones.region(node.zone, bound); }
+  Region operator()(const sema::ZoneComplement& node) const {
+    const Region& of = zones.region(node.zone, other(bound));
+    return of ? Region(geometry::Region::everywhere().subtract(*of)) : std::nullopt;
+  }
   Region operator()(const sema::ZoneCircle& node) const {
     return geometry::Region::circle({node.centre.x, node.centre.y}, node.radius,
                                     bound == Bound::within);

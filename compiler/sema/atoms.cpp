@@ -148,7 +148,11 @@ ExprPtr PropertyChecker::inside(const syntax::Expr& expr, const syntax::Binary& 
   const auto zone = zone_in_property(context_, *binary.right);
   if (!self || !zone) return nullptr;
   require_motion(expr.range, "`inside`");
-  return make_condition(expr.range, InsideZone{*zone});
+  if (!complemented(context_.spec, *zone)) return make_condition(expr.range, InsideZone{*zone});
+  // a complement is open
+  ExprPtr gap = make_quantity(expr.range, dims::length, Clearance{*zone});
+  ExprPtr none = make_quantity(expr.range, dims::length, Constant{0});
+  return make_condition(expr.range, Compare{CompareOp::greater, std::move(gap), std::move(none)});
 }
 
 ExprPtr PropertyChecker::plan_inside(const syntax::Expr& expr, const syntax::Member& member,
@@ -184,7 +188,7 @@ Value PropertyChecker::robot_call(const syntax::Expr& expr, const syntax::Call& 
   if (name == "clearance") return clearance(expr, call);
   if (name == "distance") return distance(expr, call);
   if (name == "energy_to") return energy_to(expr, call);
-  if (name == "shrink" || name == "grow") return not_a_quantity(expr, "a zone");
+  if (is_zone_function(name)) return not_a_quantity(expr, "a zone");
   return other_call(expr, call, context_.symbols.find(name));
 }
 

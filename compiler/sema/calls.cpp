@@ -118,8 +118,9 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Call& call) 
 Value PropertyChecker::other_call(const syntax::Expr& expr, const syntax::Call& call,
                                   const Symbol* symbol) {
   const std::string& name = call.callee.text;
-  std::vector<std::string> known{"clearance", "distance", "energy_to", "shrink", "grow"};
-  if (!sees_robot()) known = {"clearance", "distance", "shrink", "grow"};
+  std::vector<std::string> known{"clearance", "distance", "energy_to",
+                                 "shrink",    "grow",     "complement"};
+  if (!sees_robot()) known = {"clearance", "distance", "shrink", "grow", "complement"};
   for (const auto* more : {&functions_of_quantities(), &aggregate_names()}) {
     for (const std::string& each : *more) {
       if (std::find(known.begin(), known.end(), each) == known.end()) known.push_back(each);

@@ -12,7 +12,8 @@ namespace {
 
 // Taken in every sort of declaration.
 bool is_built_in(const std::string& name) {
-  for (const char* function : {"clearance", "distance", "energy_to", "shrink", "grow"}) {
+  for (const char* function :
+       {"clearance", "distance", "energy_to", "shrink", "grow", "complement"}) {
     if (name == function) return true;
   }
   return false;

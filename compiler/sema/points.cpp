@@ -11,7 +11,7 @@ using syntax::BinaryOp;
 bool PropertyChecker::says_zone(const syntax::Expr& expr) const {
   if (names_zone(expr) || form_of(expr) == "a zone") return true;
   if (const auto* call = std::get_if<syntax::Call>(&expr.node)) {
-    return call->callee.text == "shrink" || call->callee.text == "grow";
+    return is_zone_function(call->callee.text);
   }
   const auto* binary = std::get_if<syntax::Binary>(&expr.node);
   if (binary == nullptr) return false;
@@ -79,22 +79,38 @@ ExprPtr PropertyChecker::less_radius(const syntax::Expr& expr, ExprPtr gap,
       Arithmetic{ArithmeticOp::subtract, operands_of(std::move(gap), std::move(reach))});
 }
 
+// The complement of a zone is open: its boundary is that of the zone, and belongs to the zone.
+ExprPtr PropertyChecker::inside_of(const syntax::Expr& expr, Centre place, ZoneId zone) {
+  if (const auto of = complemented(context_.spec, zone)) {
+    ExprPtr in = inside_of(expr, std::move(place), *of);
+    return make_condition(expr.range, Logic{LogicOp::logical_not, operands_of(std::move(in))});
+  }
+  return make_condition(expr.range, PointInside{std::move(place.x), std::move(place.y), zone});
+}
+
+// The distance of a place to the boundary, negative outside.
+ExprPtr PropertyChecker::gap_of(const syntax::Expr& expr, Centre place, ZoneId zone) {
+  if (const auto of = complemented(context_.spec, zone)) {
+    ExprPtr gap = gap_of(expr, std::move(place), *of);
+    return make_quantity(expr.range, dims::length,
+                         Arithmetic{ArithmeticOp::negate, operands_of(std::move(gap))});
+  }
+  return make_quantity(expr.range, dims::length,
+                       PointClearance{std::move(place.x), std::move(place.y), zone});
+}
+
 ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Binary& binary) {
   if (is_error(*binary.left) || is_error(*binary.right)) return nullptr;
   auto held = placed(*binary.left, "inside");
   const auto zone = held ? zone_around(held->centre, *binary.right) : std::nullopt;
   if (!zone) return nullptr;
-  ExprPtr& x = held->centre.x;
-  ExprPtr& y = held->centre.y;
-  if (held->radius == 0) {
-    return make_condition(expr.range, PointInside{std::move(x), std::move(y), *zone});
-  }
-  ExprPtr gap =
-      make_quantity(expr.range, dims::length, PointClearance{std::move(x), std::move(y), *zone});
+  Centre centre{std::move(held->centre.x), std::move(held->centre.y)};
+  if (held->radius == 0) return inside_of(expr, std::move(centre), *zone);
+  ExprPtr gap = less_radius(expr, gap_of(expr, std::move(centre), *zone), held->radius);
   ExprPtr none = make_quantity(expr.range, dims::length, Constant{0});
-  return make_condition(
-      expr.range, Compare{CompareOp::greater_equal, less_radius(expr, std::move(gap), held->radius),
-                          std::move(none)});
+  const bool open = complemented(context_.spec, *zone).has_value();
+  return make_condition(expr.range, Compare{open ? CompareOp::greater : CompareOp::greater_equal,
+                                            std::move(gap), std::move(none)});
 }
 
 // `clearance(p, Z)` or `distance(p, Z)`: the distance of the place, the centre of a body, to the
@@ -118,10 +134,8 @@ std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const synt
   auto held = placed(first, user);
   const auto zone = held ? zone_around(held->centre, second) : std::nullopt;
   if (!zone) return std::nullopt;
-  ExprPtr gap =
-      make_quantity(expr.range, dims::length,
-                    PointClearance{std::move(held->centre.x), std::move(held->centre.y), *zone});
-  return CentreGap{std::move(gap), held->radius};
+  Centre centre{std::move(held->centre.x), std::move(held->centre.y)};
+  return CentreGap{gap_of(expr, std::move(centre), *zone), held->radius};
 }
 
 ExprPtr PropertyChecker::clearance_of_place(const syntax::Expr& expr, const syntax::Call& call) {

@@ -225,6 +225,11 @@ class PropertyChecker {
     ExprPtr gap;  // from the centre
     Rational radius;
   };
+  struct Centre {
+    ExprPtr x, y;  // m
+  };
+  ExprPtr inside_of(const syntax::Expr& expr, Centre place, ZoneId zone);
+  ExprPtr gap_of(const syntax::Expr& expr, Centre place, ZoneId zone);
   [[nodiscard]] bool says_zone(const syntax::Expr& expr) const;
   std::optional<Placed> placed(const syntax::Expr& expr, const std::string& user);
   static ExprPtr less_radius(const syntax::Expr& expr, ExprPtr gap, const Rational& radius);

@@ -109,9 +109,13 @@ struct ZoneImport {
   Rational farthest;                     // m, rounded up: from (0 m, 0 m)
   std::vector<std::string> remarks;      // what is left out, with the author's reasons
 };
+struct ZoneComplement {  // every place that is not in the zone
+  ZoneId zone;
+};
 struct ZoneExpr {
   SourceRange range;
-  std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport> node;
+  std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport, ZoneComplement>
+      node;
 };
 struct Zone {
   std::string name;  // empty: written inside a property (shrink(free, 15 cm)); named by its place

@@ -132,14 +132,10 @@ class ZoneChecker {
   }
 
   ZoneExprPtr zone(const syntax::Expr& expr, const syntax::Call& call) {
+    if (!is_zone_function(call.callee.text)) return other_call(expr, call);
+    if (call.callee.text == "complement") return complement(expr, call);
     const bool grows = call.callee.text == "grow";
-    if (!grows && call.callee.text != "shrink") return other_call(expr, call);
-    if (call.arguments.size() != 2) {
-      context_.report(Finding(Code::wrong_argument_count, expr.range,
-                              "`" + call.callee.text + "` takes 2 arguments, not " +
-                                  std::to_string(call.arguments.size()))
-                          .label("a zone and a length are due")
-                          .help("write `" + call.callee.text + "(zone, 15 cm)`"));
+    if (!argument_count(expr, call, 2, "a zone and a length are due", "(zone, 15 cm)")) {
       return nullptr;
     }
     ZoneExprPtr operand = check(*call.arguments[0]);
@@ -149,6 +145,24 @@ class ZoneChecker {
     if (!operand || !distance) return nullptr;
     return make(expr.range, ZoneOffset{std::move(operand),
                                        grows ? distance->value : Rational(-distance->value)});
+  }
+
+  bool argument_count(const syntax::Expr& expr, const syntax::Call& call, std::size_t due,
+                      const std::string& label, const std::string& example) {
+    if (call.arguments.size() == due) return true;
+    context_.report(Finding(Code::wrong_argument_count, expr.range,
+                            "`" + call.callee.text + "` takes " + std::to_string(due) +
+                                (due == 1 ? " argument, not " : " arguments, not ") +
+                                std::to_string(call.arguments.size()))
+                        .label(label)
+                        .help("write `" + call.callee.text + example + "`"));
+    return false;
+  }
+
+  ZoneExprPtr complement(const syntax::Expr& expr, const syntax::Call& call) {
+    if (!argument_count(expr, call, 1, "a zone is due", "(zone)")) return nullptr;
+    const auto of = zone_in_property(context_, *call.arguments[0], frame_);
+    return of ? make(expr.range, ZoneComplement{*of}) : nullptr;
   }
 
   ZoneExprPtr other_call(const syntax::Expr& expr, const syntax::Call& call) {
@@ -161,7 +175,7 @@ class ZoneChecker {
       context_.report(
           Finding(Code::unknown_function, call.callee.range, "there is no function `" + name + "`")
               .label("not a function")
-              .help(did_you_mean(name, {"shrink", "grow"}, "functions of zones")));
+              .help(did_you_mean(name, {"shrink", "grow", "complement"}, "functions of zones")));
     }
     return nullptr;
   }
@@ -181,15 +195,22 @@ class ZoneChecker {
   }
 
   static constexpr const char* zone_help =
-      "write the name of a zone, `rectangle`, `circle`, `polygon`, `shrink(zone, length)`, `import "
-      "\"file\"`, or zones joined by `|`, `&` and `-`";
+      "write the name of a zone, `rectangle`, `circle`, `polygon`, `shrink(zone, length)`, "
+      "`complement(zone)`, `import \"file\"`, or zones joined by `|`, `&` and `-`";
 
   Context& context_;
   FrameId frame_;
 };
 
+// The zone that an expression names, or is the complement of.
+std::optional<ZoneId> referred(const ZoneExpr& expr) {
+  if (const auto* reference = std::get_if<ZoneRef>(&expr.node)) return reference->zone;
+  const auto* complement = std::get_if<ZoneComplement>(&expr.node);
+  return complement != nullptr ? std::optional(complement->zone) : std::nullopt;
+}
+
 void collect_references(const ZoneExpr& expr, std::vector<const ZoneExpr*>& references) {
-  if (std::holds_alternative<ZoneRef>(expr.node)) {
+  if (referred(expr)) {
     references.push_back(&expr);
   } else if (const auto* binary = std::get_if<ZoneBinary>(&expr.node)) {
     collect_references(*binary->left, references);
@@ -213,7 +234,7 @@ class CycleSearch {
     const Zone& declared = context_.spec.zones[zone];
     if (declared.value) collect_references(*declared.value, references);
     for (const ZoneExpr* reference : references) {
-      const std::uint32_t next = index_of(std::get<ZoneRef>(reference->node).zone);
+      const std::uint32_t next = index_of(*referred(*reference));
       if (state_[next] == State::open) report_cycle(next, *reference);
       visit(next);
     }
@@ -234,7 +255,8 @@ class CycleSearch {
     const auto end = begin + std::min(path_.end() - begin, steps_max);
     for (auto step = begin; step != end; ++step) {
       const Zone& through = context_.spec.zones[*step];
-      std::string text = "by way of `" + through.name + "`";
+      std::string text =
+          through.name.empty() ? "by way of this zone" : "by way of `" + through.name + "`";
       if (step + 1 == end && end != path_.end()) {
         text += " and " + std::to_string(path_.end() - end) + " more";
       }
@@ -252,14 +274,34 @@ class CycleSearch {
 
 }  // namespace
 
+bool is_zone_function(const std::string& name) {
+  return name == "shrink" || name == "grow" || name == "complement";
+}
+
+std::optional<ZoneId> complemented(const Spec& spec, ZoneId zone) {
+  // names that lead to one another in a circle are reported elsewhere
+  for (std::size_t steps = 0; steps <= spec.zones.size(); ++steps) {
+    const ZoneExpr* value = spec[zone].value.get();
+    if (value == nullptr) return std::nullopt;
+    const auto* complement = std::get_if<ZoneComplement>(&value->node);
+    if (complement != nullptr) return complement->zone;
+    const auto* name = std::get_if<ZoneRef>(&value->node);
+    if (name == nullptr) return std::nullopt;
+    zone = name->zone;
+  }
+  return std::nullopt;
+}
+
 void check_zones(Context& context) {
   for (std::size_t i = 0; i < context.zones.size(); ++i) {
     const auto frame = frame_of(context, context.zones[i].node->frame);
     context.spec.zones[i].frame = frame.value_or(map_frame);
   }
   for (std::size_t i = 0; i < context.zones.size(); ++i) {
-    Zone& zone = context.spec.zones[i];
-    zone.value = ZoneChecker(context, zone.frame).check(*context.zones[i].node->value);
+    ZoneChecker checker(context, context.spec.zones[i].frame);
+    // operands without a name join the zones meanwhile
+    ZoneExprPtr value = checker.check(*context.zones[i].node->value);
+    context.spec.zones[i].value = std::move(value);
   }
   CycleSearch search(context);
   for (std::uint32_t i = 0; i < context.spec.zones.size(); ++i) search.visit(i);

@@ -15,6 +15,12 @@ void check_zones(Context& context);
 std::optional<Point> check_point(Context& context, const syntax::Expr& expr,
                                  const std::string& what);
 
+// Functions whose value is a zone: `shrink`, `grow`, `complement`.
+bool is_zone_function(const std::string& name);
+
+// The zone that a zone is the complement of, itself and not by way of other operations.
+std::optional<ZoneId> complemented(const Spec& spec, ZoneId zone);
+
 // The zone that an expression inside a property stands for: a declared one, or a new one without
 // a name at the end of spec.zones; all of it in `frame`. Robots are in `map`.
 std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr,

@@ -139,7 +139,7 @@ TEST_F(CommandLine, ADumpReplacesTheSummary) {
 
 // Every command has a page of its own, with what it takes, examples, and what its exit codes mean.
 TEST_F(CommandLine, EveryCommandHasItsHelp) {
-  for (const std::string command : {"check", "build", "replay", "fmt", "explain"}) {
+  for (const std::string command : {"check", "build", "replay", "zones", "fmt", "explain"}) {
     const Outcome page = rtac({"help", command});
     EXPECT_EQ(page.status, 0);
     EXPECT_EQ(page.out.find("usage: rtac " + command), 0U) << page.out;
@@ -159,7 +159,7 @@ TEST_F(CommandLine, TheHelpNamesEveryFlag) {
   const std::string flags[] = {"--format",   "--namespace", "--depfile", "--print-after",
                                "--dump-ast", "--dump-spec", "--dump-ir", "--max-bytes",
                                "-Werror",    "--engine",    "--monitor", "--check"};
-  for (const std::string command : {"check", "build", "replay", "fmt"}) {
+  for (const std::string command : {"check", "build", "replay", "zones", "fmt"}) {
     const std::string page = rtac({"help", command}).out;
     for (const std::string& flag : flags) {
       const bool writes = flag == "--depfile";  // `check` knows it to say that it writes nothing
@@ -238,6 +238,40 @@ TEST_F(CommandLine, TheDependencyFileIsNeitherSpecificationNorOutput) {
   }
   EXPECT_EQ(read("good.rta"), before);
   EXPECT_FALSE(fs::exists("out"));
+}
+
+TEST_F(CommandLine, ThePictureOfZonesGoesWhereItIsToldTo) {
+  const Outcome shown = rtac({"zones", "good.rta", "-o", "-"});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(shown.out.find("<svg xmlns"), 0U);
+  EXPECT_NE(shown.out.find("good.rta:"), std::string::npos);
+  const Outcome written = rtac({"zones", "good.rta", "-o", "room.svg"});
+  EXPECT_EQ(written.status, 0) << written.err;
+  EXPECT_EQ(written.out, "");
+  EXPECT_EQ(read("room.svg"), shown.out);
+}
+
+TEST_F(CommandLine, ThePictureOfZonesOverwritesNoSpecification) {
+  const std::string before = read("good.rta");
+  EXPECT_EQ(rtac({"zones", "good.rta", "-o", "./good.rta"}).status, 2);
+  EXPECT_EQ(read("good.rta"), before);
+  EXPECT_EQ(rtac({"zones", "good.rta"}).status, 2);
+  EXPECT_EQ(rtac({"zones", "good.rta", "-o", "good.rta/x.svg"}).status, 2);
+  EXPECT_EQ(rtac({"zones", "faulty.rta", "-o", "faulty.svg"}).status, 1);
+  EXPECT_FALSE(fs::exists("faulty.svg"));
+}
+
+// Text of an author could end an element, or the picture.
+TEST_F(CommandLine, ThePictureOfZonesIsWellFormed) {
+  std::string spec = edited(drone_spec(), "zone room =",
+                            "zone a = circle (1 m, 1 m) radius 1 m "
+                            "/* <g> & \"x\" */ & "
+                            "circle (1 m, 2 m) radius 1 m;\nzone room =");
+  write("odd.rta", spec);
+  const Outcome o = rtac({"zones", "odd.rta", "-o", "-"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.out.find("<g> &"), std::string::npos);
+  EXPECT_EQ(o.out.substr(o.out.size() - 7), "</svg>\n");
 }
 
 TEST_F(CommandLine, ANameThatIsTooLongIsReported) {

@@ -12,9 +12,8 @@ std::string ends(const Measurement& measured) {
   return measured.least->value.get_str() + " .. " + measured.most->value.get_str();
 }
 Input input(const std::string& declaration, const std::string& property) {
-  const auto checked =
-      check_text("spec s;\nperiod 1 s;\nframe base;\ninput x : " + declaration +
-                 ";\nmonitor m { \"R1: a limit\" always " + property + "; }\n");
+  const auto checked = check_text("spec s;\nperiod 1 s;\nframe base;\ninput x : " + declaration +
+                                  ";\nmonitor m { \"R1: a limit\" always " + property + "; }\n");
   EXPECT_TRUE(checked->spec) << checked->reports();
   return checked->spec ? checked->spec->inputs.at(0) : Input{};
 }

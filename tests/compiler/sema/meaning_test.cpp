@@ -130,6 +130,12 @@ TEST(Meaning, ZonesMayBeComposed) {
             "(circle (2, 2) radius 0.3 | (grow(arena, 1) & shrink(arena, 0.05)))");
 }
 
+TEST(Meaning, AComplementIsOfAnyZone) {
+  EXPECT_EQ(zone("complement(arena)"), "complement(arena)");
+  EXPECT_EQ(zone("complement(grow(arena, 1 m) - arena) & arena"),
+            "(complement((grow(arena, 1) - arena)) & arena)");
+}
+
 // A vertex keeps the place where it is written, so that geometry can point to it.
 TEST(Meaning, VerticesKnowTheirPlaces) {
   const auto checked = check_text(edited(

@@ -122,6 +122,13 @@ void expect_frames_differ(const std::string& property, const std::string& said) 
 TEST(Points, LieInsideZonesOfTheirFrame) {
   EXPECT_EQ(meaning("hand inside reach"), "((hand.x, hand.y) inside reach)");
 }
+// A complement is open: its boundary belongs to the zone.
+TEST(Points, LieInAComplementWhenTheyAreNotInTheZone) {
+  EXPECT_EQ(meaning("hand inside complement(reach)"), "(not ((hand.x, hand.y) inside reach))");
+  EXPECT_EQ(meaning("hand inside complement(complement(reach))"),
+            "(not (not ((hand.x, hand.y) inside reach)))");
+  expect_frames_differ("p inside complement(reach)", "the zone `reach` is in the frame `base`");
+}
 TEST(Points, OfAnotherFrameDoNotLieInside) {
   expect_frames_differ("hand inside room", "the zone `room` is in the frame `map`, `base` is due");
   expect_frames_differ("p inside reach", "the zone `reach` is in the frame `base`, `map` is due");

@@ -1,0 +1,20 @@
+// Sites of controllers that no decision uses: those in use are held against the tables of their
+// zones, with the clearances that the decision needs.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/geometry/region.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+// The zone as a keep-in; nullopt: faulty, and reported.
+using RegionOf = std::function<std::optional<geometry::Region>(sema::ZoneId)>;
+
+// Every place that such a controller routes to lies in its zone, with the whole body.
+void check_idle_sites(const sema::Spec& spec, const RegionOf& region_of, diag::Engine& diagnostics);
+
+}  // namespace rtac::analysis
