@@ -209,6 +209,9 @@ std::string Generator::atom() {
       "(p + 0.5 * (q - p)) inside pond",
       "p inside bend",
       "q inside shrink(yard, 20 cm)",
+      "q inside complement(pond)",
+      "clearance(p, complement(yard | pond)) > 30 cm",
+      "p inside grow(complement(bend), 10 cm) & yard",
       "g == (if b then w else drive)",
       "(if a then g else park) != (if c then reverse else w)"};
   return *(whole.begin() + below(whole.size()));

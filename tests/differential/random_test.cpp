@@ -17,12 +17,12 @@ constexpr std::size_t steps = 120;
 
 // In some monitor of every kernel, so that none of it is refused wherever it occurs.
 constexpr const char* words[] = {
-    "forall",  "exists",      "count(bot", "min(bot",     "max(bot",  "!= two",  "one.",
-    "bots[1]", "bot",         "param h",   "margin full", "1100 s",   "rotate(", "transform(",
-    "inside",  "clearance",   "shrink(",   "t[0]",        "max(t)",   "== park", "far(",
-    "twice(",  "let ",        "then",      " since[",     " within ", " for ",   "historically",
-    "once[",   "previously ", "mean[",     "sum[",        "count[",   "rate[",   "age(",
-    "sqrt(",   "cross(",      "dot(",      "clamp("};
+    "forall",  "exists",      "count(bot", "min(bot",     "max(bot",    "!= two",  "one.",
+    "bots[1]", "bot",         "param h",   "margin full", "1100 s",     "rotate(", "transform(",
+    "inside",  "clearance",   "shrink(",   "t[0]",        "max(t)",     "== park", "far(",
+    "twice(",  "let ",        "then",      " since[",     " within ",   " for ",   "historically",
+    "once[",   "previously ", "mean[",     "sum[",        "count[",     "rate[",   "age(",
+    "sqrt(",   "cross(",      "dot(",      "clamp(",      "complement("};
 
 class RandomFormulas : public ::testing::TestWithParam<std::uint32_t> {};
 
