@@ -202,6 +202,7 @@ Json watch(const Module& module, const sema::Spec& spec) {
   j["state_bytes"] = watch_state_bytes(w);
   j["verdicts_state_bytes"] = watch_state_bytes(w, Telling::verdicts);
   j["table_bytes"] = table_bytes(w);
+  if (w.in_utc) j["clock"] = "utc";
   j["inputs"] = signals(module, w);
   j["params"] = params(w);
   j["units"] = Json::array();
@@ -214,6 +215,12 @@ Json watch(const Module& module, const sema::Spec& spec) {
   j["monitors"] = Json::array();
   for (const PlainMonitor& m : w.monitors) j["monitors"].push_back(property(spec, w, m));
   j["tables"] = tables(w);
+  for (const Schedule& s : w.schedules) {
+    j["schedules"].push_back({{"zone", s.name},
+                              {"openings", s.once.size()},
+                              {"weekly", s.weekly.size()},
+                              {"bytes", schedule_bytes(s)}});
+  }
   return j;
 }
 

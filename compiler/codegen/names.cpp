@@ -230,6 +230,11 @@ void Names::claim_tables(const ir::Module& module) {
        module.watch ? module.watch->regions : std::vector<ir::Region>{}) {
     taken_.insert({"k:" + region_symbol(region), "k:" + region_symbol(region) + "_edges"});
   }
+  for (const ir::Schedule& schedule :
+       module.watch ? module.watch->schedules : std::vector<ir::Schedule>{}) {
+    taken_.insert(
+        {"k:" + schedule_symbol(schedule), "k:" + schedule_symbol(schedule) + "_openings"});
+  }
   for (const ir::ZoneTable& zone : module.zones) {
     claim(zone.name, [&](const std::string& id) {
       return std::vector<std::string>{"k:zone_" + id,       "k:zone_" + id + "_edges",

@@ -29,7 +29,7 @@ bool joins(const Op& op) {
 bool is_looked_at(const Op& op) {
   return std::holds_alternative<Input>(op) || std::holds_alternative<InputTruth>(op) ||
          std::holds_alternative<InputIs>(op) || std::holds_alternative<InputSame>(op) ||
-         std::holds_alternative<Age>(op);
+         std::holds_alternative<Open>(op) || std::holds_alternative<Age>(op);
 }
 bool is_fixed(const Op& op) {
   return std::holds_alternative<Const>(op) || std::holds_alternative<Between>(op) ||
@@ -119,6 +119,7 @@ class Finder {
     arguments_look_.inputs[0].components = {""};
     arguments_look_.params = module.watch->params;
     arguments_look_.regions = module.watch->regions;
+    arguments_look_.schedules = module.watch->schedules;
     for (std::size_t i = 0; i < block.values.size(); ++i) count_uses(i);
     ++uses_[at(block.result)];
   }

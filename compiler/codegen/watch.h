@@ -24,6 +24,7 @@ struct WatchNames {
   std::vector<WatchSignal> signals;
   std::vector<std::string> channels, params;
   std::vector<std::size_t> first;  // by channel: where its signals start
+  std::vector<std::string> open;   // of the schedules, in the view of a tick
   [[nodiscard]] const WatchSignal& signal(std::uint32_t channel, std::uint32_t component) const;
 };
 WatchNames watch_names(const ir::Watch& watch);
@@ -52,6 +53,7 @@ bool has_signals(const ir::Decision& decision);
 inline constexpr std::int64_t missed_ticks_max = 4;
 // The table of a region in the kernel.
 std::string region_symbol(const ir::Region& region);
+std::string schedule_symbol(const ir::Schedule& schedule);
 
 // By channel: whether a monitor asks for the input, or for its age; an input that none asks for is
 // not looked at.
@@ -89,6 +91,7 @@ std::int64_t watch_monitor_bytes(const ir::PlainMonitor& monitor);
 std::int64_t facts_state_bytes(const ir::Watch& facts);
 // Of the constant tables of zones that places are held against.
 std::int64_t region_bytes(const ir::Region& region);
+std::int64_t schedule_bytes(const ir::Schedule& schedule);
 std::int64_t table_bytes(const ir::Watch& watch);
 
 // The members of the structs: what the application fills in; which tick it is, if that matters, the

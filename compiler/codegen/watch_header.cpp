@@ -109,7 +109,9 @@ class WatchHeader {
   void functions() {
     const std::string name = p_ + "_monitors";
     out_.comment(
-        "Step once a period; now_us is of the clock of all stamps. A tick sees the newest samples; "
+        "Step once a period; now_us is of the clock of all stamps" +
+        std::string(watch_.in_utc ? ", microseconds since 1970-01-01T00:00Z" : "") +
+        ". A tick sees the newest samples; "
         "what is missing, too old, from the future or out of range is unknown. Up to 4 missed "
         "ticks count as unknown ones, more of them forget the past. A second step within a tick, "
         "or one back in time, tells nothing and changes nothing. _verdicts is the same without "

@@ -31,8 +31,8 @@ bool WatchLook::is_truth(std::size_t channel) const {
   return watch_.inputs[channel].kind == ChannelKind::truth;
 }
 std::string WatchLook::type_of(std::size_t channel) const {
-  if (kernel_.is_full()) return is_truth(channel) ? "margin" : "span";
-  return is_truth(channel) ? "int32_t" : "bounds";
+  if (is_truth(channel)) return truth_type();
+  return kernel_.is_full() ? "span" : "bounds";
 }
 std::string WatchLook::unknown(bool is_truth) {
   if (kernel_.is_full()) return use(is_truth ? "margin_unknown" : "span_unknown", clock_);
@@ -54,6 +54,7 @@ void WatchLook::view() {
         for (const WatchSignal& s : members_.signals) {
           if (asked_.used[s.channel]) body.line(type_of(s.channel) + " " + s.seen + ";");
         }
+        for (const std::string& open : members_.open) body.line(truth_type() + " " + open + ";");
         for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
           if (!is_seen_whole(c)) continue;
           body.line("int32_t has_" + members_.channels[c] + "; /* all of it */");
@@ -101,6 +102,9 @@ void WatchLook::blind() {
              for (const WatchSignal& s : members_.signals) {
                if (!asked_.used[s.channel]) continue;
                body.line("v->" + s.seen + " = " + unknown(is_truth(s.channel)) + ";");
+             }
+             for (const std::string& open : members_.open) {
+               body.line("v->" + open + " = " + unknown(true) + ";");
              }
              for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
                if (!is_seen_whole(c)) continue;
@@ -217,6 +221,16 @@ void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
   const std::string value = kernel_.is_full() ? use(full, arguments + ", " + kernel_.numbers[index])
                                               : use(alone, arguments);
   wrapped(body, "v->" + signal.seen + " = " + value + ";");
+}
+void WatchLook::schedules(Code& body) const {
+  for (std::size_t k = 0; k < watch_.schedules.size(); ++k) {
+    uses_.insert("is_open");
+    if (kernel_.is_full()) uses_.insert({"margin_true", "margin_false"});
+    const std::string now = "is_open(&" + schedule_symbol(watch_.schedules[k]) + ", v->now_us)";
+    const char* const found =
+        kernel_.is_full() ? " ? margin_true() : margin_false();" : " ? BITS_TRUE : BITS_FALSE;";
+    wrapped(body, "v->" + members_.open[k] + " = " + now + found);
+  }
 }
 void WatchLook::params(const std::string& state, const std::string& in, Code& body) const {
   for (std::size_t k = 0; k < watch_.params.size(); ++k) {

@@ -24,6 +24,7 @@ class WatchLook {
   // The statement that looks at an input; `view`, `in`: pointers.
   [[nodiscard]] std::string call(std::size_t channel, const std::string& view,
                                  const std::string& in) const;
+  void schedules(Code& body) const;  // which zones are there at `v->now_us`
   // The newest parameters; `state`, `in`: what leads to the members.
   void params(const std::string& state, const std::string& in, Code& body) const;
   // The body of the function of a property; false: it does not look at the view.
@@ -46,6 +47,7 @@ class WatchLook {
 
  private:
   [[nodiscard]] bool is_truth(std::size_t channel) const;
+  [[nodiscard]] std::string truth_type() const { return kernel_.is_full() ? "margin" : "int32_t"; }
   [[nodiscard]] std::string type_of(std::size_t channel) const;
   void channel(std::size_t index, Code& out);
   std::string fresh(std::size_t index, const std::string& first, Code& out);

@@ -41,6 +41,10 @@ WatchNames watch_names(const Watch& watch) {
   WatchNames out;
   std::set<std::string> members, numbers;
   std::set<std::string> seen = {"s", "now_us", "since_us"};  // the state, the tick
+  for (const Schedule& schedule : watch.schedules) {
+    out.open.push_back("open_" + schedule.name);
+    seen.insert(out.open.back());
+  }
   for (const PlainMonitor& monitor : watch.monitors) numbers.insert(upper(legal(monitor.name)));
   for (const Channel& channel : watch.inputs) {
     out.channels.push_back(numbered(signal_word(channel.name), numbers));
@@ -91,6 +95,10 @@ bool has_signals(const Decision& decision) {
 
 std::string region_symbol(const Region& region) {
   return (region.around ? "region_around_" : "region_within_") + region.name;
+}
+
+std::string schedule_symbol(const Schedule& schedule) {
+  return "schedule_" + schedule.name;
 }
 
 std::set<std::uint32_t> channels_of(const PlainMonitor& monitor) {
@@ -200,8 +208,13 @@ std::int64_t watch_state_bytes(const Watch& watch, Telling telling) {
 std::int64_t region_bytes(const Region& region) {
   return static_cast<std::int64_t>(region.edges.size() * sizeof(Edge));
 }
+std::int64_t schedule_bytes(const Schedule& schedule) {
+  return static_cast<std::int64_t>((schedule.once.size() + schedule.weekly.size()) *
+                                   sizeof(Opening));
+}
 std::int64_t table_bytes(const Watch& watch) {
   std::int64_t bytes = 0;
+  for (const Schedule& schedule : watch.schedules) bytes += schedule_bytes(schedule);
   for (const Region& region : watch.regions) bytes += region_bytes(region);
   return bytes;
 }

@@ -174,6 +174,7 @@ class WatchSource {
                      body.block("if (begun == 0)", [](Code& none) { none.line("return 0;"); });
                      body.line("v->s = s;");
                      body.line("v->now_us = now_us;");
+                     look_.schedules(body);
                      if (each_tick()) {
                        body.line("v->since_us = since_us;");
                        body.line("s->judged_us = now_us;");

@@ -25,8 +25,8 @@ std::string WatchValuePrinter::value(const Value& value, const Block& block) {
 bool WatchValuePrinter::is_leaf(const Op& op) {
   return std::holds_alternative<Const>(op) || std::holds_alternative<Between>(op) ||
          std::holds_alternative<Input>(op) || std::holds_alternative<InputTruth>(op) ||
-         std::holds_alternative<Age>(op) || std::holds_alternative<ParamValue>(op) ||
-         std::holds_alternative<Truth>(op);
+         std::holds_alternative<Open>(op) || std::holds_alternative<Age>(op) ||
+         std::holds_alternative<ParamValue>(op) || std::holds_alternative<Truth>(op);
 }
 std::string WatchValuePrinter::operand(ValueId id) {
   if (operands_) return operands_(id);
@@ -82,6 +82,9 @@ std::string WatchValuePrinter::operator()(const InputIs& v) {
 std::string WatchValuePrinter::operator()(const InputSame& v) {
   return use("same_value",
              signal(v.channel, v.component) + ", " + signal(v.other_channel, v.other_component));
+}
+std::string WatchValuePrinter::operator()(const Open& v) {
+  return kernel_.at + names_.open[static_cast<std::uint32_t>(v.schedule)];
 }
 std::string WatchValuePrinter::operator()(const Elapsed& v) {
   return kernel_.at + "s->ticks.now >= " + num(v.ticks) + " ? " + use("margin_true", "") + " : " +

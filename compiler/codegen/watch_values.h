@@ -53,6 +53,7 @@ class WatchValuePrinter {
   std::string operator()(const ir::InputTruth& v);
   std::string operator()(const ir::InputIs& v);
   std::string operator()(const ir::InputSame& v);
+  std::string operator()(const ir::Open& v);
   std::string operator()(const ir::Elapsed& v);
   std::string operator()(const ir::Age& v);
   std::string operator()(const ir::ParamValue& v);

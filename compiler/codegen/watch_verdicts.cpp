@@ -34,7 +34,7 @@ concept NeverAsked =
     is_one_of<T, Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, CountOthers,
               Input, Age, SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute, Root,
               PointClearance, Norm, Between, Phase, Sine, Cosine, Choose, Aggregate> ||
-    is_one_of<T, InputTruth, InputSame, PointInside, Previously, Once, Historically, Since> ||
+    is_one_of<T, InputTruth, Open, InputSame, PointInside, Previously, Once, Historically, Since> ||
     is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
               LegsApart, OnTrack, EnergyReach, ChargeReach, Fact>;
 
@@ -229,6 +229,9 @@ class VerdictPrinter {
   [[nodiscard]] std::string signal(std::uint32_t channel, std::uint32_t component) {
     return view(names_.signal(channel, component).seen);
   }
+  [[nodiscard]] std::string open(const Open& v) {
+    return view(names_.open[static_cast<std::uint32_t>(v.schedule)]);
+  }
   // An operand as bounds.
   std::string whole(ValueId id) {
     const Op& op = block_[id].op;
@@ -305,6 +308,7 @@ class VerdictPrinter {
     const Op& op = block_[id].op;
     if (is_given(id)) return value_name(id);
     if (const auto* i = std::get_if<InputTruth>(&op)) return signal(i->channel, i->component);
+    if (const auto* o = std::get_if<Open>(&op)) return open(*o);
     if (const auto* t = std::get_if<Truth>(&op)) return t->value ? "BITS_TRUE" : "BITS_FALSE";
     return value_name(id);
   }
@@ -335,7 +339,8 @@ class VerdictPrinter {
   // That it surely (perhaps) holds, or that it does not.
   Text condition(ValueId id, Side side, bool wanted) {
     const Op& op = block_[id].op;
-    if (is_named(id) || std::holds_alternative<InputTruth>(op)) {
+    if (is_named(id) || std::holds_alternative<InputTruth>(op) ||
+        std::holds_alternative<Open>(op)) {
       const std::string mask = side == Side::surely ? "1" : "2";
       return compared("(" + kept(id) + " & " + mask + ")", wanted ? "!=" : "==", "0");
     }

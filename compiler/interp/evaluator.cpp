@@ -5,6 +5,7 @@
 
 #include "compiler/interp/aggregate.h"
 #include "compiler/interp/arithmetic.h"
+#include "compiler/interp/openings.h"
 #include "compiler/sema/dimension.h"
 
 namespace rtac::interp {
@@ -110,6 +111,12 @@ struct ConditionOf {
     const auto& right = self.signals_.measured(node.right.input, node.right.component);
     if (!left || !right) return missing(left ? node.right.input : node.left.input);
     return truth(*left == *right);
+  }
+
+  // Rule 7: a window holds its first instant and not its last; nobody knows when a missed tick was.
+  Margin operator()(const sema::ZoneOpen& node) const {
+    if (!self.now_us_) return unknown_margin({true, std::nullopt});
+    return truth(is_open(self.spec_[node.zone].openings, *self.now_us_));
   }
 
   // Rule 7: p inside Z has the margin of clearance(p, Z) >= 0; which places lie in Z is exact.

@@ -2,7 +2,9 @@
 // 7). Every operator is evaluated at every tick.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -33,8 +35,11 @@ class Evaluator {
         params_(world.params),
         zones_(world.zones),
         robots_(world.robots) {}
-  // Ticks come in order, each once for every property.
-  void start(Tick now) { now_ = now; }
+  // Ticks come in order, each once for every property. `now_us`: of its step; none: it was missed.
+  void start(Tick now, std::optional<std::int64_t> now_us = std::nullopt) {
+    now_ = now;
+    now_us_ = now_us;
+  }
   Margin condition(const sema::Expr& expr);
   // All ticks up to `last` are no longer known.
   void forget(Tick last);
@@ -72,6 +77,7 @@ class Evaluator {
   const Robots* robots_;
   sema::RobotId other_{};  // of the quantifier around
   Tick now_ = 0;
+  std::optional<std::int64_t> now_us_;
   std::unordered_map<const sema::Expr*, std::unique_ptr<Memory>> memories_;
 };
 

@@ -98,7 +98,7 @@ const std::vector<Finding>& Interpreter::step(std::int64_t now_us, const Inputs&
   params_ = wanted_params_;
   tick_ = tick;
   before_us_ = now_us;
-  evaluator_.start(tick_);
+  evaluator_.start(tick_, now_us);
   judge();
   return findings_;
 }

@@ -19,6 +19,7 @@ namespace rtac::ir {
 enum class ZoneIndex : std::uint32_t {};
 enum class SiteIndex : std::uint32_t {};
 enum class RegionIndex : std::uint32_t {};
+enum class ScheduleIndex : std::uint32_t {};
 enum class ValueId : std::uint32_t {};
 
 // ---- tables -----------------------------------------------------------------------------------
@@ -194,6 +195,9 @@ struct InputIs {  // a margin: the component of an enumeration has this value
 struct InputSame {  // a margin: two components of one enumeration agree
   std::uint32_t channel, component, other_channel, other_component;
 };
+struct Open {  // a margin: now is within an opening of the schedule
+  ScheduleIndex schedule;
+};
 struct Elapsed {  // a margin: this many ticks have passed since the first one
   std::int64_t ticks;
 };
@@ -287,8 +291,8 @@ struct Aggregate {  // a quantity, of a quantity or (count) of a margin
 using Op = std::variant<Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast,
                         PlanInZone, Truth, Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach,
                         LegsInZone, PointsInZone, PairReach, LegsApart, OnTrack, EnergyReach,
-                        ChargeReach, Fact, Input, InputTruth, InputIs, InputSame, Elapsed, Age,
-                        SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute, Root,
+                        ChargeReach, Fact, Input, InputTruth, InputIs, InputSame, Open, Elapsed,
+                        Age, SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute, Root,
                         PointClearance, PointInside, Norm, Between, Phase, Sine, Cosine, Choose,
                         Previously, Once, Historically, Since, Aggregate>;
 
@@ -370,17 +374,31 @@ struct Region {  // a zone that places are held against
   bool around = false;  // contains the zone as written; else that contains it
   std::vector<Edge> edges;
 };
+struct Opening {  // from the first on, before the second
+  std::int64_t from_us = 0, until_us = 0;
+};
+// When a zone is there: moments since 1970-01-01T00:00Z, and times of every week since its Monday
+// 00:00Z. Each list is in order, and no two of it overlap or touch.
+struct Schedule {
+  std::string name;  // of the zone
+  std::vector<Opening> once, weekly;
+};
 struct Watch {
   std::int64_t period_us = 0;
+  bool in_utc = false;  // the clock counts from 1970-01-01T00:00Z
   std::vector<Channel> inputs;
   std::vector<Param> params;
   std::vector<Region> regions;
+  std::vector<Schedule> schedules;
   std::vector<PlainMonitor> monitors;
   std::uint32_t slots = 0;  // of the operators that remember
   // Units of margins; entry 0 stands for truth values, which have none.
   std::vector<Unit> units;
   [[nodiscard]] const Region& operator[](RegionIndex i) const {
     return regions[static_cast<std::uint32_t>(i)];
+  }
+  [[nodiscard]] const Schedule& operator[](ScheduleIndex i) const {
+    return schedules[static_cast<std::uint32_t>(i)];
   }
 };
 

@@ -125,6 +125,7 @@ class Printer {
     return "same " + component(v.channel, v.component) + ", " +
            component(v.other_channel, v.other_component);
   }
+  std::string operator()(const Open& v) const { return "open " + (*watch_)[v.schedule].name; }
   std::string operator()(const Elapsed& v) const { return "elapsed " + num(v.ticks) + " ticks"; }
   std::string operator()(const Age& v) const { return "age " + watch_->inputs[v.channel].name; }
   std::string operator()(const SensedAge& v) const {
@@ -261,6 +262,7 @@ class Printer {
            num(std::int64_t(r.edges.size())));
       edges(r.edges, "    ");
     }
+    for (const Schedule& s : w.schedules) schedule(s);
     for (const PlainMonitor& m : w.monitors) {
       line("  monitor " + m.name + " \"" + m.requirement_id + "\" at " + m.file + ":" +
            num(m.line));
@@ -269,6 +271,13 @@ class Printer {
   }
 
  private:
+  void schedule(const Schedule& s) {
+    std::string text = "  schedule " + s.name;
+    for (const Opening& o : s.once) text += " [" + num(o.from_us) + ", " + num(o.until_us) + ")";
+    if (!s.weekly.empty()) text += " weekly";
+    for (const Opening& o : s.weekly) text += " [" + num(o.from_us) + ", " + num(o.until_us) + ")";
+    line(text);
+  }
   void signals(const Watch& w) {
     for (const Channel& c : w.inputs) channel(c);
     for (const Param& p : w.params) {

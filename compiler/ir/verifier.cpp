@@ -3,6 +3,8 @@
 #include <set>
 #include <utility>
 
+#include "compiler/ir/schedule.h"
+
 namespace rtac::ir {
 namespace {
 
@@ -106,6 +108,12 @@ class Checker {
   void operator()(const InputSame& v) {
     component(v.channel, v.component, ChannelKind::choice), margin();
     component(v.other_channel, v.other_component, ChannelKind::choice);
+  }
+  void operator()(const Open& v) {
+    plain(), margin();
+    if (watch_ && static_cast<std::uint32_t>(v.schedule) >= watch_->schedules.size()) {
+      fail("no such schedule");
+    }
   }
   void operator()(const Elapsed& v) {
     plain(), margin();
@@ -274,11 +282,26 @@ std::optional<std::string> verify_signals(const Watch& watch) {
   return std::nullopt;
 }
 
+// What looks them up relies on it.
+bool in_order(const std::vector<Opening>& openings, std::int64_t end_us) {
+  std::int64_t last_us = -1;
+  for (const Opening& each : openings) {
+    if (each.from_us <= last_us || each.until_us <= each.from_us) return false;
+    last_us = each.until_us;
+  }
+  return last_us <= end_us;
+}
+
 std::optional<std::string> verify_watch(const Module& module, const Watch& watch) {
   if (auto problem = verify_signals(watch)) return problem;
   std::set<std::pair<std::string, bool>> regions;
   for (const Region& r : watch.regions) {
     if (!regions.insert({r.name, r.around}).second) return r.name + ": two regions of this name";
+  }
+  for (const Schedule& s : watch.schedules) {
+    if (!in_order(s.once, INT64_MAX) || !in_order(s.weekly, us_per_week)) {
+      return s.name + ": openings out of order";
+    }
   }
   Checker checker(module, watch, "watch");
   for (const PlainMonitor& monitor : watch.monitors) {

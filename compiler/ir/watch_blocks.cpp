@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "compiler/ir/schedule.h"
 #include "compiler/ir/signals.h"
 #include "compiler/ir/watch_quantities.h"
 #include "compiler/ir/weights.h"
@@ -49,6 +50,9 @@ class PropertyBuilder {
   }
   ValueId margin(const sema::InputRef& v, const sema::Expr& e, bool wanted) {
     return atom(InputTruth{channel(v), v.component}, e, wanted);
+  }
+  ValueId margin(const sema::ZoneOpen& v, const sema::Expr& e, bool wanted) {
+    return atom(Open{schedule_in(watch_, spec_[v.zone])}, e, wanted);
   }
   ValueId margin(const sema::IsValue& v, const sema::Expr& e, bool wanted) {
     return atom(InputIs{channel_of(watch_, spec_[v.input].name), v.component, v.value}, e, wanted);

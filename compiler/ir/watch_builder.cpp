@@ -18,6 +18,7 @@ class WatchBuilder {
   Watch run(const Signals& signals, std::vector<Region> regions) {
     watch_.regions = std::move(regions);
     watch_.period_us = spec_.period ? floor_to_int(spec_.period->value * 1'000'000) : 1;
+    watch_.in_utc = spec_.utc_clock.has_value();
     add_signals(signals);
     watch_.units.push_back({{}, 1, 1});
     for (const sema::Watch& from : spec_.watches) monitor(from);

@@ -116,6 +116,7 @@ class Declarer {
   }
 
   void operator()(const SourceRange&, const syntax::PeriodItem&) {}
+  void operator()(const SourceRange&, const syntax::ClockItem&) {}
   void operator()(const SourceRange&, const syntax::ScaleItem&) {}
   void operator()(const SourceRange&, const syntax::GridItem&) {}
   void operator()(const SourceRange&, const syntax::AssumeItem&) {}

@@ -247,6 +247,8 @@ std::string ExprPrinter::expr(const Expr& expr) const {
           [&](const PointClearance& atom) {
             return "clearance(" + point(*atom.x, *atom.y) + ", " + zone(atom.zone) + ")";
           },
+          [&](const ZoneOpen& open) { return "open(" + zone(open.zone) + ")"; },
+          [&](const WhileOpen& open) { return this->expr(*open.operand); },
           [&](const IsValue& is) {
             const Input& signal = spec_[is.input];
             return "(" + input({is.input, is.component}) +

@@ -396,6 +396,22 @@ class SettingsChecker {
     }
   }
 
+  void item(const SourceRange& range, const syntax::ClockItem& written) {
+    clock_written_ = true;
+    if (written.name.text != "utc") {
+      context_.report(Finding(Code::unknown_word, written.name.range,
+                              "there is no clock `" + written.name.text + "`")
+                          .label("not a clock")
+                          .help("`clock utc;` counts microseconds since 1970-01-01T00:00Z"));
+      return;
+    }
+    if (context_.spec.utc_clock) {
+      context_.duplicate_clause(range, *context_.spec.utc_clock, "`clock`");
+      return;
+    }
+    context_.spec.utc_clock = range;
+  }
+
   void item(const SourceRange& range, const syntax::ScaleItem& written) {
     const auto scale = positive_constant(context_, *written.value, "a scale of margins");
     if (!scale) return;
@@ -410,6 +426,21 @@ class SettingsChecker {
 
   void item(const SourceRange&, const syntax::GridItem& written) {
     for (const syntax::ExprPtr& each : written.steps) grid(*each);
+  }
+
+  // Windows of time mean nothing on a clock that starts anywhere.
+  void finish() {
+    if (clock_written_ || context_.broken_tree()) return;
+    for (const Declared<syntax::ZoneItem>& zone : context_.zones) {
+      if (zone.node->during.empty()) continue;
+      context_.report(Finding(Code::clock_missing, zone.node->during.front().range,
+                              "windows of time need a clock in UTC")
+                          .label("which time is it?")
+                          .help("write `clock utc;`: time and stamps then count from "
+                                "1970-01-01T00:00Z")
+                          .insert_after(context_.spec.name_range, ";\nclock utc"));
+      return;
+    }
   }
 
  private:
@@ -460,6 +491,7 @@ class SettingsChecker {
 
   Context& context_;
   std::optional<SourceRange> period_;
+  bool clock_written_ = false;  // it may have a mistake
 };
 
 }  // namespace
@@ -480,6 +512,7 @@ void check_settings(Context& context, const syntax::Program& program) {
       std::visit([&](const auto& node) { checker.item(item.range, node); }, item.node);
     }
   }
+  checker.finish();
 }
 
 }  // namespace rtac::sema

@@ -32,6 +32,42 @@ int sign_of(const Expr& factor) {
   return value ? sgn(*value) : 0;
 }
 
+// Visits operands with what a larger value of them does, where `expr` has this sign.
+template <class Visit>
+void for_each_signed_operand(ExprPtr& expr, int sign, const Visit& visit) {
+  auto* node = std::get_if<Arithmetic>(&expr->node);
+  if (node == nullptr) {
+    for_each_operand(*expr, [&](ExprPtr& operand) { visit(operand, 0); });
+    return;
+  }
+  auto& operands = node->operands;
+  switch (node->op) {
+    case ArithmeticOp::add:
+      visit(operands[0], sign);
+      return visit(operands[1], sign);
+    case ArithmeticOp::subtract:
+      visit(operands[0], sign);
+      return visit(operands[1], -sign);
+    case ArithmeticOp::negate:
+      return visit(operands[0], -sign);
+    case ArithmeticOp::multiply:
+      visit(operands[0], sign * sign_of(*operands[1]));
+      return visit(operands[1], sign * sign_of(*operands[0]));
+    case ArithmeticOp::divide:
+      return visit(operands[0], sign * sign_of(*operands[1]));
+  }
+}
+
+// The least or greatest of what may be endless is not always that.
+void find_while_open(ExprPtr& expr, int sign, std::vector<Found>& out) {
+  if (std::holds_alternative<WhileOpen>(expr->node)) {
+    out.push_back({&expr, sign});
+    return;
+  }
+  for_each_signed_operand(expr, sign,
+                          [&](ExprPtr& operand, int its) { find_while_open(operand, its, out); });
+}
+
 void find(ExprPtr& expr, int sign, std::vector<Found>& out) {
   if (std::holds_alternative<OverMembers>(expr->node) || (sign != 0 && chooses_members(*expr))) {
     out.push_back({&expr, sign});
@@ -42,27 +78,7 @@ void find(ExprPtr& expr, int sign, std::vector<Found>& out) {
     for_each_operand(*expr, [&](ExprPtr& operand) { find(operand, keeps ? sign : 0, out); });
     return;
   }
-  auto* node = std::get_if<Arithmetic>(&expr->node);
-  if (node == nullptr) {
-    for_each_operand(*expr, [&](ExprPtr& operand) { find(operand, 0, out); });
-    return;
-  }
-  auto& operands = node->operands;
-  switch (node->op) {
-    case ArithmeticOp::add:
-      find(operands[0], sign, out);
-      return find(operands[1], sign, out);
-    case ArithmeticOp::subtract:
-      find(operands[0], sign, out);
-      return find(operands[1], -sign, out);
-    case ArithmeticOp::negate:
-      return find(operands[0], -sign, out);
-    case ArithmeticOp::multiply:
-      find(operands[0], sign * sign_of(*operands[1]), out);
-      return find(operands[1], sign * sign_of(*operands[0]), out);
-    case ArithmeticOp::divide:
-      return find(operands[0], sign * sign_of(*operands[1]), out);
-  }
+  for_each_signed_operand(expr, sign, [&](ExprPtr& operand, int its) { find(operand, its, out); });
 }
 
 }  // namespace
@@ -106,7 +122,28 @@ ExprPtr PropertyChecker::compare(const SourceRange& range, CompareOp op, ExprPtr
     const bool rising = (each.sign > 0) == above;
     return compare_members(range, op, left, right, *each.place, rising);
   }
-  return make_condition(range, Compare{op, std::move(left), std::move(right)});
+  return compare_while_open(range, op, std::move(left), std::move(right));
+}
+
+// What is endless while a zone is not open decides the comparison then, whatever the other side is.
+ExprPtr PropertyChecker::compare_while_open(const SourceRange& range, CompareOp op, ExprPtr left,
+                                            ExprPtr right) {
+  std::vector<Found> found;
+  find_while_open(left, 1, found);
+  find_while_open(right, -1, found);
+  if (found.size() != 1 || found.front().sign == 0) {
+    return make_condition(range, Compare{op, std::move(left), std::move(right)});
+  }
+  ExprPtr& place = *found.front().place;
+  WhileOpen taken = std::move(std::get<WhileOpen>(place->node));
+  place = std::move(taken.operand);
+  const bool above = op == CompareOp::greater || op == CompareOp::greater_equal;
+  const bool rising = (found.front().sign > 0) == above;
+  ExprPtr open = make_condition(range, ZoneOpen{taken.zone});
+  ExprPtr meanwhile = make_condition(range, Compare{op, std::move(left), std::move(right)});
+  const bool holds_otherwise = rising == taken.endless;
+  const LogicOp joins = holds_otherwise ? LogicOp::implies : LogicOp::logical_and;
+  return make_condition(range, Logic{joins, operands_of(std::move(open), std::move(meanwhile))});
 }
 
 // Counts the copies of what is compared; false: reported.

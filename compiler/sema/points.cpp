@@ -66,7 +66,21 @@ std::optional<Pair> PropertyChecker::place_of(const syntax::Expr& expr, const st
 // zone.
 std::optional<ZoneId> PropertyChecker::zone_around(const Pair& place, const syntax::Expr& zone) {
   const FrameId frame = place.frame ? *place.frame : frame_of_zone(context_, zone);
-  return zone_in_property(context_, zone, frame);
+  const Change change = scope_.of_robot() ? Change::refused : Change::allowed;
+  return zone_in_property(context_, zone, frame, change);
+}
+
+// A zone that is not open is empty.
+ExprPtr PropertyChecker::inside_while_open(const SourceRange& range, ZoneId zone, ExprPtr inside) {
+  if (context_.spec[zone].openings.empty()) return inside;
+  ExprPtr open = make_condition(range, ZoneOpen{zone});
+  return make_condition(
+      range, Logic{LogicOp::logical_and, operands_of(std::move(open), std::move(inside))});
+}
+ExprPtr PropertyChecker::gap_while_open(const SourceRange& range, ZoneId zone, bool endless,
+                                        ExprPtr gap) {
+  if (context_.spec[zone].openings.empty()) return gap;
+  return make_quantity(range, dims::length, WhileOpen{zone, endless, std::move(gap)});
 }
 
 // A gap to the centre of a body is wider than that to the body.
@@ -105,12 +119,16 @@ ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Bi
   const auto zone = held ? zone_around(held->centre, *binary.right) : std::nullopt;
   if (!zone) return nullptr;
   Centre centre{std::move(held->centre.x), std::move(held->centre.y)};
-  if (held->radius == 0) return inside_of(expr, std::move(centre), *zone);
+  if (held->radius == 0) {
+    return inside_while_open(expr.range, *zone, inside_of(expr, std::move(centre), *zone));
+  }
   ExprPtr gap = less_radius(expr, gap_of(expr, std::move(centre), *zone), held->radius);
   ExprPtr none = make_quantity(expr.range, dims::length, Constant{0});
   const bool open = complemented(context_.spec, *zone).has_value();
-  return make_condition(expr.range, Compare{open ? CompareOp::greater : CompareOp::greater_equal,
-                                            std::move(gap), std::move(none)});
+  return inside_while_open(
+      expr.range, *zone,
+      make_condition(expr.range, Compare{open ? CompareOp::greater : CompareOp::greater_equal,
+                                         std::move(gap), std::move(none)}));
 }
 
 // `clearance(p, Z)` or `distance(p, Z)`: the distance of the place, the centre of a body, to the
@@ -135,12 +153,14 @@ std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const synt
   const auto zone = held ? zone_around(held->centre, second) : std::nullopt;
   if (!zone) return std::nullopt;
   Centre centre{std::move(held->centre.x), std::move(held->centre.y)};
-  return CentreGap{gap_of(expr, std::move(centre), *zone), held->radius};
+  return CentreGap{gap_of(expr, std::move(centre), *zone), held->radius, *zone};
 }
 
 ExprPtr PropertyChecker::clearance_of_place(const syntax::Expr& expr, const syntax::Call& call) {
   auto found = centre_gap(expr, call, call.callee.text);
-  return found ? less_radius(expr, std::move(found->gap), found->radius) : nullptr;
+  if (!found) return nullptr;
+  return gap_while_open(expr.range, found->zone, false,
+                        less_radius(expr, std::move(found->gap), found->radius));
 }
 
 // Of a point nothing inside, the clearance turned round outside; bodies reach further by their
@@ -155,7 +175,8 @@ ExprPtr PropertyChecker::distance_to_zone(const syntax::Expr& expr, const syntax
   ExprPtr gap =
       make_quantity(expr.range, dims::length,
                     Math{MathOp::maximum, operands_of(std::move(nothing), std::move(outside))});
-  return less_radius(expr, std::move(gap), found->radius);
+  return gap_while_open(expr.range, found->zone, true,
+                        less_radius(expr, std::move(gap), found->radius));
 }
 
 }  // namespace rtac::sema

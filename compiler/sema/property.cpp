@@ -27,9 +27,30 @@ std::optional<Rational> constant_of(const Expr& expr) {
   return constant != nullptr ? std::optional(constant->value) : std::nullopt;
 }
 
+// Reports a distance from a zone that is not always there where no comparison has taken it apart.
+static bool counts_while_open(Context& context, const Expr& checked) {
+  const Expr* found = nullptr;
+  for_each_expr(checked, [&](const Expr& each) {
+    if (found == nullptr && std::holds_alternative<WhileOpen>(each.node)) found = &each;
+  });
+  if (found == nullptr) return false;
+  const std::string& zone = context.spec[std::get<WhileOpen>(found->node).zone].name;
+  context.report(
+      Finding(Code::zone_not_fixed, found->range,
+              "the distance from `" + zone + "` is endless while that zone is not there")
+          .label("compared with nothing by itself")
+          .note(context.spec[std::get<WhileOpen>(found->node).zone].name_range,
+                "`" + zone + "` is there at certain times only")
+          .help("compare it where it stands, alone or in a sum, as in `distance(p, " + zone +
+                ") >= 5 m`, and join such comparisons by `and`; their past is that of `once` and "
+                "`historically`"));
+  return true;
+}
+
 ExprPtr check_property(Context& context, const syntax::Expr& expr, const PropertyScope& scope) {
   ExprPtr checked = PropertyChecker(context, scope).condition(expr);
   if (checked) resolve_members(checked);
+  if (checked && counts_while_open(context, *checked)) checked = nullptr;
   if (!checked) context.must_have_said();
   return checked;
 }

@@ -116,6 +116,7 @@ class PropertyChecker {
   // ---- member_comparisons.cpp
   // A comparison; one of `min` or `max` over members is that of each of them.
   ExprPtr compare(const SourceRange& range, CompareOp op, ExprPtr left, ExprPtr right);
+  ExprPtr compare_while_open(const SourceRange& range, CompareOp op, ExprPtr left, ExprPtr right);
   bool afford_copy(const SourceRange& range, const ExprPtr& left, const ExprPtr& right);
   ExprPtr compare_choice(const SourceRange& range, CompareOp op, const ExprPtr& left,
                          const ExprPtr& right, ExprPtr& place);
@@ -224,6 +225,7 @@ class PropertyChecker {
   struct CentreGap {
     ExprPtr gap;  // from the centre
     Rational radius;
+    ZoneId zone;
   };
   struct Centre {
     ExprPtr x, y;  // m
@@ -237,6 +239,8 @@ class PropertyChecker {
                                       const std::string& user);
   std::optional<Pair> place_of(const syntax::Expr& expr, const std::string& user);
   std::optional<ZoneId> zone_around(const Pair& place, const syntax::Expr& zone);
+  ExprPtr inside_while_open(const SourceRange& range, ZoneId zone, ExprPtr inside);
+  ExprPtr gap_while_open(const SourceRange& range, ZoneId zone, bool endless, ExprPtr gap);
   ExprPtr point_inside(const syntax::Expr& expr, const syntax::Binary& binary);
   ExprPtr clearance_of_place(const syntax::Expr& expr, const syntax::Call& call);
   ExprPtr distance_to_zone(const syntax::Expr& expr, const syntax::Call& call);

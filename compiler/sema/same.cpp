@@ -31,6 +31,8 @@ struct SameNode {
   bool operator()(const ParamRef& a) const { return a.param == that<ParamRef>().param; }
   bool operator()(const PointInside& a) const { return a.zone == that<PointInside>().zone; }
   bool operator()(const PointClearance& a) const { return a.zone == that<PointClearance>().zone; }
+  bool operator()(const ZoneOpen& a) const { return a.zone == that<ZoneOpen>().zone; }
+  bool operator()(const WhileOpen& a) const { return a.zone == that<WhileOpen>().zone; }
   bool operator()(const IsValue& a) const {
     const auto& b = that<IsValue>();
     return same({a.input, a.component}, {b.input, b.component}) && a.value == b.value;

@@ -117,11 +117,17 @@ struct ZoneExpr {
   std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport, ZoneComplement>
       node;
 };
+// From one moment on, before another: once, or on certain days of every week. In UTC.
+struct Opening {
+  std::uint8_t days = 0;                 // bit 0: Monday, ...; 0: once
+  std::int64_t from_s = 0, until_s = 0;  // since 1970-01-01T00:00Z; of days: since their midnight
+};
 struct Zone {
   std::string name;  // empty: written inside a property (shrink(free, 15 cm)); named by its place
   SourceRange name_range;
   ZoneExprPtr value;
   FrameId frame = map_frame;
+  std::vector<Opening> openings{};  // outside of them it is empty; none: it is always there
 };
 
 // ---- robots -----------------------------------------------------------------------------------
@@ -354,6 +360,16 @@ struct PointClearance {  // clearance(p, Z): distance to the boundary, negative 
   ExprPtr x, y;          // m
   ZoneId zone;
 };
+struct ZoneOpen {  // now is within an opening of the zone
+  ZoneId zone;
+};
+// A distance from a zone while that is open; else more than any other (`endless`), or less. The
+// comparison that it stands in takes it apart, so that a checked property has none.
+struct WhileOpen {
+  ZoneId zone;
+  bool endless;
+  ExprPtr operand;
+};
 struct IsValue {  // mode == drive, for a component of an enumeration
   InputId input;
   std::uint32_t component;
@@ -405,8 +421,8 @@ struct Expr {
   Dimension dimension;
   std::variant<Constant, Truth, SignalRef, Clearance, Distance, EnergyTo, InsideZone, PlanInside,
                Arithmetic, Compare, Logic, HeldFor, ForOthers, CountOthers, OverMembers, InputRef,
-               AgeOf, SensedAge, ParamRef, PointInside, PointClearance, IsValue, SameValue, Math,
-               Choice, Previously, Past, Since, WithinOf, Aggregate>
+               AgeOf, SensedAge, ParamRef, PointInside, PointClearance, ZoneOpen, WhileOpen,
+               IsValue, SameValue, Math, Choice, Previously, Past, Since, WithinOf, Aggregate>
       node;
 };
 
@@ -475,6 +491,7 @@ struct Spec {
   std::vector<Decision> decisions;
   // ---- of monitors without a robot
   std::optional<Quantity> period;
+  std::optional<SourceRange> utc_clock;  // stamps and steps count from 1970-01-01T00:00Z
   std::vector<Enumeration> enumerations;
   std::vector<Input> inputs;
   std::vector<Param> params;

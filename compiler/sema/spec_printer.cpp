@@ -2,6 +2,7 @@
 
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/expr_printer.h"
+#include "compiler/sema/openings.h"
 #include "compiler/support/overloaded.h"
 
 namespace rtac::sema {
@@ -23,11 +24,13 @@ class SpecPrinter {
 
   std::string print() {
     line(0, "spec " + spec_.name);
+    if (spec_.utc_clock) line(0, "clock utc");
     for (std::size_t i = 1; i < spec_.frames.size(); ++i) line(0, "frame " + spec_.frames[i].name);
     if (spec_.origin) print(*spec_.origin);
     for (const Zone& zone : spec_.zones) {
       if (!zone.name.empty())
-        line(0, "zone " + zone.name + frame_of(zone) + " = " + exprs_.zone(*zone.value));
+        line(0, "zone " + zone.name + frame_of(zone) + " = " + exprs_.zone(*zone.value) +
+                    openings_of(zone));
     }
     for (const RobotKind& kind : spec_.kinds) print(kind);
     for (const Robot& robot : spec_.robots) {
@@ -55,6 +58,14 @@ class SpecPrinter {
  private:
   [[nodiscard]] std::string frame_of(const Zone& zone) const {
     return zone.frame == map_frame ? "" : " @ " + spec_[zone.frame].name;
+  }
+
+  static std::string openings_of(const Zone& zone) {
+    std::string text;
+    for (const Opening& opening : zone.openings) {
+      text += (text.empty() ? " during " : " or ") + text_of(opening);
+    }
+    return text;
   }
 
   void line(int depth, const std::string& text) {

@@ -68,6 +68,9 @@ decltype(Expr::node) clone_node(const decltype(Expr::node)& written) {
           [](const PointClearance& node) {
             return Node(PointClearance{clone(*node.x), clone(*node.y), node.zone});
           },
+          [](const WhileOpen& node) {
+            return Node(WhileOpen{node.zone, node.endless, clone(*node.operand)});
+          },
           [](const auto& leaf) { return Node(leaf); },
       },
       written);

@@ -23,7 +23,8 @@ void for_each_operand(Tree& expr, Visit&& visit) {
           visit(node.left);
           visit(node.right);
         } else if constexpr (std::is_same_v<Node, HeldFor> || std::is_same_v<Node, Previously> ||
-                             std::is_same_v<Node, Past> || std::is_same_v<Node, Aggregate>) {
+                             std::is_same_v<Node, Past> || std::is_same_v<Node, Aggregate> ||
+                             std::is_same_v<Node, WhileOpen>) {
           visit(node.operand);
         } else if constexpr (std::is_same_v<Node, ForOthers> || std::is_same_v<Node, CountOthers>) {
           visit(node.body);
@@ -46,7 +47,8 @@ void for_each_operand(Tree& expr, Visit&& visit) {
                         std::is_same_v<Node, InsideZone> || std::is_same_v<Node, PlanInside> ||
                         std::is_same_v<Node, InputRef> || std::is_same_v<Node, AgeOf> ||
                         std::is_same_v<Node, SensedAge> || std::is_same_v<Node, ParamRef> ||
-                        std::is_same_v<Node, IsValue> || std::is_same_v<Node, SameValue>);
+                        std::is_same_v<Node, ZoneOpen> || std::is_same_v<Node, IsValue> ||
+                        std::is_same_v<Node, SameValue>);
         }
       },
       expr.node);

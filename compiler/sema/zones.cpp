@@ -4,6 +4,7 @@
 
 #include "compiler/sema/frames.h"
 #include "compiler/sema/imports.h"
+#include "compiler/sema/openings.h"
 #include "compiler/sema/quantity.h"
 #include "compiler/sema/suggest.h"
 
@@ -302,6 +303,7 @@ void check_zones(Context& context) {
     // operands without a name join the zones meanwhile
     ZoneExprPtr value = checker.check(*context.zones[i].node->value);
     context.spec.zones[i].value = std::move(value);
+    context.spec.zones[i].openings = check_openings(context, context.zones[i].node->during);
   }
   CycleSearch search(context);
   for (std::uint32_t i = 0; i < context.spec.zones.size(); ++i) search.visit(i);
@@ -347,9 +349,29 @@ std::optional<Point> check_point(Context& context, const syntax::Expr& expr,
   return Point{x->value, y->value};
 }
 
-std::optional<ZoneId> zone_in_frame(Context& context, const syntax::Name& name, FrameId frame) {
+namespace {
+
+bool stays(Context& context, const syntax::Name& name, ZoneId id) {
+  const std::uint32_t index = index_of(id);
+  if (index >= context.zones.size() || context.zones[index].node->during.empty()) return true;
+  context.report(Finding(Code::zone_not_fixed, name.range,
+                         "the zone `" + name.text + "` is there at certain times only")
+                     .label("a zone that is always there is due here")
+                     .note(context.spec[id].name_range, "`" + name.text + "` is declared here")
+                     .help("monitors without a robot judge places against it by its name: `p "
+                           "inside base and not p inside " +
+                           name.text + "`"));
+  return false;
+}
+
+}  // namespace
+
+std::optional<ZoneId> zone_in_frame(Context& context, const syntax::Name& name, FrameId frame,
+                                    Change change) {
   const auto id = context.resolve<ZoneId>(name, Sort::zone);
-  if (!id || context.spec[*id].frame == frame) return id;
+  if (!id) return std::nullopt;
+  if (change == Change::refused && !stays(context, name, *id)) return std::nullopt;
+  if (context.spec[*id].frame == frame) return id;
   const std::string& here = context.spec[context.spec[*id].frame].name;
   const std::string& due = context.spec[frame].name;
   context.report(
@@ -386,9 +408,10 @@ FrameId frame_of_zone(const Context& context, const syntax::Expr& expr) {
   return zone != nullptr ? context.spec[ZoneId{zone->index}].frame : map_frame;
 }
 
-std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr, FrameId frame) {
+std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr, FrameId frame,
+                                       Change change) {
   if (const auto* reference = std::get_if<syntax::NameRef>(&expr.node)) {
-    return zone_in_frame(context, reference->name, frame);
+    return zone_in_frame(context, reference->name, frame, change);
   }
   // the body of a function is looked at for each of its calls
   auto& zones = context.spec.zones;

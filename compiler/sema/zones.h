@@ -21,16 +21,19 @@ bool is_zone_function(const std::string& name);
 // The zone that a zone is the complement of, itself and not by way of other operations.
 std::optional<ZoneId> complemented(const Spec& spec, ZoneId zone);
 
+// Whether a zone may be one that changes with time.
+enum class Change { refused, allowed };
+
 // The zone that an expression inside a property stands for: a declared one, or a new one without
 // a name at the end of spec.zones; all of it in `frame`. Robots are in `map`.
 std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr,
-                                       FrameId frame = map_frame);
+                                       FrameId frame = map_frame, Change change = Change::refused);
 
 // The frame of the first zone that is named in an expression; `map` when none is.
 FrameId frame_of_zone(const Context& context, const syntax::Expr& expr);
 
 // The declared zone of this name, which must be in this frame.
 std::optional<ZoneId> zone_in_frame(Context& context, const syntax::Name& name,
-                                    FrameId frame = map_frame);
+                                    FrameId frame = map_frame, Change change = Change::refused);
 
 }  // namespace rtac::sema

@@ -343,10 +343,20 @@ struct AssumeItem {  // assume φ checked by NAME;   assume φ unchecked "why";
 struct ImportItem {
   Text path;
 };
-struct ZoneItem {  // zone yard = ...;   zone yard @ gps = ...;
+struct ClockItem {  // clock utc;
+  Name name;
+};
+// When a zone is there: 2026-05-01T08:00Z .. 2026-05-01T18:00Z;   monday, tuesday 07:30 .. 16:00;
+struct Opening {
+  std::vector<Name> days;
+  Text from, until;  // moments
+  SourceRange range;
+};
+struct ZoneItem {  // zone yard = ...;   zone yard @ gps = ...;   zone yard = ... during ...;
   Name name;
   std::optional<Name> frame;  // none: map
   ExprPtr value;
+  std::vector<Opening> during;  // none: always
 };
 struct RobotItem {
   Name name;
@@ -394,8 +404,8 @@ struct DecisionItem {
 struct Item {
   SourceRange range;
   std::variant<ImportItem, PeriodItem, InputItem, ParamItem, EnumItem, FunItem, ScaleItem, GridItem,
-               FrameItem, OriginItem, AssumeItem, ZoneItem, RobotItem, FleetItem, SiteItem,
-               ControllerItem, MonitorItem, DecisionItem>
+               FrameItem, OriginItem, ClockItem, AssumeItem, ZoneItem, RobotItem, FleetItem,
+               SiteItem, ControllerItem, MonitorItem, DecisionItem>
       node;
   // A mistake in its text is reported and could only be mended by a guess, so that the tree may not
   // be what is meant.

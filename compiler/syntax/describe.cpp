@@ -156,7 +156,7 @@ class Describer {
     if (kind == T::UNIT) return true;
     if (kind == T::LEFT_BRACKET) return error_.expected.size() > 1;
     const bool follows_operand = kind == T::DOT || kind == T::LEFT_PAREN || kind == T::FOR ||
-                                 kind == T::SINCE || kind == T::WITHIN;
+                                 kind == T::SINCE || kind == T::WITHIN || kind == T::DURING;
     return follows_operand && (error_.expects(T::PLUS) || error_.expects(T::OF));
   }
 
@@ -166,6 +166,8 @@ class Describer {
         return "a text";
       case T::NUMBER:
         return "a number";
+      case T::MOMENT:
+        return "a moment";
       case T::END:
         return "the end of the file";
       default:
@@ -204,7 +206,8 @@ class Describer {
     if (kind == T::SEMICOLON) result.code = Code::missing_semicolon;
     result.range = behind_previous();
     const bool is_word = find_word(kind) != nullptr;
-    const bool writable = kind != T::STRING && kind != T::NUMBER && kind != T::IDENT;
+    const bool writable =
+        kind != T::STRING && kind != T::NUMBER && kind != T::MOMENT && kind != T::IDENT;
     if (writable) {
       result.fixits.push_back(
           {behind_previous(), (is_word ? " " : "") + std::string{token_name(kind)}});

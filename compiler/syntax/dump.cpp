@@ -172,10 +172,18 @@ class Dumper {
     if (node.checked_by) part("CheckedBy", *node.checked_by);
     part("Unchecked", node.unchecked);
   }
+  void add(const ClockItem& node, const SourceRange& range) {
+    line("Clock " + node.name.text, range);
+  }
   void add(const ZoneItem& node, const SourceRange& range) {
     line("Zone " + node.name.text + (node.frame ? " @ " + node.frame->text : ""), range);
     Level level{text_};
     add(*node.value);
+    for (const Opening& opening : node.during) {
+      line("During " + join(opening.days, ", ") + (opening.days.empty() ? "" : " ") +
+               opening.from.text + " .. " + opening.until.text,
+           opening.range);
+    }
   }
   void add(const RobotItem& node, const SourceRange& range) {
     line("Robot " + node.name.text, range);

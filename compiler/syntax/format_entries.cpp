@@ -100,6 +100,7 @@ class Aligner {
       case T::GRID:
       case T::FRAME:
       case T::ORIGIN:
+      case T::CLOCK:
       case T::PERIOD:
         return entry.begin + 1;
       default:

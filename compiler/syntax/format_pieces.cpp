@@ -17,6 +17,7 @@ constexpr std::array<std::pair<TokenKind, TokenKind>, 5> kWordPairs{{{T::BODY, T
 bool ends_operand(const Piece& piece) {
   switch (piece.kind) {
     case T::NUMBER:
+    case T::MOMENT:
     case T::UNIT:
     case T::STRING:
     case T::RIGHT_PAREN:

@@ -29,6 +29,10 @@ using T = rtac::syntax::T;
 DIGIT      [0-9]
 WORD       [A-Za-z_][A-Za-z0-9_]*
 NUMBER     {DIGIT}+(\.{DIGIT}+)?([eE][+-]?{DIGIT}+)?
+  /* Moments as they are written somewhere; which of them there are is for the checker to say. */
+DATE       {DIGIT}+-{DIGIT}+-{DIGIT}+
+TIME       {DIGIT}+(:{DIGIT}+)+(\.{DIGIT}+)?
+ZONE       [A-Za-z]+|[+-]{DIGIT}+(:{DIGIT}+)?
 UNITPART   ([A-Za-z][A-Za-z0-9_]*|%)(\^-?{DIGIT}+)?
 HIGH       [\x80-\xFF]
   /* Typographic quotes: U+201C to U+201E, closed by U+201C or U+201D. */
@@ -67,6 +71,9 @@ INQUOTES   ([^\n\xE2]|\xE2[^\x80\n]|\xE2\x80[^\x9C\x9D\n])*
                           }
   .|\n                    { KEEP(0U); BEGIN(INITIAL); }
 }
+
+{DATE}"T"{TIME}{ZONE}?    { yyextra->moment(MATCH); }
+{TIME}{ZONE}?             { yyextra->moment(MATCH); }
 
 {NUMBER}                  { yyextra->number(MATCH); BEGIN(UNIT); }
   /* `0..3` is a range and not a number with too many points. */

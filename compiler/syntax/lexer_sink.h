@@ -25,6 +25,7 @@ class LexerSink {
   void foreign_operator(TokenKind kind, std::string_view text);
   void word(std::string_view text);
   void number(std::string_view text);
+  void moment(std::string_view text) { push(T::MOMENT, std::string{text}); }
   void malformed_number(std::string_view text);
   // False when the text is no unit: it starts with a word of the language.
   bool unit(std::string_view text);

@@ -17,6 +17,8 @@ Parser::symbol_type yylex(Builder& build) {
     }
     case T::UNIT:
       return Parser::make_UNIT({token.text, token.range}, token.range);
+    case T::MOMENT:
+      return Parser::make_MOMENT({token.text, token.range}, token.range);
     case T::STRING:
       return Parser::make_STRING({token.text, token.range}, token.range);
     default:

@@ -159,9 +159,18 @@ std::string print_node(const AssumeItem& node) {
          (node.checked_by ? " checked by " + node.checked_by->text : "") +
          (node.unchecked ? " unchecked " + spell_text(node.unchecked->text) : "") + ";\n";
 }
+std::string print_node(const ClockItem& node) {
+  return "clock " + node.name.text + ";\n";
+}
 std::string print_node(const ZoneItem& node) {
+  std::string during;
+  for (const Opening& opening : node.during) {
+    during += (during.empty() ? " during " : " or ") + join(opening.days, ", ");
+    if (!opening.days.empty()) during += ' ';
+    during += opening.from.text + " .. " + opening.until.text;
+  }
   return "zone " + node.name.text + print_frame(node.frame) + " = " + print_expr(*node.value) +
-         ";\n";
+         during + ";\n";
 }
 std::string print_node(const RobotItem& node) {
   std::string result = "robot " + node.name.text + " {\n";

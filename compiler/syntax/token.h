@@ -16,7 +16,7 @@ using T = generated::Parser::token;
 struct Token {
   TokenKind kind{};
   SourceRange range;
-  std::string text = {};       // of a number, unit or string, normalised; else empty
+  std::string text = {};       // of a number, moment, unit or string, normalised; else empty
   bool bad = false;            // a mistake here is reported: what follows from it is not
   bool first_on_line = false;  // no other token before it on its line
 };

@@ -160,6 +160,21 @@ TEST(Rule7_2, IsAsShown) {
 TEST(Rule7_3, IsAsShown) {
   expect_as_shown("7.3");
 }
+TEST(Rule7_4, IsAsShown) {
+  expect_as_shown("7.4");
+}
+// Nobody knows when a tick was that no step belongs to.
+TEST(Rule7_4, NothingIsKnownOfAZoneAtAMissedTick) {
+  const auto c = monitor(
+      "clock utc;\nzone z = circle (0 m, 0 m) radius 1 m during 00:00 .. 00:01;\n"
+      "input p : point max_age inf;",
+      "historically[0 s, 2 s] p inside z");
+  ASSERT_TRUE(c->spec);
+  Interpreter interpreter(*c->spec);
+  const Inputs inside = {Sample{{Rational(0), Rational(0)}, 0}};
+  EXPECT_EQ(show(interpreter.step(0, inside).front()).substr(0, 4), "true");
+  EXPECT_EQ(show(interpreter.step(2 * second_us, inside).front()).substr(0, 7), "unknown");
+}
 TEST(Rule8, IsAsShown) {
   expect_as_shown("8");
 }

@@ -6,6 +6,7 @@
 #include "tests/compiler/sema/rules_mistakes.h"
 #include "tests/compiler/sema/rules_monitors.h"
 #include "tests/compiler/sema/rules_names.h"
+#include "tests/compiler/sema/rules_openings.h"
 #include "tests/compiler/sema/rules_properties.h"
 #include "tests/compiler/sema/rules_quantities.h"
 #include "tests/compiler/sema/rules_robots.h"
@@ -24,7 +25,7 @@ std::vector<Rule> all_rules() {
         rules_of_controllers(), rules_of_properties(), rules_of_monitors(), rules_of_decisions(),
         rules_of_signals(), rules_of_watches(), rules_of_values(), rules_of_functions(),
         rules_of_windows(), rules_of_robots_and_time(), rules_of_habits(), rules_of_limits(),
-        rules_of_frames()}) {
+        rules_of_frames(), rules_of_openings()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -137,8 +137,9 @@ std::string with_other_blanks(const std::string& text, std::mt19937& random) {
   std::string result;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const TokenKind kind = tokens[i].kind;
-    const bool is_mark = kind != T::IDENT && kind != T::NUMBER && kind != T::MINUS &&
-                         kind != T::DOT && kind != T::DOT_DOT && !find_word(kind);
+    const bool is_mark = kind != T::IDENT && kind != T::NUMBER && kind != T::MOMENT &&
+                         kind != T::MINUS && kind != T::DOT && kind != T::DOT_DOT &&
+                         !find_word(kind);
     const std::string blank = kind == T::UNIT ? " " : blanks[random() % std::size(blanks)];
     result += blank.empty() && !is_mark ? " " : blank;
     result += sources.text(tokens[i].range);
@@ -313,6 +314,13 @@ TEST(Format, BeginsTheBodyOfALongFunctionOnALineOfItsOwn) {
   const std::string a(50, 'a');
   EXPECT_EQ(formatted("fun f(v : real [m/s], w : real [m/s]) : bool = " + a + " or w;"),
             "fun f(v : real [m/s], w : real [m/s]) : bool =\n    " + a + " or w;\n");
+}
+
+TEST(Format, KeepsMomentsWhole) {
+  EXPECT_EQ(formatted("clock   utc ;zone a=b during monday ,friday 07:30..16:00 or "
+                      "2026-05-01T08:00Z..2026-05-01T18:00Z;"),
+            "clock utc;\nzone  a = b during monday, friday 07:30 .. 16:00 or 2026-05-01T08:00Z .. "
+            "2026-05-01T18:00Z;\n");
 }
 
 TEST(Format, IsFastOnLongLists) {

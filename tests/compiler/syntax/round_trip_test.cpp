@@ -31,6 +31,13 @@ std::vector<std::filesystem::path> all_specs() {
   return result;
 }
 
+TEST(RoundTrip, KeepsWindowsOfTime) {
+  expect_round_trip(
+      "clock utc;\nzone a = b during monday, friday 07:30 .. 16:00 or 22:00 .. 24:00;");
+  expect_round_trip("zone a = b during 2026-05-01T08:00:30Z .. 2026-05-01T18:00Z;");
+  expect_round_trip("input clock, during : bool;\nzone a = during during 07:30 .. 16:00;");
+}
+
 TEST(RoundTrip, HoldsForAllSpecs) {
   const auto specs = all_specs();
   ASSERT_GE(specs.size(), 6U);
