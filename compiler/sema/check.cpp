@@ -36,6 +36,7 @@ std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnost
   check_settings(context, program);
   check_inputs(context);
   check_params(context);
+  check_carriers(context);
   check_functions(context);
   check_monitors(context);
   check_watches(context);

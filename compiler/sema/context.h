@@ -132,6 +132,8 @@ class Context {
   std::vector<Function> functions;
   std::vector<EnumValue> enum_values;
   std::vector<NumberedFleet> fleets;
+  // What a zone moves with, by ZoneId; filled by check_carriers.
+  std::map<ZoneId, std::variant<InputId, RobotId>> carriers;
   std::map<std::pair<RobotId, std::string>, InputId> robot_inputs;  // what monitors ask of robots
   std::vector<ValueType> input_types;  // by InputId; filled by check_inputs
   std::set<InputId> faulty_inputs, used_inputs;

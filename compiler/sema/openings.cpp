@@ -84,10 +84,10 @@ class OpeningChecker {
   // The first second of the day.
   std::optional<std::int64_t> date(Scanner& scanner, const syntax::Text& written) {
     const auto year = scanner.number(4);
-    const bool has_month = year && scanner.sign('-');
-    const auto month = has_month ? scanner.number(2) : std::nullopt;
-    const bool has_day = month && scanner.sign('-');
-    const auto day = has_day ? scanner.number(2) : std::nullopt;
+    if (!year || !scanner.sign('-')) return malformed(written);
+    const auto month = scanner.number(2);
+    if (!month || !scanner.sign('-')) return malformed(written);
+    const auto day = scanner.number(2);
     if (!day || !scanner.sign('T')) return malformed(written);
     const std::chrono::year_month_day date{std::chrono::year(*year),
                                            std::chrono::month(static_cast<unsigned>(*month)),
@@ -111,7 +111,8 @@ class OpeningChecker {
   std::optional<std::int64_t> time(Scanner& scanner, const syntax::Text& written,
                                    bool may_be_midnight) {
     const auto hour = scanner.number(2);
-    const auto minute = hour && scanner.sign(':') ? scanner.number(2) : std::nullopt;
+    if (!hour || !scanner.sign(':')) return malformed(written);
+    const auto minute = scanner.number(2);
     if (!minute) return malformed(written);
     std::optional<int> second = 0;
     if (scanner.sign(':')) second = scanner.number(2);

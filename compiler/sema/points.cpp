@@ -70,6 +70,26 @@ std::optional<ZoneId> PropertyChecker::zone_around(const Pair& place, const synt
   return zone_in_property(context_, zone, frame, change);
 }
 
+// The place as it is seen from what the zone moves with; false: reported.
+bool PropertyChecker::seen_from_carrier(const syntax::Expr& expr, ZoneId zone, Pair& place) {
+  const std::uint32_t index = index_of(zone);
+  const bool moves = index < context_.zones.size() && context_.zones[index].node->around;
+  if (!moves) return true;
+  const syntax::RobotRef& around = *context_.zones[index].node->around;
+  const auto carrier = context_.carriers.find(zone);
+  if (carrier == context_.carriers.end()) return false;
+  if (!signal_allowed(expr.range, around.name, Sort::input)) return false;
+  const auto* robot = std::get_if<RobotId>(&carrier->second);
+  const auto input = robot != nullptr ? robot_input(*robot, "position", around.range)
+                                      : std::optional(std::get<InputId>(carrier->second));
+  Value from = input ? input_value(expr.range, *input) : nullptr;
+  auto* centre = std::get_if<Pair>(&from.node);
+  if (centre == nullptr) return false;
+  place.x = sum(expr, ArithmeticOp::subtract, std::move(place.x), std::move(centre->x));
+  place.y = sum(expr, ArithmeticOp::subtract, std::move(place.y), std::move(centre->y));
+  return true;
+}
+
 // A zone that is not open is empty.
 ExprPtr PropertyChecker::inside_while_open(const SourceRange& range, ZoneId zone, ExprPtr inside) {
   if (context_.spec[zone].openings.empty()) return inside;
@@ -117,7 +137,7 @@ ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Bi
   if (is_error(*binary.left) || is_error(*binary.right)) return nullptr;
   auto held = placed(*binary.left, "inside");
   const auto zone = held ? zone_around(held->centre, *binary.right) : std::nullopt;
-  if (!zone) return nullptr;
+  if (!zone || !seen_from_carrier(expr, *zone, held->centre)) return nullptr;
   Centre centre{std::move(held->centre.x), std::move(held->centre.y)};
   if (held->radius == 0) {
     return inside_while_open(expr.range, *zone, inside_of(expr, std::move(centre), *zone));
@@ -151,7 +171,7 @@ std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const synt
   }
   auto held = placed(first, user);
   const auto zone = held ? zone_around(held->centre, second) : std::nullopt;
-  if (!zone) return std::nullopt;
+  if (!zone || !seen_from_carrier(expr, *zone, held->centre)) return std::nullopt;
   Centre centre{std::move(held->centre.x), std::move(held->centre.y)};
   return CentreGap{gap_of(expr, std::move(centre), *zone), held->radius, *zone};
 }

@@ -239,6 +239,7 @@ class PropertyChecker {
                                       const std::string& user);
   std::optional<Pair> place_of(const syntax::Expr& expr, const std::string& user);
   std::optional<ZoneId> zone_around(const Pair& place, const syntax::Expr& zone);
+  bool seen_from_carrier(const syntax::Expr& expr, ZoneId zone, Pair& place);
   ExprPtr inside_while_open(const SourceRange& range, ZoneId zone, ExprPtr inside);
   ExprPtr gap_while_open(const SourceRange& range, ZoneId zone, bool endless, ExprPtr gap);
   ExprPtr point_inside(const syntax::Expr& expr, const syntax::Binary& binary);

@@ -353,10 +353,14 @@ namespace {
 
 bool stays(Context& context, const syntax::Name& name, ZoneId id) {
   const std::uint32_t index = index_of(id);
-  if (index >= context.zones.size() || context.zones[index].node->during.empty()) return true;
+  if (index >= context.zones.size()) return true;
+  const syntax::ZoneItem& written = *context.zones[index].node;
+  if (!written.around && written.during.empty()) return true;
   context.report(Finding(Code::zone_not_fixed, name.range,
-                         "the zone `" + name.text + "` is there at certain times only")
-                     .label("a zone that is always there is due here")
+                         "the zone `" + name.text + "` " +
+                             (written.around ? "moves with `" + written.around->name.text + "`"
+                                             : "is there at certain times only"))
+                     .label("a zone that stays as it is is due here")
                      .note(context.spec[id].name_range, "`" + name.text + "` is declared here")
                      .help("monitors without a robot judge places against it by its name: `p "
                            "inside base and not p inside " +

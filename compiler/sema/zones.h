@@ -11,6 +11,10 @@ namespace rtac::sema {
 // Fills spec.zones from the declarations and reports cycles among them.
 void check_zones(Context& context);
 
+// Finds the points and robots that zones move with. Needs the types of inputs and the kinds of
+// robots.
+void check_carriers(Context& context);
+
 // A point of the plane; both coordinates are lengths.
 std::optional<Point> check_point(Context& context, const syntax::Expr& expr,
                                  const std::string& what);

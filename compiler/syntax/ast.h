@@ -352,11 +352,18 @@ struct Opening {
   Text from, until;  // moments
   SourceRange range;
 };
-struct ZoneItem {  // zone yard = ...;   zone yard @ gps = ...;   zone yard = ... during ...;
+struct RobotRef {  // r1, bots[3]
+  Name name;
+  ExprPtr number;  // null: none
+  SourceRange range;
+};
+// zone yard = ...;   zone yard @ gps = ...;   zone yard = ... around r1 during ...;
+struct ZoneItem {
   Name name;
   std::optional<Name> frame;  // none: map
   ExprPtr value;
-  std::vector<Opening> during;  // none: always
+  std::optional<RobotRef> around;  // the robot or point that it moves with
+  std::vector<Opening> during;     // none: always
 };
 struct RobotItem {
   Name name;
@@ -366,11 +373,6 @@ struct FleetItem {  // fleet r1, r2 : Cart;   fleet bots : Drone[128];
   std::vector<Name> members;
   Name kind;
   ExprPtr count;  // of numbered members; null: each name is a robot
-};
-struct RobotRef {  // r1, bots[3]
-  Name name;
-  ExprPtr number;  // null: none
-  SourceRange range;
 };
 struct SiteItem {  // site dock(r1) = (1 m, 1 m);   site home = (0 m, 0 m);
   Name name;

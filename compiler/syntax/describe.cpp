@@ -156,7 +156,8 @@ class Describer {
     if (kind == T::UNIT) return true;
     if (kind == T::LEFT_BRACKET) return error_.expected.size() > 1;
     const bool follows_operand = kind == T::DOT || kind == T::LEFT_PAREN || kind == T::FOR ||
-                                 kind == T::SINCE || kind == T::WITHIN || kind == T::DURING;
+                                 kind == T::SINCE || kind == T::WITHIN || kind == T::DURING ||
+                                 kind == T::AROUND;
     return follows_operand && (error_.expects(T::PLUS) || error_.expects(T::OF));
   }
 

@@ -179,6 +179,11 @@ class Dumper {
     line("Zone " + node.name.text + (node.frame ? " @ " + node.frame->text : ""), range);
     Level level{text_};
     add(*node.value);
+    if (node.around) {
+      line("Around " + node.around->name.text, node.around->range);
+      Level inner{text_};
+      part("Number", node.around->number);
+    }
     for (const Opening& opening : node.during) {
       line("During " + join(opening.days, ", ") + (opening.days.empty() ? "" : " ") +
                opening.from.text + " .. " + opening.until.text,

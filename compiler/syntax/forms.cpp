@@ -17,6 +17,7 @@ constexpr Construct kConstructs[] = {
     {T::POLYGON, "polygon [(0 m, 0 m), (5 m, 0 m), (4 m, 5 m)]"},
     {T::FORALL, "forall q : Cart, q != r : distance(r, q) >= 8 cm"},
     {T::DURING, "during 2026-05-01T08:00Z .. 2026-05-01T18:00Z or monday, friday 07:30 .. 16:00"},
+    {T::AROUND, "zone bubble = circle (0 m, 0 m) radius 3 m around carrier;"},
     {T::IF, "if open then 1 m/s else 2 m/s"},
     {T::LET, "let gap = p.x - q.x in abs(gap) >= 1 m"},
     {T::ONCE, "once[0 s, 2 s] open"},

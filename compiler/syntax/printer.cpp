@@ -162,6 +162,9 @@ std::string print_node(const AssumeItem& node) {
 std::string print_node(const ClockItem& node) {
   return "clock " + node.name.text + ";\n";
 }
+std::string print_robot(const RobotRef& robot) {
+  return robot.name.text + (robot.number ? '[' + print_expr(*robot.number) + ']' : "");
+}
 std::string print_node(const ZoneItem& node) {
   std::string during;
   for (const Opening& opening : node.during) {
@@ -170,7 +173,7 @@ std::string print_node(const ZoneItem& node) {
     during += opening.from.text + " .. " + opening.until.text;
   }
   return "zone " + node.name.text + print_frame(node.frame) + " = " + print_expr(*node.value) +
-         during + ";\n";
+         (node.around ? " around " + print_robot(*node.around) : "") + during + ";\n";
 }
 std::string print_node(const RobotItem& node) {
   std::string result = "robot " + node.name.text + " {\n";
@@ -184,9 +187,6 @@ std::string print_node(const RobotItem& node) {
 std::string print_node(const FleetItem& node) {
   return "fleet " + join(node.members, ", ") + " : " + node.kind.text +
          (node.count ? '[' + print_expr(*node.count) + ']' : "") + ";\n";
-}
-std::string print_robot(const RobotRef& robot) {
-  return robot.name.text + (robot.number ? '[' + print_expr(*robot.number) + ']' : "");
 }
 std::string print_node(const SiteItem& node) {
   return "site " + node.name.text + (node.robot ? '(' + print_robot(*node.robot) + ')' : "") +

@@ -175,6 +175,9 @@ TEST(Rule7_4, NothingIsKnownOfAZoneAtAMissedTick) {
   EXPECT_EQ(show(interpreter.step(0, inside).front()).substr(0, 4), "true");
   EXPECT_EQ(show(interpreter.step(2 * second_us, inside).front()).substr(0, 7), "unknown");
 }
+TEST(Rule7_5, IsAsShown) {
+  expect_as_shown("7.5");
+}
 TEST(Rule8, IsAsShown) {
   expect_as_shown("8");
 }

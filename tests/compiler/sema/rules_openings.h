@@ -27,6 +27,15 @@ robot Rover {
 }
 fleet one, two : Rover;
 input p : point in 0 .. 90 m;
+frame base;
+input crane : point in 0 .. 90 m error 5 cm;
+input hand : point @ base in 0 .. 90 m;
+input masts : point[2] in 0 .. 90 m;
+fun far(a : point) : bool = distance(a, fair) >= 1 m;
+zone bubble = circle (0 m, 0 m) radius 3 m around crane;
+zone escort = rectangle (-1 m, -1 m) to (1 m, 1 m) around one during 08:00 .. 18:00;
+monitor near { "R4: with the crane, away from the rover" always p inside bubble and not p inside escort and far(crane); }
+monitor used { "R5: uses all" always hand.x >= 0 m and masts[0].x >= 0 m and masts[1].x >= 0 m; }
 controller pilot : advanced for Rover extern;
 controller back : safe for Rover = retreat within ground speed 0.1 m/s;
 monitor away { "R1: not at the fair" always not p inside fair and not one inside fair; }
@@ -126,6 +135,59 @@ inline std::vector<Rule> rules_of_moments() {
   };
 }
 
+inline std::vector<Rule> rules_of_carriers() {
+  return {
+      {"zones_that_move_are_not_combined",
+       {{"zone lawn = ground - ", "zone lawn = bubble - "}},
+       Code::zone_not_fixed,
+       "bubble",
+       "the zone `bubble` moves with `crane`",
+       "`p inside base and not p inside bubble`"},
+      {"robots_do_not_look_ahead_at_zones_that_move",
+       {{"r inside ground", "r inside escort"}},
+       Code::zone_not_fixed,
+       "escort",
+       "the zone `escort` moves with `one`",
+       "monitors without a robot"},
+      {"a_zone_moves_with_a_point",
+       {{"around crane", "around masts"}},
+       Code::wrong_argument,
+       "masts",
+       "a zone moves with a point or a robot, this is an array",
+       "input of type `point`"},
+      {"a_zone_moves_with_something_that_there_is",
+       {{"around crane", "around crnae"}},
+       Code::unknown_name,
+       "crnae",
+       "crnae",
+       "`crane`"},
+      {"a_zone_does_not_move_with_a_zone",
+       {{"around crane", "around ground"}},
+       Code::wrong_sort,
+       "ground",
+       "`ground` is a zone",
+       ""},
+      {"one_robot_has_no_number",
+       {{"around one", "around one[1]"}},
+       Code::wrong_sort,
+       "1",
+       "`one` is one robot, not a fleet",
+       "write `one`"},
+      {"a_zone_is_in_the_frame_of_what_it_moves_with",
+       {{"around crane", "around hand"}},
+       Code::frames_differ,
+       "hand",
+       "the zone is in the frame `map`",
+       ""},
+      {"functions_have_no_zones_that_move",
+       {{"distance(a, fair) >= 1 m", "distance(a, bubble) >= 1 m"}},
+       Code::function_not_pure,
+       "distance(a, bubble)",
+       "uses the input `crane`",
+       "its arguments alone"},
+  };
+}
+
 inline std::vector<Rule> rules_of_openings() {
   std::vector<Rule> rules = {
       {"windows_need_a_clock",
@@ -191,6 +253,7 @@ inline std::vector<Rule> rules_of_openings() {
        "compare it where it stands"},
   };
   for (Rule& rule : rules_of_moments()) rules.push_back(std::move(rule));
+  for (Rule& rule : rules_of_carriers()) rules.push_back(std::move(rule));
   for (Rule& rule : rules) rule.base = fairground;
   return rules;
 }

@@ -102,7 +102,9 @@ enum { BITS_FALSE = 0, BITS_UNKNOWN = 2, BITS_TRUE = 3 };
 
 /* A quantity on its grid, between bounds that no quantity reaches when nothing is known of it. So a
  * comparison with an unknown needs no case of its own: it is not true, and not false. What is
- * measured between two steps of the grid lies strictly between them: such bounds are open. */
+ * measured between two steps of the grid lies strictly between them: such bounds are open. What is
+ * called bounds_... takes any quantities, and makes nothing of nothing; what is called known_... is
+ * asked only about those of which something is known. */
 typedef struct bounds {
   int64_t lo, hi;
   int32_t lo_open, hi_open; /* 1: it is never that bound itself */
@@ -148,11 +150,12 @@ static inline bounds bounds_negative(bounds a) {
   return b;
 }
 
+static inline bounds known_greatest(bounds a, bounds b) {
+  return bounds_between(max_of(lower_half(a), lower_half(b)), max_of(upper_half(a), upper_half(b)));
+}
+
 static inline bounds bounds_greatest(bounds a, bounds b) {
-  return bounds_known(a) && bounds_known(b)
-             ? bounds_between(max_of(lower_half(a), lower_half(b)),
-                              max_of(upper_half(a), upper_half(b)))
-             : bounds_nothing();
+  return bounds_known(a) && bounds_known(b) ? known_greatest(a, b) : bounds_nothing();
 }
 
 /* Margins of several units: each tells that of the atom that decides its lower end, and its upper
@@ -674,30 +677,38 @@ static int64_t tick_until(const ground_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* What is measured, widened by the declared error; nothing outside of the declared range. Each
- * question is a branch of its own, hardly ever taken: that is less work than their conjunction. */
+/* Whether a number was measured that makes sense, within the declared range. Each question is a
+ * branch of its own, hardly ever taken: that is less work than their conjunction. */
+static inline int32_t number_within(const ground_signal *s, int64_t least, int64_t most) {
+  if (s->lo < least) {
+    return 0;
+  }
+  if (s->hi > most) {
+    return 0;
+  }
+  if (s->lo > s->hi) {
+    return 0;
+  }
+  return 1;
+}
+
+/* What is measured, widened by the declared error. */
+static inline bounds bounds_measured(const ground_signal *s, int64_t error) {
+  bounds seen = bounds_of(s->lo - error, s->hi + error);
+  seen.lo_open = s->lo < s->hi;
+  seen.hi_open = s->lo < s->hi;
+  return seen;
+}
+
 static inline bounds bounds_number(const ground_signal *s, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
-  bounds seen;
   if (fresh == 0) {
     return bounds_nothing();
   }
   if (s->valid == 0) {
     return bounds_nothing();
   }
-  if (s->lo < least) {
-    return bounds_nothing();
-  }
-  if (s->hi > most) {
-    return bounds_nothing();
-  }
-  if (s->lo > s->hi) {
-    return bounds_nothing();
-  }
-  seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
-  return seen;
+  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
 }
 
 /* The same for margins: unknown for the lack of `input`. */
@@ -1161,8 +1172,7 @@ static int32_t ground_resume(ground_monitors_state *s, int64_t now_us) {
 }
 
 /* Which tick has come; 0: there is none since the last step. */
-static inline int32_t ground_begin(ground_view *v, ground_monitors_state *s,
-                                   const ground_monitors_in *in, int64_t now_us) {
+static inline int32_t ground_begin(ground_view *v, ground_monitors_state *s, int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
     begun = ground_resume(s, now_us);
@@ -1174,7 +1184,6 @@ static inline int32_t ground_begin(ground_view *v, ground_monitors_state *s,
   v->now_us = now_us;
   v->open_fair = is_open(&schedule_fair, v->now_us) ? margin_true() : margin_false();
   v->open_school = is_open(&schedule_school, v->now_us) ? margin_true() : margin_false();
-  (void)in;
   return 1;
 }
 
@@ -1192,7 +1201,7 @@ void ground_monitors_step(ground_monitors_state *s, const ground_monitors_in *in
                           ground_monitors_out *out) {
   ground_view v;
   int32_t k;
-  if (ground_begin(&v, s, in, now_us) == 0) {
+  if (ground_begin(&v, s, now_us) == 0) {
     for (k = 0; k < GROUND_MONITORS; ++k) {
       out->monitors[k] = finding_judged(margin_unknown(GROUND_INPUT_CLOCK));
     }
@@ -1313,8 +1322,7 @@ static int32_t ground_verdicts_resume(ground_monitors_verdicts_state *s, int64_t
 
 /* Which tick has come; 0: there is none since the last step. */
 static inline int32_t ground_verdicts_begin(ground_verdicts_view *v,
-                                            ground_monitors_verdicts_state *s,
-                                            const ground_monitors_in *in, int64_t now_us) {
+                                            ground_monitors_verdicts_state *s, int64_t now_us) {
   int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
   if (begun == 0) {
     begun = ground_verdicts_resume(s, now_us);
@@ -1326,7 +1334,6 @@ static inline int32_t ground_verdicts_begin(ground_verdicts_view *v,
   v->now_us = now_us;
   v->open_fair = is_open(&schedule_fair, v->now_us) ? BITS_TRUE : BITS_FALSE;
   v->open_school = is_open(&schedule_school, v->now_us) ? BITS_TRUE : BITS_FALSE;
-  (void)in;
   return 1;
 }
 
@@ -1344,7 +1351,7 @@ void ground_monitors_verdicts(ground_monitors_verdicts_state *s, const ground_mo
                               int64_t now_us, int32_t verdicts[GROUND_MONITORS]) {
   ground_verdicts_view v;
   int32_t k;
-  if (ground_verdicts_begin(&v, s, in, now_us) == 0) {
+  if (ground_verdicts_begin(&v, s, now_us) == 0) {
     for (k = 0; k < GROUND_MONITORS; ++k) {
       verdicts[k] = GROUND_VERDICT_UNKNOWN;
     }
