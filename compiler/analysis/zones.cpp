@@ -313,7 +313,8 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
     if (use.points) around = evaluator.around(ZoneId(i));
     result[i] = baker.bake(spec.zones[i], use, std::move(*region), around);
   }
-  check_idle_sites(spec, [&](ZoneId id) { return evaluator.zone(id); }, diagnostics);
+  check_idle_sites(
+      spec, [&](ZoneId id) { return evaluator.zone(id); }, diagnostics);
   return result;
 }
 

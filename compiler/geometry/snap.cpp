@@ -216,9 +216,8 @@ std::optional<SnappedZone> snap_around(const Region& region) {
   if (all_on_grid(region)) return to_zone(region);
   // Rounded to the other side, most outlines do.
   std::vector<Ring> rings;
-  for_each_ring(region, [&](const Ring& ring) {
-    rings.push_back(reversed(round_ring(reversed(ring))));
-  });
+  for_each_ring(region,
+                [&](const Ring& ring) { rings.push_back(reversed(round_ring(reversed(ring)))); });
   const Region simple = Region::of_rings(rings);
   if (fits(simple) && all_on_grid(simple) && simple.contains(region)) return to_zone(simple);
   // What is around it, within a frame, is snapped from within.

@@ -1,5 +1,5 @@
-// The compiler includes nothing of the runtime, and generated code nothing of the compiler: what both
-// sides take for the same number is compared here, when this is compiled.
+// The compiler includes nothing of the runtime, and generated code nothing of the compiler: what
+// both sides take for the same number is compared here, when this is compiled.
 #include <gtest/gtest.h>
 
 #include "compiler/driver/decision_engine.h"
