@@ -2,35 +2,22 @@
 
 #include <algorithm>
 
+#include "tests/differential/fleet_trace.h"
+
 namespace rtac::differential {
 namespace {
 
 using List = std::vector<std::string>;
 
 // Robots as FleetTracer makes them, and its inputs.
-constexpr const char* fleet = R"(spec flock;
+const std::string fleet = R"(spec flock;
 zone field = rectangle (-4 m, -4 m) to (4 m, 4 m) - circle (1.0004 m, 1 m) radius 1 m;
 zone core = circle (-1 m, -1 m) radius 2 m;
 enum Mode { idle, busy }
 input permit : bool max_age 100 ms;
 input load : real in 0 .. 10 error 0.5 max_age 50 ms;
 input mode : Mode;
-robot Quad {
-  body   radius 10.05 cm;
-  motion point { speed <= 0.5 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
-  sense  position : point  error 1 cm   max_age 100 ms;
-  sense  velocity : vector error 1 cm/s max_age 100 ms;
-  sense  battery  : ratio  error 1 %    max_age 200 ms;
-  hears  other robots max_age 150 ms, present;
-  output thrust : acceleration;
-  latency 20 ms;
-  energy { drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at home; held <= 30 s; detour <= 1 m; }
-}
-fleet q1, q2, q3 : Quad;
-site home = (-1 m, -1 m);
-controller policy  : advanced for Quad extern;
-controller inwards : safe for Quad = retreat within field speed 0.2 m/s;
-)";
+)" + std::string(quads);
 
 }  // namespace
 

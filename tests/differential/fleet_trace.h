@@ -15,6 +15,24 @@ struct FleetTrace {
   std::vector<bool> whole;  // by row
 };
 
+// The robots of the traces, and two of their controllers; `field` is a zone of the specification.
+inline constexpr const char* quads = R"(robot Quad {
+  body   radius 10.05 cm;
+  motion point { speed <= 0.5 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense  position : point  error 1 cm   max_age 100 ms;
+  sense  velocity : vector error 1 cm/s max_age 100 ms;
+  sense  battery  : ratio  error 1 %    max_age 200 ms;
+  hears  other robots max_age 150 ms, present;
+  output thrust : acceleration;
+  latency 20 ms;
+  energy { drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at home; held <= 30 s; detour <= 1 m; }
+}
+fleet q1, q2, q3 : Quad;
+site home = (-1 m, -1 m);
+controller policy  : advanced for Quad extern;
+controller inwards : safe for Quad = retreat within field speed 0.2 m/s;
+)";
+
 // Of robots q1, q2 and q3 of an open fleet, which sense position, velocity and battery, within 4 m
 // of the origin; inputs `permit : bool`, `load : real` of 0 .. 11 and `mode` of idle and busy; a
 // period of 50 ms.

@@ -14,7 +14,8 @@ namespace {
 using driver::test::Outcome;
 using driver::test::rtac;
 
-constexpr const char* flock = R"(spec flock;
+const std::string flock =
+    R"(spec flock;
 zone field = rectangle (-4 m, -4 m) to (4 m, 4 m) - circle (1.0004 m, 1 m) radius 1 m;
 zone core = circle (-1 m, -1 m) radius 2 m;
 enum Mode { idle, busy }
@@ -22,22 +23,8 @@ input permit : bool max_age 100 ms;
 input load : real in 0 .. 10 error 0.5;
 input mode : Mode;
 param h : length in 0 m .. 0.3 m = 0.1 m;
-robot Quad {
-  body   radius 10.05 cm;
-  motion point { speed <= 0.5 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
-  sense  position : point  error 1 cm   max_age 100 ms;
-  sense  velocity : vector error 1 cm/s max_age 100 ms;
-  sense  battery  : ratio  error 1 %    max_age 200 ms;
-  hears  other robots max_age 150 ms, present;
-  output thrust : acceleration;
-  latency 20 ms;
-  energy { drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at home; held <= 30 s; detour <= 1 m; }
-}
-fleet q1, q2, q3 : Quad;
-site home = (-1 m, -1 m);
-controller policy  : advanced for Quad extern;
-controller inwards : safe for Quad = retreat within field speed 0.2 m/s;
-controller go_home : safe for Quad = route to home within field speed 0.2 m/s;
+)" + std::string(quads) +
+    R"(controller go_home : safe for Quad = route to home within field speed 0.2 m/s;
 monitor walls for r : Quad { "R1: in" always r inside field; recover inwards; }
 monitor clear for r : Quad { "R2: clear" always 2 * clearance(r, shrink(field, 20 cm)) - h >= 0 m; recover inwards; }
 monitor apart for r : Quad { "R3: apart" always forall q : Quad, q != r : distance(r, q) > 50 cm; recover inwards; }
