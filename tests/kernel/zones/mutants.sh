@@ -1,0 +1,20 @@
+#!/bin/sh
+# The tests of zones must notice every mistake that is seeded in what the kernel asks of them.
+# Usage: mutants.sh COMPILER LIBRARY_TEXT TEST_PROGRAM WORK_DIRECTORY
+set -u
+compiler=$1 library=$2 program=$3 work=$4
+here=$(dirname "$0")
+text=$(basename "$library")
+
+build() {
+  "$compiler" -std=c99 -O1 -w -fPIC -shared -I"$1" -I"$here" "$here/zone_probe.c" \
+    -o "$work/mutant.so"
+}
+passes() {
+  LD_PRELOAD="$work/mutant.so" timeout 60 "$program" --gtest_brief=1 --gtest_fail_fast \
+    >"$work/log" 2>&1
+}
+
+# shellcheck source=tests/kernel/seed_mistakes.sh
+. "$here/../seed_mistakes.sh"
+seed_mistakes "$here/mutants.txt" "$work" "$(dirname "$library")" "$text"

@@ -1,0 +1,70 @@
+// Runs a check on many zones of every family; a failure names the zone.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "tests/kernel/zones/shapes.h"
+#include "tests/kernel/zones/tables.h"
+
+namespace rtac::kernel_test {
+
+inline std::ostream& operator<<(std::ostream& out, const Zone& zone) {
+  out << zone.name;
+  for (const Ring& ring : zone.rings) {
+    out << " [";
+    if (ring.size() > 40) out << ring.size() << " vertices";
+    for (std::size_t i = 0; i < ring.size() && ring.size() <= 40; ++i) {
+      out << "(" << ring[i].x << ", " << ring[i].y << ")";
+    }
+    out << "]";
+  }
+  return out;
+}
+
+// How far below a distance the kernel's may be. An edge of more than 1 km costs one unit more: its
+// direction has 31 digits.
+inline std::int64_t slack_mm(const std::vector<Edge>& edges) {
+  constexpr std::int64_t long_mm = 1 << 20;
+  return std::any_of(edges.begin(), edges.end(),
+                     [](const Edge& e) {
+                       return std::abs(e.b.x - e.a.x) > long_mm ||
+                              std::abs(e.b.y - e.a.y) > long_mm;
+                     })
+             ? 3
+             : 2;
+}
+
+struct Scene {
+  Zone zone;
+  std::vector<Edge> edges;
+  Tables tables;
+  std::int64_t slack_mm;
+  explicit Scene(Zone of)
+      : zone(std::move(of)),
+        edges(edges_of(zone)),
+        tables(tables_of(zone)),
+        slack_mm(kernel_test::slack_mm(edges)) {}
+};
+
+// `check(scene, random)` until the first failure.
+template <class Check>
+void for_each_zone(int zones_per_family, std::uint64_t seed, const Check& check) {
+  for (int f = 0; f < static_cast<int>(Family::count); ++f) {
+    Random random(seed * 100 + static_cast<std::uint64_t>(f));
+    for (int i = 0; i < zones_per_family && !testing::Test::HasFatalFailure(); ++i) {
+      const Scene scene(random_zone(static_cast<Family>(f), random));
+      check(scene, random);
+      if (testing::Test::HasFatalFailure()) ADD_FAILURE() << "in " << scene.zone;
+    }
+  }
+}
+
+// The kernel's lower bound of a distance: never above it, and close below up to the horizon.
+inline void expect_lower_bound(const Scene& scene, const Edge& leg, std::int64_t lower) {
+  ASSERT_TRUE(keeps(scene.edges, leg, lower)) << lower << " is more than the distance";
+  if (lower >= horizon_mm(scene.tables)) return;
+  ASSERT_TRUE(is_within(scene.edges, leg, lower + scene.slack_mm))
+      << lower << " is far below the distance, " << distance_floor(scene.edges, leg);
+}
+
+}  // namespace rtac::kernel_test

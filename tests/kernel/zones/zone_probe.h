@@ -1,0 +1,53 @@
+/* Opens what the kernel asks of zones to tests. A C file of its own, so that the same tests run
+ * against the library of the kernel, with sanitizers, and with seeded mistakes. Lengths in mm. */
+#ifndef RTAC_TESTS_KERNEL_ZONES_ZONE_PROBE_H
+#define RTAC_TESTS_KERNEL_ZONES_ZONE_PROBE_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct probe_place {
+  int64_t x, y;
+} probe_place;
+typedef struct probe_box {
+  int64_t x0, x1, y0, y1;
+} probe_box;
+typedef struct probe_span {
+  int64_t lo, hi;
+} probe_span;
+typedef struct probe_edge {
+  int32_t ax, ay, bx, by, ux_q30, uy_q30;
+} probe_edge;
+typedef struct probe_tables probe_tables;
+
+enum { PROBE_FALSE, PROBE_UNKNOWN, PROBE_TRUE };
+enum { PROBE_LEGS_MAX = 8 };
+
+/* Copies the edges. */
+probe_tables* probe_tables_new(const probe_edge* edges, int32_t count);
+void probe_tables_free(probe_tables* t);
+
+int32_t probe_inside(const probe_tables* t, probe_place p);
+int64_t probe_gap_lo(const probe_tables* t, probe_place p);
+/* -1: the leg crosses the boundary. */
+int64_t probe_leg_lo(const probe_tables* t, probe_place p, probe_place e);
+/* 1: the box lies in the zone; -1: out of it; 0: neither, or it is not known. */
+int32_t probe_box_in(const probe_tables* t, probe_box b);
+/* Signed distances from the boundary that places of the box have. */
+probe_span probe_box_clearance(const probe_tables* t, probe_box b);
+/* Verdict of a plan that keeps `need_mm` to the boundary. */
+int32_t probe_plan_in(const probe_tables* t, const probe_place* places, int32_t count,
+                      int64_t need_mm);
+/* Margin of a robot at rest, or under way from p to e: `disc_mm` about p, `capsule_mm` about the
+ * leg; either suffices. */
+int64_t probe_reach_mm(const probe_tables* t, probe_place p, probe_place e, int64_t disc_mm,
+                       int64_t capsule_mm);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
