@@ -59,7 +59,9 @@ Ring rough_ring(double x_m, double y_m, double radius_m, std::size_t n, double r
 std::vector<Ring> islands(double radius_m, std::size_t vertices, std::size_t each, Vertices where,
                           Random& random) {
   std::vector<Ring> rings;
-  const std::size_t count = std::max<std::size_t>(1, vertices / each);
+  if (vertices < 3) return rings;
+  each = std::min(each, vertices);
+  const std::size_t count = vertices / each;
   const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
   const double step_m = std::sqrt(2.0) * radius_m / static_cast<double>(side);
   for (std::size_t i = 0; i < count; ++i) {
@@ -84,6 +86,23 @@ Fence noisy_star(std::size_t vertices, Vertices where, std::uint64_t seed) {
   const std::size_t inner = vertices / 10;
   return {rough_ring(0, 0, radius_m, vertices - inner, 0.2, where, random),
           islands(0.7 * radius_m, inner, 20, where, random)};
+}
+
+Fence mild_star(std::size_t vertices, Vertices where, std::uint64_t seed) {
+  Random random(seed);
+  const double radius_m = radius_for(vertices);
+  const std::size_t inner = vertices / 10, outer = vertices - inner;
+  const double apart_m = 2 * std::numbers::pi * radius_m / static_cast<double>(outer);
+  return {rough_ring(0, 0, radius_m, outer, std::min(apart_m / radius_m, 0.3), where, random),
+          islands(0.7 * radius_m, inner, 20, where, random)};
+}
+
+Fence circle_fence(std::size_t vertices, Vertices where, std::uint64_t seed) {
+  Random random(seed);
+  const double radius_m = radius_for(vertices);
+  const std::size_t inner = vertices / 10;
+  return {rough_ring(0, 0, radius_m, vertices - inner, 0, where, random),
+          islands(0.7 * radius_m, inner, 100, where, random)};
 }
 
 Fence coast(std::size_t vertices, Vertices where, std::uint64_t seed) {

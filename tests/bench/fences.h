@@ -21,6 +21,10 @@ enum class Vertices { on_grid, off_grid };
 // A rough ring about the origin, noise on every vertex, with a tenth of the vertices in round
 // holes.
 Fence noisy_star(std::size_t vertices, Vertices where, std::uint64_t seed);
+// The same with noise as high as neighbouring vertices are apart, so that its edges stay short.
+Fence mild_star(std::size_t vertices, Vertices where, std::uint64_t seed);
+// A regular polygon, with a tenth of the vertices in round holes.
+Fence circle_fence(std::size_t vertices, Vertices where, std::uint64_t seed);
 // A coast: roughness on every scale, bays behind narrow entries; islands in it are holes.
 Fence coast(std::size_t vertices, Vertices where, std::uint64_t seed);
 // Long narrow teeth side by side: every vertical line meets few edges, every horizontal one all.

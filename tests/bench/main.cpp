@@ -20,7 +20,7 @@ Arguments parse(int argc, char** argv) {
   for (int i = 1; i < argc && a.good; ++i) {
     const std::string flag = argv[i];
     if (flag == "--quick") {
-      a.effort = {3, 1, 4, 2};
+      a.effort = {3, 1, 4, 2, 3, 2'000, 9, 1};
     } else if (flag == "--json" && i + 1 < argc) {
       a.json = argv[++i];
     } else if (flag == "--only" && i + 1 < argc) {
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     measured = rtac::bench::measure_simulation(a.effort, report) && measured;
   if (wanted("watch")) measured = rtac::bench::measure_watch(a.effort, report) && measured;
   if (wanted("compiler")) measured = rtac::bench::measure_compiler(a.effort, report) && measured;
-  if (wanted("zones")) measured = rtac::bench::measure_zones(report) && measured;
+  if (wanted("zones")) measured = rtac::bench::measure_zones(a.effort, report) && measured;
   std::cout << report.text();
   if (!a.json.empty() && !rtac::sim::write_text_file(a.json, report.json())) {
     std::cerr << "rtac_bench: cannot write `" << a.json << "`\n";

@@ -1,18 +1,16 @@
 // What exact geometry costs: processor time and memory from the vertices as written to tables on
-// the grid, and of erosion. Every case runs in a process of its own, so that the memory is that of
-// the case.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
+// the grid, and of erosion.
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "compiler/geometry/bake.h"
 #include "compiler/geometry/region.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/fences.h"
+#include "tests/bench/zones/cost.h"
 
 namespace rtac::bench {
 namespace {
@@ -32,27 +30,6 @@ bool erode(const Fence& fence, const Rational& distance_m) {
   return region != nullptr && region->contains(region->shrink(distance_m));
 }
 
-struct Cost {
-  double seconds = 0, megabytes = 0;
-};
-
-// What `work` takes, in a child; false: it failed. Time of the processor: the machine may be busy.
-template <typename Work>
-bool measure(Work work, Cost& cost) {
-  const pid_t child = fork();
-  if (child < 0) return false;
-  if (child == 0) _exit(work() ? 0 : 1);
-  int status = 0;
-  rusage usage{};
-  if (wait4(child, &status, 0, &usage) != child) return false;
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
-  };
-  cost.seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  cost.megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
 template <typename Work>
 bool add(Report& report, const std::string& key, const std::string& what, Work work) {
   Cost cost;
@@ -65,9 +42,7 @@ bool add(Report& report, const std::string& key, const std::string& what, Work w
   return true;
 }
 
-}  // namespace
-
-bool measure_zones(Report& report) {
+bool measure_exact_geometry(const Effort& effort, Report& report) {
   report.section("Exact geometry");
   using Make = Fence (*)(std::size_t, Vertices, std::uint64_t);
   struct Shape {
@@ -75,8 +50,9 @@ bool measure_zones(Report& report) {
     Make make;
   };
   bool good = true;
-  for (const Shape& shape :
-       {Shape{"coast", coast}, Shape{"star", noisy_star}, Shape{"comb", comb}}) {
+  std::vector<Shape> shapes{{"coast", coast}, {"star", noisy_star}, {"comb", comb}};
+  shapes.resize(std::min(shapes.size(), effort.zone_shapes));
+  for (const Shape& shape : shapes) {
     const std::string name = shape.name;
     for (const std::size_t vertices : {1'000, 10'000, 100'000}) {
       const std::string count = std::to_string(vertices);
@@ -95,6 +71,14 @@ bool measure_zones(Report& report) {
     }
   }
   return good;
+}
+
+}  // namespace
+
+bool measure_zones(const Effort& effort, Report& report) {
+  // First: children start with the memory that is in use.
+  const bool good = measure_exact_geometry(effort, report);
+  return measure_zone_queries(effort, report) && good;
 }
 
 }  // namespace rtac::bench

@@ -1,0 +1,273 @@
+// What it takes to ask about a zone: whether a place is in it, how far from its boundary, and
+// whether a leg keeps clear of it; of the generated kernel and of libraries that prepare a zone for
+// many questions, over outlines of 10 to 100,000 vertices.
+//
+// How. Places lie anywhere about the zone, or within some metres of its boundary. They are in the
+// form that the asked one takes before the clock starts. A pass asks about all of them; passes are
+// taken in turns. So tables stay in the caches as far as they fit: rows `cold` are of single
+// questions, each after memory as large as the last cache has been walked through, less what the
+// clock takes.
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "tests/bench/benchmarks.h"
+#include "tests/bench/watch/contest.h"
+#include "tests/bench/zones/contender.h"
+#include "tests/bench/zones/generated.h"
+
+namespace rtac::bench {
+namespace {
+
+constexpr std::int32_t near_mm = 3'000, leg_mm = 5'000;
+constexpr std::array places_of{"anywhere", "near"};
+
+struct Subject {
+  const char* shape;
+  std::size_t vertices;
+  Outline outline;
+  std::unique_ptr<Generated> generated;  // nullptr: it cannot be compiled
+  [[nodiscard]] std::string title() const {
+    return std::string(shape) + " of " + std::to_string(vertices) + " vertices";
+  }
+  [[nodiscard]] std::string key() const {
+    return std::string(shape) + "_" + std::to_string(vertices);
+  }
+};
+
+constexpr std::array<const char*, 3> question_titles{
+    "Zones: is a place inside", "Zones: how far is a place from the boundary",
+    "Zones: does a leg keep clear of the boundary"};
+constexpr std::array<const char*, 3> question_keys{"inside", "clearance", "leg"};
+
+std::vector<Contender> contenders(Question question, const Subject& subject,
+                                  const std::vector<GridPlace>& places) {
+  std::vector<Contender> all;
+  if (subject.generated) all.push_back(subject.generated->contender(question, places));
+  const auto take = [&](std::vector<Contender> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  };
+  switch (question) {
+    case Question::inside:
+      take(cgal_inside(subject.outline, places));
+      break;
+    case Question::clearance:
+      take(cgal_clearance(subject.outline, places));
+      break;
+    case Question::leg:
+      take(cgal_legs(subject.outline, places));
+      break;
+  }
+  take(geos_contenders(question, subject.outline, places));
+  return all;
+}
+
+// The answers are the same, as far as they can be compared. Places on the boundary may count as
+// either; distances of the kernel are lower bounds, close within the horizon.
+bool agree(Question question, bool is_near, double ours, double theirs, std::size_t count) {
+  const auto n = static_cast<double>(count);
+  if (question == Question::inside) return std::abs(ours - theirs) <= 2 + n / 100;
+  return ours <= theirs + 1e-6 * n && (!is_near || ours >= theirs - 3 * n);
+}
+
+class QueryBench {
+ public:
+  QueryBench(const Effort& effort, Report& report) : effort_(effort), report_(report) {}
+
+  bool ask(Question question, const Subject& subject) {
+    const std::size_t count = effort_.zone_places;
+    std::vector<GridPlace> places = uniform_places(subject.outline, count, 7);
+    const std::vector<GridPlace> near = near_places(subject.outline, near_mm, count, 8);
+    places.insert(places.end(), near.begin(), near.end());
+    if (question == Question::leg) places = legs_from(places, leg_mm, 9);
+    const std::vector<Contender> all = contenders(question, subject, places);
+    report_.section(std::string(question_titles[std::size_t(question)]));
+    bool good = true;
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+      const std::size_t first = kind * count;
+      good = same_answers(question, kind == 1, subject, all, first, count) && good;
+      const std::size_t best = time(question, kind, subject, all, first, count);
+      const bool is_cold_case = subject.shape == std::string("coast") && subject.generated &&
+                                (subject.vertices == 100 || subject.vertices == 100'000);
+      if (is_cold_case && best < all.size()) {
+        cold(question, kind, subject, {all[0], all[best]}, first);
+      }
+    }
+    return good;
+  }
+
+  // The cost at 100,000 vertices over that at 100.
+  void add_growth() {
+    report_.section("Zones: cost at 100,000 vertices over that at 100");
+    for (const Kept& small : kept_) {
+      for (const Kept& large : kept_) {
+        if (small.vertices == 100 && large.vertices == 100'000 && small.what == large.what) {
+          report_.add("growth_" + small.key, small.what, large.ns / small.ns, "x", 2);
+        }
+      }
+    }
+  }
+
+ private:
+  struct Kept {
+    std::string what, key;
+    std::size_t vertices;
+    double ns;
+  };
+
+  static bool same_answers(Question question, bool is_near, const Subject& subject,
+                           const std::vector<Contender>& all, std::size_t first,
+                           std::size_t count) {
+    if (!subject.generated) return true;
+    const double ours = all[0].ask(first, first + count);
+    bool good = true;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      if (!all[i].is_comparable) continue;
+      const double theirs = all[i].ask(first, first + count);
+      if (agree(question, is_near, ours, theirs, count)) continue;
+      std::fprintf(stderr, "rtac_bench: %s, %s, %s: %.0f, but %s says %.0f\n",
+                   subject.title().c_str(), question_keys[std::size_t(question)],
+                   places_of[is_near], ours, all[i].name.c_str(), theirs);
+      good = false;
+    }
+    return good;
+  }
+
+  // Returns the best peer that answers the same; those that answer less have rows of their own.
+  std::size_t time(Question question, std::size_t kind, const Subject& subject,
+                   const std::vector<Contender>& all, std::size_t first, std::size_t count) {
+    Contest contest;
+    for (const Contender& c : all) {
+      contest.add([&c, first, count] {
+        const auto from = std::chrono::steady_clock::now();
+        const double sum = c.ask(first, first + count);
+        const auto to = std::chrono::steady_clock::now();
+        keep(&sum);
+        return std::chrono::duration<double, std::nano>(to - from).count() /
+               static_cast<double>(count);
+      });
+    }
+    contest.run(effort_.zone_rounds, 3);
+    const std::size_t peers = subject.generated ? 1 : 0;
+    std::size_t best = all.size();
+    for (std::size_t i = peers; i < all.size(); ++i) {
+      if (!all[i].is_comparable) continue;
+      if (best == all.size() || contest.tick_ns(i).median < contest.tick_ns(best).median) best = i;
+    }
+    const std::string what = subject.title() + ", " + places_of[kind];
+    const std::string end = std::string(question_keys[std::size_t(question)]) + "_" +
+                            subject.key() + "_" + places_of[kind];
+    if (subject.generated) {
+      report_.add("zone_ns_" + end, what + ": rtac", contest.tick_ns(0), "ns", 1);
+      kept_.push_back({std::string(question_keys[std::size_t(question)]) + ", " + subject.shape +
+                           ", " + places_of[kind],
+                       std::string(question_keys[std::size_t(question)]) + "_" + subject.shape +
+                           "_" + places_of[kind],
+                       subject.vertices, contest.tick_ns(0).median});
+    }
+    if (best < all.size()) {
+      report_.add("zone_peer_ns_" + end, "  best peer: " + all[best].name, contest.tick_ns(best),
+                  "ns", 1);
+      if (subject.generated) {
+        report_.add("zone_ratio_" + end, "  its time over that of rtac", contest.ratio(best, 0),
+                    "x", 1);
+      }
+    }
+    for (std::size_t i = peers; i < all.size(); ++i) {
+      if (all[i].is_comparable) continue;
+      report_.add("zone_less_ns_" + end + "_" + std::to_string(i), "  for less: " + all[i].name,
+                  contest.tick_ns(i), "ns", 1);
+    }
+    return best;
+  }
+
+  void cold(Question question, std::size_t kind, const Subject& subject,
+            const std::array<Contender, 2>& two, std::size_t first) {
+    for (const Contender& c : two) {
+      std::vector<double> times;
+      for (int i = 0; i < effort_.zone_cold_questions; ++i) {
+        const double nothing = once([] { return 0.0; });
+        const std::size_t at = first + static_cast<std::size_t>(i);
+        times.push_back(once([&] { return c.ask(at, at + 1); }) - nothing);
+      }
+      const bool ours = &c == two.data();
+      report_.add(std::string("zone_cold_") + (ours ? "" : "peer_") +
+                      question_keys[std::size_t(question)] + "_" + subject.key() + "_" +
+                      places_of[kind],
+                  "  cold: " + c.name, spread_of(times), "ns", 0);
+    }
+  }
+
+  // One question with cold caches, with the clock.
+  template <class Ask>
+  double once(const Ask& ask) {
+    if (walked_.empty()) walked_.assign(last_cache_bytes() / sizeof(std::uint64_t), 1);
+    for (std::size_t i = 0; i < walked_.size(); i += 8) walked_[i] += i;  // one for each line
+    const auto from = std::chrono::steady_clock::now();
+    const double answer = ask();
+    const auto to = std::chrono::steady_clock::now();
+    keep(&answer);
+    return std::chrono::duration<double, std::nano>(to - from).count();
+  }
+  static std::size_t last_cache_bytes() {
+    constexpr long least = 64 << 20, most = 512 << 20;
+    return static_cast<std::size_t>(std::clamp(sysconf(_SC_LEVEL3_CACHE_SIZE), least, most));
+  }
+
+  const Effort& effort_;
+  Report& report_;
+  std::vector<Kept> kept_;
+  std::vector<std::uint64_t> walked_;
+};
+
+void add_compile(const Subject& subject, Report& report) {
+  const Generated& g = *subject.generated;
+  const std::string key = subject.key(), what = subject.title();
+  report.add("zone_build_" + key, what + ": rtac build", g.rtac.seconds, "s", 2);
+  report.add("zone_build_memory_" + key, "  its peak memory", g.rtac.megabytes, "MB", 0);
+  report.add("zone_cc_" + key, "  compiling its kernel", g.c_compiler.seconds, "s", 2);
+  const auto vertices = static_cast<double>(subject.outline.vertices());
+  report.add("zone_tables_" + key, "  tables, all", g.table_bytes / 1024, "KiB", 1);
+  report.add("zone_tables_per_vertex_" + key, "  tables, beyond 64 KiB, for each vertex",
+             std::max(0.0, g.table_bytes - 65'536) / vertices, "bytes", 1);
+}
+
+}  // namespace
+
+bool measure_zone_queries(const Effort& effort, Report& report) {
+  struct Shape {
+    const char* name;
+    Fence (*make)(std::size_t, Vertices, std::uint64_t);
+  };
+  std::vector<Shape> shapes{{"coast", coast}, {"circle", circle_fence}, {"star", mild_star}};
+  shapes.resize(std::min(shapes.size(), effort.zone_shapes));
+  bool good = true;
+  std::vector<Subject> subjects;
+  report.section("Zones: from a file to a kernel");
+  for (const Shape& shape : shapes) {
+    for (const std::size_t vertices : {10, 100, 1'000, 10'000, 100'000}) {
+      Subject subject{shape.name, vertices, {}, nullptr};
+      subject.outline = outline_of(shape.name, shape.make(vertices, Vertices::on_grid, 1));
+      std::string problem;
+      subject.generated = generate(subject.outline, problem);
+      if (subject.generated) {
+        add_compile(subject, report);
+      } else {
+        std::fprintf(stderr, "rtac_bench: %s: %s\n", subject.title().c_str(), problem.c_str());
+      }
+      subjects.push_back(std::move(subject));
+    }
+  }
+  QueryBench bench(effort, report);
+  for (const Question question : {Question::inside, Question::clearance, Question::leg}) {
+    for (const Subject& subject : subjects) good = bench.ask(question, subject) && good;
+  }
+  bench.add_growth();
+  return good;
+}
+
+}  // namespace rtac::bench
