@@ -49,6 +49,7 @@ class Deriver {
     if (diagnostics_.has_errors()) return std::nullopt;
     number_zones(wanted);
     std::vector<ir::Region> regions = number_regions(wanted);
+    keep_trees(regions);
     number_sites();
     for (const sema::Decision& decision : spec_.decisions) {
       out_.module.decisions.push_back(this->decision(decision));
@@ -129,6 +130,11 @@ class Deriver {
     }
     return to;
   }
+  static ir::EdgeTree tree(const geometry::CellTree& from) {
+    return {from.x_mm,     from.y_mm,  from.shift, from.column, from.row,
+            from.columns,  from.rows,  from.depth, from.leaves, from.edges_most,
+            from.exact_mm, from.words, from.lists};
+  }
   // A zone on the grid is one region, another one two: what is in it, and what contains it.
   std::vector<ir::Region> number_regions(const std::vector<ZoneUse>& wanted) {
     std::vector<ir::Region> regions;
@@ -137,7 +143,7 @@ class Deriver {
       if (!zones_[i] || !wanted[i].points) continue;
       const auto& zone = out_.tables.zones[i];
       const std::string name = zone ? out_.module[*zone].name : table_name(spec_.zones[i], regions);
-      regions.push_back({name, false, edges(zones_[i]->baked.edges)});
+      regions.push_back({name, false, edges(zones_[i]->baked.edges), tree(zones_[i]->tree)});
       const ir::RegionIndex within{static_cast<std::uint32_t>(regions.size() - 1)};
       ir::RegionIndex around = within;
       const auto same = [](const geometry::EdgeRow& a, const geometry::EdgeRow& b) {
@@ -145,16 +151,24 @@ class Deriver {
       };
       if (!std::ranges::equal(zones_[i]->baked.edges, zones_[i]->around, same)) {
         around = ir::RegionIndex(regions.size());
-        regions.push_back({name, true, edges(zones_[i]->around)});
+        regions.push_back({name, true, edges(zones_[i]->around), tree(zones_[i]->around_tree)});
       }
       out_.tables.regions[i] = {within, around};
     }
     return regions;
   }
+  // A kernel has one kind of zone: with trees when one of them needs it.
+  void keep_trees(std::vector<ir::Region>& regions) {
+    const auto many = [](const auto& z) { return z.edges.size() > ir::edges_without_tree; };
+    if (std::ranges::any_of(out_.module.zones, many) || std::ranges::any_of(regions, many)) return;
+    for (ir::ZoneTable& z : out_.module.zones) z.tree = {};
+    for (ir::Region& r : regions) r.tree = {};
+  }
   static ir::ZoneTable table(std::string name, const EvaluatedZone& zone) {
     ir::ZoneTable t;
     t.name = std::move(name);
     t.edges = edges(zone.baked.edges);
+    t.tree = tree(zone.tree);
     std::uint32_t start = 0;
     for (const auto& ring : zone.snapped.rings) {
       t.ring_starts.push_back(start);

@@ -52,6 +52,7 @@ class WellFormed {
         const ir::Monitor& monitor = decision.monitors[k];
         return_set(decision, monitor);
         cells(monitor);
+        exact_far_enough(decision, monitor);
         if (auto found = hopeless_return(module_, decision, k)) {
           diagnostics_.report(std::move(*found));
         }
@@ -114,6 +115,34 @@ class WellFormed {
     const std::int64_t side_mm = 200 * cell_mm;  // of the square with `cells_most` cells
     return "split the zone, or widen its passages: cells of at most " + metres(cell_mm) +
            " work, as a zone within " + metres(side_mm) + " x " + metres(side_mm) + " has them";
+  }
+
+  // Beyond the distances that a tree of cells holds exactly, its bounds from below may fail places
+  // that are far enough from the boundary.
+  void exact_far_enough(const ir::Decision& decision, const ir::Monitor& monitor) {
+    if (!monitor.ahead) return;
+    const std::int64_t t_us =
+        horizon_us_max(decision.body, monitor.lookahead.duration_us) + decision.return_extra_us;
+    const std::int64_t reach_mm =
+        disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps, t_us);
+    for (const ir::Value& v : monitor.ahead->values) {
+      const auto* within = std::get_if<ir::ZoneReach>(&v.op);
+      if (!within) continue;
+      const ir::ZoneTable& zone = module_[within->zone];
+      const std::int64_t need = reach_mm + within->least_mm;
+      if (zone.tree.exact_mm.value_or(INT32_MAX) >= need) continue;
+      diag::Diagnostic d{};
+      d.code = Code::too_many_edges;
+      d.range = source_of(within->zone);
+      d.message = "distances to the boundary of `" + zone.name + "` are exact up to " +
+                  metres(*zone.tree.exact_mm) + " alone, since it has " +
+                  std::to_string(zone.edges.size()) + " edges in tables of 64 bytes an edge";
+      d.notes.push_back({std::nullopt, "monitor `" + monitor.name + "` looks " + metres(need) +
+                                           " ahead at full speed"});
+      d.help = "fewer vertices, a shorter `ahead` or a lower `speed` work";
+      diagnostics_.report(std::move(d));
+      return;
+    }
   }
 
   void site(sema::KindId kind, const ir::Decision& decision, const ir::Monitor& monitor) {

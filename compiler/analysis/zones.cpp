@@ -10,10 +10,10 @@
 namespace rtac::analysis {
 namespace {
 
+constexpr std::int64_t exact_mm_wanted = 50'000;  // more than what robots look ahead
+
 using diag::Code;
 using sema::ZoneId;
-
-constexpr std::size_t edges_max = 256;  // a kernel without an index checks every edge
 
 std::string metres(const Rational& value) {
   return to_decimal(value) + " m";
@@ -247,7 +247,7 @@ class Baker {
     if (!fits_grid(region) || (use.points && (!around || !fits_grid(*around)))) return too_large();
     auto snapped = geometry::snap_inside(region);
     if (!snapped) return vanishes();
-    EvaluatedZone to{std::move(region), std::move(*snapped), {}, {}};
+    EvaluatedZone to{std::move(region), std::move(*snapped), {}, {}, {}, {}};
     if (use.robots) {
       to.baked = baked(to.snapped);
     } else {
@@ -257,9 +257,9 @@ class Baker {
       const auto outer = geometry::snap_around(*around);
       if (!outer) return too_large();
       to.around = geometry::edge_rows(*outer);
+      if (!grow(*outer, to.around_tree)) return std::nullopt;
     }
-    const std::size_t edges = std::max(to.baked.edges.size(), to.around.size());
-    if (edges > edges_max) return too_many(edges);
+    if (!grow(to.snapped, to.tree)) return std::nullopt;
     return to;
   }
 
@@ -276,13 +276,25 @@ class Baker {
     return report(Code::zone_vanishes_on_grid, "nothing of the zone is left on the grid of 1 mm",
                   "a zone of more than 2 mm in both directions works");
   }
-  std::nullopt_t too_many(std::size_t edges) {
-    return report(Code::too_many_edges,
-                  "the zone has " + std::to_string(edges) + " edges, a decision checks at most " +
-                      std::to_string(edges_max),
-                  "leave out at least " + std::to_string(edges - edges_max) +
-                      " of them, or watch parts of the boundary by monitors of their own; a "
-                      "simpler boundary inside this one is safe for a zone to stay in");
+  // False: reported.
+  bool grow(const geometry::SnappedZone& zone, geometry::CellTree& to) {
+    auto grown = geometry::grow_cell_tree(zone, exact_mm_wanted);
+    if (const auto* dense = std::get_if<geometry::TooDense>(&grown)) {
+      too_dense(*dense);
+      return false;
+    }
+    to = std::move(std::get<geometry::CellTree>(grown));
+    return true;
+  }
+  void too_dense(const geometry::TooDense& at) {
+    report(Code::too_many_edges,
+           std::to_string(at.edges) + " edges of the zone lie within " +
+               metres(Rational(at.within_mm, 1000)) + " of (" + metres(Rational(at.at.x_mm, 1000)) +
+               ", " + metres(Rational(at.at.y_mm, 1000)) + "); a decision checks at most " +
+               std::to_string(geometry::cell_edges_max) +
+               " for a place, with tables of 64 bytes an edge and 64 KiB",
+           "an outline with fewer vertices there works; one inside this one is safe for a zone to "
+           "stay in, one around it for a zone to keep out of");
   }
 
   diag::Engine& diagnostics_;

@@ -6,6 +6,7 @@
 
 #include "compiler/diagnostics/engine.h"
 #include "compiler/geometry/bake.h"
+#include "compiler/geometry/cell_tree.h"
 #include "compiler/geometry/region.h"
 #include "compiler/sema/spec.h"
 
@@ -26,7 +27,9 @@ struct EvaluatedZone {
   geometry::Region exact;
   geometry::SnappedZone snapped;
   geometry::BakedZone baked;              // for robots; else the edges alone
+  geometry::CellTree tree;                // of its edges
   std::vector<geometry::EdgeRow> around;  // for points: of a zone that contains the exact one
+  geometry::CellTree around_tree;
 };
 
 // Width of the cells of a zone of this size: `cell_mm_least`, or the least multiple of 1 cm with

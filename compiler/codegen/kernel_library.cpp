@@ -10,7 +10,7 @@ namespace rtac::codegen {
 namespace {
 
 struct Part {
-  std::string name, text;
+  std::string name, kind, text;  // kind: "cells", "edges" or empty
   std::vector<std::string> needs;
 };
 
@@ -21,12 +21,16 @@ Part parse_head(const std::string& line) {
   std::string word;
   words >> part.name;
   while (words >> word) {
-    if (word != ":") part.needs.push_back(word);
+    if (word.front() == '@') {
+      part.kind = word.substr(1);
+    } else if (word != ":") {
+      part.needs.push_back(word);
+    }
   }
   return part;
 }
 
-std::vector<Part> parse_parts() {
+std::vector<Part> parse_parts(const std::string& without) {
   std::vector<Part> parts;
   for (const char* text : kernel_texts()) {
     std::istringstream lines(text);
@@ -41,6 +45,7 @@ std::vector<Part> parse_parts() {
       }
     }
   }
+  std::erase_if(parts, [&](const Part& part) { return part.kind == without; });
   return parts;
 }
 
@@ -104,7 +109,7 @@ bool is_state_type(const std::string& name) {
 // Of what is needed, either the types of the state or all else.
 std::string library(const std::set<std::string>& wanted, const std::string& prefix,
                     bool state_types) {
-  const std::vector<Part> parts = parse_parts();
+  const std::vector<Part> parts = parse_parts(wanted.count("cells") > 0 ? "edges" : "cells");
   std::map<std::string, const Part*> by_name;
   for (const Part& part : parts) by_name[part.name] = &part;
   std::set<std::string> needed;

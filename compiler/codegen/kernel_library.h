@@ -1,6 +1,8 @@
 // The library of the kernel: C functions whose text stands in kernel/*.c. A function starts at a
 // line `/*= name : needs needs */`; only what a specification needs is printed. A line that begins
-// with `/*? name */` is part of its function only when `name` is needed too.
+// with `/*? name */` is part of its function only when `name` is needed too. Zones come in two
+// kinds: functions marked `@cells` after their name are there when `cells` is wanted, those marked
+// `@edges` when it is not.
 #pragma once
 
 #include <set>

@@ -1,5 +1,7 @@
 // The body of the kernels: library, tables, and one step function per decision.
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 #include "compiler/codegen/code.h"
 #include "compiler/codegen/kernel.h"
@@ -27,6 +29,12 @@ void rows(Code& out, const std::vector<std::string>& values, std::size_t per_lin
   }
 }
 
+std::string hexadecimal(std::uint32_t value) {
+  std::array<char, 8> digits{};
+  const auto end = std::to_chars(digits.begin(), digits.end(), value, 16).ptr;
+  return "0x" + std::string(digits.begin(), end);
+}
+
 class Source {
  public:
   Source(const Module& module, const Names& names, const std::string& stem)
@@ -39,6 +47,8 @@ class Source {
                 : print_step(module_, d, names_, uses_, body);
     }
     if (module_.watch) print_watch_source(module_, names_, uses_, body);
+    has_trees_ = needs_trees();
+    if (has_trees_) uses_.insert("cells");
     Code tables;
     zones(tables);
     if (module_.watch) regions(*module_.watch, tables);
@@ -133,13 +143,13 @@ class Source {
     for (std::size_t i = 0; i < module_.zones.size(); ++i) {
       const ZoneTable& z = module_.zones[i];
       if (!used(ZoneIndex(i))) continue;
-      edges("Zone " + z.name, zone_symbol(z, names_), z.edges, out);
+      boundary("Zone " + z.name, zone_symbol(z, names_), z, out);
     }
   }
   void regions(const Watch& watch, Code& out) {
     for (const Region& r : watch.regions) {
       const std::string what = r.around ? "What contains zone " : "Zone ";
-      edges(what + r.name, region_symbol(r), r.edges, out);
+      boundary(what + r.name, region_symbol(r), r, out);
     }
   }
   static void schedules(const Watch& watch, Code& out) {
@@ -165,24 +175,62 @@ class Source {
       out.blank();
     }
   }
-  static void edges(const std::string& what, const std::string& symbol,
-                    const std::vector<Edge>& all, Code& out) {
-    const std::string count = num(std::int64_t(all.size()));
-    out.comment(what + ": " + count +
+  // Zones of a few edges beside one of many have a tree, too: there is one kind of zone in a
+  // kernel.
+  bool needs_trees() const {
+    const auto many = [](const auto& zone) { return zone.edges.size() > edges_without_tree; };
+    for (std::size_t i = 0; i < module_.zones.size(); ++i) {
+      if (used(ZoneIndex(i)) && many(module_.zones[i])) return true;
+    }
+    return module_.watch &&
+           std::any_of(module_.watch->regions.begin(), module_.watch->regions.end(), many);
+  }
+  // Of a ZoneTable or a Region.
+  template <class Zone>
+  void boundary(const std::string& what, const std::string& symbol, const Zone& zone,
+                Code& out) const {
+    out.comment(what + ": " + num(std::int64_t(zone.edges.size())) +
                 " edges ax, ay, bx, by (mm, the zone on the left), direction (Q30).");
-    out.block(
-        "static const edge " + symbol + "_edges[] =",
-        [&](Code& body) {
-          std::vector<std::string> lines;
-          for (const Edge& e : all) {
-            lines.push_back("{" + num(e.ax) + ", " + num(e.ay) + ", " + num(e.bx) + ", " +
-                            num(e.by) + ", " + num(e.ux_q30) + ", " + num(e.uy_q30) + "}");
-          }
-          rows(body, lines, 1);
-        },
-        "};");
-    out.line("static const zone " + symbol + " = {" + symbol + "_edges, " + count + "};");
+    std::vector<std::string> lines;
+    for (const Edge& e : zone.edges) {
+      lines.push_back("{" + num(e.ax) + ", " + num(e.ay) + ", " + num(e.bx) + ", " + num(e.by) +
+                      ", " + num(e.ux_q30) + ", " + num(e.uy_q30) + "}");
+    }
+    table("edge", symbol + "_edges", lines, 1, out);
+    if (has_trees_) {
+      out.line("static const zone " + symbol + " = " + tree(symbol, zone.tree, out) + ";");
+    } else {
+      out.line("static const zone " + symbol + " = {" + symbol + "_edges, " +
+               num(std::int64_t(zone.edges.size())) + "};");
+    }
     out.blank();
+  }
+  // Prints the tables; the initialiser of the zone.
+  std::string tree(const std::string& symbol, const EdgeTree& t, Code& out) const {
+    const auto words = [&](const std::string& name, const std::vector<std::uint32_t>& from) {
+      std::vector<std::string> values;
+      for (const std::uint32_t w : from) values.push_back(hexadecimal(w));
+      table("uint32_t", symbol + name, values, 12, out);
+      return symbol + name;
+    };
+    out.comment("Of a place, at most " + num(t.edges_most) + " edges are checked, after " +
+                num(t.depth) + " steps; " +
+                (t.exact_mm ? "distances up to " + num(*t.exact_mm) + " mm are exact."
+                            : "all distances are exact."));
+    const std::string cells = words("_cells", t.words);
+    const std::string lists = t.lists.empty() ? "0" : words("_lists", t.lists);
+    std::string fields = "{" + symbol + "_edges, " + cells + ", " + lists;
+    for (const std::int32_t f :
+         {t.x_mm, t.y_mm, t.shift, t.column, t.row, t.columns, t.rows, t.depth, t.leaves}) {
+      fields += ", " + num(f);
+    }
+    return fields + "}";
+  }
+  static void table(const std::string& type, const std::string& symbol,
+                    const std::vector<std::string>& values, std::size_t per_line, Code& out) {
+    out.block(
+        "static const " + type + " " + symbol + "[] =",
+        [&](Code& body) { rows(body, values, per_line); }, "};");
   }
 
   void sites(Code& out) {
@@ -231,6 +279,7 @@ class Source {
   const Names& names_;
   const std::string p_, stem_;
   std::set<std::string> uses_;
+  bool has_trees_ = false;
 };
 
 }  // namespace

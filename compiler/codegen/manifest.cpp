@@ -185,13 +185,22 @@ Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
   return j;
 }
 
+// Of a ZoneTable or a Region: how many edges a place is held against.
+template <class Zone>
+std::size_t edges_checked_max(const Zone& zone) {
+  return zone.tree.words.empty() ? zone.edges.size()
+                                 : static_cast<std::size_t>(zone.tree.edges_most);
+}
+
 Json tables(const Watch& w) {
   Json list = Json::array();
   for (const Region& r : w.regions) {
     list.push_back({{"name", r.name},
                     {"side", r.around ? "around" : "within"},
                     {"edges", r.edges.size()},
+                    {"edges_checked_max", edges_checked_max(r)},
                     {"bytes", region_bytes(r)}});
+    if (r.tree.exact_mm) list.back()["exact_mm"] = *r.tree.exact_mm;
   }
   return list;
 }
@@ -241,7 +250,11 @@ std::string manifest(const Module& module, const sema::Spec& spec, const Naming&
   j["zones"] = Json::array();
   for (const ZoneTable& z : module.zones) {
     j["zones"].push_back(
-        {{"name", z.name}, {"edges", z.edges.size()}, {"bytes", z.edges.size() * sizeof(Edge)}});
+        {{"name", z.name},
+         {"edges", z.edges.size()},
+         {"edges_checked_max", edges_checked_max(z)},
+         {"bytes", z.edges.size() * sizeof(Edge) + z.tree.bytes()}});
+    if (z.tree.exact_mm) j["zones"].back()["exact_mm"] = *z.tree.exact_mm;
   }
   j["assumptions"] = Json::array();
   for (const sema::RobotKind& k : spec.kinds) {

@@ -206,7 +206,7 @@ std::int64_t watch_state_bytes(const Watch& watch, Telling telling) {
 }
 
 std::int64_t region_bytes(const Region& region) {
-  return static_cast<std::int64_t>(region.edges.size() * sizeof(Edge));
+  return static_cast<std::int64_t>(region.edges.size() * sizeof(Edge) + region.tree.bytes());
 }
 std::int64_t schedule_bytes(const Schedule& schedule) {
   return static_cast<std::int64_t>((schedule.once.size() + schedule.weekly.size()) *

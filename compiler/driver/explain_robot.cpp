@@ -62,10 +62,11 @@ class RobotRemarks {
                      [&](const ZoneTable& z) { return !from.name.empty() && z.name == from.name; });
     if (table == module_.zones.end()) return;
     const Cells& cells = table->cells;
-    const std::size_t size =
-        table->edges.size() * sizeof(Edge) + cells.clearance_mm_lo.size() * sizeof(std::int32_t);
+    const std::size_t size = table->edges.size() * sizeof(Edge) + table->tree.bytes() +
+                             cells.clearance_mm_lo.size() * sizeof(std::int32_t);
     add(join(from.name_range, from.value->range), "zone " + from.name,
         {std::to_string(table->edges.size()) + " edges, exact, snapped to the mm on the safe side",
+         edges_checked(table->edges.size(), table->tree),
          "widest place: clearance " + metres(table->widest_mm) + " at (" +
              metres(table->widest_x_mm) + ", " + metres(table->widest_y_mm) + ")",
          std::to_string(cells.columns) + " x " + std::to_string(cells.rows) + " cells of " +

@@ -38,6 +38,15 @@ std::string grid(const Unit& unit) {
   const bool has_number = text.front() >= '0' && text.front() <= '9';
   return "grid: steps of " + (has_number ? text : "1 " + text);
 }
+std::string edges_checked(std::size_t edges, const ir::EdgeTree& tree) {
+  if (tree.words.empty()) return "a place is held against every edge";
+  const auto most = static_cast<std::size_t>(tree.edges_most);
+  return "a place is held against at most " + count(most, "edge") + " of " + std::to_string(edges) +
+         ", found in " + count(static_cast<std::size_t>(tree.depth) + 1, "step") +
+         "; distances are exact " +
+         (tree.exact_mm ? "up to " + to_decimal(Rational(*tree.exact_mm, 1000)) + " m"
+                        : "everywhere");
+}
 std::string wide(const Rational& steps, const Unit& unit) {
   if (sgn(steps) == 0) return "error: none, the interval is a point";
   return "error: the interval is at most " + shown(steps, unit, true) + " wide";

@@ -20,6 +20,8 @@ std::string shown(const ir::Range& range, const ir::Unit& unit);
 std::string real_type(const sema::Dimension& dimension);
 // "grid: steps of 1 mm"
 std::string grid(const ir::Unit& unit);
+// Of a zone: how many edges a place is held against, and how far distances are exact.
+std::string edges_checked(std::size_t edges, const ir::EdgeTree& tree);
 // "error: the interval is at most 0.021 m/s wide"
 std::string wide(const Rational& steps, const ir::Unit& unit);
 

@@ -37,6 +37,7 @@ class WatchRemarks {
     for (const ir::Param& each : watch_.params) param(spec_.params[each.declared], each);
   }
   void monitors() {
+    regions();
     if (spec_.period) period(*spec_.period);
     for (std::size_t k = 0; k < spec_.watches.size(); ++k) {
       monitor(spec_.watches[k], watch_.monitors[k]);
@@ -58,6 +59,18 @@ class WatchRemarks {
              (watch_.regions.empty()
                   ? ""
                   : ", tables of zones: " + std::to_string(codegen::table_bytes(watch_)))});
+  }
+  void regions() {
+    for (const sema::Zone& z : spec_.zones) {
+      for (const ir::Region& r : watch_.regions) {
+        if (z.name.empty() || z.name != r.name) continue;
+        add(z.name_range, r.around ? "around zone " + r.name : "zone " + r.name,
+            {count(r.edges.size(), "edge") + (r.around ? " around it" : " within it") +
+                 ", snapped to the mm",
+             edges_checked(r.edges.size(), r.tree),
+             "tables: " + std::to_string(codegen::region_bytes(r)) + " bytes"});
+      }
+    }
   }
   void scale(const sema::MarginScale& s) {
     add(s.value.range, "scale of margins: " + sema::show(s.value.value, s.dimension),

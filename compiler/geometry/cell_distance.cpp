@@ -78,6 +78,36 @@ Corner offset_from(const Square& s, std::int64_t x, std::int64_t y) {
   return {gap(x, s.x_mm, s.x_mm + s.side_mm), gap(y, s.y_mm, s.y_mm + s.side_mm)};
 }
 
+struct Place {
+  double x, y;
+};
+Place nearest_point(const PreparedEdge& e, const Corner& p) {
+  const int end = end_of(e, p);
+  if (end < 0) return {static_cast<double>(e.ax), static_cast<double>(e.ay)};
+  if (end > 0) return {static_cast<double>(e.bx), static_cast<double>(e.by)};
+  const std::int64_t along = (p.x - e.ax) * e.dx + (p.y - e.ay) * e.dy;
+  const double part = static_cast<double>(along) / static_cast<double>(e.squared_length);
+  return {static_cast<double>(e.ax) + part * static_cast<double>(e.dx),
+          static_cast<double>(e.ay) + part * static_cast<double>(e.dy)};
+}
+// Of all these edges.
+Place nearest_point(const std::vector<PreparedEdge>& edges, const std::vector<std::uint32_t>& near,
+                    const Corner& p) {
+  const auto at = std::min_element(near.begin(), near.end(), [&](auto a, auto b) {
+    return approximate_squared(edges[a], p) < approximate_squared(edges[b], p);
+  });
+  return nearest_point(edges[*at], p);
+}
+std::array<double, 4> squared_from(const Place& b, const std::array<Corner, 4>& ends) {
+  std::array<double, 4> d{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double dx = static_cast<double>(ends[i].x) - b.x,
+                 dy = static_cast<double>(ends[i].y) - b.y;
+    d[i] = dx * dx + dy * dy;
+  }
+  return d;
+}
+
 // All corners lie on one side of the edge's line; `or_touch` counts corners on the line as well.
 bool separated_by_line(const Square& square, const PreparedEdge& edge, bool or_touch) {
   bool left = true;
@@ -212,6 +242,38 @@ Candidates narrow(const Square& square, const std::vector<PreparedEdge>& edges,
     result.edges.push_back(candidates[i]);
     result.nearest.push_back(distance[i]);
     result.least_nearest = std::min(result.least_nearest, distance[i]);
+  }
+  return result;
+}
+
+Candidates sharpen(const Square& square, const std::vector<PreparedEdge>& edges,
+                   const Candidates& near) {
+  const std::array<Corner, 4> ends = corners(square);
+  std::vector<std::array<double, 4>> squares;  // of the distances of each edge from the corners
+  squares.reserve(near.edges.size());
+  for (const std::uint32_t e : near.edges) {
+    std::array<double, 4> d{};
+    for (std::size_t i = 0; i < 4; ++i) d[i] = approximate_squared(edges[e], ends[i]);
+    squares.push_back(d);
+  }
+  std::vector<std::array<double, 4>> points;  // the same, of the points b
+  const auto add = [&](const Corner& place) {
+    points.push_back(squared_from(nearest_point(edges, near.edges, place), ends));
+  };
+  for (const Corner& corner : ends) add(corner);
+  add({square.x_mm + square.side_mm / 2, square.y_mm + square.side_mm / 2});
+  Candidates result{{}, {}, near.least_nearest, near.least_farthest};
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const bool is_beaten = std::any_of(points.begin(), points.end(), [&](const auto& b) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        // doubles: a relative error of 1e-14 here, and b lies within 1e-6 mm of the boundary
+        if (squares[i][k] <= b[k] * (1 + 1e-11) + 0.1) return false;
+      }
+      return true;
+    });
+    if (is_beaten) continue;
+    result.edges.push_back(near.edges[i]);
+    result.nearest.push_back(near.nearest[i]);
   }
   return result;
 }

@@ -49,6 +49,13 @@ struct Candidates {
 Candidates narrow(const Square& square, const std::vector<PreparedEdge>& edges,
                   const std::vector<std::uint32_t>& candidates);
 
+// Fewer of them, for a square of at most 2^30 mm: without those that lie farther than one and the
+// same point b of the boundary from every place p of the square. That is so when it is so at the
+// corners: dist(p, edge)^2 - |p - b|^2 is the least of linear functions of p, one for every point
+// of the edge, thus concave, and least at a corner. Points b: those nearest to corners and middle.
+Candidates sharpen(const Square& square, const std::vector<PreparedEdge>& edges,
+                   const Candidates& near);
+
 // Floor of the square root, exact.
 std::uint64_t floor_sqrt(std::uint64_t value);
 

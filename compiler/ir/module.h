@@ -27,6 +27,22 @@ enum class ValueId : std::uint32_t {};
 struct Edge {  // mm; the zone on its left; unit direction in Q30
   std::int32_t ax, ay, bx, by, ux_q30, uy_q30;
 };
+// Which edges matter for a place, so that a check looks at a few of them: a square of 2^32 mm is
+// divided by 16 again and again. What the words mean: codegen/kernel/zone_cells.c.
+struct EdgeTree {
+  std::int32_t x_mm = 0, y_mm = 0;  // south-west corner of the square
+  std::int32_t shift = 0;           // log2 of the width of the grid's cells, in mm
+  std::int32_t column = 0, row = 0, columns = 0, rows = 0;  // of the grid, in cells
+  std::int32_t depth = 0, leaves = 0;                       // most divisions; undivided cells
+  std::int32_t edges_most = 0;                              // of a cell
+  std::optional<std::int32_t> exact_mm;  // longest distance that is exact; none: all are
+  std::vector<std::uint32_t> words, lists;
+
+  [[nodiscard]] std::size_t bytes() const {
+    return (words.size() + lists.size()) * sizeof(std::uint32_t);
+  }
+};
+inline constexpr std::size_t edges_without_tree = 16;  // so few are all checked
 struct Cells {
   std::int32_t origin_x_mm = 0, origin_y_mm = 0, cell_mm = 100, columns = 0, rows = 0;
   std::vector<std::int32_t> clearance_mm_lo;
@@ -34,6 +50,7 @@ struct Cells {
 struct ZoneTable {
   std::string name;
   std::vector<Edge> edges;
+  EdgeTree tree;
   std::vector<std::uint32_t> ring_starts;
   Cells cells;
   std::int32_t widest_mm = 0, widest_x_mm = 0, widest_y_mm = 0;
@@ -373,6 +390,7 @@ struct Region {  // a zone that places are held against
   std::string name;
   bool around = false;  // contains the zone as written; else that contains it
   std::vector<Edge> edges;
+  EdgeTree tree;
 };
 struct Opening {  // from the first on, before the second
   std::int64_t from_us = 0, until_us = 0;

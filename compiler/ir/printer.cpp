@@ -179,6 +179,7 @@ class Printer {
            num(z.cells.columns) + "x" + num(z.cells.rows) + " of " + num(z.cells.cell_mm) +
            " mm, widest " + num(z.widest_mm) + " mm at (" + num(z.widest_x_mm) + ", " +
            num(z.widest_y_mm) + ")");
+      tree(z.tree);
       edges(z.edges, "  ");
     }
     for (const SiteTable& s : module_.sites) {
@@ -189,6 +190,12 @@ class Printer {
                                  : ", with cost of at least " + num(s.drive_ppm_per_m) + " ppm/m"));
       }
     }
+  }
+  void tree(const EdgeTree& t) {
+    if (t.edges_most == 0) return;
+    line("  tree of " + num(t.leaves) + " cells, depth " + num(t.depth) + ", at most " +
+         num(t.edges_most) + " edges" +
+         (t.exact_mm ? ", exact up to " + num(*t.exact_mm) + " mm" : ""));
   }
   void edges(const std::vector<Edge>& all, const std::string& indent) {
     for (const Edge& e : all) {

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/ir/edge_tree.h"
 #include "compiler/ir/schedule.h"
 
 namespace rtac::ir {
@@ -298,6 +299,9 @@ std::optional<std::string> verify_watch(const Module& module, const Watch& watch
   for (const Region& r : watch.regions) {
     if (!regions.insert({r.name, r.around}).second) return r.name + ": two regions of this name";
   }
+  for (const Region& r : watch.regions) {
+    if (!leads_to_edges(r.tree, r.edges.size())) return r.name + ": no such edges";
+  }
   for (const Schedule& s : watch.schedules) {
     if (!in_order(s.once, INT64_MAX) || !in_order(s.weekly, us_per_week)) {
       return s.name + ": openings out of order";
@@ -318,6 +322,7 @@ std::optional<std::string> verify(const Module& module) {
   std::set<std::string> names;
   for (const ZoneTable& zone : module.zones) {
     if (!names.insert("zone " + zone.name).second) return "two zones named " + zone.name;
+    if (!leads_to_edges(zone.tree, zone.edges.size())) return zone.name + ": no such edges";
   }
   for (const SiteTable& site : module.sites) {
     if (!names.insert("site " + site.name).second) return "two sites named " + site.name;

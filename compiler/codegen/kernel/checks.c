@@ -5,12 +5,11 @@ static span clearance_now(const place *at, const estimate *s, const body *b, con
   if (s->p_input != INPUT_NONE) {
     return span_unknown(s->p_input);
   } else {
-    const int64_t gap = at->gap_mm;
     const int64_t error = s->p_error_mm + moved_now(s, b, m);
     if (at->inside) {
-      return span_of(gap - error - b->radius_mm, gap + 3 + error - b->radius_mm);
+      return span_of(at->gap_mm - error - b->radius_mm, at->gap_mm_hi + error - b->radius_mm);
     }
-    return span_of(-gap - 3 - error - b->radius_mm, -gap + error - b->radius_mm);
+    return span_of(-at->gap_mm_hi - error - b->radius_mm, -at->gap_mm + error - b->radius_mm);
   }
 }
 /*= zone_reach : zone_type place_type reach_type margin_of margin_unknown segment_boundary_lo max_of */

@@ -112,27 +112,6 @@ typedef struct edge {
   int32_t ax, ay, bx, by;
   int32_t ux_q30, uy_q30;
 } edge;
-/*= zone_type : edge_type */
-typedef struct zone {
-  const edge *edges;
-  int32_t count;
-} zone;
-/*= inside_zone : zone_type vec_of side_of */
-/* Even-odd rule with exact orientation: right for every integer point off the boundary. */
-static int32_t inside_zone(const zone *z, vec p) {
-  int32_t inside = 0;
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if ((e->ay > p.y) != (e->by > p.y)) {
-      const int32_t side = side_of(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p);
-      if ((e->by > e->ay) == (side > 0)) {
-        inside = !inside;
-      }
-    }
-  }
-  return inside;
-}
 /*= box_gap : max_of min_of vec_type */
 /* Largest axis distance between the boxes of two segments: never more than their distance. */
 static int64_t box_gap(vec a, vec b, vec c, vec d) {
@@ -181,55 +160,29 @@ static void near_edge(const edge *e, vec p, nearest *n) {
     n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
+/*= segment_near_edge : edge_type segment_type vec_of box_gap cross_each_other near_edge nearer nearest_type near_point across_lo min_of */
+/* Takes an edge of the boundary into account; 0: the segment crosses it. */
+static int32_t segment_near_edge(segment *s, const edge *k, nearest *n) {
+  const vec a = vec_of(k->ax, k->ay);
+  const vec b = vec_of(k->bx, k->by);
+  if (nearer(box_gap(a, b, s->a, s->b), n)) {
+    if (cross_each_other(s->a, s->b, a, b)) {
+      return 0;
+    }
+    near_edge(k, s->a, n);
+    near_edge(k, s->b, n);
+    s->across = INT64_MAX;
+    near_point(s, a, &n->square);
+    near_point(s, b, &n->square);
+    if (s->across < INT64_MAX) {
+      n->mm = min_of(n->mm, across_lo(s));
+    }
+  }
+  return 1;
+}
 /*= place_type */
 /* Where a point is with respect to a zone. */
 typedef struct place {
-  int64_t gap_mm; /* to the boundary: a lower bound, within 2 mm */
+  int64_t gap_mm, gap_mm_hi; /* to the boundary: bounds */
   int32_t inside;
 } place;
-/*= boundary_gap_lo : zone_type vec_of box_gap near_edge nearer nearest_none nearest_mm */
-/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
-static int64_t boundary_gap_lo(const zone *z, vec p) {
-  nearest n = nearest_none();
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if (nearer(box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p), &n)) {
-      near_edge(e, p, &n);
-    }
-  }
-  return nearest_mm(&n);
-}
-/*= place_of : place_type zone_type vec_type inside_zone boundary_gap_lo */
-static place place_of(const zone *z, vec p) {
-  place at;
-  at.gap_mm = boundary_gap_lo(z, p);
-  at.inside = inside_zone(z, p);
-  return at;
-}
-/*= segment_boundary_lo : zone_type vec_of box_gap cross_each_other near_edge nearer nearest_none nearest_mm segment_of near_point across_lo min_of */
-/* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. */
-static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
-  segment s = segment_of(p, e);
-  nearest n = nearest_none();
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *k = &z->edges[i];
-    const vec a = vec_of(k->ax, k->ay);
-    const vec b = vec_of(k->bx, k->by);
-    if (nearer(box_gap(a, b, p, e), &n)) {
-      if (cross_each_other(p, e, a, b)) {
-        return -1;
-      }
-      near_edge(k, p, &n);
-      near_edge(k, e, &n);
-      s.across = INT64_MAX;
-      near_point(&s, a, &n.square);
-      near_point(&s, b, &n.square);
-      if (s.across < INT64_MAX) {
-        n.mm = min_of(n.mm, across_lo(&s));
-      }
-    }
-  }
-  return nearest_mm(&n);
-}

@@ -20,7 +20,7 @@ static int32_t box_sides(const edge *e, const box *b) {
   }
   return sides;
 }
-/*= middle_inside : zone_type box_type */
+/*= middle_inside @edges : zone_type box_type */
 /* Even-odd rule for the middle of the box, its coordinates doubled. Exact; of places on the boundary
  * it says nothing. */
 static int32_t middle_inside(const zone *z, const box *b) {
@@ -40,44 +40,69 @@ static int32_t middle_inside(const zone *z, const box *b) {
   }
   return inside;
 }
-/*= box_in_zone : zone_type box_sides middle_inside min_of max_of */
+/*= box_and_edge : edge_type box_sides min_of max_of */
+/* How an edge lies to the box: 0 apart from it, 1 touches it, all of its inside on one side, 2 goes
+ * through it, 3 contains it. */
+static int32_t box_and_edge(const edge *e, const box *b) {
+  const int64_t left = min_of(e->ax, e->bx), right = max_of(e->ax, e->bx);
+  const int64_t low = min_of(e->ay, e->by), high = max_of(e->ay, e->by);
+  if (left > b->x1 || right < b->x0 || low > b->y1 || high < b->y0) {
+    return 0;
+  } else {
+    const int32_t sides = box_sides(e, b);
+    const int32_t meets_x = b->x0 == b->x1 || (left < b->x1 && right > b->x0);
+    const int32_t meets_y = b->y0 == b->y1 || (low < b->y1 && high > b->y0);
+    if (sides == 4 && left <= b->x0 && right >= b->x1 && low <= b->y0 && high >= b->y1) {
+      return 3;
+    }
+    if (meets_x && meets_y && ((sides & 3) == 3 || sides == 4)) {
+      return 2;
+    }
+    return sides != 1 && sides != 2;
+  }
+}
+/*= box_in_zone @edges : box_and_edge middle_inside */
 /* 1: all of the box lies in the zone, boundary included; -1: none of it does; 0: neither. Exact,
  * but that 0 may stand for 1 when a vertex of the zone lies on a box without width. */
 static int32_t box_in_zone(const zone *z, const box *b) {
-  int32_t touched = 0; /* the boundary meets the box, all of whose inside is on one side */
+  int32_t touched = 0;
   int32_t i;
   for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    const int64_t left = min_of(e->ax, e->bx), right = max_of(e->ax, e->bx);
-    const int64_t low = min_of(e->ay, e->by), high = max_of(e->ay, e->by);
-    if (left <= b->x1 && right >= b->x0 && low <= b->y1 && high >= b->y0) {
-      const int32_t sides = box_sides(e, b);
-      const int32_t meets_x = b->x0 == b->x1 || (left < b->x1 && right > b->x0);
-      const int32_t meets_y = b->y0 == b->y1 || (low < b->y1 && high > b->y0);
-      if (sides == 4 && left <= b->x0 && right >= b->x1 && low <= b->y0 && high >= b->y1) {
-        return 1; /* a part of the boundary */
-      }
-      if (meets_x && meets_y && ((sides & 3) == 3 || sides == 4)) {
-        return 0;
-      }
-      touched = touched || (sides != 1 && sides != 2);
+    const int32_t lies = box_and_edge(&z->edges[i], b);
+    if (lies > 1) {
+      return lies == 3; /* the box is a part of the boundary */
     }
+    touched = touched || lies == 1;
   }
-  if (middle_inside(z, b)) {
-    return 1;
-  }
-  return touched ? 0 : -1;
+  return middle_inside(z, b) ? 1 : (touched ? 0 : -1);
 }
-/*= middle_clearance : zone_type box_type vec_of minus dot span_of inside_zone boundary_gap_lo root_up */
+/*= box_in_zone @cells : box_and_edge cell_at cell_count cell_edge cell_inside vec_of */
+/* 1: all of the box lies in the zone, boundary included; -1: none of it does; 0: neither. Exact,
+ * but that 0 may stand for 1 when a vertex of the zone lies on a box without width. A box of at most
+ * 1 mm lies in one closed cell. */
+static int32_t box_in_zone(const zone *z, const box *b) {
+  const cell c = cell_at(z, vec_of(b->x0, b->y0));
+  int32_t touched = 0;
+  int32_t i;
+  for (i = 0; i < cell_count(c.word); ++i) {
+    const int32_t lies = box_and_edge(cell_edge(z, c.word, i), b);
+    if (lies > 1) {
+      return lies == 3; /* the box is a part of the boundary */
+    }
+    touched = touched || lies == 1;
+  }
+  return cell_inside(z, &c, b->x0 + b->x1, b->y0 + b->y1) ? 1 : (touched ? 0 : -1);
+}
+/*= middle_clearance : zone_type box_type vec_of minus dot span_of inside_zone boundary_gap root_up */
 /* Signed distance from the boundary of every place of the box: that of its middle, and how far the
  * box reaches from there; 1 mm for a middle that had to be taken down to the grid. */
 static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
   const vec half = minus(vec_of(b->x1, b->y1), p);
   const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
-  const int64_t gap = boundary_gap_lo(z, p);
-  return inside_zone(z, p) ? span_of(gap - room, gap + 3 + room)
-                           : span_of(-gap - 3 - room, -gap + room);
+  const span gap = boundary_gap(z, p);
+  return inside_zone(z, p) ? span_of(gap.lo - room, gap.hi + room)
+                           : span_of(-gap.hi - room, -gap.lo + room);
 }
 /*= cell_in_zone : box_in_zone */
 /* The same of a place that was measured without error: it lies in one cell of the grid at most. What

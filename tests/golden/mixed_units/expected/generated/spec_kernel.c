@@ -487,27 +487,6 @@ typedef struct edge {
   int32_t ux_q30, uy_q30;
 } edge;
 
-typedef struct zone {
-  const edge *edges;
-  int32_t count;
-} zone;
-
-/* Even-odd rule with exact orientation: right for every integer point off the boundary. */
-static int32_t inside_zone(const zone *z, vec p) {
-  int32_t inside = 0;
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if ((e->ay > p.y) != (e->by > p.y)) {
-      const int32_t side = side_of(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p);
-      if ((e->by > e->ay) == (side > 0)) {
-        inside = !inside;
-      }
-    }
-  }
-  return inside;
-}
-
 /* Largest axis distance between the boxes of two segments: never more than their distance. */
 static int64_t box_gap(vec a, vec b, vec c, vec d) {
   const int64_t x = max_of(min_of(a.x, b.x) - max_of(c.x, d.x), min_of(c.x, d.x) - max_of(a.x, b.x));
@@ -556,11 +535,52 @@ static void near_edge(const edge *e, vec p, nearest *n) {
   }
 }
 
+/* Takes an edge of the boundary into account; 0: the segment crosses it. */
+static int32_t segment_near_edge(segment *s, const edge *k, nearest *n) {
+  const vec a = vec_of(k->ax, k->ay);
+  const vec b = vec_of(k->bx, k->by);
+  if (nearer(box_gap(a, b, s->a, s->b), n)) {
+    if (cross_each_other(s->a, s->b, a, b)) {
+      return 0;
+    }
+    near_edge(k, s->a, n);
+    near_edge(k, s->b, n);
+    s->across = INT64_MAX;
+    near_point(s, a, &n->square);
+    near_point(s, b, &n->square);
+    if (s->across < INT64_MAX) {
+      n->mm = min_of(n->mm, across_lo(s));
+    }
+  }
+  return 1;
+}
+
 /* Where a point is with respect to a zone. */
 typedef struct place {
-  int64_t gap_mm; /* to the boundary: a lower bound, within 2 mm */
+  int64_t gap_mm, gap_mm_hi; /* to the boundary: bounds */
   int32_t inside;
 } place;
+
+typedef struct zone {
+  const edge *edges;
+  int32_t count;
+} zone;
+
+/* Even-odd rule with exact orientation: right for every integer point off the boundary. */
+static int32_t inside_zone(const zone *z, vec p) {
+  int32_t inside = 0;
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    const edge *e = &z->edges[i];
+    if ((e->ay > p.y) != (e->by > p.y)) {
+      const int32_t side = side_of(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p);
+      if ((e->by > e->ay) == (side > 0)) {
+        inside = !inside;
+      }
+    }
+  }
+  return inside;
+}
 
 /* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
 static int64_t boundary_gap_lo(const zone *z, vec p) {
@@ -578,6 +598,7 @@ static int64_t boundary_gap_lo(const zone *z, vec p) {
 static place place_of(const zone *z, vec p) {
   place at;
   at.gap_mm = boundary_gap_lo(z, p);
+  at.gap_mm_hi = at.gap_mm + 3;
   at.inside = inside_zone(z, p);
   return at;
 }
@@ -588,21 +609,8 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
   nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
-    const edge *k = &z->edges[i];
-    const vec a = vec_of(k->ax, k->ay);
-    const vec b = vec_of(k->bx, k->by);
-    if (nearer(box_gap(a, b, p, e), &n)) {
-      if (cross_each_other(p, e, a, b)) {
-        return -1;
-      }
-      near_edge(k, p, &n);
-      near_edge(k, e, &n);
-      s.across = INT64_MAX;
-      near_point(&s, a, &n.square);
-      near_point(&s, b, &n.square);
-      if (s.across < INT64_MAX) {
-        n.mm = min_of(n.mm, across_lo(&s));
-      }
+    if (!segment_near_edge(&s, &z->edges[i], &n)) {
+      return -1;
     }
   }
   return nearest_mm(&n);
@@ -613,12 +621,11 @@ static span clearance_now(const place *at, const estimate *s, const body *b, con
   if (s->p_input != MIXED_UNITS_INPUT_NONE) {
     return span_unknown(s->p_input);
   } else {
-    const int64_t gap = at->gap_mm;
     const int64_t error = s->p_error_mm + moved_now(s, b, m);
     if (at->inside) {
-      return span_of(gap - error - b->radius_mm, gap + 3 + error - b->radius_mm);
+      return span_of(at->gap_mm - error - b->radius_mm, at->gap_mm_hi + error - b->radius_mm);
     }
-    return span_of(-gap - 3 - error - b->radius_mm, -gap + error - b->radius_mm);
+    return span_of(-at->gap_mm_hi - error - b->radius_mm, -at->gap_mm + error - b->radius_mm);
   }
 }
 

@@ -555,27 +555,6 @@ typedef struct edge {
   int32_t ux_q30, uy_q30;
 } edge;
 
-typedef struct zone {
-  const edge *edges;
-  int32_t count;
-} zone;
-
-/* Even-odd rule with exact orientation: right for every integer point off the boundary. */
-static int32_t inside_zone(const zone *z, vec p) {
-  int32_t inside = 0;
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if ((e->ay > p.y) != (e->by > p.y)) {
-      const int32_t side = side_of(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p);
-      if ((e->by > e->ay) == (side > 0)) {
-        inside = !inside;
-      }
-    }
-  }
-  return inside;
-}
-
 /* Largest axis distance between the boxes of two segments: never more than their distance. */
 static int64_t box_gap(vec a, vec b, vec c, vec d) {
   const int64_t x = max_of(min_of(a.x, b.x) - max_of(c.x, d.x), min_of(c.x, d.x) - max_of(a.x, b.x));
@@ -624,11 +603,52 @@ static void near_edge(const edge *e, vec p, nearest *n) {
   }
 }
 
+/* Takes an edge of the boundary into account; 0: the segment crosses it. */
+static int32_t segment_near_edge(segment *s, const edge *k, nearest *n) {
+  const vec a = vec_of(k->ax, k->ay);
+  const vec b = vec_of(k->bx, k->by);
+  if (nearer(box_gap(a, b, s->a, s->b), n)) {
+    if (cross_each_other(s->a, s->b, a, b)) {
+      return 0;
+    }
+    near_edge(k, s->a, n);
+    near_edge(k, s->b, n);
+    s->across = INT64_MAX;
+    near_point(s, a, &n->square);
+    near_point(s, b, &n->square);
+    if (s->across < INT64_MAX) {
+      n->mm = min_of(n->mm, across_lo(s));
+    }
+  }
+  return 1;
+}
+
 /* Where a point is with respect to a zone. */
 typedef struct place {
-  int64_t gap_mm; /* to the boundary: a lower bound, within 2 mm */
+  int64_t gap_mm, gap_mm_hi; /* to the boundary: bounds */
   int32_t inside;
 } place;
+
+typedef struct zone {
+  const edge *edges;
+  int32_t count;
+} zone;
+
+/* Even-odd rule with exact orientation: right for every integer point off the boundary. */
+static int32_t inside_zone(const zone *z, vec p) {
+  int32_t inside = 0;
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    const edge *e = &z->edges[i];
+    if ((e->ay > p.y) != (e->by > p.y)) {
+      const int32_t side = side_of(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p);
+      if ((e->by > e->ay) == (side > 0)) {
+        inside = !inside;
+      }
+    }
+  }
+  return inside;
+}
 
 /* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
 static int64_t boundary_gap_lo(const zone *z, vec p) {
@@ -643,9 +663,15 @@ static int64_t boundary_gap_lo(const zone *z, vec p) {
   return nearest_mm(&n);
 }
 
+static span boundary_gap(const zone *z, vec p) {
+  const int64_t gap = boundary_gap_lo(z, p);
+  return span_of(gap, gap + 3);
+}
+
 static place place_of(const zone *z, vec p) {
   place at;
   at.gap_mm = boundary_gap_lo(z, p);
+  at.gap_mm_hi = at.gap_mm + 3;
   at.inside = inside_zone(z, p);
   return at;
 }
@@ -656,21 +682,8 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
   nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
-    const edge *k = &z->edges[i];
-    const vec a = vec_of(k->ax, k->ay);
-    const vec b = vec_of(k->bx, k->by);
-    if (nearer(box_gap(a, b, p, e), &n)) {
-      if (cross_each_other(p, e, a, b)) {
-        return -1;
-      }
-      near_edge(k, p, &n);
-      near_edge(k, e, &n);
-      s.across = INT64_MAX;
-      near_point(&s, a, &n.square);
-      near_point(&s, b, &n.square);
-      if (s.across < INT64_MAX) {
-        n.mm = min_of(n.mm, across_lo(&s));
-      }
+    if (!segment_near_edge(&s, &z->edges[i], &n)) {
+      return -1;
     }
   }
   return nearest_mm(&n);
@@ -681,12 +694,11 @@ static span clearance_now(const place *at, const estimate *s, const body *b, con
   if (s->p_input != YARD_INPUT_NONE) {
     return span_unknown(s->p_input);
   } else {
-    const int64_t gap = at->gap_mm;
     const int64_t error = s->p_error_mm + moved_now(s, b, m);
     if (at->inside) {
-      return span_of(gap - error - b->radius_mm, gap + 3 + error - b->radius_mm);
+      return span_of(at->gap_mm - error - b->radius_mm, at->gap_mm_hi + error - b->radius_mm);
     }
-    return span_of(-gap - 3 - error - b->radius_mm, -gap + error - b->radius_mm);
+    return span_of(-at->gap_mm_hi - error - b->radius_mm, -at->gap_mm + error - b->radius_mm);
   }
 }
 
@@ -1142,32 +1154,40 @@ static int32_t middle_inside(const zone *z, const box *b) {
   return inside;
 }
 
+/* How an edge lies to the box: 0 apart from it, 1 touches it, all of its inside on one side, 2 goes
+ * through it, 3 contains it. */
+static int32_t box_and_edge(const edge *e, const box *b) {
+  const int64_t left = min_of(e->ax, e->bx), right = max_of(e->ax, e->bx);
+  const int64_t low = min_of(e->ay, e->by), high = max_of(e->ay, e->by);
+  if (left > b->x1 || right < b->x0 || low > b->y1 || high < b->y0) {
+    return 0;
+  } else {
+    const int32_t sides = box_sides(e, b);
+    const int32_t meets_x = b->x0 == b->x1 || (left < b->x1 && right > b->x0);
+    const int32_t meets_y = b->y0 == b->y1 || (low < b->y1 && high > b->y0);
+    if (sides == 4 && left <= b->x0 && right >= b->x1 && low <= b->y0 && high >= b->y1) {
+      return 3;
+    }
+    if (meets_x && meets_y && ((sides & 3) == 3 || sides == 4)) {
+      return 2;
+    }
+    return sides != 1 && sides != 2;
+  }
+}
+
 /* 1: all of the box lies in the zone, boundary included; -1: none of it does; 0: neither. Exact,
  * but that 0 may stand for 1 when a vertex of the zone lies on a box without width. */
 static int32_t box_in_zone(const zone *z, const box *b) {
-  int32_t touched = 0; /* the boundary meets the box, all of whose inside is on one side */
+  int32_t touched = 0;
   int32_t i;
   for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    const int64_t left = min_of(e->ax, e->bx), right = max_of(e->ax, e->bx);
-    const int64_t low = min_of(e->ay, e->by), high = max_of(e->ay, e->by);
-    if (left <= b->x1 && right >= b->x0 && low <= b->y1 && high >= b->y0) {
-      const int32_t sides = box_sides(e, b);
-      const int32_t meets_x = b->x0 == b->x1 || (left < b->x1 && right > b->x0);
-      const int32_t meets_y = b->y0 == b->y1 || (low < b->y1 && high > b->y0);
-      if (sides == 4 && left <= b->x0 && right >= b->x1 && low <= b->y0 && high >= b->y1) {
-        return 1; /* a part of the boundary */
-      }
-      if (meets_x && meets_y && ((sides & 3) == 3 || sides == 4)) {
-        return 0;
-      }
-      touched = touched || (sides != 1 && sides != 2);
+    const int32_t lies = box_and_edge(&z->edges[i], b);
+    if (lies > 1) {
+      return lies == 3; /* the box is a part of the boundary */
     }
+    touched = touched || lies == 1;
   }
-  if (middle_inside(z, b)) {
-    return 1;
-  }
-  return touched ? 0 : -1;
+  return middle_inside(z, b) ? 1 : (touched ? 0 : -1);
 }
 
 /* Signed distance from the boundary of every place of the box: that of its middle, and how far the
@@ -1176,9 +1196,9 @@ static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
   const vec half = minus(vec_of(b->x1, b->y1), p);
   const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
-  const int64_t gap = boundary_gap_lo(z, p);
-  return inside_zone(z, p) ? span_of(gap - room, gap + 3 + room)
-                           : span_of(-gap - 3 - room, -gap + room);
+  const span gap = boundary_gap(z, p);
+  return inside_zone(z, p) ? span_of(gap.lo - room, gap.hi + room)
+                           : span_of(-gap.hi - room, -gap.lo + room);
 }
 
 /* The same of a place that was measured without error: it lies in one cell of the grid at most. What

@@ -301,19 +301,9 @@ static int64_t dot(vec a, vec b) {
   return a.x * b.x + a.y * b.y;
 }
 
-static int64_t cross(vec a, vec b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 /* The smaller of `least` and of the root of `square`, which is drawn only if it is smaller. */
 static int64_t root_below(int64_t square, int64_t least) {
   return least > INT32_MAX || square < least * least ? root_down(square) : least;
-}
-
-/* 1 left of a-b, -1 right of it, 0 on its line. Exact. */
-static int32_t side_of(vec a, vec b, vec p) {
-  const int64_t c = cross(minus(b, a), minus(p, a));
-  return c > 0 ? 1 : (c < 0 ? -1 : 0);
 }
 
 /* One directed edge of a zone, the zone on its left. `u` is its direction in Q30. */
@@ -321,34 +311,6 @@ typedef struct edge {
   int32_t ax, ay, bx, by;
   int32_t ux_q30, uy_q30;
 } edge;
-
-typedef struct zone {
-  const edge *edges;
-  int32_t count;
-} zone;
-
-/* Even-odd rule with exact orientation: right for every integer point off the boundary. */
-static int32_t inside_zone(const zone *z, vec p) {
-  int32_t inside = 0;
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if ((e->ay > p.y) != (e->by > p.y)) {
-      const int32_t side = side_of(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p);
-      if ((e->by > e->ay) == (side > 0)) {
-        inside = !inside;
-      }
-    }
-  }
-  return inside;
-}
-
-/* Largest axis distance between the boxes of two segments: never more than their distance. */
-static int64_t box_gap(vec a, vec b, vec c, vec d) {
-  const int64_t x = max_of(min_of(a.x, b.x) - max_of(c.x, d.x), min_of(c.x, d.x) - max_of(a.x, b.x));
-  const int64_t y = max_of(min_of(a.y, b.y) - max_of(c.y, d.y), min_of(c.y, d.y) - max_of(a.y, b.y));
-  return max_of(x, y);
-}
 
 /* The smallest of several distances: of those known in mm, and of those known as squares. */
 typedef struct nearest {
@@ -360,12 +322,6 @@ static nearest nearest_none(void) {
   n.mm = SPAN_MAX;
   n.square = INT64_MAX;
   return n;
-}
-
-/* Whether `gap` is below the smallest distance so far, its root rounded down. */
-static int32_t nearer(int64_t gap, const nearest *n) {
-  const int64_t next = max_of(gap, -1) + 1;
-  return gap < n->mm && next * next <= n->square;
 }
 
 static int64_t nearest_mm(const nearest *n) {
@@ -391,17 +347,109 @@ static void near_edge(const edge *e, vec p, nearest *n) {
   }
 }
 
-/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
-static int64_t boundary_gap_lo(const zone *z, vec p) {
-  nearest n = nearest_none();
+/* A square of 2^32 mm, divided by 16 again and again; cells are closed to the south and west. A word
+ * of `cells` tells of a cell, in its two highest bits, that it is
+ *   0 far    the boundary is at least as far away as the lowest 28 bits say;
+ *   1 run    its edges are neighbours, the first one in the lowest 24 bits;
+ *   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
+ *   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row from the south-west.
+ * Its edges: those that can be nearest to some place of it; bits 24 to 27: how many, less one. Bit
+ * 28: the boundary meets it. Bit 29: its south-west corner, as `is_left` takes it, is inside. */
+typedef struct zone {
+  const edge *edges;
+  const uint32_t *cells, *lists;
+  int32_t x, y;                              /* south-west corner of the square */
+  int32_t shift, column, row, columns, rows; /* of the grid where a place near the zone starts */
+  int32_t depth, leaves;                     /* most splits on the way to a cell; cells */
+} zone;
+
+typedef struct cell {
+  int64_t x, y; /* south-west corner */
+  int32_t shift; /* 2^shift mm wide */
+  uint32_t word;
+} cell;
+
+/* The cell of a point: from its cell of the grid, or else from the whole square, to the last part. */
+static cell cell_at(const zone *z, vec p) {
+  const uint64_t x = (uint64_t)(p.x - z->x);
+  const uint64_t y = (uint64_t)(p.y - z->y);
+  const uint64_t column = (x >> z->shift) - (uint64_t)z->column;
+  const uint64_t row = (y >> z->shift) - (uint64_t)z->row;
+  const uint64_t columns = (uint64_t)z->columns;
+  const uint64_t rows = (uint64_t)z->rows;
+  const int32_t in_grid = column < columns && row < rows;
   int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if (nearer(box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p), &n)) {
-      near_edge(e, p, &n);
+  cell c;
+  c.shift = in_grid ? z->shift : 32;
+  c.word = z->cells[in_grid ? row * columns + column : rows * columns];
+  for (i = 0; i < z->depth && c.word >> 30 == 3; ++i) {
+    c.shift -= 2;
+    c.word = z->cells[(c.word & 0x3fffffff) + ((y >> c.shift & 3) << 2 | (x >> c.shift & 3))];
+  }
+  c.x = z->x + (int64_t)(x >> c.shift << c.shift);
+  c.y = z->y + (int64_t)(y >> c.shift << c.shift);
+  return c;
+}
+
+static int32_t cell_count(uint32_t word) {
+  return word >> 30 == 0 ? 0 : (int32_t)(word >> 24 & 15) + 1;
+}
+
+static const edge *cell_edge(const zone *z, uint32_t word, int32_t i) {
+  const uint32_t at = (word & 0xffffff) + (uint32_t)i;
+  return &z->edges[word >> 30 == 1 ? at : z->lists[at]];
+}
+
+/* Whether the edge crosses the way from (x0, y0) north or south to y, then east or west to x, all
+ * doubled. Exact; these points count as moved north by less than anything else, and east by less
+ * than that, so that none lies on the edge. Without branches, since nobody can predict them. */
+static int32_t crosses_way(const edge *e, int64_t x0, int64_t y0, int64_t x, int64_t y) {
+  const int64_t ax = 2 * (int64_t)e->ax, ay = 2 * (int64_t)e->ay;
+  const int64_t bx = 2 * (int64_t)e->bx, by = 2 * (int64_t)e->by;
+  const int64_t dx = e->bx - (int64_t)e->ax, dy = e->by - (int64_t)e->ay;
+  const int64_t left = 1 - ((dx > 0) | ((dx == 0) & (dy < 0))); /* from this product on */
+  const int32_t start = dx * (y0 - ay) - dy * (x0 - ax) >= left;
+  const int32_t turn = dx * (y - ay) - dy * (x0 - ax) >= left;
+  const int32_t end = dx * (y - ay) - dy * (x - ax) >= left;
+  return (((ax > x0) ^ (bx > x0)) & (start ^ turn)) ^ (((ay > y) ^ (by > y)) & (turn ^ end));
+}
+
+/* Whether a place of the cell, coordinates doubled, is inside: its corner is, or not, and each edge
+ * on the way from there changes it. Of places on the boundary it says nothing. */
+static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
+  int32_t inside = (int32_t)(c->word >> 29 & 1);
+  int32_t i;
+  if ((c->word >> 28 & 1) != 0) {
+    for (i = 0; i < cell_count(c->word); ++i) {
+      inside ^= crosses_way(cell_edge(z, c->word, i), 2 * c->x, 2 * c->y, x, y);
     }
   }
-  return nearest_mm(&n);
+  return inside;
+}
+
+static int32_t inside_zone(const zone *z, vec p) {
+  const cell c = cell_at(z, p);
+  return cell_inside(z, &c, 2 * p.x, 2 * p.y);
+}
+
+/* Bounds of the distance from a place of the cell to the boundary: 3 mm apart, but in cells that are
+ * far from it. */
+static span cell_gap(const zone *z, const cell *c, vec p) {
+  nearest n = nearest_none();
+  int32_t i;
+  if (cell_count(c->word) == 0) {
+    const int64_t far = c->word & 0xfffffff; /* in words no more than that */
+    return span_of(far, far + (far == 0xfffffff ? INT64_C(1) << 32 : (INT64_C(2) << c->shift) + 2));
+  }
+  for (i = 0; i < cell_count(c->word); ++i) {
+    near_edge(cell_edge(z, c->word, i), p, &n);
+  }
+  return span_of(nearest_mm(&n), nearest_mm(&n) + 3);
+}
+
+static span boundary_gap(const zone *z, vec p) {
+  const cell c = cell_at(z, p);
+  return cell_gap(z, &c, p);
 }
 
 /* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. Ticks are
@@ -823,52 +871,42 @@ static int32_t box_sides(const edge *e, const box *b) {
   return sides;
 }
 
-/* Even-odd rule for the middle of the box, its coordinates doubled. Exact; of places on the boundary
- * it says nothing. */
-static int32_t middle_inside(const zone *z, const box *b) {
-  const int64_t x = b->x0 + b->x1;
-  const int64_t y = b->y0 + b->y1;
-  int32_t inside = 0;
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if ((2 * (int64_t)e->ay > y) != (2 * (int64_t)e->by > y)) {
-      const int64_t c = (e->bx - (int64_t)e->ax) * (y - 2 * (int64_t)e->ay) -
-                        (e->by - (int64_t)e->ay) * (x - 2 * (int64_t)e->ax);
-      if ((e->by > e->ay) == (c > 0)) {
-        inside = !inside;
-      }
+/* How an edge lies to the box: 0 apart from it, 1 touches it, all of its inside on one side, 2 goes
+ * through it, 3 contains it. */
+static int32_t box_and_edge(const edge *e, const box *b) {
+  const int64_t left = min_of(e->ax, e->bx), right = max_of(e->ax, e->bx);
+  const int64_t low = min_of(e->ay, e->by), high = max_of(e->ay, e->by);
+  if (left > b->x1 || right < b->x0 || low > b->y1 || high < b->y0) {
+    return 0;
+  } else {
+    const int32_t sides = box_sides(e, b);
+    const int32_t meets_x = b->x0 == b->x1 || (left < b->x1 && right > b->x0);
+    const int32_t meets_y = b->y0 == b->y1 || (low < b->y1 && high > b->y0);
+    if (sides == 4 && left <= b->x0 && right >= b->x1 && low <= b->y0 && high >= b->y1) {
+      return 3;
     }
+    if (meets_x && meets_y && ((sides & 3) == 3 || sides == 4)) {
+      return 2;
+    }
+    return sides != 1 && sides != 2;
   }
-  return inside;
 }
 
 /* 1: all of the box lies in the zone, boundary included; -1: none of it does; 0: neither. Exact,
- * but that 0 may stand for 1 when a vertex of the zone lies on a box without width. */
+ * but that 0 may stand for 1 when a vertex of the zone lies on a box without width. A box of at most
+ * 1 mm lies in one closed cell. */
 static int32_t box_in_zone(const zone *z, const box *b) {
-  int32_t touched = 0; /* the boundary meets the box, all of whose inside is on one side */
+  const cell c = cell_at(z, vec_of(b->x0, b->y0));
+  int32_t touched = 0;
   int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    const int64_t left = min_of(e->ax, e->bx), right = max_of(e->ax, e->bx);
-    const int64_t low = min_of(e->ay, e->by), high = max_of(e->ay, e->by);
-    if (left <= b->x1 && right >= b->x0 && low <= b->y1 && high >= b->y0) {
-      const int32_t sides = box_sides(e, b);
-      const int32_t meets_x = b->x0 == b->x1 || (left < b->x1 && right > b->x0);
-      const int32_t meets_y = b->y0 == b->y1 || (low < b->y1 && high > b->y0);
-      if (sides == 4 && left <= b->x0 && right >= b->x1 && low <= b->y0 && high >= b->y1) {
-        return 1; /* a part of the boundary */
-      }
-      if (meets_x && meets_y && ((sides & 3) == 3 || sides == 4)) {
-        return 0;
-      }
-      touched = touched || (sides != 1 && sides != 2);
+  for (i = 0; i < cell_count(c.word); ++i) {
+    const int32_t lies = box_and_edge(cell_edge(z, c.word, i), b);
+    if (lies > 1) {
+      return lies == 3; /* the box is a part of the boundary */
     }
+    touched = touched || lies == 1;
   }
-  if (middle_inside(z, b)) {
-    return 1;
-  }
-  return touched ? 0 : -1;
+  return cell_inside(z, &c, b->x0 + b->x1, b->y0 + b->y1) ? 1 : (touched ? 0 : -1);
 }
 
 /* Signed distance from the boundary of every place of the box: that of its middle, and how far the
@@ -877,9 +915,9 @@ static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
   const vec half = minus(vec_of(b->x1, b->y1), p);
   const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
-  const int64_t gap = boundary_gap_lo(z, p);
-  return inside_zone(z, p) ? span_of(gap - room, gap + 3 + room)
-                           : span_of(-gap - 3 - room, -gap + room);
+  const span gap = boundary_gap(z, p);
+  return inside_zone(z, p) ? span_of(gap.lo - room, gap.hi + room)
+                           : span_of(-gap.hi - room, -gap.lo + room);
 }
 
 /* The same of a place that was measured without error: it lies in one cell of the grid at most. What
@@ -950,7 +988,11 @@ static const edge region_within_ground_edges[] = {
   {40000, 30000, 0, 25000, -1065450257, -133181282},
   {0, 25000, 0, 0, 0, -1073741824}
 };
-static const zone region_within_ground = {region_within_ground_edges, 4};
+/* Of a place, at most 4 edges are checked, after 0 steps; all distances are exact. */
+static const uint32_t region_within_ground_cells[] = {
+  0x53000000, 0x43000000
+};
+static const zone region_within_ground = {region_within_ground_edges, region_within_ground_cells, 0, -1431655765, -1431655765, 16, 21845, 21845, 1, 1, 0, 2};
 
 /* Zone mast: 32 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
 static const edge region_within_mast_edges[] = {
@@ -987,7 +1029,46 @@ static const edge region_within_mast_edges[] = {
   {19235, 10153, 19610, 10039, 1027320238, -312305352},
   {19610, 10039, 20000, 10000, 1068413048, -106841305}
 };
-static const zone region_within_mast = {region_within_mast_edges, 32};
+/* Of a place, at most 13 edges are checked, after 10 steps; all distances are exact. */
+static const uint32_t region_within_mast_cells[] = {
+  0xc00000a5, 0x5c000000, 0x5b00000c, 0x77000008, 0xc0000005, 0x47000018, 0x8b000000, 0x46000001, 0x43000004, 0x4b000011, 0xc0000015, 0x47000005,
+  0x44000006, 0x46000010, 0x4700000b, 0x45000009, 0x44000008, 0x43000010, 0x4400000d, 0x4400000b, 0x4300000a, 0x47000018, 0x8b000000, 0x46000001,
+  0x43000004, 0x4b000011, 0xc0000025, 0x47000005, 0x44000006, 0x46000010, 0x4700000b, 0x45000009, 0x44000008, 0x43000010, 0x4400000d, 0x4400000b,
+  0x4300000a, 0x47000018, 0x8b000000, 0x46000001, 0x43000004, 0x4b000011, 0xc0000035, 0x47000005, 0x44000006, 0x46000010, 0x4700000b, 0x45000009,
+  0x44000008, 0x43000010, 0x4400000d, 0x4400000b, 0x4300000a, 0x47000018, 0x8b000000, 0x46000001, 0x43000004, 0x4b000011, 0xc0000045, 0x47000005,
+  0x44000006, 0x46000010, 0x4700000b, 0x45000009, 0x44000008, 0x43000010, 0x4400000d, 0x4400000b, 0x4300000a, 0x47000018, 0x8b000000, 0x46000001,
+  0x43000004, 0x4b000011, 0xc0000055, 0x47000005, 0x44000006, 0x46000010, 0x4700000b, 0x45000009, 0x44000008, 0x43000010, 0x4400000d, 0x4400000b,
+  0x4300000a, 0x47000018, 0x8b000000, 0x46000001, 0x43000004, 0x4b000011, 0xc0000065, 0x47000005, 0x44000006, 0x46000010, 0x4700000b, 0x45000009,
+  0x44000008, 0x43000010, 0x4400000d, 0x4400000b, 0x4300000a, 0x47000018, 0x8b000000, 0x46000001, 0x43000004, 0x4b000011, 0xc0000075, 0x47000005,
+  0x44000006, 0x46000010, 0x4700000b, 0x45000009, 0x44000008, 0x43000010, 0x4400000d, 0x4400000b, 0x4300000a, 0x47000018, 0x8a00000c, 0x46000001,
+  0x44000003, 0x4a000012, 0xc0000085, 0x48000004, 0x44000006, 0x46000010, 0x4800000b, 0x45000009, 0x44000008, 0x44000010, 0x4400000d, 0x4400000b,
+  0x4300000a, 0x45000019, 0x89000017, 0x46000001, 0x44000003, 0x49000013, 0xc0000095, 0x48000004, 0x44000006, 0x46000010, 0x4800000b, 0x45000009,
+  0x44000008, 0x44000010, 0x4400000d, 0x4400000b, 0x4300000a, 0x45000019, 0x86000021, 0x45000000, 0x44000002, 0x46000016, 0x0, 0x0,
+  0x45000004, 0x45000012, 0x0, 0x0, 0x44000008, 0x44000011, 0x4500000e, 0x4400000b, 0x4300000a, 0x4300001a, 0x4300001b, 0x4200001d,
+  0x82000028, 0x43000019, 0x5300001a, 0x5300001c, 0x9400002b, 0x42000018, 0x54000018, 0x65000019, 0xaa000030, 0x42000016, 0x54000015, 0x6b000011,
+  0xc00000b5, 0x67000018, 0xab00003b, 0x64000003, 0x62000005, 0x6c000010, 0xc00000c5, 0x65000007, 0x63000007, 0x64000010, 0x6400000c, 0x6300000a,
+  0x63000009, 0x62000010, 0x6300000d, 0x6200000c, 0x6300000a, 0xc00000d5, 0x69000003, 0x64000005, 0x62000006, 0x6800000c, 0x65000009, 0x64000008,
+  0x62000008, 0x6300000e, 0x6300000c, 0x6300000a, 0x63000009, 0x6200000f, 0x6200000d, 0x6100000c, 0x6100000b, 0x6300001a, 0x6300001c, 0xa400002b,
+  0x63000001, 0x64000018, 0x65000019, 0xa8000047, 0x64000002, 0x64000015, 0x6c000011, 0xc00000e5, 0x67000005, 0x63000013, 0x64000011, 0x6500000c,
+  0x64000009, 0x65000019, 0xa8000047, 0x65000001, 0x61000005, 0xaa000050, 0xc00000f5, 0x68000005, 0x63000006, 0x64000011, 0x6400000d, 0x64000009,
+  0x63000009, 0x61000011, 0x6400000d, 0x6200000c, 0x6300000a, 0xa500005b, 0xa5000061, 0x60000005, 0x61000005, 0xa5000067, 0xa500006d, 0xa4000073,
+  0xa2000078, 0xa400007b, 0x6000000d, 0xa1000080, 0xa3000082, 0xa2000086, 0x6100000d, 0x6000000d, 0x6000000d
+};
+static const uint32_t region_within_mast_lists[] = {
+  0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x6, 0x1b, 0x1c, 0x1d, 0x1e, 0x1f,
+  0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x1b, 0x1c, 0x1d, 0x1e, 0x1f, 0x0,
+  0x1, 0x2, 0x3, 0x4, 0x1b, 0x1c, 0x1d, 0x1e, 0x1f, 0x0, 0x1, 0x1b,
+  0x1c, 0x1d, 0x1e, 0x1f, 0x0, 0x1, 0x1f, 0x0, 0x1, 0x2, 0x1e, 0x1f,
+  0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x6, 0x1c, 0x1d, 0x1e, 0x1f, 0x0,
+  0x1, 0x2, 0x3, 0x4, 0x5, 0x6, 0x7, 0x1c, 0x1d, 0x1e, 0x1f, 0x0,
+  0x1, 0x2, 0x3, 0x4, 0x5, 0x1d, 0x1e, 0x1f, 0x11, 0x12, 0x13, 0x14,
+  0x15, 0x16, 0x17, 0x18, 0x19, 0x1c, 0x1d, 0x5, 0xd, 0x15, 0x16, 0x19,
+  0x1d, 0x1, 0x5, 0xd, 0x15, 0x1d, 0x1e, 0x5, 0xd, 0xe, 0x11, 0x15,
+  0x1d, 0x5, 0x6, 0x9, 0xd, 0x15, 0x1d, 0x5, 0x6, 0x9, 0xc, 0xd,
+  0x5, 0x6, 0x9, 0xd, 0xe, 0x11, 0x14, 0x15, 0x9, 0xd, 0x9, 0xa,
+  0xc, 0xd, 0xd, 0xe, 0x11
+};
+static const zone region_within_mast = {region_within_mast_edges, region_within_mast_cells, region_within_mast_lists, -1431637765, -1431645765, 12, 349525, 349525, 2, 2, 10, 241};
 
 /* What contains zone mast: 32 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
 static const edge region_around_mast_edges[] = {
@@ -1024,7 +1105,46 @@ static const edge region_around_mast_edges[] = {
   {19053, 10227, 19417, 10076, 991789989, -411429364},
   {19417, 10076, 19803, 10000, 1053515616, -207427945}
 };
-static const zone region_around_mast = {region_around_mast_edges, 32};
+/* Of a place, at most 12 edges are checked, after 10 steps; all distances are exact. */
+static const uint32_t region_around_mast_cells[] = {
+  0xc00000a5, 0x5b000001, 0x5b00000c, 0x78000008, 0xc0000005, 0x46000019, 0x8b000000, 0x45000002, 0x44000004, 0x4b000012, 0xc0000015, 0x48000005,
+  0x44000006, 0x45000011, 0x4800000b, 0x46000009, 0x44000009, 0x44000010, 0x4400000e, 0x4400000b, 0x4400000a, 0x46000019, 0x8b000000, 0x45000002,
+  0x44000004, 0x4b000012, 0xc0000025, 0x48000005, 0x44000006, 0x45000011, 0x4800000b, 0x46000009, 0x44000009, 0x44000010, 0x4400000e, 0x4400000b,
+  0x4400000a, 0x46000019, 0x8a00000c, 0x45000002, 0x44000004, 0x4a000012, 0xc0000035, 0x48000005, 0x44000006, 0x45000011, 0x4800000b, 0x46000009,
+  0x44000009, 0x44000010, 0x4400000e, 0x4400000b, 0x4400000a, 0x46000019, 0x8a00000c, 0x45000002, 0x44000004, 0x4a000012, 0xc0000045, 0x47000005,
+  0x44000006, 0x45000011, 0x4700000c, 0x46000009, 0x43000009, 0x44000010, 0x4400000e, 0x4300000c, 0x4400000a, 0x46000019, 0x8a00000c, 0x45000002,
+  0x44000004, 0x4a000012, 0xc0000055, 0x47000005, 0x44000006, 0x45000011, 0x4700000c, 0x46000009, 0x43000009, 0x44000010, 0x4400000e, 0x4300000c,
+  0x4400000a, 0x46000019, 0x8a00000c, 0x45000002, 0x44000004, 0x4a000012, 0xc0000065, 0x47000005, 0x44000006, 0x45000011, 0x4700000c, 0x46000009,
+  0x43000009, 0x44000010, 0x4400000e, 0x4300000c, 0x4400000a, 0x46000019, 0x8a00000c, 0x45000002, 0x44000004, 0x4a000012, 0xc0000075, 0x47000005,
+  0x44000006, 0x45000011, 0x4700000c, 0x46000009, 0x43000009, 0x44000010, 0x4400000e, 0x4300000c, 0x4400000a, 0x46000019, 0x8a00000c, 0x45000002,
+  0x44000004, 0x4a000012, 0xc0000085, 0x47000005, 0x44000006, 0x45000011, 0x4700000c, 0x46000009, 0x43000009, 0x44000010, 0x4400000e, 0x4300000c,
+  0x4400000a, 0x46000019, 0x89000017, 0x46000001, 0x44000004, 0x49000013, 0xc0000095, 0x48000004, 0x44000006, 0x46000011, 0x4800000c, 0x46000009,
+  0x43000009, 0x44000010, 0x4400000e, 0x4300000c, 0x4400000a, 0x4400001a, 0x85000021, 0x45000000, 0x44000003, 0x45000017, 0x0, 0x0,
+  0x44000005, 0x45000013, 0x0, 0x0, 0x44000008, 0x44000011, 0x4400000f, 0x4400000c, 0x4400000a, 0x4200001b, 0x4200001c, 0x83000027,
+  0x8300002b, 0x4200001a, 0x5400001a, 0x5300001c, 0x9400002f, 0x43000018, 0x53000019, 0x66000019, 0xaa00000c, 0x43000016, 0x54000015, 0x6a000012,
+  0xc00000b5, 0x66000019, 0xab000034, 0x65000003, 0x63000005, 0x6b000011, 0xc00000c5, 0x65000007, 0x62000008, 0x65000010, 0x6500000c, 0x6400000a,
+  0x63000009, 0x63000010, 0x6200000e, 0x6300000c, 0x6200000b, 0xc00000d5, 0x69000003, 0x63000006, 0x62000007, 0x6900000c, 0x66000009, 0x63000009,
+  0x62000009, 0x6300000f, 0x6300000c, 0x6200000b, 0x6200000a, 0x6200000f, 0x6200000d, 0x6200000c, 0x6200000b, 0x6200001b, 0xa4000040, 0xa400002f,
+  0x64000001, 0x64000018, 0x66000019, 0xa9000017, 0x64000003, 0x64000015, 0x6b000011, 0xc00000e5, 0x67000005, 0x63000014, 0x64000011, 0x6500000c,
+  0x6400000a, 0xa8000045, 0xa900004e, 0x64000004, 0x63000005, 0xa9000058, 0xc00000f5, 0x64000008, 0x61000008, 0x65000010, 0x6400000c, 0x64000009,
+  0x64000008, 0x64000010, 0x6300000d, 0x6400000c, 0x6200000b, 0xa5000062, 0xa5000068, 0xa100006e, 0x60000008, 0xa5000070, 0xa5000076, 0xa100007c,
+  0x60000008, 0xa100007e, 0xa1000080, 0xa3000082, 0xa100007c, 0x60000010, 0x60000010, 0xa2000086, 0x6100000c
+};
+static const uint32_t region_around_mast_lists[] = {
+  0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x6, 0x1b, 0x1c, 0x1d, 0x1e, 0x1f,
+  0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x6, 0x1c, 0x1d, 0x1e, 0x1f, 0x0,
+  0x1, 0x2, 0x3, 0x4, 0x5, 0x1c, 0x1d, 0x1e, 0x1f, 0x0, 0x1, 0x1c,
+  0x1d, 0x1e, 0x1f, 0x0, 0x1d, 0x1e, 0x1f, 0x0, 0x1, 0x2, 0x1f, 0x0,
+  0x1, 0x2, 0x3, 0x1f, 0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x6, 0x7,
+  0x1c, 0x1d, 0x1e, 0x1f, 0x0, 0x1c, 0x1d, 0x1e, 0x1f, 0x0, 0x18, 0x19,
+  0x1a, 0x1b, 0x1c, 0x1d, 0x1e, 0x1f, 0x0, 0x1, 0x2, 0x3, 0x4, 0x5,
+  0x6, 0x7, 0x8, 0x1c, 0x10, 0x11, 0x12, 0x13, 0x14, 0x15, 0x16, 0x17,
+  0x18, 0x1c, 0x0, 0x8, 0x10, 0x18, 0x1c, 0x1d, 0x0, 0x4, 0x5, 0x8,
+  0x10, 0x18, 0x4, 0x8, 0x0, 0x8, 0x10, 0x14, 0x15, 0x18, 0x0, 0x8,
+  0xc, 0xd, 0x10, 0x18, 0x8, 0xc, 0x10, 0x14, 0xc, 0x10, 0x8, 0xc,
+  0xd, 0x10, 0xc, 0xd, 0x10
+};
+static const zone region_around_mast = {region_around_mast_edges, region_around_mast_cells, region_around_mast_lists, -1431637765, -1431645765, 12, 349525, 349525, 2, 2, 10, 241};
 
 /* Zone pad: 9 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
 static const edge region_within_pad_edges[] = {
@@ -1038,7 +1158,45 @@ static const edge region_within_pad_edges[] = {
   {4000, 2000, 4000, 1000, 0, -1073741824},
   {4000, 1000, 2000, 1000, -1073741824, 0}
 };
-static const zone region_within_pad = {region_within_pad_edges, 9};
+/* Of a place, at most 8 edges are checked, after 9 steps; all distances are exact. */
+static const uint32_t region_within_pad_cells[] = {
+  0xc0000092, 0xc0000002, 0x81000000, 0xc0000122, 0x41000000, 0x41000000, 0x84000002, 0xc0000012, 0x42000000, 0x42000000, 0x41000002, 0x44000001,
+  0x41000001, 0x41000001, 0x42000001, 0x42000001, 0x41000001, 0x41000001, 0x81000000, 0xc0000112, 0x41000000, 0x41000000, 0x83000007, 0xc0000022,
+  0x42000000, 0x42000000, 0x41000002, 0x44000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x81000000, 0xc0000102,
+  0x41000000, 0x41000000, 0x83000007, 0xc0000032, 0x42000000, 0x42000000, 0x41000002, 0x44000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001,
+  0x41000001, 0x41000001, 0x81000000, 0xc00000f2, 0x41000000, 0x41000000, 0x83000007, 0xc0000042, 0x42000000, 0x42000000, 0x41000002, 0x44000001,
+  0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x81000000, 0xc00000e2, 0x41000000, 0x41000000, 0x83000007, 0xc0000052,
+  0x42000000, 0x42000000, 0x41000002, 0x44000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x81000000, 0xc00000d2,
+  0x41000000, 0x41000000, 0x83000007, 0xc0000062, 0x42000000, 0x42000000, 0x41000002, 0x44000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001,
+  0x41000001, 0x41000001, 0x81000000, 0xc00000c2, 0x41000000, 0x41000000, 0x83000007, 0xc0000072, 0x42000000, 0x42000000, 0x41000002, 0x44000001,
+  0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x81000000, 0xc00000b2, 0x41000000, 0x41000000, 0x83000007, 0xc0000082,
+  0x42000000, 0x42000000, 0x41000002, 0x44000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x81000000, 0x8400000b,
+  0x41000000, 0x41000000, 0x82000010, 0x0, 0x83000013, 0x42000000, 0x41000002, 0x45000000, 0x41000001, 0x41000001, 0x41000002, 0x42000001,
+  0x41000001, 0x41000001, 0x81000000, 0x82000017, 0x8200001a, 0x41000000, 0x81000000, 0x9700001d, 0xc00000a2, 0x41000000, 0x41000002, 0x94000025,
+  0xb500002a, 0x41000001, 0x41000002, 0x41000002, 0x41000001, 0x41000001, 0x40000000, 0x40000000, 0x40000000, 0x41000000, 0x91000030, 0x92000032,
+  0x51000000, 0x51000000, 0x73000005, 0xb3000035, 0xa3000039, 0x70000001, 0xb500003d, 0x51000006, 0xa3000043, 0x70000001, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x8300004a, 0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x8300004a, 0x41000000, 0x41000000, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x8300004a,
+  0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x8300004a, 0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x8300004a, 0x41000000, 0x41000000, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x8300004a,
+  0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047, 0x41000000, 0x41000000, 0x81000000, 0x82000047,
+  0x41000000, 0x41000000, 0x81000000, 0x8300004a, 0x41000000, 0x41000000
+};
+static const uint32_t region_within_pad_lists[] = {
+  0x0, 0x3, 0x0, 0x2, 0x3, 0x4, 0x8, 0x0, 0x2, 0x3, 0x4, 0x0,
+  0x1, 0x3, 0x7, 0x8, 0x0, 0x2, 0x3, 0x0, 0x1, 0x2, 0x7, 0x0,
+  0x3, 0x8, 0x0, 0x1, 0x8, 0x0, 0x2, 0x3, 0x4, 0x5, 0x6, 0x7,
+  0x8, 0x2, 0x3, 0x4, 0x5, 0x8, 0x1, 0x2, 0x5, 0x6, 0x7, 0x8,
+  0x0, 0x8, 0x0, 0x7, 0x8, 0x0, 0x6, 0x7, 0x8, 0x0, 0x1, 0x7,
+  0x8, 0x2, 0x4, 0x5, 0x6, 0x7, 0x8, 0x1, 0x2, 0x6, 0x7, 0x0,
+  0x1, 0x3, 0x0, 0x1, 0x3, 0x8
+};
+static const zone region_within_pad = {region_within_pad_edges, region_within_pad_cells, region_within_pad_lists, -1431655765, -1431655765, 14, 87381, 87381, 1, 1, 9, 286};
 
 /* Zone zone_of_line_17: 4 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
 static const edge region_within_zone_of_line_17_edges[] = {
@@ -1047,7 +1205,11 @@ static const edge region_within_zone_of_line_17_edges[] = {
   {37000, 26601, 3000, 22351, -1065450257, -133181282},
   {3000, 22351, 3000, 3000, 0, -1073741824}
 };
-static const zone region_within_zone_of_line_17 = {region_within_zone_of_line_17_edges, 4};
+/* Of a place, at most 4 edges are checked, after 0 steps; all distances are exact. */
+static const uint32_t region_within_zone_of_line_17_cells[] = {
+  0x53000000, 0x43000000
+};
+static const zone region_within_zone_of_line_17 = {region_within_zone_of_line_17_edges, region_within_zone_of_line_17_cells, 0, -1431652765, -1431652765, 16, 21845, 21845, 1, 1, 0, 2};
 
 /* What contains zone zone_of_line_17: 4 edges ax, ay, bx, by (mm, the zone on the left),
  * direction (Q30). */
@@ -1057,7 +1219,11 @@ static const edge region_around_zone_of_line_17_edges[] = {
   {37002, 26604, 2998, 22354, -1065452185, -133165857},
   {2998, 22354, 2998, 2998, 0, -1073741824}
 };
-static const zone region_around_zone_of_line_17 = {region_around_zone_of_line_17_edges, 4};
+/* Of a place, at most 4 edges are checked, after 0 steps; all distances are exact. */
+static const uint32_t region_around_zone_of_line_17_cells[] = {
+  0x53000000, 0x43000000
+};
+static const zone region_around_zone_of_line_17 = {region_around_zone_of_line_17_edges, region_around_zone_of_line_17_cells, 0, -1431652767, -1431652767, 16, 21845, 21845, 1, 1, 0, 2};
 
 /* ---- monitors without a robot ---- */
 /* What a tick knows of its inputs. */

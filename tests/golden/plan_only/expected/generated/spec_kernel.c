@@ -15,6 +15,11 @@
 #define NO_BODY INT64_C(-1)
 #define NO_WAY INT64_C(1073741824)
 
+/* Smallest integer >= a / b, for a >= 0 and b > 0. */
+static int64_t div_up(int64_t a, int64_t b) {
+  return (a + b - 1) / b;
+}
+
 static int64_t min_of(int64_t a, int64_t b) {
   return a < b ? a : b;
 }
@@ -153,6 +158,23 @@ static int32_t reason_of(margin m) {
   return m.reason == PLAN_ONLY_REASON_MARGIN && m.lo < 0 && m.hi >= 0 ? PLAN_ONLY_REASON_WITHIN_ERROR : m.reason;
 }
 
+/* A quantity on its grid, as an interval that contains the true value. `input` names the input
+ * that is missing, PLAN_ONLY_INPUT_NONE when all were good. */
+typedef struct span {
+  int64_t lo, hi;
+  int32_t input;
+  int32_t other;
+} span;
+
+static span span_of(int64_t lo, int64_t hi) {
+  span s;
+  s.lo = lo;
+  s.hi = hi;
+  s.input = PLAN_ONLY_INPUT_NONE;
+  s.other = -1;
+  return s;
+}
+
 typedef struct vec {
   int64_t x, y;
 } vec;
@@ -260,27 +282,6 @@ typedef struct edge {
   int32_t ux_q30, uy_q30;
 } edge;
 
-typedef struct zone {
-  const edge *edges;
-  int32_t count;
-} zone;
-
-/* Even-odd rule with exact orientation: right for every integer point off the boundary. */
-static int32_t inside_zone(const zone *z, vec p) {
-  int32_t inside = 0;
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if ((e->ay > p.y) != (e->by > p.y)) {
-      const int32_t side = side_of(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p);
-      if ((e->by > e->ay) == (side > 0)) {
-        inside = !inside;
-      }
-    }
-  }
-  return inside;
-}
-
 /* Largest axis distance between the boxes of two segments: never more than their distance. */
 static int64_t box_gap(vec a, vec b, vec c, vec d) {
   const int64_t x = max_of(min_of(a.x, b.x) - max_of(c.x, d.x), min_of(c.x, d.x) - max_of(a.x, b.x));
@@ -329,41 +330,182 @@ static void near_edge(const edge *e, vec p, nearest *n) {
   }
 }
 
-/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
-static int64_t boundary_gap_lo(const zone *z, vec p) {
-  nearest n = nearest_none();
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *e = &z->edges[i];
-    if (nearer(box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p), &n)) {
-      near_edge(e, p, &n);
+/* Takes an edge of the boundary into account; 0: the segment crosses it. */
+static int32_t segment_near_edge(segment *s, const edge *k, nearest *n) {
+  const vec a = vec_of(k->ax, k->ay);
+  const vec b = vec_of(k->bx, k->by);
+  if (nearer(box_gap(a, b, s->a, s->b), n)) {
+    if (cross_each_other(s->a, s->b, a, b)) {
+      return 0;
+    }
+    near_edge(k, s->a, n);
+    near_edge(k, s->b, n);
+    s->across = INT64_MAX;
+    near_point(s, a, &n->square);
+    near_point(s, b, &n->square);
+    if (s->across < INT64_MAX) {
+      n->mm = min_of(n->mm, across_lo(s));
     }
   }
-  return nearest_mm(&n);
+  return 1;
 }
 
-/* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. */
+/* A square of 2^32 mm, divided by 16 again and again; cells are closed to the south and west. A word
+ * of `cells` tells of a cell, in its two highest bits, that it is
+ *   0 far    the boundary is at least as far away as the lowest 28 bits say;
+ *   1 run    its edges are neighbours, the first one in the lowest 24 bits;
+ *   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
+ *   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row from the south-west.
+ * Its edges: those that can be nearest to some place of it; bits 24 to 27: how many, less one. Bit
+ * 28: the boundary meets it. Bit 29: its south-west corner, as `is_left` takes it, is inside. */
+typedef struct zone {
+  const edge *edges;
+  const uint32_t *cells, *lists;
+  int32_t x, y;                              /* south-west corner of the square */
+  int32_t shift, column, row, columns, rows; /* of the grid where a place near the zone starts */
+  int32_t depth, leaves;                     /* most splits on the way to a cell; cells */
+} zone;
+
+typedef struct cell {
+  int64_t x, y; /* south-west corner */
+  int32_t shift; /* 2^shift mm wide */
+  uint32_t word;
+} cell;
+
+/* The cell of a point: from its cell of the grid, or else from the whole square, to the last part. */
+static cell cell_at(const zone *z, vec p) {
+  const uint64_t x = (uint64_t)(p.x - z->x);
+  const uint64_t y = (uint64_t)(p.y - z->y);
+  const uint64_t column = (x >> z->shift) - (uint64_t)z->column;
+  const uint64_t row = (y >> z->shift) - (uint64_t)z->row;
+  const uint64_t columns = (uint64_t)z->columns;
+  const uint64_t rows = (uint64_t)z->rows;
+  const int32_t in_grid = column < columns && row < rows;
+  int32_t i;
+  cell c;
+  c.shift = in_grid ? z->shift : 32;
+  c.word = z->cells[in_grid ? row * columns + column : rows * columns];
+  for (i = 0; i < z->depth && c.word >> 30 == 3; ++i) {
+    c.shift -= 2;
+    c.word = z->cells[(c.word & 0x3fffffff) + ((y >> c.shift & 3) << 2 | (x >> c.shift & 3))];
+  }
+  c.x = z->x + (int64_t)(x >> c.shift << c.shift);
+  c.y = z->y + (int64_t)(y >> c.shift << c.shift);
+  return c;
+}
+
+static int32_t cell_count(uint32_t word) {
+  return word >> 30 == 0 ? 0 : (int32_t)(word >> 24 & 15) + 1;
+}
+
+static const edge *cell_edge(const zone *z, uint32_t word, int32_t i) {
+  const uint32_t at = (word & 0xffffff) + (uint32_t)i;
+  return &z->edges[word >> 30 == 1 ? at : z->lists[at]];
+}
+
+/* Whether the edge crosses the way from (x0, y0) north or south to y, then east or west to x, all
+ * doubled. Exact; these points count as moved north by less than anything else, and east by less
+ * than that, so that none lies on the edge. Without branches, since nobody can predict them. */
+static int32_t crosses_way(const edge *e, int64_t x0, int64_t y0, int64_t x, int64_t y) {
+  const int64_t ax = 2 * (int64_t)e->ax, ay = 2 * (int64_t)e->ay;
+  const int64_t bx = 2 * (int64_t)e->bx, by = 2 * (int64_t)e->by;
+  const int64_t dx = e->bx - (int64_t)e->ax, dy = e->by - (int64_t)e->ay;
+  const int64_t left = 1 - ((dx > 0) | ((dx == 0) & (dy < 0))); /* from this product on */
+  const int32_t start = dx * (y0 - ay) - dy * (x0 - ax) >= left;
+  const int32_t turn = dx * (y - ay) - dy * (x0 - ax) >= left;
+  const int32_t end = dx * (y - ay) - dy * (x - ax) >= left;
+  return (((ax > x0) ^ (bx > x0)) & (start ^ turn)) ^ (((ay > y) ^ (by > y)) & (turn ^ end));
+}
+
+/* Whether a place of the cell, coordinates doubled, is inside: its corner is, or not, and each edge
+ * on the way from there changes it. Of places on the boundary it says nothing. */
+static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
+  int32_t inside = (int32_t)(c->word >> 29 & 1);
+  int32_t i;
+  if ((c->word >> 28 & 1) != 0) {
+    for (i = 0; i < cell_count(c->word); ++i) {
+      inside ^= crosses_way(cell_edge(z, c->word, i), 2 * c->x, 2 * c->y, x, y);
+    }
+  }
+  return inside;
+}
+
+static int32_t inside_zone(const zone *z, vec p) {
+  const cell c = cell_at(z, p);
+  return cell_inside(z, &c, 2 * p.x, 2 * p.y);
+}
+
+/* Bounds of the distance from a place of the cell to the boundary: 3 mm apart, but in cells that are
+ * far from it. */
+static span cell_gap(const zone *z, const cell *c, vec p) {
+  nearest n = nearest_none();
+  int32_t i;
+  if (cell_count(c->word) == 0) {
+    const int64_t far = c->word & 0xfffffff; /* in words no more than that */
+    return span_of(far, far + (far == 0xfffffff ? INT64_C(1) << 32 : (INT64_C(2) << c->shift) + 2));
+  }
+  for (i = 0; i < cell_count(c->word); ++i) {
+    near_edge(cell_edge(z, c->word, i), p, &n);
+  }
+  return span_of(nearest_mm(&n), nearest_mm(&n) + 3);
+}
+
+static span boundary_gap(const zone *z, vec p) {
+  const cell c = cell_at(z, p);
+  return cell_gap(z, &c, p);
+}
+
+static int64_t boundary_gap_lo(const zone *z, vec p) {
+  return boundary_gap(z, p).lo;
+}
+
+/* a * (part / whole), rounded down, for part / whole in 0..1. */
+static int64_t way_along(int64_t a, int64_t part, int64_t whole) {
+  const int64_t product = magnitude(part) * a;
+  return product < 0 ? -div_up(-product, magnitude(whole)) : product / magnitude(whole);
+}
+
+/* Moves `at` to a place of the next cell that the segment p-e enters; 0: it ends in this one. */
+static int32_t next_cell(const cell *c, vec p, vec e, vec *at) {
+  const vec d = minus(e, p);
+  const int64_t x1 = c->x + (INT64_C(1) << c->shift);
+  const int64_t y1 = c->y + (INT64_C(1) << c->shift);
+  /* where it would pass the lines of the sides that it runs towards, from p */
+  const vec q = minus(vec_of(d.x > 0 ? x1 : c->x, d.y > 0 ? y1 : c->y), p);
+  const int32_t by_x = d.x > 0 ? e.x >= x1 : e.x < c->x;
+  const int32_t by_y = d.y > 0 ? e.y >= y1 : e.y < c->y;
+  if (!by_x && !by_y) {
+    return 0;
+  }
+  if (by_x && (!by_y || magnitude(q.x) * magnitude(d.y) <= magnitude(q.y) * magnitude(d.x))) {
+    at->x = d.x > 0 ? x1 : c->x - 1;
+    at->y = clamp_of(p.y + way_along(d.y, q.x, d.x), c->y, y1 - 1);
+  } else {
+    at->x = clamp_of(p.x + way_along(d.x, q.y, d.y), c->x, x1 - 1);
+    at->y = d.y > 0 ? y1 : c->y - 1;
+  }
+  return 1;
+}
+
+/* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. The edges
+ * that are nearest to its places are those of the cells that it passes. */
 static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
   segment s = segment_of(p, e);
   nearest n = nearest_none();
-  int32_t i;
-  for (i = 0; i < z->count; ++i) {
-    const edge *k = &z->edges[i];
-    const vec a = vec_of(k->ax, k->ay);
-    const vec b = vec_of(k->bx, k->by);
-    if (nearer(box_gap(a, b, p, e), &n)) {
-      if (cross_each_other(p, e, a, b)) {
+  vec at = p;
+  int32_t more = 1;
+  int32_t i, k;
+  for (i = 0; i < z->leaves && more; ++i) {
+    const cell c = cell_at(z, at);
+    if (cell_count(c.word) == 0) {
+      n.mm = min_of(n.mm, c.word & 0xfffffff);
+    }
+    for (k = 0; k < cell_count(c.word); ++k) {
+      if (!segment_near_edge(&s, cell_edge(z, c.word, k), &n)) {
         return -1;
       }
-      near_edge(k, p, &n);
-      near_edge(k, e, &n);
-      s.across = INT64_MAX;
-      near_point(&s, a, &n.square);
-      near_point(&s, b, &n.square);
-      if (s.across < INT64_MAX) {
-        n.mm = min_of(n.mm, across_lo(&s));
-      }
     }
+    more = next_cell(&c, p, e, &at);
   }
   return nearest_mm(&n);
 }
@@ -452,7 +594,11 @@ static const edge zone_zone_of_line_11_edges[] = {
   {4600, 4600, 400, 4600, -1073741824, 0},
   {400, 4600, 400, 400, 0, -1073741824}
 };
-static const zone zone_zone_of_line_11 = {zone_zone_of_line_11_edges, 4};
+/* Of a place, at most 4 edges are checked, after 0 steps; all distances are exact. */
+static const uint32_t zone_zone_of_line_11_cells[] = {
+  0x53000000, 0x43000000
+};
+static const zone zone_zone_of_line_11 = {zone_zone_of_line_11_edges, zone_zone_of_line_11_cells, 0, -1431655365, -1431655365, 14, 87381, 87381, 1, 1, 0, 2};
 
 /* Zone zone_of_line_11_2: 36 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
 static const edge zone_zone_of_line_11_2_edges[] = {
@@ -493,7 +639,64 @@ static const edge zone_zone_of_line_11_2_edges[] = {
   {1146, 519, 1050, 500, -1053310368, -208467677},
   {1050, 500, 950, 500, -1073741824, 0}
 };
-static const zone zone_zone_of_line_11_2 = {zone_zone_of_line_11_2_edges, 36};
+/* Of a place, at most 15 edges are checked, after 10 steps; distances up to 87380 mm are exact. */
+static const uint32_t zone_zone_of_line_11_2_cells[] = {
+  0xc00000a5, 0x9e000000, 0x9e00000f, 0xbc00001e, 0xc0000005, 0x8100002b, 0xfffffff, 0x41000000, 0x41000000, 0xfffffff, 0xc0000015, 0x42000000,
+  0x42000000, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x8100002b, 0x5555554, 0x41000000,
+  0x41000000, 0x5555554, 0xc0000025, 0x42000000, 0x42000000, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001,
+  0x41000001, 0x8100002b, 0x1555554, 0x41000000, 0x41000000, 0x1555554, 0xc0000035, 0x42000000, 0x42000000, 0x41000002, 0x42000001, 0x41000001,
+  0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x8100002b, 0x555554, 0x41000000, 0x41000000, 0x555554, 0xc0000045, 0x42000000,
+  0x42000000, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x8100002b, 0x155554, 0x41000000,
+  0x41000000, 0x155554, 0xc0000055, 0x42000000, 0x42000000, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001,
+  0x41000001, 0x8100002b, 0x55554, 0x41000000, 0x41000000, 0x55554, 0xc0000065, 0x42000000, 0x42000000, 0x41000002, 0x42000001, 0x41000001,
+  0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x8100002b, 0xc0000145, 0x41000000, 0x41000000, 0x15554, 0xc0000075, 0x42000000,
+  0x42000000, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x8100002b, 0xc0000125, 0x41000000,
+  0x41000000, 0xc0000135, 0xc0000085, 0x42000000, 0x42000000, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x41000002, 0x42000001, 0x41000001,
+  0x41000001, 0x8100002b, 0xc0000105, 0x41000000, 0x41000000, 0xc0000115, 0xc0000095, 0x42000000, 0x42000000, 0x41000002, 0x42000001, 0x41000001,
+  0x41000001, 0x41000002, 0x42000001, 0x41000001, 0x41000001, 0x8100002b, 0x8500002d, 0x41000000, 0x41000000, 0x85000033, 0x0, 0x0,
+  0x41000000, 0x41000002, 0x0, 0x0, 0x41000001, 0x41000002, 0x41000002, 0x41000001, 0x41000001, 0x8100002b, 0x8100002b, 0x40000000,
+  0x40000000, 0x8100002b, 0x9e000039, 0x9c000048, 0x99000055, 0x40000003, 0x9c00005f, 0xc00000b5, 0xa700006c, 0x40000003, 0x99000074, 0xa700007e,
+  0x64000015, 0x46000004, 0x8a000086, 0x5400001c, 0x7300001b, 0x4a000007, 0xc00000c5, 0x46000017, 0x53000019, 0x5400000e, 0x46000011, 0x54000015,
+  0x53000017, 0x73000010, 0x53000012, 0x53000014, 0x62000016, 0xc00000d5, 0x4c000017, 0x4400001b, 0x4200001b, 0x4c00000b, 0x48000013, 0x44000017,
+  0x42000019, 0x4400000f, 0x44000013, 0x44000015, 0x42000017, 0x42000011, 0x42000013, 0x42000015, 0x42000016, 0x42000006, 0x42000005, 0x42000004,
+  0x81000091, 0x42000007, 0x42000006, 0x43000004, 0x82000093, 0x42000008, 0x43000007, 0x44000005, 0x85000096, 0x4100000a, 0x42000009, 0x45000007,
+  0xc00000e5, 0x42000006, 0x43000004, 0x82000093, 0x41000022, 0x43000007, 0x44000005, 0x8400009c, 0x41000022, 0x42000009, 0x44000007, 0x880000a1,
+  0x890000aa, 0x4100000b, 0x4100000b, 0x890000b4, 0xc00000f5, 0x860000be, 0x860000c5, 0x810000cc, 0x4000001b, 0x860000ce, 0x860000d5, 0x810000dc,
+  0x4000001b, 0x810000de, 0x810000dc, 0x860000e0, 0x820000e7, 0x40000013, 0x40000013, 0x820000ea, 0x840000ed, 0x8100002b, 0x8100002b, 0x41000000,
+  0x41000000, 0x8100002b, 0x8100002b, 0x41000000, 0x41000000, 0x8100002b, 0x8100002b, 0x41000000, 0x41000000, 0x8100002b, 0x8100002b, 0x41000000,
+  0x41000000, 0x8100002b, 0x8100002b, 0x8100002b, 0x8100002b, 0x8100002b, 0x8100002b, 0x8100002b, 0x8100002b, 0x41000002, 0x41000002, 0x41000002,
+  0x41000002, 0x41000002, 0x41000002, 0x41000002, 0x41000002, 0x8100002b, 0x820000f2, 0x41000000, 0x41000000, 0x8100002b, 0x820000f2, 0x41000000,
+  0x41000000, 0x8100002b, 0x820000f2, 0x41000000, 0x41000000, 0x8100002b, 0x840000f5, 0x41000000, 0x41000000, 0x8100002b, 0x8100002b, 0x8100002b,
+  0x8100002b, 0x820000fa, 0x820000fa, 0x820000fa, 0x840000fd, 0x41000002, 0x41000002, 0x41000002, 0x41000002, 0x41000002, 0x41000002, 0x41000002,
+  0x41000002, 0x8100002b, 0x820000f2, 0x41000000, 0x41000000, 0x8100002b, 0x820000f2, 0x41000000, 0x41000000, 0x8100002b, 0x820000f2, 0x41000000,
+  0x41000000, 0x8100002b, 0x87000102, 0x41000000, 0x41000000
+};
+static const uint32_t zone_zone_of_line_11_2_lists[] = {
+  0x0, 0x1, 0x2, 0x17, 0x18, 0x19, 0x1a, 0x1b, 0x1c, 0x1d, 0x1e, 0x1f,
+  0x20, 0x21, 0x22, 0x1, 0x2, 0x3, 0xc, 0xd, 0xe, 0xf, 0x10, 0x11,
+  0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x1, 0x2, 0x12, 0x13, 0x14, 0x15,
+  0x16, 0x17, 0x18, 0x19, 0x1a, 0x1b, 0x1c, 0x0, 0x3, 0x0, 0x3, 0x1e,
+  0x1f, 0x20, 0x21, 0x0, 0x3, 0xd, 0xe, 0xf, 0x10, 0x0, 0x3, 0x4,
+  0x5, 0x6, 0x7, 0x8, 0x9, 0xa, 0xb, 0xc, 0xd, 0x21, 0x22, 0x23,
+  0x0, 0x3, 0x4, 0x5, 0x6, 0x7, 0x1d, 0x1e, 0x1f, 0x20, 0x21, 0x22,
+  0x23, 0x0, 0x1b, 0x1c, 0x1d, 0x1e, 0x1f, 0x20, 0x21, 0x22, 0x23, 0x0,
+  0x3, 0x7, 0x8, 0x9, 0xa, 0xb, 0xc, 0xd, 0xe, 0xf, 0x10, 0x11,
+  0x0, 0x17, 0x18, 0x19, 0x1a, 0x1b, 0x1c, 0x1d, 0x3, 0xb, 0xc, 0xd,
+  0xe, 0xf, 0x10, 0x11, 0x12, 0x13, 0x3, 0x11, 0x12, 0x13, 0x14, 0x15,
+  0x16, 0x17, 0x4, 0x5, 0x6, 0x7, 0x1d, 0x1e, 0x1f, 0x20, 0x21, 0x22,
+  0x23, 0x4, 0x23, 0x4, 0x5, 0x23, 0x4, 0x5, 0x6, 0x7, 0x22, 0x23,
+  0x4, 0x5, 0x6, 0x7, 0x23, 0x4, 0x5, 0x6, 0x7, 0x8, 0x9, 0xa,
+  0xb, 0x23, 0xb, 0x1b, 0x1c, 0x1d, 0x1e, 0x1f, 0x20, 0x21, 0x22, 0x23,
+  0xb, 0xc, 0xd, 0xe, 0xf, 0x10, 0x11, 0x12, 0x13, 0x23, 0x4, 0x7,
+  0xa, 0xb, 0x13, 0x1b, 0x23, 0xb, 0x13, 0x1b, 0x1c, 0x1f, 0x22, 0x23,
+  0x1b, 0x23, 0xb, 0xc, 0xf, 0x12, 0x13, 0x1b, 0x23, 0xb, 0x13, 0x14,
+  0x17, 0x1a, 0x1b, 0x23, 0x13, 0x1b, 0xb, 0x13, 0x13, 0x14, 0x15, 0x17,
+  0x19, 0x1a, 0x1b, 0x17, 0x1a, 0x1b, 0x13, 0x14, 0x17, 0x14, 0x15, 0x17,
+  0x19, 0x1a, 0x0, 0x1, 0x3, 0x0, 0x1, 0x3, 0x21, 0x22, 0x0, 0x2,
+  0x3, 0x0, 0x2, 0x3, 0xc, 0xd, 0x0, 0x1, 0x3, 0x1f, 0x20, 0x21,
+  0x22, 0x23
+};
+static const zone zone_zone_of_line_11_2 = {zone_zone_of_line_11_2_edges, zone_zone_of_line_11_2_cells, zone_zone_of_line_11_2_lists, -1431655765, -1431655765, 12, 349525, 349525, 2, 2, 10, 316};
 
 /* Zone zone_of_line_11_3: 16 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
 static const edge zone_zone_of_line_11_3_edges[] = {
@@ -514,7 +717,30 @@ static const edge zone_zone_of_line_11_3_edges[] = {
   {994, 995, 996, 993, 759250125, -759250125},
   {996, 993, 999, 992, 1018640935, -339546978}
 };
-static const zone zone_zone_of_line_11_3 = {zone_zone_of_line_11_3_edges, 16};
+/* Of a place, at most 8 edges are checked, after 10 steps; all distances are exact. */
+static const uint32_t zone_zone_of_line_11_3_cells[] = {
+  0x96000000, 0x95000007, 0x9500000d, 0x74000004, 0xc0000005, 0x84000013, 0x86000018, 0x44000000, 0x42000002, 0x47000008, 0xc0000015, 0x45000002,
+  0x42000003, 0x43000008, 0x44000005, 0x43000004, 0x43000004, 0x42000008, 0x43000006, 0x43000005, 0x43000004, 0x84000013, 0x86000018, 0x44000000,
+  0x42000002, 0x47000008, 0xc0000025, 0x45000002, 0x42000003, 0x43000008, 0x44000005, 0x43000004, 0x43000004, 0x42000008, 0x43000006, 0x43000005,
+  0x43000004, 0x84000013, 0x86000018, 0x44000000, 0x42000002, 0x47000008, 0xc0000035, 0x45000002, 0x42000003, 0x43000008, 0x44000005, 0x43000004,
+  0x43000004, 0x42000008, 0x43000006, 0x43000005, 0x43000004, 0x84000013, 0x86000018, 0x44000000, 0x42000002, 0x47000008, 0xc0000045, 0x45000002,
+  0x42000003, 0x43000008, 0x44000005, 0x43000004, 0x43000004, 0x42000008, 0x43000006, 0x43000005, 0x43000004, 0x84000013, 0x86000018, 0x44000000,
+  0x42000002, 0x47000008, 0xc0000055, 0x45000002, 0x42000003, 0x43000008, 0x44000005, 0x43000004, 0x43000004, 0x42000008, 0x43000006, 0x43000005,
+  0x43000004, 0x84000013, 0x86000018, 0x44000000, 0x42000002, 0x46000008, 0xc0000065, 0x45000002, 0x42000003, 0x43000008, 0x44000005, 0x43000004,
+  0x43000004, 0x42000008, 0x43000006, 0x43000005, 0x43000004, 0x84000013, 0x8500001f, 0x44000000, 0x42000002, 0x46000008, 0xc0000075, 0x44000002,
+  0x42000003, 0x43000008, 0x44000005, 0x43000004, 0x42000004, 0x42000008, 0x43000006, 0x43000005, 0x43000004, 0x84000013, 0x8500001f, 0x44000000,
+  0x42000002, 0x46000008, 0xc0000085, 0x44000002, 0x42000003, 0x43000008, 0x43000006, 0x43000004, 0x42000004, 0x42000008, 0x43000006, 0x42000006,
+  0x43000004, 0x84000013, 0x8500001f, 0x44000000, 0x42000002, 0x45000009, 0xc0000095, 0x44000002, 0x42000003, 0x43000008, 0x44000006, 0x44000004,
+  0x42000004, 0x42000008, 0x42000007, 0x42000006, 0x43000004, 0x84000013, 0x82000025, 0x43000000, 0x43000001, 0x4200000c, 0x0, 0x0,
+  0x42000002, 0x44000008, 0x0, 0x0, 0x42000004, 0x43000008, 0x41000008, 0x42000006, 0x43000004
+};
+static const uint32_t zone_zone_of_line_11_3_lists[] = {
+  0x0, 0x4, 0x8, 0xc, 0xd, 0xe, 0xf, 0x0, 0x1, 0x2, 0x3, 0x4,
+  0x8, 0x4, 0x8, 0x9, 0xa, 0xb, 0xc, 0x0, 0xc, 0xd, 0xe, 0xf,
+  0x0, 0x1, 0x2, 0x3, 0xd, 0xe, 0xf, 0x0, 0x1, 0x2, 0x3, 0xe,
+  0xf, 0x0, 0xe, 0xf
+};
+static const zone zone_zone_of_line_11_3 = {zone_zone_of_line_11_3_edges, zone_zone_of_line_11_3_cells, zone_zone_of_line_11_3_lists, -1431654773, -1431654773, 12, 349525, 349525, 2, 2, 10, 151};
 
 /* ---- decision route_check for Drone, on a plan ---- */
 /* SR-1: plans keep 40 cm from the walls (spec.rta:9). d.plan inside shrink(room, 40 cm) and

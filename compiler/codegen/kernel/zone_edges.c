@@ -1,0 +1,61 @@
+/* Zones of a few edges: every check looks at all of them. */
+/*= zone_type @edges : edge_type */
+typedef struct zone {
+  const edge *edges;
+  int32_t count;
+} zone;
+/*= inside_zone @edges : zone_type vec_of side_of */
+/* Even-odd rule with exact orientation: right for every integer point off the boundary. */
+static int32_t inside_zone(const zone *z, vec p) {
+  int32_t inside = 0;
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    const edge *e = &z->edges[i];
+    if ((e->ay > p.y) != (e->by > p.y)) {
+      const int32_t side = side_of(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p);
+      if ((e->by > e->ay) == (side > 0)) {
+        inside = !inside;
+      }
+    }
+  }
+  return inside;
+}
+/*= boundary_gap_lo @edges : zone_type vec_of box_gap near_edge nearer nearest_none nearest_mm */
+/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
+static int64_t boundary_gap_lo(const zone *z, vec p) {
+  nearest n = nearest_none();
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    const edge *e = &z->edges[i];
+    if (nearer(box_gap(vec_of(e->ax, e->ay), vec_of(e->bx, e->by), p, p), &n)) {
+      near_edge(e, p, &n);
+    }
+  }
+  return nearest_mm(&n);
+}
+/*= boundary_gap @edges : span_of boundary_gap_lo */
+static span boundary_gap(const zone *z, vec p) {
+  const int64_t gap = boundary_gap_lo(z, p);
+  return span_of(gap, gap + 3);
+}
+/*= place_of @edges : place_type zone_type vec_type inside_zone boundary_gap_lo */
+static place place_of(const zone *z, vec p) {
+  place at;
+  at.gap_mm = boundary_gap_lo(z, p);
+  at.gap_mm_hi = at.gap_mm + 3;
+  at.inside = inside_zone(z, p);
+  return at;
+}
+/*= segment_boundary_lo @edges : zone_type segment_near_edge nearest_none nearest_mm segment_of */
+/* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. */
+static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
+  segment s = segment_of(p, e);
+  nearest n = nearest_none();
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    if (!segment_near_edge(&s, &z->edges[i], &n)) {
+      return -1;
+    }
+  }
+  return nearest_mm(&n);
+}
