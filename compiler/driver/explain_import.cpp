@@ -1,6 +1,8 @@
-// What became of files of zones: how they were placed on the map, and how exactly.
+// What became of zones that are not taken as they are: files, and how they were placed on the map;
+// circles; and how exactly.
 #include "compiler/driver/explain_line.h"
 #include "compiler/driver/explain_text.h"
+#include "compiler/geometry/region.h"
 #include "compiler/sema/dimension.h"
 #include "compiler/support/overloaded.h"
 
@@ -35,7 +37,7 @@ class ImportRemarks {
   void look(const sema::ZoneExpr& expr) {
     std::visit(Overloaded{
                    [](const sema::ZonePolygon&) {},
-                   [](const sema::ZoneCircle&) {},
+                   [&](const sema::ZoneCircle& node) { circle(expr.range, node); },
                    [](const sema::ZoneRef&) {},
                    [](const sema::ZoneComplement&) {},  // of a zone of its own
                    [&](const sema::ZoneBinary& node) {
@@ -48,6 +50,17 @@ class ImportRemarks {
                expr.node);
   }
 
+  void circle(const SourceRange& source, const sema::ZoneCircle& node) {
+    const std::size_t edges = geometry::circle_edges(node.radius);
+    const Rational tenths_mm = geometry::circle_error(node.radius, edges) * 10'000;
+    const Rational error_mm(ceil_to_int(tenths_mm), 10);
+    out_.push_back({source,
+                    "circle of radius " + sema::show(node.radius, dims::length),
+                    {"a polygon of " + std::to_string(edges) +
+                         " edges: in the circle where robots may be, around it where it is taken "
+                         "away",
+                     "at most " + to_decimal(error_mm) + " mm off"}});
+  }
   static std::string parts(const sema::ZoneImport& node) {
     std::size_t areas = 0;
     for (const auto& group : node.inclusions) areas += group.size();

@@ -13,6 +13,7 @@
 #include "compiler/geometry/offset.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/geometry/ring.h"
 
@@ -163,12 +164,12 @@ std::vector<Point> unit_directions(std::size_t count) {
   return quadrant_directions(parameters);
 }
 
-std::vector<Point> regular_directions_32() {
-  // tan(i pi / 32), rounded to 2^-12.
+std::vector<Point> regular_directions(std::size_t count) {
   std::vector<Rational> parameters;
-  for (const unsigned long numerator :
-       {0UL, 403UL, 815UL, 1243UL, 1697UL, 2189UL, 2737UL, 3362UL}) {
-    parameters.emplace_back(numerator, 4096UL);
+  for (std::size_t i = 0; i < count / 4; ++i) {
+    const double angle = M_PI * static_cast<double>(i) / static_cast<double>(count);
+    parameters.emplace_back(static_cast<unsigned long>(std::lround(std::tan(angle) * 4096)),
+                            4096UL);
     parameters.back().canonicalize();
   }
   return quadrant_directions(parameters);

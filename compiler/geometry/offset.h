@@ -13,8 +13,9 @@ namespace rtac::geometry {
 // two neighbours is at most 2 / count.
 std::vector<Point> unit_directions(std::size_t count);
 
-// 32 of them, evenly spaced to within 3e-4 rad.
-std::vector<Point> regular_directions_32();
+// `count` of them in all, a multiple of four, evenly spaced to within 5e-4 rad: the
+// tangents of half their angles are rounded to 2^-12.
+std::vector<Point> regular_directions(std::size_t count);
 
 // The polygon whose edges touch the circle at the directions: it contains the disc.
 Ring circumscribed(const Point& centre, const Rational& radius,

@@ -72,9 +72,21 @@ Region Region::everywhere() {
       {{-reach_m, -reach_m}, {reach_m, -reach_m}, {reach_m, reach_m}, {-reach_m, reach_m}}, {}}});
 }
 
+std::size_t circle_edges(const Rational& radius) {
+  std::size_t edges = 32;
+  while (edges < 256 && circle_error(radius, edges) > Rational(1, 100)) edges *= 2;
+  return edges;
+}
+Rational circle_error(const Rational& radius, std::size_t edges) {
+  // Half the angle of an edge is at most h = pi / edges + 5e-4; the middle of an inscribed edge is
+  // r (1 - cos h) off, the corner of a circumscribed one r (1 / cos h - 1) < r h^2 / 2 * 1.01.
+  const Rational half = Rational(355, 113) / static_cast<unsigned long>(edges) + Rational(1, 2000);
+  return radius * half * half * Rational(101, 200);
+}
+
 Region Region::circle(const Point& centre, const Rational& radius, bool inner) {
   if (radius <= 0) return {};
-  const std::vector<Point> directions = regular_directions_32();
+  const std::vector<Point> directions = regular_directions(circle_edges(radius));
   const Ring ring =
       inner ? inscribed(centre, radius, directions) : circumscribed(centre, radius, directions);
   return Region({PolygonWithHoles{canonical(ring), {}}});

@@ -43,6 +43,12 @@ struct Problem {
   Point where;
 };
 
+// Edges of the polygon that stands for a circle, radius in m: 32 to 256, the least power of two
+// with which it is within 1 cm of the circle. How far off it is at most, in m; of large circles
+// that is up to 1/12,000 of the radius.
+std::size_t circle_edges(const Rational& radius);
+Rational circle_error(const Rational& radius, std::size_t edges);
+
 class Region {
  public:
   Region();  // empty
@@ -58,8 +64,8 @@ class Region {
   static Region of_rings(const std::vector<Ring>& rings);
   // The places that coordinates on the grid may name: a square of 1,072 km about the origin.
   static Region everywhere();
-  // A regular 32-gon inscribed in the circle (inner) or circumscribed about it (!inner), with
-  // rational vertices that lie exactly inside / outside.
+  // A regular polygon of `circle_edges` inscribed in the circle (inner) or circumscribed about it
+  // (!inner), with rational vertices that lie exactly inside / outside.
   static Region circle(const Point& centre, const Rational& radius, bool inner);
 
   [[nodiscard]] Region unite(const Region& other) const;

@@ -357,7 +357,7 @@ static int32_t segment_near_edge(segment *s, const edge *k, nearest *n) {
  *   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
  *   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row from the south-west.
  * Its edges: those that can be nearest to some place of it; bits 24 to 27: how many, less one. Bit
- * 28: the boundary meets it. Bit 29: its south-west corner, as `is_left` takes it, is inside. */
+ * 28: the boundary meets it. Bit 29: its south-west corner, moved as in `crosses_way`, is inside. */
 typedef struct zone {
   const edge *edges;
   const uint32_t *cells, *lists;
