@@ -249,11 +249,10 @@ std::string manifest(const Module& module, const sema::Spec& spec, const Naming&
   if (module.watch) j["monitors"] = watch(module, spec);
   j["zones"] = Json::array();
   for (const ZoneTable& z : module.zones) {
-    j["zones"].push_back(
-        {{"name", z.name},
-         {"edges", z.edges.size()},
-         {"edges_checked_max", edges_checked_max(z)},
-         {"bytes", z.edges.size() * sizeof(Edge) + z.tree.bytes()}});
+    j["zones"].push_back({{"name", z.name},
+                          {"edges", z.edges.size()},
+                          {"edges_checked_max", edges_checked_max(z)},
+                          {"bytes", z.edges.size() * sizeof(Edge) + z.tree.bytes()}});
     if (z.tree.exact_mm) j["zones"].back()["exact_mm"] = *z.tree.exact_mm;
   }
   j["assumptions"] = Json::array();
