@@ -9,15 +9,16 @@
 
 void bench_tables_init(hand_tables* t) {
   int32_t edges_mm[4 * HAND_EDGES];
+  const int32_t count = (int32_t)(sizeof zone_free_edges / sizeof zone_free_edges[0]);
   int32_t i, j;
-  for (i = 0; i < zone_free.count && i < HAND_EDGES; ++i) {
+  for (i = 0; i < count && i < HAND_EDGES; ++i) {
     const edge* e = &zone_free.edges[i];
     edges_mm[4 * i] = e->ax;
     edges_mm[4 * i + 1] = e->ay;
     edges_mm[4 * i + 2] = e->bx;
     edges_mm[4 * i + 3] = e->by;
   }
-  hand_zone_init(&t->zone, edges_mm, zone_free.count);
+  hand_zone_init(&t->zone, edges_mm, count);
   for (j = 0; j < HAND_MONITORS + 2; ++j) {
     t->motions[j].speed = (double)plan_executor_motions[j].speed_mmps * 1e-3;
     t->motions[j].accel = (double)plan_executor_motions[j].accel_mmps2 * 1e-3;
