@@ -258,6 +258,7 @@ bool measure_zone_queries(const Effort& effort, Report& report) {
         add_compile(subject, report);
       } else {
         std::fprintf(stderr, "rtac_bench: %s: %s\n", subject.title().c_str(), problem.c_str());
+        good = false;
       }
       subjects.push_back(std::move(subject));
     }

@@ -227,7 +227,7 @@ TEST(ZoneCases, AFieldOfRepeatedPillarsHasTheSameAnswersAboutEachOfThem) {
 TEST(ZoneCases, TurnedAndMirroredZonesHaveTheSameAnswers) {
   // About the axes: what is level becomes upright, rays run the other way along an outline.
   Random random(31);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 39; ++i) {
     const Zone zone = random_zone(static_cast<Family>(i % static_cast<int>(Family::count)), random);
     Zone turned = zone, mirrored = zone;
     for (Ring& ring : turned.rings) {
@@ -239,7 +239,8 @@ TEST(ZoneCases, TurnedAndMirroredZonesHaveTheSameAnswers) {
     }
     const Scene scene(zone);
     const Tables quarter = tables_of(turned), mirror = tables_of(mirrored);
-    for (int k = 0; k < 100; ++k) {
+    if (!scene.tables || !quarter || !mirror) continue;
+    for (int k = 0; k < 500; ++k) {
       const Edge l = delicate_leg(scene.edges, random);
       const Place p = l.a, q{-p.y, p.x}, r{-p.x, p.y};
       if (where(scene.edges, p) != 0) {

@@ -1,5 +1,5 @@
-// Outlines of hundreds to a hundred thousand vertices, as they are in the field: what is looked up
-// in their tables is what looking at every edge says.
+// Outlines of hundreds to tens of thousands of vertices, as they are in the field: what is looked
+// up in their tables is what looking at every edge says.
 #include "tests/bench/zones/outline.h"
 #include "tests/kernel/zones/exact_box.h"
 #include "tests/kernel/zones/scene.h"
@@ -56,9 +56,13 @@ TEST_P(LargeZones, AreAnsweredAsEveryEdgeSays) {
   const Case& c = GetParam();
   const Scene scene =
       scene_of(bench::outline_of(c.name, c.make(c.vertices, bench::Vertices::on_grid, 1)));
+  // Long edges close to each other are more than tables of a bounded size can tell.
+  const bool may_be_refused = c.name == std::string("needles") || c.name == std::string("comb");
+  ASSERT_TRUE(scene.tables || may_be_refused);
+  if (!scene.tables) GTEST_SKIP() << "refused: " << scene.tabled.dense.edges << " edges together";
   Random random(40);
   // Looking at every edge takes its time.
-  const std::size_t count = std::min<std::size_t>(3'000, 10'000'000 / c.vertices);
+  const std::size_t count = std::min<std::size_t>(3'000, 8'000'000 / c.vertices);
   for (std::size_t i = 0; i < count && !HasFatalFailure(); ++i) {
     ask(scene, random,
         random.one_in(3) ? uniform_place(scene.edges, random)
@@ -69,11 +73,11 @@ TEST_P(LargeZones, AreAnsweredAsEveryEdgeSays) {
 INSTANTIATE_TEST_SUITE_P(
     Shapes, LargeZones,
     testing::Values(Case{"coast", bench::coast, 300}, Case{"coast", bench::coast, 5'000},
-                    Case{"coast", bench::coast, 100'000}, Case{"star", bench::mild_star, 1'000},
+                    Case{"coast", bench::coast, 30'000}, Case{"star", bench::mild_star, 1'000},
                     Case{"star", bench::mild_star, 20'000}, Case{"needles", bench::noisy_star, 500},
                     Case{"needles", bench::noisy_star, 10'000}, Case{"comb", bench::comb, 400},
                     Case{"comb", bench::comb, 20'000}, Case{"circle", bench::circle_fence, 2'000},
-                    Case{"circle", bench::circle_fence, 50'000}),
+                    Case{"circle", bench::circle_fence, 20'000}),
     [](const auto& one) {
       return std::string(one.param.name) + "_" + std::to_string(one.param.vertices);
     });

@@ -29,8 +29,9 @@ TEST(ZonePlaces, HaveDistancesThatAreSafeAndClose) {
 TEST(ZonePlaces, AboutTinyZonesAreAllRight) {
   // Every place within 8 mm of outlines of a few mm.
   Random random(3);
-  for (int i = 0; i < 1'500; ++i) {
+  for (int i = 0; i < (probe_has_trees() != 0 ? 150 : 1'500); ++i) {
     const Scene scene(random_zone(random.one_in(3) ? Family::cells : Family::tiny, random));
+    if (!scene.tables) continue;
     const Place at = scene.edges.front().a;
     for (std::int64_t k = 0; k < 17 * 17; ++k) {
       const Place p{at.x + k % 17 - 8, at.y + k / 17 - 8};

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 
+#include "compiler/geometry/cell_tree.h"
 #include "tests/kernel/zones/exact_zone.h"
 
 namespace rtac::kernel_test {
@@ -12,10 +14,15 @@ struct FreeTables {
 };
 using Tables = std::unique_ptr<probe_tables, FreeTables>;
 
+struct Tabled {
+  Tables tables;            // nullptr: the compiler refuses, and `dense` says why
+  std::int64_t horizon_mm;  // distances up to this one are close to exact, longer ones bounds
+  std::size_t bytes;
+  std::int32_t edges_most;  // that are looked at for a place
+  geometry::TooDense dense;
+};
+Tabled table(const Zone& zone);
+// Of one that is not refused.
 Tables tables_of(const Zone& zone);
-
-// Queries of the kernel are held against the exact answer within this distance of the boundary;
-// beyond it they are lower bounds.
-std::int64_t horizon_mm(const Tables& tables);
 
 }  // namespace rtac::kernel_test

@@ -24,10 +24,11 @@ typedef struct probe_plan {
 } probe_plan;
 
 /* What these tests call, and what that needs: printed by print_library.cpp. */
-#include "zone_library.c"
+#include PROBE_LIBRARY
 
 struct probe_tables {
   edge* edges;
+  uint32_t *words, *lists;
   zone z;
 };
 
@@ -37,7 +38,42 @@ static void* kept(size_t bytes) {
   if (memory == NULL) abort();
   return memory;
 }
-probe_tables* probe_tables_new(const probe_edge* edges, int32_t count) {
+#ifdef PROBE_TREES
+static uint32_t* copied(const uint32_t* words, int32_t count) {
+  uint32_t* const to = (uint32_t*)kept((size_t)count * sizeof(uint32_t) + (count == 0));
+  if (count > 0) memcpy(to, words, (size_t)count * sizeof(uint32_t));
+  return to;
+}
+#endif
+static void take_tree(probe_tables* t, int32_t count, const probe_tree* tree) {
+#ifdef PROBE_TREES
+  (void)count;
+  t->words = copied(tree->words, tree->word_count);
+  t->lists = copied(tree->lists, tree->list_count);
+  t->z.cells = t->words;
+  t->z.lists = t->lists;
+  t->z.x = tree->x;
+  t->z.y = tree->y;
+  t->z.shift = tree->shift;
+  t->z.column = tree->column;
+  t->z.row = tree->row;
+  t->z.columns = tree->columns;
+  t->z.rows = tree->rows;
+  t->z.depth = tree->depth;
+  t->z.leaves = tree->leaves;
+#else
+  (void)tree;
+  t->z.count = count;
+#endif
+}
+int32_t probe_has_trees(void) {
+#ifdef PROBE_TREES
+  return 1;
+#else
+  return 0;
+#endif
+}
+probe_tables* probe_tables_new(const probe_edge* edges, int32_t count, const probe_tree* tree) {
   probe_tables* const t = (probe_tables*)kept(sizeof *t);
   int32_t i;
   memset(t, 0, sizeof *t);
@@ -51,11 +87,13 @@ probe_tables* probe_tables_new(const probe_edge* edges, int32_t count) {
     t->edges[i].uy_q30 = edges[i].uy_q30;
   }
   t->z.edges = t->edges;
-  t->z.count = count;
+  take_tree(t, count, tree);
   return t;
 }
 void probe_tables_free(probe_tables* t) {
   free(t->edges);
+  free(t->words);
+  free(t->lists);
   free(t);
 }
 

@@ -21,13 +21,21 @@ typedef struct probe_span {
 typedef struct probe_edge {
   int32_t ax, ay, bx, by, ux_q30, uy_q30;
 } probe_edge;
+/* The tree of cells; numbers as in the kernel's zone. */
+typedef struct probe_tree {
+  const uint32_t *words, *lists;
+  int32_t word_count, list_count;
+  int32_t x, y, shift, column, row, columns, rows, depth, leaves;
+} probe_tree;
 typedef struct probe_tables probe_tables;
 
 enum { PROBE_FALSE, PROBE_UNKNOWN, PROBE_TRUE };
 enum { PROBE_LEGS_MAX = 8 };
 
-/* Copies the edges. */
-probe_tables* probe_tables_new(const probe_edge* edges, int32_t count);
+/* Kernels with a zone of many edges have trees; small ones have edges alone. */
+int32_t probe_has_trees(void);
+/* Copies the tables. */
+probe_tables* probe_tables_new(const probe_edge* edges, int32_t count, const probe_tree* tree);
 void probe_tables_free(probe_tables* t);
 
 int32_t probe_inside(const probe_tables* t, probe_place p);
