@@ -140,6 +140,10 @@ class Deriver {
     std::vector<ir::Region> regions;
     out_.tables.regions.resize(spec_.zones.size());
     for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
+      if (wanted[i].points && is_received(spec_.zones[i])) {
+        out_.tables.regions[i] = {ir::RegionIndex(regions.size()), ir::RegionIndex(regions.size())};
+        regions.push_back({spec_.zones[i].name, false, {}, {}, 0});  // the channel is found later
+      }
       if (!zones_[i] || !wanted[i].points) continue;
       const auto& zone = out_.tables.zones[i];
       const std::string name = zone ? out_.module[*zone].name : table_name(spec_.zones[i], regions);
@@ -157,9 +161,15 @@ class Deriver {
     }
     return regions;
   }
+  static bool is_received(const sema::Zone& zone) {
+    return std::holds_alternative<sema::ZoneReceived>(zone.value->node);
+  }
   // A kernel has one kind of zone: with trees when one of them needs it.
   void keep_trees(std::vector<ir::Region>& regions) {
     const auto many = [](const auto& z) { return z.edges.size() > ir::edges_without_tree; };
+    if (std::ranges::any_of(regions, [](const ir::Region& r) { return r.channel.has_value(); })) {
+      return;
+    }
     if (std::ranges::any_of(out_.module.zones, many) || std::ranges::any_of(regions, many)) return;
     for (ir::ZoneTable& z : out_.module.zones) z.tree = {};
     for (ir::Region& r : regions) r.tree = {};

@@ -160,6 +160,8 @@ class Evaluator {
     }
     return geometry::Region::of_rings(rings);
   }
+  // What it is nobody knows before it is received.
+  static Result eval(const sema::ZoneReceived&, const SourceRange&, Side) { return std::nullopt; }
   Result eval(const sema::ZonePolygon& polygon, const SourceRange& range, Side) {
     const auto ring = [](const sema::ZonePolygon::Ring& from) {
       geometry::Ring to;

@@ -148,6 +148,7 @@ class Source {
   }
   void regions(const Watch& watch, Code& out) {
     for (const Region& r : watch.regions) {
+      if (r.channel) continue;
       const std::string what = r.around ? "What contains zone " : "Zone ";
       boundary(what + r.name, region_symbol(r), r, out);
     }
@@ -183,7 +184,8 @@ class Source {
       if (used(ZoneIndex(i)) && many(module_.zones[i])) return true;
     }
     return module_.watch &&
-           std::any_of(module_.watch->regions.begin(), module_.watch->regions.end(), many);
+           (asks_for_received(*module_.watch) ||
+            std::any_of(module_.watch->regions.begin(), module_.watch->regions.end(), many));
   }
   // Of a ZoneTable or a Region.
   template <class Zone>

@@ -29,8 +29,9 @@ constexpr std::string_view system_headers[] = {
 
 // Those of the runtime, `rtac/NAME.h`.
 constexpr std::string_view runtime_headers[] = {
-    "controller", "csv_log", "decision", "decision_text", "kernel_bridge", "machine",  "queue",
-    "sample",     "status",  "types",    "units",         "watch",         "watchdog", "zone"};
+    "controller", "csv_log", "decision", "decision_text", "kernel_bridge",
+    "machine",    "queue",   "sample",   "status",        "types",
+    "units",      "watch",   "watchdog", "zone",          "zone_table"};
 
 // What the headers of C and POSIX declare in the global namespace, which those of C++ include:
 // functions, variables and structs. Of those that exist for float and long double (sinf, sinl) the

@@ -88,7 +88,7 @@ Json assumptions(const Module& module, const sema::RobotKind& k) {
 
 // What a tool needs to fill plain inputs and to read findings.
 Json signals(const Module& module, const Watch& watch) {
-  static const char* const kinds[] = {"truth", "number", "choice"};
+  static const char* const kinds[] = {"truth", "number", "choice", "zone"};
   Json list = Json::array();
   const WatchNames names = watch_names(watch);
   for (const WatchSignal& s : names.signals) {
@@ -109,6 +109,11 @@ Json signals(const Module& module, const Watch& watch) {
       j["error_steps"] = grid.error_steps;
     }
     if (c.kind == ChannelKind::choice) j["values"] = c.values;
+    if (c.kind == ChannelKind::zone) {
+      j["tables"] = s.zone;
+      j["edges_most"] = c.edges_most;
+      j["table_bytes_most"] = received_bytes(c);
+    }
     if (c.max_age_us) j["max_age_us"] = *c.max_age_us;
     j["held"] = c.held;
     list.push_back(std::move(j));
@@ -195,6 +200,7 @@ std::size_t edges_checked_max(const Zone& zone) {
 Json tables(const Watch& w) {
   Json list = Json::array();
   for (const Region& r : w.regions) {
+    if (r.channel) continue;
     list.push_back({{"name", r.name},
                     {"side", r.around ? "around" : "within"},
                     {"edges", r.edges.size()},

@@ -228,6 +228,7 @@ void Names::claim(const std::string& name, const Derived& derived) {
 void Names::claim_tables(const ir::Module& module) {
   for (const ir::Region& region :
        module.watch ? module.watch->regions : std::vector<ir::Region>{}) {
+    if (region.channel) continue;
     taken_.insert({"k:" + region_symbol(region), "k:" + region_symbol(region) + "_edges"});
   }
   for (const ir::Schedule& schedule :

@@ -63,6 +63,7 @@ SignalSetters::Setter SignalSetters::setter(std::size_t channel) {
   const Channel& c = watch_.inputs[channel];
   Setter s;
   s.name = method(signal_word(c.name));
+  if (c.kind == ChannelKind::zone) return s;
   std::string scalar = "double", read;
   if (c.kind == ChannelKind::truth) scalar = "bool";
   if (c.kind == ChannelKind::choice) scalar = names_(c.choice);
@@ -96,6 +97,15 @@ void SignalSetters::declare(Code& body) const {
   }
   for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
     const Channel& channel = watch_.inputs[c];
+    if (channel.kind == ChannelKind::zone) {
+      body.comment("A zone that was received, of at most " + num(std::int64_t{channel.edges_most}) +
+                   " edges a side. False: it is none that can be checked here, and the one before "
+                   "stays. Its "
+                   "tables stay as they are until another zone was taken.");
+      body.line("[[nodiscard]] bool " + setters_[c].name +
+                "(const rtac::ZoneTable& table, rtac::TimeUs stamp_us);");
+      continue;
+    }
     const std::string unit = sema::unit_of(channel.unit.dimension);
     if (setters_[c].type.find("double") != std::string::npos && !unit.empty()) {
       body.comment(unit == "%" ? "a ratio of 1 is 100 %" : unit);
@@ -116,6 +126,18 @@ void SignalSetters::declare(Code& body) const {
 void SignalSetters::define_input(std::size_t index, Code& out) const {
   const Channel& c = watch_.inputs[index];
   const Setter& s = setters_[index];
+  if (c.kind == ChannelKind::zone) {
+    const WatchSignal& signal = members_.signal(std::uint32_t(index), 0);
+    out.block("bool " + places_.type + "::" + s.name +
+                  "(const rtac::ZoneTable& table, rtac::TimeUs stamp_us)",
+              [&](Code& body) {
+                body.line("return rtac::bridge::put_zone(" + places_.in + signal.name + ", " +
+                          places_.in + signal.zone + ", table, " + num(std::int64_t{c.edges_most}) +
+                          ", stamp_us);");
+              });
+    out.blank();
+    return;
+  }
   out.block(places_.type + "& " + places_.type + "::" + s.name + "(" + s.type +
                 " value, rtac::TimeUs stamp_us)",
             [&](Code& body) {

@@ -18,6 +18,7 @@ struct WatchSignal {
   std::string name;  // of its member of the inputs: `open`, `p_x`, `temps_2`
   std::string seen;  // of its member of the view of a tick, which has others beside it
   std::uint32_t channel, component;
+  std::string zone{};  // of a zone: that of its member with the tables
 };
 // The members of the inputs, in declaration order, then of the parameters.
 struct WatchNames {
@@ -62,7 +63,12 @@ struct ChannelUses {
 };
 ChannelUses channel_uses(const ir::Watch& watch);
 // The inputs that a monitor asks for.
-std::set<std::uint32_t> channels_of(const ir::PlainMonitor& monitor);
+std::set<std::uint32_t> channels_of(const ir::Watch& watch, const ir::PlainMonitor& monitor);
+// Whether zones are received by it, and whether a monitor asks for one.
+bool receives_zones(const ir::Watch& watch);
+bool asks_for_received(const ir::Watch& watch);
+// Most bytes of the tables of such a zone, whoever holds them.
+std::int64_t received_bytes(const ir::Channel& channel);
 // Whether a monitor has an operator that remembers.
 bool remembers(const ir::PlainMonitor& monitor);
 // Whether an operator needs to know which tick it is.

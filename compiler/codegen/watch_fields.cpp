@@ -21,6 +21,9 @@ std::string signal_comment(const Channel& c, std::uint32_t component) {
         text += (k > 0 ? ", " : "") + num(std::int64_t(k)) + " " + c.values[k];
       }
       break;
+    case ChannelKind::zone:
+      text += "of its zone below, lo and hi mean nothing";
+      break;
     case ChannelKind::number: {
       const ChannelGrid& grid = c.grid(component);
       text += "steps of " + name(grid.unit);
@@ -55,6 +58,25 @@ void collect_types(const Watch& watch, std::initializer_list<Telling> tellings,
   }
 }
 
+// Of a zone that is received: the wrapper fills them, and checks what it fills in.
+void parts_of_received(const std::string& p, Code& out) {
+  out.comment(
+      "One outline of a zone that was received: six numbers an edge, ax ay bx by in mm, the zone "
+      "on "
+      "the left, and its direction in Q30; cells that tell which edges matter where. Whoever gives "
+      "them keeps them as they are until others are given.");
+  record(out, p + "_outline",
+         {"const int32_t *edges;", "const uint32_t *cells, *lists;",
+          "int32_t edge_count, cell_count, list_count;",
+          "int32_t x, y, shift, column, row, columns, rows, depth, leaves;"});
+  out.comment(
+      "A zone that was received: an outline that lies within it and one around it, on the grid of "
+      "1 "
+      "mm. Both may be the same.");
+  record(out, p + "_zone",
+         {"uint64_t checksum;", "uint32_t version;", p + "_outline within, around;"});
+}
+
 }  // namespace
 
 std::vector<std::string> watch_input_fields(const WatchKernel& kernel) {
@@ -73,6 +95,12 @@ std::vector<std::string> watch_input_fields(const WatchKernel& kernel) {
     fields.push_back("int64_t " + members.params[k] + "; /* parameter in steps of " +
                      name(param.unit) + ", " + num(param.range.lo) + " to " + num(param.range.hi) +
                      ", at first " + num(param.value) + moves + " */");
+  }
+  for (const WatchSignal& s : members.signals) {
+    const Channel& c = watch.inputs[s.channel];
+    if (c.kind != ChannelKind::zone) continue;
+    fields.push_back(kernel.prefix + "_zone " + s.zone + "; /* at most " +
+                     num(std::int64_t{c.edges_most}) + " edges a side */");
   }
   if (fields.empty()) fields.push_back("int32_t none; /* there are no inputs */");
   return fields;
@@ -115,6 +143,7 @@ void print_watch_types(const Module& module, Code& out) {
       "condition, the index of a value of a choice. "
       "stamp_us: when it was measured; valid 0: never received, or not finite.");
   record(out, p + "_signal", {"int64_t lo, hi;", "int64_t stamp_us;", "int32_t valid;"});
+  if (module.watch && receives_zones(*module.watch)) parts_of_received(p, out);
   std::set<std::string> parts{"ticks_state"};
   if (module.watch) {
     collect_types(*module.watch, {Telling::margins, Telling::verdicts}, parts);

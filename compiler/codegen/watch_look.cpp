@@ -30,9 +30,13 @@ std::string WatchLook::use(const std::string& function, const std::string& argum
 bool WatchLook::is_truth(std::size_t channel) const {
   return watch_.inputs[channel].kind == ChannelKind::truth;
 }
+bool WatchLook::is_zone(std::size_t channel) const {
+  return watch_.inputs[channel].kind == ChannelKind::zone;
+}
 std::string WatchLook::type_of(std::size_t channel) const {
-  if (is_truth(channel)) return truth_type();
-  return kernel_.is_full() ? "span" : "bounds";
+  if (is_zone(channel)) return "const " + kernel_.prefix + "_zone *";
+  if (is_truth(channel)) return truth_type() + " ";
+  return kernel_.is_full() ? "span " : "bounds ";
 }
 std::string WatchLook::unknown(bool is_truth) {
   if (kernel_.is_full()) return use(is_truth ? "margin_unknown" : "span_unknown", clock_);
@@ -52,7 +56,7 @@ void WatchLook::view() {
         body.line(kernel_.state + " *s;");
         body.line("int64_t now_us, since_us; /* after since_us a sample is one of this tick */");
         for (const WatchSignal& s : members_.signals) {
-          if (asked_.used[s.channel]) body.line(type_of(s.channel) + " " + s.seen + ";");
+          if (asked_.used[s.channel]) body.line(type_of(s.channel) + s.seen + ";");
         }
         for (const std::string& open : members_.open) body.line(truth_type() + " " + open + ";");
         for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
@@ -101,7 +105,8 @@ void WatchLook::blind() {
              body.line("v->s = s;");
              for (const WatchSignal& s : members_.signals) {
                if (!asked_.used[s.channel]) continue;
-               body.line("v->" + s.seen + " = " + unknown(is_truth(s.channel)) + ";");
+               const std::string none = is_zone(s.channel) ? "0" : unknown(is_truth(s.channel));
+               body.line("v->" + s.seen + " = " + none + ";");
              }
              for (const std::string& open : members_.open) {
                body.line("v->" + open + " = " + unknown(true) + ";");
@@ -207,6 +212,11 @@ void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
   const WatchSignal& signal = members_.signal(std::uint32_t(index), k);
   const std::string& name = signal.name;
   const std::string& first = members_.signal(std::uint32_t(index), 0).name;
+  if (c.kind == ChannelKind::zone) {
+    wrapped(body, "v->" + signal.seen + " = fresh_" + members_.channels[index] + " && in->" + name +
+                      ".valid != 0 ? &in->" + signal.zone + " : 0;");
+    return;
+  }
   std::string arguments = "&in->" + name + ", fresh_" + members_.channels[index];
   // the components of an input arrive together
   if (k > 0) arguments += " && in->" + name + ".stamp_us == in->" + first + ".stamp_us";

@@ -58,7 +58,9 @@ WatchNames watch_names(const Watch& watch) {
       if (!channel.components[k].empty()) name += "_" + channel.components[k];
       name = signal_word(name);
       std::string in_view = member(name, seen);
-      out.signals.push_back({member(std::move(name), members), std::move(in_view), c, k});
+      out.signals.push_back({member(name, members), std::move(in_view), c, k});
+      if (channel.kind == ChannelKind::zone)
+        out.signals.back().zone = member(name + "_zone", members);
     }
   }
   for (const Param& param : watch.params) out.params.push_back(member(param.name, members));
@@ -101,13 +103,29 @@ std::string schedule_symbol(const Schedule& schedule) {
   return "schedule_" + schedule.name;
 }
 
-std::set<std::uint32_t> channels_of(const PlainMonitor& monitor) {
+bool receives_zones(const Watch& watch) {
+  return std::any_of(watch.inputs.begin(), watch.inputs.end(),
+                     [](const Channel& c) { return c.kind == ChannelKind::zone; });
+}
+bool asks_for_received(const Watch& watch) {
+  return std::any_of(watch.regions.begin(), watch.regions.end(),
+                     [](const Region& r) { return r.channel.has_value(); });
+}
+std::int64_t received_bytes(const Channel& channel) {
+  // two outlines, each of 64 bytes an edge and 64 KiB (geometry/receive)
+  return 2 * (64 * std::int64_t{channel.edges_most} + 65536);
+}
+
+std::set<std::uint32_t> channels_of(const Watch& watch, const PlainMonitor& monitor) {
   std::set<std::uint32_t> out;
   for (const Value& value : monitor.property.values) {
     std::visit(
         [&](const auto& op) {
           if constexpr (requires { op.channel; }) out.insert(op.channel);
           if constexpr (requires { op.other_channel; }) out.insert(op.other_channel);
+          if constexpr (requires { op.within; }) {
+            if (watch[op.within].channel) out.insert(*watch[op.within].channel);
+          }
         },
         value.op);
   }
@@ -117,7 +135,7 @@ ChannelUses channel_uses(const Watch& watch) {
   ChannelUses out{std::vector<bool>(watch.inputs.size(), false),
                   std::vector<bool>(watch.inputs.size(), false)};
   for (const PlainMonitor& m : watch.monitors) {
-    for (const std::uint32_t channel : channels_of(m)) out.used[channel] = true;
+    for (const std::uint32_t channel : channels_of(watch, m)) out.used[channel] = true;
     for (const Value& v : m.property.values) {
       if (const auto* age = std::get_if<Age>(&v.op)) out.age[age->channel] = true;
     }

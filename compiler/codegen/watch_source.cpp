@@ -149,7 +149,7 @@ class WatchSource {
   [[nodiscard]] bool asks_for_inputs() const {
     return params_move() ||
            std::any_of(watch_.monitors.begin(), watch_.monitors.end(),
-                       [](const PlainMonitor& m) { return !channels_of(m).empty(); });
+                       [&](const PlainMonitor& m) { return !channels_of(watch_, m).empty(); });
   }
   [[nodiscard]] bool params_move() const {
     return std::any_of(watch_.params.begin(), watch_.params.end(),
@@ -205,7 +205,7 @@ class WatchSource {
   void judge_all(const std::string& target, Code& body) {
     std::vector<bool> seen(watch_.inputs.size(), false);
     for (const PlainMonitor& m : watch_.monitors) {
-      for (const std::uint32_t c : channels_of(m)) {
+      for (const std::uint32_t c : channels_of(watch_, m)) {
         if (seen[c]) continue;
         seen[c] = true;
         body.line(look_.call(c, "&v", "in"));

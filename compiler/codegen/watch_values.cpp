@@ -103,12 +103,24 @@ std::string WatchValuePrinter::operator()(const Multiply& v) {
 std::string WatchValuePrinter::regions(RegionIndex within, RegionIndex around) const {
   return "&" + region_symbol(kernel_.watch[within]) + ", &" + region_symbol(kernel_.watch[around]);
 }
+std::string WatchValuePrinter::received(std::uint32_t channel) const {
+  return signal(channel, 0) + ", " + kernel_.numbers[channel];
+}
 std::string WatchValuePrinter::operator()(const PointClearance& v) {
+  if (const auto& channel = kernel_.watch[v.within].channel) {
+    return use("received_clearance", received(*channel) + ", " + operand(v.a) + ", " +
+                                         operand(v.b) + ", " + num(value_->range->lo) + ", " +
+                                         num(value_->range->hi));
+  }
   return use("clearance_of", regions(v.within, v.around) + ", " + operand(v.a) + ", " +
                                  operand(v.b) + ", " + num(value_->range->lo) + ", " +
                                  num(value_->range->hi));
 }
 std::string WatchValuePrinter::operator()(const PointInside& v) {
+  if (const auto& channel = kernel_.watch[v.within].channel) {
+    return use("received_inside", operand(v.condition) + ", " + signal(*channel, 0) + ", " +
+                                      operand(v.a) + ", " + operand(v.b));
+  }
   return use("inside_of", operand(v.condition) + ", " + regions(v.within, v.around) + ", " +
                               operand(v.a) + ", " + operand(v.b));
 }

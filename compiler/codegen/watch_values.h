@@ -86,6 +86,8 @@ class WatchValuePrinter {
   std::string call(const char* function, ir::ValueId a);
   std::string call(const char* function, ir::ValueId a, ir::ValueId b);
   std::string temporal(const ir::Op& op, ir::ValueId a, ir::ValueId b = {});
+  // The zone that is received, and the number of its input.
+  [[nodiscard]] std::string received(std::uint32_t channel) const;
   [[nodiscard]] std::string regions(ir::RegionIndex within, ir::RegionIndex around) const;
   [[nodiscard]] std::string signal(std::uint32_t channel, std::uint32_t component) const;
 

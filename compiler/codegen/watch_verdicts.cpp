@@ -332,6 +332,10 @@ class VerdictPrinter {
     return comparison(*v, Side::perhaps, false, "").text + " ? BITS_FALSE : ";
   }
   std::string inside(const PointInside& v) {
+    if (const auto& channel = kernel_.watch[v.within].channel) {
+      return use("bits_received", kept(v.condition) + ", " + signal(*channel, 0) + ", " +
+                                      whole(v.a) + ", " + whole(v.b));
+    }
     return use("bits_inside", kept(v.condition) + ", &" + region_symbol(kernel_.watch[v.within]) +
                                   ", &" + region_symbol(kernel_.watch[v.around]) + ", " +
                                   whole(v.a) + ", " + whole(v.b));

@@ -46,6 +46,7 @@ class ImportRemarks {
                    },
                    [&](const sema::ZoneOffset& node) { look(*node.operand); },
                    [&](const sema::ZoneImport& node) { imported(expr.range, node); },
+                   [](const sema::ZoneReceived&) {},
                },
                expr.node);
   }

@@ -17,6 +17,8 @@ using namespace ir;
 // of a parameter in both.
 constexpr std::size_t signal_bytes = 32;
 constexpr std::size_t stamp_bytes = 8;
+// Of a zone that is received, its numbers and what points to its tables.
+constexpr std::size_t zone_bytes = 160;
 constexpr std::size_t param_bytes = 8;
 
 class WatchRemarks {
@@ -63,7 +65,7 @@ class WatchRemarks {
   void regions() {
     for (const sema::Zone& z : spec_.zones) {
       for (const ir::Region& r : watch_.regions) {
-        if (z.name.empty() || z.name != r.name) continue;
+        if (z.name.empty() || z.name != r.name || r.channel) continue;
         add(z.name_range, r.around ? "around zone " + r.name : "zone " + r.name,
             {count(r.edges.size(), "edge") + (r.around ? " around it" : " within it") +
                  ", snapped to the mm",
@@ -92,6 +94,8 @@ class WatchRemarks {
         return "int";
       case sema::InputType::enumeration:
         return spec_[*input.enumeration].name;
+      case sema::InputType::zone:
+        return "zone[" + std::to_string(input.edges_most) + "]";
       case sema::InputType::real:
         break;
     }
@@ -109,10 +113,16 @@ class WatchRemarks {
       numbers("", to, details);
       if (to.turning) numbers(from.components.back() + " ", *to.turning, details);
     }
+    if (to.kind == ChannelKind::zone) {
+      details.push_back("tables: at most " + std::to_string(codegen::received_bytes(to)) +
+                        " bytes, which the application keeps while they are checked");
+    }
     details.push_back(arrival(to));
     const std::size_t parts = from.components.size();
-    details.push_back("bytes: " + std::to_string(signal_bytes * parts) + " of input, " +
-                      std::to_string(stamp_bytes) + " of state");
+    details.push_back(
+        "bytes: " +
+        std::to_string(signal_bytes * parts + (to.kind == ChannelKind::zone ? zone_bytes : 0)) +
+        " of input, " + std::to_string(stamp_bytes) + " of state");
     add(from.name_range,
         "input " + from.name + " : " + type_of(from) +
             (parts > 1 ? ", " + count(parts, "component") : "") + place_,

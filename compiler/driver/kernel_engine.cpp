@@ -19,6 +19,22 @@ struct Signal {
   std::int32_t valid;
 };
 constexpr Signal never_received{0, 0, std::numeric_limits<std::int64_t>::min(), 0};
+struct Outline {
+  const std::int32_t* edges;
+  const std::uint32_t *cells, *lists;
+  std::int32_t edge_count, cell_count, list_count;
+  std::int32_t x, y, shift, column, row, columns, rows, depth, leaves;
+};
+struct Zone {
+  std::uint64_t checksum;
+  std::uint32_t version;
+  Outline within, around;
+};
+// The tables of a zone as a kernel wants them; what it points to stays where it is.
+struct HeldZone {
+  std::shared_ptr<const interp::ReceivedZone> received;
+  std::vector<std::int32_t> within, around;
+};
 struct KernelFinding {
   std::int32_t verdict, reason, input, unit;
   std::int64_t lo, hi;
@@ -40,6 +56,33 @@ std::string glue(const KernelInterface& kernel) {
          "void rtac_replay_step(void *state, const void *in, int64_t now_us, void *out) {\n  " + p +
          "_monitors_step((" + p + "_monitors_state *)state, (const " + p +
          "_monitors_in *)in, now_us, (" + p + "_monitors_out *)out);\n}\n";
+}
+
+std::vector<std::int32_t> numbers_of(const geometry::OutlineTable& table) {
+  std::vector<std::int32_t> numbers;
+  for (const geometry::EdgeRow& e : table.edges) {
+    numbers.insert(numbers.end(), {e.a.x_mm, e.a.y_mm, e.b.x_mm, e.b.y_mm, e.ux_q30, e.uy_q30});
+  }
+  return numbers;
+}
+Outline outline_of(const geometry::OutlineTable& table, const std::vector<std::int32_t>& edges) {
+  const geometry::CellTree& t = table.tree;
+  const auto count = [](std::size_t n) { return static_cast<std::int32_t>(n); };
+  return {edges.data(),
+          t.words.data(),
+          t.lists.data(),
+          count(table.edges.size()),
+          count(t.words.size()),
+          count(t.lists.size()),
+          t.x_mm,
+          t.y_mm,
+          t.shift,
+          t.column,
+          t.row,
+          t.columns,
+          t.rows,
+          t.depth,
+          t.leaves};
 }
 
 struct Sizes {
@@ -101,8 +144,9 @@ class KernelEngine : public Engine {
   }
   // Empty when the kernel has the layout that this engine is made for.
   [[nodiscard]] std::string problem() const {
-    const std::size_t in =
-        kernel_.steps.size() * sizeof(Signal) + kernel_.params.size() * sizeof(std::int64_t);
+    const std::size_t in = kernel_.steps.size() * sizeof(Signal) +
+                           kernel_.params.size() * sizeof(std::int64_t) +
+                           kernel_.zones.size() * sizeof(Zone);
     const std::size_t out = sizeof(std::int64_t) + kernel_.monitors * sizeof(KernelFinding);
     const auto same = [](std::int64_t a, std::size_t b) {
       return a == static_cast<std::int64_t>(b);
@@ -127,6 +171,7 @@ class KernelEngine : public Engine {
   void restart() override {
     for (std::size_t k = 0; k < kernel_.params.size(); ++k) param(k) = kernel_.params[k].value;
     signals_.assign(signals_.size(), never_received);
+    held_.assign(kernel_.zones.size(), {});
     library_.function<Init>("rtac_replay_init")(state_.data());
   }
 
@@ -138,6 +183,11 @@ class KernelEngine : public Engine {
     }
     if (!signals_.empty()) {
       std::memcpy(in_.data(), signals_.data(), signals_.size() * sizeof(Signal));
+    }
+    for (std::size_t k = 0; k < held_.size(); ++k) {
+      const std::size_t i = kernel_.zones[k];
+      const Observed& input = inputs[kernel_.components.empty() ? i : kernel_.components[i]];
+      if (input.is_new && input.reading.zone) put_zone(k, input.reading.zone);
     }
     step_(state_.data(), in_.data(), now_us, out_.data());
     judgements.resize(kernel_.monitors);
@@ -177,6 +227,19 @@ class KernelEngine : public Engine {
     signal.lo = grid.lo;
     signal.hi = grid.hi;
   }
+  void put_zone(std::size_t k, const std::shared_ptr<const interp::ReceivedZone>& received) {
+    const geometry::ZoneTables& tables = received->tables;
+    HeldZone& held = held_[k];
+    held.received = received;
+    held.within = numbers_of(tables.within);
+    if (tables.around) held.around = numbers_of(*tables.around);
+    Zone zone{};
+    zone.within = zone.around = outline_of(tables.within, held.within);
+    if (tables.around) zone.around = outline_of(*tables.around, held.around);
+    const std::size_t at = signals_.size() * sizeof(Signal) / sizeof(std::int64_t) +
+                           kernel_.params.size() + k * sizeof(Zone) / sizeof(std::int64_t);
+    std::memcpy(in_.data() + at, &zone, sizeof zone);
+  }
   std::int64_t& param(std::size_t k) {
     return in_[signals_.size() * sizeof(Signal) / sizeof(std::int64_t) + k];
   }
@@ -212,6 +275,7 @@ class KernelEngine : public Engine {
   KernelInterface kernel_;
   std::vector<MarginText> margins_;
   std::vector<Signal> signals_;
+  std::vector<HeldZone> held_;
   std::vector<std::int64_t> state_, in_, out_;  // aligned as the kernel's structs
 };
 

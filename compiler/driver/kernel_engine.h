@@ -23,6 +23,7 @@ struct KernelInterface {
     std::int64_t value, least, most;
     int tightens;  // the direction; 0: it does not matter
   };
+  std::vector<std::size_t> zones;  // those of `components` that are zones: their index in `steps`
   std::vector<Param> params;
   struct Unit {
     std::string text;

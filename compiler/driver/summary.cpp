@@ -20,17 +20,21 @@ std::string bytes(std::int64_t n) {
 
 // What a tick of the monitors without a robot costs, and what they remember.
 std::string summary(const ir::Watch& watch) {
-  std::string out =
-      "\nmonitors without a robot, every " + millis(watch.period_us) + ", " +
-      bytes(codegen::watch_state_bytes(watch)) + " of state" +
-      (watch.regions.empty() ? ""
-                             : ", " + bytes(codegen::table_bytes(watch)) + " of tables of zones") +
-      "\n";
+  std::string out = "\nmonitors without a robot, every " + millis(watch.period_us) + ", " +
+                    bytes(codegen::watch_state_bytes(watch)) + " of state" +
+                    (codegen::table_bytes(watch) == 0
+                         ? ""
+                         : ", " + bytes(codegen::table_bytes(watch)) + " of tables of zones") +
+                    "\n";
   for (const ir::PlainMonitor& m : watch.monitors) {
     out += "  monitor " + m.name + ": " + std::to_string(m.property.values.size()) +
            " operations a tick, remembers " + bytes(codegen::watch_monitor_bytes(m)) + "\n";
   }
   for (const ir::Channel& c : watch.inputs) {
+    if (c.kind == ir::ChannelKind::zone) {
+      out += "  zone " + c.name + " is received: at most " + std::to_string(c.edges_most) +
+             " edges, " + bytes(codegen::received_bytes(c)) + " of tables while it is checked\n";
+    }
     if (c.held) out += "  assumed: the last value of " + c.name + " holds for ever\n";
   }
   return out;

@@ -71,7 +71,7 @@ class Widths {
   // zone is none of the grid, nothing bounds what lies between its two regions.
   Rational operator()(const PointClearance& v) const {
     constexpr int bounds_mm = 3, middle_mm = 2;
-    if (v.within != v.around) return span();
+    if (v.within != v.around || watch_[v.within].channel) return span();
     const Rational diagonal = root_up(of(v.a) * of(v.a) + of(v.b) * of(v.b));
     return diagonal + 2 * (middle_mm + rounding_steps) + bounds_mm;
   }

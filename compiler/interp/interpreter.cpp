@@ -118,7 +118,17 @@ std::int64_t Interpreter::one_period_before(std::int64_t now_us) const {
   return now_us < least + period_us ? least : now_us - period_us;
 }
 
+// Monitors of robots know none.
+void Interpreter::receive_zones() {
+  if (robots_) return;
+  for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
+    const auto* received = std::get_if<sema::ZoneReceived>(&spec_.zones[i].value->node);
+    if (received != nullptr) zones_->receive(sema::ZoneId{i}, signals_.zone(received->input));
+  }
+}
+
 void Interpreter::judge() {
+  receive_zones();
   for (std::size_t i = 0; i < findings_.size(); ++i) {
     findings_[i] = report(evaluator_.condition(*monitors_[i].always));
     if (monitors_[i].return_when == nullptr) continue;

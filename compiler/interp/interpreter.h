@@ -71,6 +71,7 @@ class Interpreter {
   Interpreter(const sema::Spec& spec, const Rational& period, std::vector<Conditions> monitors,
               std::unique_ptr<Robots> robots, std::shared_ptr<Zones> zones);
   void miss();
+  void receive_zones();
   void judge();
   [[nodiscard]] std::int64_t one_period_before(std::int64_t now_us) const;
   Finding report(const Margin& margin);

@@ -107,6 +107,11 @@ const std::optional<Rational>& Signals::measured(sema::InputId input,
   return states_[index(input)].seen[component];
 }
 
+std::shared_ptr<const ReceivedZone> Signals::zone(sema::InputId input) const {
+  const State& state = states_[index(input)];
+  return state.seen[0] ? state.arrived->zone : nullptr;
+}
+
 Span Signals::quantity(sema::InputId input, std::uint32_t component) const {
   const auto& value = measured(input, component);
   if (!value) return unknown(input);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "compiler/interp/received.h"
 #include "compiler/interp/span.h"
 #include "compiler/sema/spec.h"
 
@@ -15,6 +17,7 @@ namespace rtac::interp {
 struct Sample {
   std::vector<std::optional<Rational>> values;
   std::int64_t stamp_us = 0;
+  std::shared_ptr<const ReceivedZone> zone = nullptr;  // of a zone, beside a value of 1
 };
 // By InputId: what has arrived since the last step.
 using Inputs = std::vector<std::optional<Sample>>;
@@ -33,6 +36,8 @@ class Signals {
                                                         std::uint32_t component) const;
   // With the declared error.
   [[nodiscard]] Span quantity(sema::InputId input, std::uint32_t component) const;
+  // nullptr: unknown.
+  [[nodiscard]] std::shared_ptr<const ReceivedZone> zone(sema::InputId input) const;
   [[nodiscard]] Span age(sema::InputId input) const;  // s
 
  private:

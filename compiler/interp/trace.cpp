@@ -33,6 +33,8 @@ std::string expected(const sema::Spec& spec, const sema::Input& input) {
       return "give a whole number";
     case sema::InputType::real:
       return "give a decimal number in SI units, such as `0.25` or `-3e-2`";
+    case sema::InputType::zone:
+      return "give a polygon in metres, `POLYGON ((0 0, 5 0, 5 4, 0 0))`, in quotes";
     case sema::InputType::enumeration:
       break;
   }
@@ -341,7 +343,11 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
   if (column.form == Form::plan) return read_plan(cell, column, row.plans[column.reading]);
   Reading& reading = row.readings[column.reading];
   reading.kind = Reading::Kind::none;
+  reading.zone = nullptr;
   if (cell.text.empty()) return true;
+  if (column.input != nullptr && column.input->type == sema::InputType::zone) {
+    return read_zone(cell, column, reading);
+  }
   if (auto number = parse(column, cell.text)) {
     reading.kind = Reading::Kind::number;
     reading.number = std::move(*number);
@@ -353,6 +359,25 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
   }
   return fail(record_.line, cell.column,
               quoted(cell.text) + " is no value of `" + column.name + "`", expected(column));
+}
+
+// What a robot would refuse is no trace of it.
+bool TraceReader::read_zone(const CsvCell& cell, const Column& column, Reading& reading) {
+  const auto refused = [&](const geometry::RefusedZone& why) {
+    return fail(record_.line, cell.column,
+                "`" + column.name + "` is refused: " + why.where + " " + why.message, why.help);
+  };
+  const std::size_t edges_most = column.input->edges_most;
+  auto received = geometry::receive_wkt(std::string(cell.text), edges_most);
+  if (const auto* why = std::get_if<geometry::RefusedZone>(&received)) return refused(*why);
+  auto& regions = std::get<geometry::ReceivedRegions>(received);
+  auto made = geometry::make_zone_tables(regions, edges_most);
+  if (const auto* why = std::get_if<geometry::RefusedZone>(&made)) return refused(*why);
+  reading.kind = Reading::Kind::number;
+  reading.number = Decimal(1);
+  reading.zone = std::make_shared<const ReceivedZone>(
+      ReceivedZone{std::move(regions), std::move(std::get<geometry::ZoneTables>(made))});
+  return true;
 }
 
 bool TraceReader::read_plan(const CsvCell& cell, const Column& column, PlanReading& plan) {

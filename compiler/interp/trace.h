@@ -17,12 +17,14 @@
 
 #include <cstdint>
 #include <istream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "compiler/interp/csv.h"
 #include "compiler/interp/decimal.h"
+#include "compiler/interp/received.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::interp {
@@ -38,6 +40,7 @@ struct Reading {
   enum class Kind { none, unknown, number };
   Kind kind = Kind::none;  // none: no new sample
   Decimal number;
+  std::shared_ptr<const ReceivedZone> zone = nullptr;  // of a zone; else null
 };
 // What a row says about the plan of a robot.
 struct PlanReading {
@@ -95,6 +98,7 @@ class TraceReader {
   bool check_missing(const std::vector<bool>& seen);
   bool read_time(const CsvCell& cell, TraceRow& row);
   bool read_cell(const CsvCell& cell, const Column& column, TraceRow& row);
+  bool read_zone(const CsvCell& cell, const Column& column, Reading& reading);
   bool read_plan(const CsvCell& cell, const Column& column, PlanReading& plan);
   [[nodiscard]] std::optional<Decimal> parse(const Column& column, std::string_view text) const;
   [[nodiscard]] std::string expected(const Column& column) const;

@@ -113,6 +113,8 @@ struct Zones::Evaluate {
     if (subtracts) return left->subtract(*right);
     return node.op == sema::ZoneOp::unite ? left->unite(*right) : left->intersect(*right);
   }
+  // Not made, but received.
+  Region operator()(const sema::ZoneReceived&) const { return std::nullopt; }
   Region operator()(const sema::ZoneOffset& node) const {
     const Rational exact_within_m(1, 500);
     const Region operand = of(*node.operand, bound);
@@ -136,6 +138,16 @@ const Zones::Region& Zones::region(sema::ZoneId zone, Bound bound) {
   return *region;
 }
 
+void Zones::receive(sema::ZoneId zone, std::shared_ptr<const ReceivedZone> received) {
+  Known& known = known_[static_cast<std::size_t>(zone)];
+  if (known.received == received) return;
+  known = {};
+  known.received = std::move(received);
+  if (known.received == nullptr) return;
+  const auto& [within, around] = known.received->regions;
+  known.regions = {Region(within), Region(around)};
+}
+
 Zones::Outlines Zones::outlines(sema::ZoneId zone) {
   Known& known = known_[static_cast<std::size_t>(zone)];
   if (!known.outlined) {
@@ -153,6 +165,8 @@ Span Zones::clearance(sema::ZoneId zone, const Span& x, const Span& y) {
   if (x.missing.missing) return unknown(x.missing.input);
   if (y.missing.missing) return unknown(y.missing.input);
   const Outlines zones = outlines(zone);
+  const auto* received = std::get_if<sema::ZoneReceived>(&spec_[zone].value->node);
+  if (zones.within == nullptr && received != nullptr) return unknown(received->input);
   if (zones.within == nullptr) return unknown(std::nullopt);
   if (!is_finite(x, y)) return between(Extended::infinity(-1), zones.around->deepest());
   const Place middle{(x.lo.value() + x.hi.value()) / 2, (y.lo.value() + y.hi.value()) / 2};
@@ -198,6 +212,8 @@ bool Zones::outside(sema::ZoneId zone, const Span& x, const Span& y) {
 }
 
 Span Zones::range(sema::ZoneId zone, const Span& x, const Span& y) {
+  const bool is_received = std::holds_alternative<sema::ZoneReceived>(spec_[zone].value->node);
+  if (is_received) return unknown(std::nullopt);  // it may be anything
   const Outlines zones = outlines(zone);
   if (x.missing.missing || y.missing.missing || zones.within == nullptr || !is_finite(x, y)) {
     return unknown(std::nullopt);

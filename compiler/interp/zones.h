@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/interp/outline.h"
+#include "compiler/interp/received.h"
 #include "compiler/interp/span.h"
 #include "compiler/sema/spec.h"
 
@@ -30,6 +31,8 @@ class Zones {
     bool leaves = false;  // some of it lies outside
   };
   WayClearance clearance_of_way(sema::ZoneId zone, const Place& from, const Place& to);
+  // What a zone of the specification is from now on that is received; nullptr: unknown.
+  void receive(sema::ZoneId zone, std::shared_ptr<const ReceivedZone> received);
   // Whether a place that is known exactly lies outside for sure, however near.
   bool outside(sema::ZoneId zone, const Span& x, const Span& y);
   // Whatever the clearance may be while the place is anything in its box.
@@ -49,6 +52,7 @@ class Zones {
 
   struct Known {
     std::array<std::optional<Region>, 2> regions;  // none: not asked for yet
+    std::shared_ptr<const ReceivedZone> received;
     bool outlined = false;
     std::unique_ptr<Outline> within, around;  // `around` only where it differs
     bool snapped = false;

@@ -346,7 +346,8 @@ struct Block {
 // ---- monitors without a robot, and what monitors of robots say that does not look ahead
 // ----------
 
-enum class ChannelKind { truth, number, choice };
+// Of a zone, whether there is one.
+enum class ChannelKind { truth, number, choice, zone };
 struct ChannelGrid {  // of a number: what is possible on the grid, the error in steps
   Unit unit;
   Range range;  // outside: unknown
@@ -368,6 +369,7 @@ struct Channel : ChannelGrid {
   }
   std::optional<std::int64_t> max_age_us;  // none and not held: must arrive every tick
   bool held = false;
+  std::uint32_t edges_most = 0;  // of a zone
 };
 struct Param {
   std::string name;
@@ -391,6 +393,9 @@ struct Region {  // a zone that places are held against
   bool around = false;  // contains the zone as written; else that contains it
   std::vector<Edge> edges;
   EdgeTree tree;
+  // Of a zone that is received: the channel; its edges are not known yet. Both sides of it are one
+  // region here.
+  std::optional<std::uint32_t> channel = std::nullopt;
 };
 struct Opening {  // from the first on, before the second
   std::int64_t from_us = 0, until_us = 0;

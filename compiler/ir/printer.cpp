@@ -248,13 +248,14 @@ class Printer {
     return text;
   }
   void channel(const Channel& c) {
-    static const char* const kinds[] = {"truth", "number", "choice"};
+    static const char* const kinds[] = {"truth", "number", "choice", "zone"};
     std::string text = "  input " + c.name + " : " + kinds[std::size_t(c.kind)];
     if (c.kind == ChannelKind::number) {
       text += grid(c);
       if (c.turning) text += "," + grid(*c.turning);
     }
     for (const std::string& part : c.components) text += part.empty() ? "" : " ." + part;
+    if (c.kind == ChannelKind::zone) text += " of " + num(c.edges_most) + " edges";
     text += c.held         ? ", held"
             : c.max_age_us ? ", for " + num(*c.max_age_us) + " us"
                            : ", every tick";
@@ -265,6 +266,10 @@ class Printer {
     line("watch every " + num(w.period_us) + " us, slots " + num(w.slots));
     signals(w);
     for (const Region& r : w.regions) {
+      if (r.channel) {
+        line("  region " + r.name + " received");
+        continue;
+      }
       line("  region " + std::string(r.around ? "around " : "within ") + r.name + " edges " +
            num(std::int64_t(r.edges.size())));
       edges(r.edges, "    ");
@@ -301,6 +306,7 @@ class Printer {
   }
   std::string region(RegionIndex index) const {
     const Region& r = (*watch_)[index];
+    if (r.channel) return "received " + r.name;
     return (r.around ? "around " : "within ") + r.name;
   }
   template <class Node>

@@ -98,7 +98,8 @@ class Roundings {
   Slack operator()(const PointClearance& v) const {
     const Slack &a = of(v.a), &b = of(v.b);
     const Rational wider = root_up(a.by * a.by + b.by * b.by);
-    const Rational by = v.within == v.around ? Rational(7 + wider * 3 / 2) : span();
+    const Rational by =
+        v.within == v.around && !watch_[v.within].channel ? Rational(7 + wider * 3 / 2) : span();
     return derived(by, {v.a, v.b});
   }
   Slack operator()(const PointInside& v) const { return of(v.condition); }

@@ -99,6 +99,12 @@ class SignalBuilder {
         to.values = spec_[*from.enumeration].values;
         to.range = {0, static_cast<std::int64_t>(to.values.size()) - 1, true};
         break;
+      case sema::InputType::zone:
+        to.kind = ChannelKind::zone;
+        to.unit = {{}, 1, 1};
+        to.range = {0, 0, true};
+        to.edges_most = from.edges_most;
+        break;
       case sema::InputType::integer:
       case sema::InputType::real:
         to.kind = ChannelKind::number;

@@ -300,6 +300,10 @@ std::optional<std::string> verify_watch(const Module& module, const Watch& watch
     if (!regions.insert({r.name, r.around}).second) return r.name + ": two regions of this name";
   }
   for (const Region& r : watch.regions) {
+    if (r.channel &&
+        (*r.channel >= watch.inputs.size() || watch.inputs[*r.channel].kind != ChannelKind::zone)) {
+      return r.name + ": no such input";
+    }
     if (!leads_to_edges(r.tree, r.edges.size())) return r.name + ": no such edges";
   }
   for (const Schedule& s : watch.schedules) {

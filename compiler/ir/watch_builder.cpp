@@ -20,6 +20,9 @@ class WatchBuilder {
     watch_.period_us = spec_.period ? floor_to_int(spec_.period->value * 1'000'000) : 1;
     watch_.in_utc = spec_.utc_clock.has_value();
     add_signals(signals);
+    for (Region& region : watch_.regions) {
+      if (region.channel) region.channel = channel_of(watch_, region.name);
+    }
     watch_.units.push_back({{}, 1, 1});
     for (const sema::Watch& from : spec_.watches) monitor(from);
     return std::move(watch_);

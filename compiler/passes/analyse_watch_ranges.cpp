@@ -119,6 +119,7 @@ class WatchRanges {
     const Wide x = of(v.a), y = of(v.b);
     if (!fits_below(x, place_mm_max) || !fits_below(y, place_mm_max)) refuse_place(x, y);
     const bool declared = x.declared && y.declared;
+    if (watch_[v.within].channel) return of_received(x, y);
     return {-exact(root(farthest(watch_[v.within], x, y), true)), exact(deepest(watch_[v.around])),
             declared};
   }
@@ -211,6 +212,13 @@ class WatchRanges {
       if (!least || square < *least) least = square;
     }
     return *least;
+  }
+  // Of a zone that may be anywhere on the grid, and anything.
+  static Wide of_received(const Wide& x, const Wide& y) {
+    const Rational reach = exact(std::int64_t{1} << 29);
+    const Rational dx = std::max(abs(x.lo), abs(x.hi)) + reach;
+    const Rational dy = std::max(abs(y.lo), abs(y.hi)) + reach;
+    return {-exact(root(dx * dx + dy * dy, true)), reach, false};
   }
   // No place of the region is farther from its boundary.
   static std::int64_t deepest(const Region& region) {

@@ -3,6 +3,7 @@
 
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/suggest.h"
+#include "compiler/sema/zones.h"
 
 namespace rtac::sema {
 
@@ -125,6 +126,13 @@ Value PropertyChecker::age(const syntax::Expr& expr, const syntax::Call& call) {
   if (!signal_allowed(argument.range, *name, Sort::input)) return nullptr;
   const InputId input{symbol->index};
   context_.used_inputs.insert(input);
+  if (scope_.of_robot() && is_received_zone(context_, *symbol)) {
+    context_.report(Finding(Code::zone_not_fixed, argument.range,
+                            "the zone `" + name->text + "` is received while the monitors run")
+                        .label("not known to monitors of robots")
+                        .help("write a monitor without `for` about its age"));
+    return nullptr;
+  }
   return make_quantity(expr.range, dims::time, AgeOf{input});
 }
 

@@ -195,7 +195,7 @@ Value PropertyChecker::robot_call(const syntax::Expr& expr, const syntax::Call& 
 bool PropertyChecker::names_zone(const syntax::Expr& expr) const {
   const syntax::Name* name = name_in(expr);
   const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
-  return symbol != nullptr && symbol->sort == Sort::zone;
+  return symbol != nullptr && (symbol->sort == Sort::zone || is_received_zone(context_, *symbol));
 }
 
 ExprPtr PropertyChecker::clearance(const syntax::Expr& expr, const syntax::Call& call) {

@@ -30,14 +30,14 @@ struct Declared {
 
 // What a written type says. Points and vectors are quantities of `dimension`, two or, in space,
 // three of them.
-enum class TypeKind { boolean, integer, real, enumeration, point, vector, pose, twist };
+enum class TypeKind { boolean, integer, real, enumeration, point, vector, pose, twist, zone };
 struct ValueType {
   TypeKind kind = TypeKind::real;
   Dimension dimension;
   std::optional<EnumId> enumeration;
-  std::optional<std::uint32_t> length;  // of an array
+  std::optional<std::uint32_t> length;  // of an array; most edges of a zone
   bool space = false;                   // of points and vectors: three components
-  FrameId frame = map_frame;            // of points, vectors and poses
+  FrameId frame = map_frame;            // of points, vectors, poses and zones
   FrameId of = map_frame;               // of a pose: the frame that it places
 };
 
@@ -134,6 +134,7 @@ class Context {
   std::vector<NumberedFleet> fleets;
   // What a zone moves with, by ZoneId; filled by check_carriers.
   std::map<ZoneId, std::variant<InputId, RobotId>> carriers;
+  std::map<InputId, ZoneId> received_zones;                         // filled by check_inputs
   std::map<std::pair<RobotId, std::string>, InputId> robot_inputs;  // what monitors ask of robots
   std::vector<ValueType> input_types;  // by InputId; filled by check_inputs
   std::set<InputId> faulty_inputs, used_inputs;

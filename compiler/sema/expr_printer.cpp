@@ -192,6 +192,7 @@ std::string ExprPrinter::zone(const ZoneExpr& expr) const {
             return "(" + zone(*binary.left) + symbol_of(binary.op) + zone(*binary.right) + ")";
           },
           [](const ZoneImport& imported) { return text_of(imported); },
+          [&](const ZoneReceived& received) { return spec_[received.input].name; },
           [&](const ZoneComplement& of) { return "complement(" + zone(of.zone) + ")"; },
           [&](const ZoneOffset& offset) {
             return std::string(offset.distance < 0 ? "shrink(" : "grow(") + zone(*offset.operand) +

@@ -22,7 +22,8 @@ Rational default_resolution(const Spec& spec, const ValueType& type, const Dimen
 }
 
 bool is_number(const ValueType& type) {
-  return type.kind != TypeKind::boolean && type.kind != TypeKind::enumeration;
+  return type.kind != TypeKind::boolean && type.kind != TypeKind::enumeration &&
+         type.kind != TypeKind::zone;
 }
 
 struct Range {
@@ -177,6 +178,7 @@ class InputChecker {
     if (is_error(expr)) return false;
     const std::string kind = type.kind == TypeKind::boolean   ? "a condition"
                              : type.kind == TypeKind::integer ? "a whole number"
+                             : type.kind == TypeKind::zone    ? "a zone"
                                                               : "a value of an enumeration";
     context_.report(Finding(Code::clause_without_effect, expr.range,
                             what + " has no effect on `" + input_.name + "`, which is " + kind)
@@ -262,6 +264,8 @@ InputType input_type_of(TypeKind kind) {
       return InputType::integer;
     case TypeKind::enumeration:
       return InputType::enumeration;
+    case TypeKind::zone:
+      return InputType::zone;
     case TypeKind::real:
     case TypeKind::point:
     case TypeKind::vector:
@@ -279,6 +283,7 @@ std::vector<std::string> components_of(const ValueType& type) {
     case TypeKind::integer:
     case TypeKind::enumeration:
     case TypeKind::real:
+    case TypeKind::zone:
       return {""};
     case TypeKind::point:
     case TypeKind::vector:
@@ -304,13 +309,26 @@ void shape(Input& input, const ValueType& type) {
   const std::vector<std::string> element = components_of(type);
   input.element_size = static_cast<std::uint32_t>(element.size());
   input.components = element;
-  if (!type.length) return;
+  if (type.kind == TypeKind::zone) input.edges_most = type.length.value_or(0);
+  if (!type.length || type.kind == TypeKind::zone) return;
   input.components.clear();
   for (std::uint32_t i = 0; i < *type.length; ++i) {
     for (const std::string& part : element) {
       input.components.push_back(std::to_string(i) + (part.empty() ? "" : "." + part));
     }
   }
+}
+
+// Monitors name it as they do a zone.
+static void add_received_zone(Context& context, InputId id) {
+  const Input& input = context.spec[id];
+  if (input.type != InputType::zone || context.faulty_inputs.count(id) > 0) return;
+  auto value =
+      std::make_unique<ZoneExpr>(ZoneExpr{input.name_range, ZoneReceived{id, input.edges_most}});
+  auto& zones = context.spec.zones;
+  context.received_zones.emplace(id, ZoneId{static_cast<std::uint32_t>(zones.size())});
+  zones.push_back(
+      {input.name, input.name_range, std::move(value), context.input_types[index_of(id)].frame});
 }
 
 void check_inputs(Context& context) {
@@ -321,13 +339,15 @@ void check_inputs(Context& context) {
       copy_clauses(context.spec.inputs[i - 1], context.spec.inputs[i]);
       context.input_types.push_back(context.input_types.back());
       if (context.faulty_inputs.count(InputId{i - 1}) > 0) context.faulty_inputs.insert(id);
+      add_received_zone(context, id);
       continue;
     }
-    const auto type = check_type(context, context.inputs[i].node->type);
+    const auto type = check_type(context, context.inputs[i].node->type, MayBeZone::yes);
     context.input_types.push_back(type.value_or(ValueType{}));
     const bool good = type && InputChecker(context, i).check(*type);
     if (good) round_limits(context.spec.inputs[i]);
     if (!good || context.damaged(context.inputs[i].range)) context.faulty_inputs.insert(id);
+    add_received_zone(context, id);
   }
 }
 

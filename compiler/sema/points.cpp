@@ -65,6 +65,10 @@ std::optional<Pair> PropertyChecker::place_of(const syntax::Expr& expr, const st
 // The zone that a place is held against, in the frame of the place. A literal is in that of the
 // zone.
 std::optional<ZoneId> PropertyChecker::zone_around(const Pair& place, const syntax::Expr& zone) {
+  const syntax::Name* name = name_in(zone);
+  const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
+  const bool received = symbol != nullptr && is_received_zone(context_, *symbol);
+  if (received && !signal_allowed(zone.range, *name, Sort::input)) return std::nullopt;
   const FrameId frame = place.frame ? *place.frame : frame_of_zone(context_, zone);
   const Change change = scope_.of_robot() ? Change::refused : Change::allowed;
   return zone_in_property(context_, zone, frame, change);

@@ -121,6 +121,7 @@ Value PropertyChecker::declared(const syntax::Expr& expr, const syntax::Name& na
                                 const Symbol& symbol) {
   switch (symbol.sort) {
     case Sort::input:
+      if (names_zone(expr)) return not_a_quantity(expr, "a zone");
       return signal_allowed(expr.range, name, symbol.sort)
                  ? input_value(expr.range, InputId{symbol.index})
                  : nullptr;
@@ -194,6 +195,8 @@ Value element_value(const SourceRange& range, const Input& declared, InputId inp
                   type.of};
     case TypeKind::twist:
       return Twist{quantity(first), quantity(first + 1)};
+    case TypeKind::zone:  // stands for no value
+      break;
   }
   return nullptr;
 }

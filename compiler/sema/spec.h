@@ -109,12 +109,17 @@ struct ZoneImport {
   Rational farthest;                     // m, rounded up: from (0 m, 0 m)
   std::vector<std::string> remarks;      // what is left out, with the author's reasons
 };
+struct ZoneReceived {  // while the monitors run
+  InputId input;
+  std::uint32_t edges_most;
+};
 struct ZoneComplement {  // every place that is not in the zone
   ZoneId zone;
 };
 struct ZoneExpr {
   SourceRange range;
-  std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport, ZoneComplement>
+  std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport, ZoneReceived,
+               ZoneComplement>
       node;
 };
 // From one moment on, before another: once, or on certain days of every week. In UTC.
@@ -220,7 +225,8 @@ struct Enumeration {
   SourceRange name_range;
   std::vector<std::string> values;
 };
-enum class InputType { boolean, integer, real, enumeration };
+// A zone is none of the numbers, only whether one is there.
+enum class InputType { boolean, integer, real, enumeration, zone };
 // What is declared of one number of an input, of integer and real.
 struct Measurement {
   Dimension dimension;                  // of integer: none
@@ -240,6 +246,7 @@ struct Input : Measurement {
   // The last component of each pose or twist is measured in another way than the others.
   std::optional<Measurement> turning;
   std::uint32_t element_size = 1;  // components of one element of an array, or of all
+  std::uint32_t edges_most = 0;    // of a zone
   [[nodiscard]] const Measurement& measurement(std::uint32_t component) const {
     return turning && component % element_size + 1 == element_size ? *turning : *this;
   }

@@ -28,7 +28,7 @@ class SpecPrinter {
     for (std::size_t i = 1; i < spec_.frames.size(); ++i) line(0, "frame " + spec_.frames[i].name);
     if (spec_.origin) print(*spec_.origin);
     for (const Zone& zone : spec_.zones) {
-      if (!zone.name.empty())
+      if (!zone.name.empty() && !std::holds_alternative<ZoneReceived>(zone.value->node))
         line(0, "zone " + zone.name + frame_of(zone) + " = " + exprs_.zone(*zone.value) +
                     openings_of(zone));
     }
@@ -230,6 +230,8 @@ class SpecPrinter {
         return "int";
       case InputType::enumeration:
         return spec_[*input.enumeration].name;
+      case InputType::zone:
+        return "zone[" + std::to_string(input.edges_most) + "]";
       case InputType::real:
         break;
     }

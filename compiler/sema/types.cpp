@@ -29,6 +29,7 @@ constexpr NamedType named_types[] = {
     {"vector3", TypeKind::vector, dims::number, true, true},
     {"pose", TypeKind::pose, dims::length, false},
     {"twist", TypeKind::twist, dims::speed, false},
+    {"zone", TypeKind::zone, dims::number, false},
     {"length", TypeKind::real, dims::length, false},
     {"time", TypeKind::real, dims::time, false},
     {"speed", TypeKind::real, dims::speed, false},
@@ -162,7 +163,8 @@ bool apply_unit(Context& context, const syntax::TypeRef& written, bool takes_uni
 // `@ gps` of what has coordinates, `of base` of a pose.
 bool apply_frames(Context& context, const syntax::TypeRef& written, ValueType& type) {
   const bool is_pose = type.kind == TypeKind::pose;
-  const bool has_frame = is_pose || type.kind == TypeKind::point || type.kind == TypeKind::vector;
+  const bool has_frame = is_pose || type.kind == TypeKind::point || type.kind == TypeKind::vector ||
+                         type.kind == TypeKind::zone;
   const auto without_effect = [&](const syntax::Name& name, const std::string& what) {
     context.report(Finding(Code::clause_without_effect, name.range,
                            "the type `" + written.name.text + "` has no " + what)
@@ -192,7 +194,12 @@ bool apply_frames(Context& context, const syntax::TypeRef& written, ValueType& t
 }
 
 bool apply_length(Context& context, const syntax::TypeRef& written, ValueType& type) {
-  if (written.length.empty()) return true;
+  const bool is_zone = type.kind == TypeKind::zone;
+  if (written.length.empty() && is_zone) {
+    context.missing_clause(written.range, "the zone", "most edges, so that its memory is fixed",
+                           "zone[64]");
+  }
+  if (written.length.empty()) return !is_zone;
   const syntax::Expr& first = *written.length.front();
   if (is_error(first)) return false;
   if (written.length.size() > 1) {
@@ -203,16 +210,25 @@ bool apply_length(Context& context, const syntax::TypeRef& written, ValueType& t
                              written.name.text + "[12]` for 3 rows of 4, or one input a row"));
     return false;
   }
-  const auto length = count(context, first, "the length of an array", 1, max_array);
+  const auto length = is_zone ? count(context, first, "the most edges of a zone", 3, max_zone_edges)
+                              : count(context, first, "the length of an array", 1, max_array);
   if (length) type.length = static_cast<std::uint32_t>(*length);
   return length.has_value();
 }
 
 }  // namespace
 
-std::optional<ValueType> check_type(Context& context, const syntax::TypeRef& written) {
+std::optional<ValueType> check_type(Context& context, const syntax::TypeRef& written,
+                                    MayBeZone may_be_zone) {
   bool takes_unit = false;
   auto type = element_type(context, written.name, takes_unit);
+  if (type && type->kind == TypeKind::zone && may_be_zone == MayBeZone::no) {
+    context.report(Finding(Code::wrong_argument, written.range, "only an input is of type `zone`")
+                       .label("not an input")
+                       .help("declare `input fence : zone[64] max_age inf;`, and name it where a "
+                             "place is held against it: `p inside fence`"));
+    return std::nullopt;
+  }
   if (!type || !apply_unit(context, written, takes_unit, *type) ||
       !apply_frames(context, written, *type) || !apply_length(context, written, *type)) {
     return std::nullopt;

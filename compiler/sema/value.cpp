@@ -278,10 +278,12 @@ std::string describe(const Spec& spec, const ValueType& type) {
         return "a pose of `" + spec[type.of].name + "`";
       case TypeKind::twist:
         return "a twist";
+      case TypeKind::zone:
+        return "a zone";
     }
     return "";
   }();
-  if (!type.length) return element;
+  if (!type.length || type.kind == TypeKind::zone) return element;
   return "an array of " + std::to_string(*type.length) + ", each " + element;
 }
 
@@ -323,6 +325,8 @@ bool fits(const Spec& spec, const Value& value, const ValueType& type) {
     }
     case TypeKind::twist:
       return std::holds_alternative<Twist>(value.node);
+    case TypeKind::zone:
+      return false;
     case TypeKind::enumeration:
       break;
   }

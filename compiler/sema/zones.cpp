@@ -370,9 +370,37 @@ bool stays(Context& context, const syntax::Name& name, ZoneId id) {
 
 }  // namespace
 
+bool is_received_zone(const Context& context, const Symbol& symbol) {
+  return symbol.sort == Sort::input && symbol.index < context.inputs.size() &&
+         context.inputs[symbol.index].node->type.name.text == "zone";
+}
+
+// Zones are combined, grown and shrunk at compile time, and robots look ahead at what is known
+// then.
+static std::optional<ZoneId> received_zone(Context& context, const syntax::Name& name,
+                                           const Symbol& symbol, Change change) {
+  const InputId input{symbol.index};
+  context.used_inputs.insert(input);
+  if (change == Change::refused) {
+    context.report(Finding(Code::zone_not_fixed, name.range,
+                           "the zone `" + name.text + "` is received while the monitors run")
+                       .label("a zone that stays as it is is due here")
+                       .note(symbol.range, "`" + name.text + "` is declared here")
+                       .help("monitors without a robot judge places against it by its name: `p "
+                             "inside base and not p inside " +
+                             name.text + "`"));
+    return std::nullopt;
+  }
+  const auto zone = context.received_zones.find(input);
+  return zone == context.received_zones.end() ? std::nullopt : std::optional(zone->second);
+}
+
 std::optional<ZoneId> zone_in_frame(Context& context, const syntax::Name& name, FrameId frame,
                                     Change change) {
-  const auto id = context.resolve<ZoneId>(name, Sort::zone);
+  const Symbol* symbol = context.symbols.find(name.text);
+  const bool received = symbol != nullptr && is_received_zone(context, *symbol);
+  const auto id = received ? received_zone(context, name, *symbol, change)
+                           : context.resolve<ZoneId>(name, Sort::zone);
   if (!id) return std::nullopt;
   if (change == Change::refused && !stays(context, name, *id)) return std::nullopt;
   if (context.spec[*id].frame == frame) return id;
@@ -394,7 +422,9 @@ namespace {
 const Symbol* first_zone(const Context& context, const syntax::Expr& expr) {
   if (const auto* reference = std::get_if<syntax::NameRef>(&expr.node)) {
     const Symbol* symbol = context.symbols.find(reference->name.text);
-    return symbol != nullptr && symbol->sort == Sort::zone ? symbol : nullptr;
+    const bool is_zone =
+        symbol != nullptr && (symbol->sort == Sort::zone || is_received_zone(context, *symbol));
+    return is_zone ? symbol : nullptr;
   }
   if (const auto* binary = std::get_if<syntax::Binary>(&expr.node)) {
     const Symbol* left = first_zone(context, *binary->left);
@@ -409,7 +439,10 @@ const Symbol* first_zone(const Context& context, const syntax::Expr& expr) {
 
 FrameId frame_of_zone(const Context& context, const syntax::Expr& expr) {
   const Symbol* zone = first_zone(context, expr);
-  return zone != nullptr ? context.spec[ZoneId{zone->index}].frame : map_frame;
+  if (zone == nullptr) return map_frame;
+  if (zone->sort == Sort::zone) return context.spec[ZoneId{zone->index}].frame;
+  return zone->index < context.input_types.size() ? context.input_types[zone->index].frame
+                                                  : map_frame;
 }
 
 std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr, FrameId frame,

@@ -15,6 +15,9 @@ void check_zones(Context& context);
 // robots.
 void check_carriers(Context& context);
 
+// Is it an input that is a zone?
+bool is_received_zone(const Context& context, const Symbol& symbol);
+
 // A point of the plane; both coordinates are lengths.
 std::optional<Point> check_point(Context& context, const syntax::Expr& expr,
                                  const std::string& what);

@@ -163,7 +163,7 @@ bool needs_blank(const Piece& before, const Piece& piece, const Piece& next) {
       if (before.is_name) return next.kind == T::UNIT;  // `real [m/s]`, but `temps[2]`
       const bool is_past =
           before.kind == T::ONCE || before.kind == T::HISTORICALLY || before.kind == T::SINCE;
-      if (is_past || ends_operand(before)) return false;
+      if (is_past || before.kind == T::ZONE || ends_operand(before)) return false;
       break;
     }
     default:

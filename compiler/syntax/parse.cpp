@@ -37,8 +37,10 @@ bool starts_stretch(const std::vector<Token>& tokens, std::size_t index, int bra
   const Word* word = find_word(tokens[index].kind);
   if (index == 0 || !tokens[index].first_on_line || !word) return false;
   const TokenKind before = tokens[index - 1].kind;
-  // a zone of a file: `zone z =` on the line above
-  const bool within = word->kind == T::IMPORT && expects_operand(before);
+  // a zone of a file: `zone z =` on the line above; a type: `input fence :` there
+  const bool within = (word->kind == T::IMPORT && expects_operand(before)) ||
+                      (word->kind == T::ZONE && before == T::COLON && index + 1 < tokens.size() &&
+                       tokens[index + 1].kind == T::LEFT_BRACKET);
   if (word->word_kind == WordKind::item) return !within;
   return word->word_kind == WordKind::soft && brace_depth == 0 &&
          (before == T::SEMICOLON || before == T::RIGHT_BRACE) &&

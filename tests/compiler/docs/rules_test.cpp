@@ -178,6 +178,9 @@ TEST(Rule7_4, NothingIsKnownOfAZoneAtAMissedTick) {
 TEST(Rule7_5, IsAsShown) {
   expect_as_shown("7.5");
 }
+TEST(Rule7_6, IsAsShown) {
+  expect_as_shown("7.6");
+}
 TEST(Rule8, IsAsShown) {
   expect_as_shown("8");
 }

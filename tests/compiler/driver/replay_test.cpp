@@ -103,6 +103,35 @@ TEST_P(ReplayBy, ComparisonsOfConstantsHaveMargins) {
   EXPECT_NE(o.out.find(rows), std::string::npos) << o.out << o.err;
 }
 
+// Rule 7.6: what a robot would refuse is no trace of it.
+TEST_P(ReplayBy, AnInvalidZoneIsRefusedWithItsVertex) {
+  write("fence.rta",
+        "spec f; period 1 s;\n"
+        "input fence : zone[4] max_age inf;\n"
+        "input p : point;\n"
+        "monitor m { \"R1\" always p inside fence; }\n");
+  const auto replayed = [&](const std::string& cell) {
+    write("zones.csv",
+          "time,fence,p.x,p.y\n0,\"POLYGON ((0 0, 9 0, 9 9, 0 0))\",8,1\n1," + cell + ",8,1\n");
+    return replay({"fence.rta", "zones.csv"});
+  };
+  const Outcome good = replayed("");
+  EXPECT_EQ(good.status, 0) << good.err;
+  EXPECT_NE(good.out.find("\n1,1,true"), std::string::npos) << good.out;
+  for (const auto& [cell, why] : std::vector<std::pair<std::string, std::string>>{
+           {"\"POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\"", "the outer ring, vertex 1 starts an edge"},
+           {"\"POLYGON ((0 0, 2 0, 3 1, 2 2, 0 2, 0 0))\"", "has 5 vertices, 4 are the most"},
+           {"\"POLYGON ((0 0, 2 0, 3 1))\"", "`fence` is refused"},
+           {"\"POLYGON ((0 0, 0.0001 0, 0 0.0001, 0 0))\"", "nothing left on the grid"},
+           {"5", "`fence` is refused"}}) {
+    const Outcome bad = replayed(cell);
+    EXPECT_EQ(bad.status, 2) << cell;
+    EXPECT_EQ(bad.out, "");
+    EXPECT_NE(bad.err.find("zones.csv:3:3: `fence` is refused"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find(why), std::string::npos) << bad.err;
+  }
+}
+
 // Of a robot that no decision is about only what monitors use is needed; what else is known of it
 // may be there.
 TEST_P(ReplayBy, OtherColumnsOfARobotAreIgnored) {

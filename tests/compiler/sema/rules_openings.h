@@ -31,10 +31,13 @@ frame base;
 input crane : point in 0 .. 90 m error 5 cm;
 input hand : point @ base in 0 .. 90 m;
 input masts : point[2] in 0 .. 90 m;
+input field : zone[8] max_age inf;
+input other : zone[4] max_age inf;
 fun far(a : point) : bool = distance(a, fair) >= 1 m;
 zone bubble = circle (0 m, 0 m) radius 3 m around crane;
 zone escort = rectangle (-1 m, -1 m) to (1 m, 1 m) around one during 08:00 .. 18:00;
 monitor near { "R4: with the crane, away from the rover" always p inside bubble and not p inside escort and far(crane); }
+monitor kept { "R6: in the field" always p inside field and distance(p, other) >= 1 m and age(field) <= 9 s; }
 monitor used { "R5: uses all" always hand.x >= 0 m and masts[0].x >= 0 m and masts[1].x >= 0 m; }
 controller pilot : advanced for Rover extern;
 controller back : safe for Rover = retreat within ground speed 0.1 m/s;
@@ -188,6 +191,89 @@ inline std::vector<Rule> rules_of_carriers() {
   };
 }
 
+inline std::vector<Rule> rules_of_received() {
+  return {
+      {"zones_that_are_received_are_not_combined",
+       {{"zone lawn = ground - ", "zone lawn = field - "}},
+       Code::zone_not_fixed,
+       "field",
+       "the zone `field` is received while the monitors run",
+       "`p inside base and not p inside field`"},
+      {"zones_that_are_received_do_not_grow",
+       {{"p inside field", "p inside grow(field, 1 m)"}},
+       Code::zone_not_fixed,
+       "field",
+       "is received while the monitors run",
+       "by its name"},
+      {"zones_that_are_received_have_no_complement",
+       {{"p inside field", "p inside complement(field)"}},
+       Code::zone_not_fixed,
+       "field",
+       "is received while the monitors run",
+       "by its name"},
+      {"robots_do_not_look_ahead_at_zones_that_are_received",
+       {{"r inside ground", "r inside field"}},
+       Code::zone_not_fixed,
+       "field",
+       "is received while the monitors run",
+       "monitors without a robot"},
+      {"monitors_of_robots_do_not_ask_how_old_such_a_zone_is",
+       {{"r inside ground", "r inside ground and age(field) <= 1 s"}},
+       Code::zone_not_fixed,
+       "field",
+       "is received while the monitors run",
+       "without `for`"},
+      {"recoveries_do_not_stay_in_zones_that_are_received",
+       {{"retreat within ground", "retreat within field"}},
+       Code::zone_not_fixed,
+       "field",
+       "is received while the monitors run",
+       "monitors without a robot"},
+      {"a_zone_that_is_received_has_a_size",
+       {{"zone[8]", "zone"}},
+       Code::clause_missing,
+       "zone",
+       "the zone has no most edges",
+       "`zone[64]`"},
+      {"a_zone_that_is_received_has_three_edges",
+       {{"zone[8]", "zone[2]"}},
+       Code::quantity_out_of_range,
+       "2",
+       "the most edges of a zone",
+       "3"},
+      {"a_zone_that_is_received_has_no_error",
+       {{"zone[8]", "zone[8] error 1 m"}},
+       Code::clause_without_effect,
+       "1 m",
+       "an error has no effect on `field`, which is a zone",
+       "leave it out"},
+      {"a_zone_that_is_received_is_no_quantity",
+       {{"p inside field", "field >= 1 m"}},
+       Code::quantity_expected,
+       "field",
+       "a zone",
+       ""},
+      {"functions_take_no_zones",
+       {{"fun far(a : point)", "fun far(a : zone[8])"}},
+       Code::wrong_argument,
+       "zone[8]",
+       "only an input is of type `zone`",
+       "`p inside fence`"},
+      {"functions_have_no_zones_that_are_received",
+       {{"distance(a, fair) >= 1 m", "distance(a, field) >= 1 m"}},
+       Code::function_not_pure,
+       "field",
+       "uses the input `field`",
+       "its arguments alone"},
+      {"a_zone_that_is_received_is_in_its_frame",
+       {{"zone[8]", "zone[8] @ base"}},
+       Code::frames_differ,
+       "field",
+       "the zone `field` is in the frame `base`",
+       ""},
+  };
+}
+
 inline std::vector<Rule> rules_of_openings() {
   std::vector<Rule> rules = {
       {"windows_need_a_clock",
@@ -254,6 +340,7 @@ inline std::vector<Rule> rules_of_openings() {
   };
   for (Rule& rule : rules_of_moments()) rules.push_back(std::move(rule));
   for (Rule& rule : rules_of_carriers()) rules.push_back(std::move(rule));
+  for (Rule& rule : rules_of_received()) rules.push_back(std::move(rule));
   for (Rule& rule : rules) rule.base = fairground;
   return rules;
 }

@@ -293,6 +293,11 @@ TEST(Format, SetsSignsAndWordsApart) {
       "}\n");
 }
 
+TEST(Format, WritesTheSizeOfAZoneLikeThatOfAnArray) {
+  EXPECT_EQ(formatted("input fence:zone [ 64 ] @gps max_age inf;"),
+            "input fence : zone[64] @ gps max_age inf;\n");
+}
+
 // A unit belongs to the line of its number: joining lines would make one of a name.
 TEST(Format, LeavesATextThatBlanksWouldChange) {
   const std::string text = "input   a : real[\nm];\n";

@@ -36,6 +36,7 @@ TEST(RoundTrip, KeepsWindowsOfTime) {
       "clock utc;\nzone a = b during monday, friday 07:30 .. 16:00 or 22:00 .. 24:00;");
   expect_round_trip("zone a = b during 2026-05-01T08:00:30Z .. 2026-05-01T18:00Z;");
   expect_round_trip("zone a = b around c during 07:30 .. 16:00;\nzone d = e around bots[2 + 1];");
+  expect_round_trip("input a, b : zone[64] @ gps max_age inf;\ninput c : zone;");
   expect_round_trip("input clock, during, around : bool;\nzone a = during during 07:30 .. 16:00;");
 }
 

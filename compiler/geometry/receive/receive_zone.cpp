@@ -1,0 +1,248 @@
+#include "compiler/geometry/receive/receive_zone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "compiler/geometry/place/placer.h"
+#include "compiler/support/rational.h"
+
+namespace rtac::geometry {
+namespace {
+
+using Kind = Problem::Kind;
+
+std::string place(const Point& p) {
+  return "(" + to_decimal(p.x) + " m, " + to_decimal(p.y) + " m)";
+}
+std::string ring_text(std::size_t polygon, std::size_t count, std::size_t ring) {
+  const std::string name = ring == 0 ? "the outer ring" : "hole " + std::to_string(ring);
+  return count == 1 ? name : name + " of polygon " + std::to_string(polygon + 1);
+}
+std::string vertex_text(std::size_t vertex) {
+  return "vertex " + std::to_string(vertex + 1);
+}
+
+std::string message_of(const Problem& problem) {
+  switch (problem.kind) {
+    case Kind::too_short:
+      return "has fewer than three different vertices";
+    case Kind::repeats_vertex:
+      return "repeats " + vertex_text(problem.other);
+    case Kind::self_intersects:
+      return "starts an edge that meets the one from " + vertex_text(problem.other) + " at " +
+             place(problem.where);
+    case Kind::no_area:
+      return "encloses no area";
+    case Kind::hole_outside_ring:
+      return "does not lie inside the outer ring, see " + place(problem.where);
+    case Kind::holes_overlap:
+      return "overlaps or touches hole " + std::to_string(problem.other) + " at " +
+             place(problem.where);
+  }
+  return "";
+}
+std::string help_of(Kind kind) {
+  switch (kind) {
+    case Kind::too_short:
+      return "a ring needs at least three vertices that do not lie on one line";
+    case Kind::repeats_vertex:
+      return "remove one of the two; rings are closed by themselves";
+    case Kind::self_intersects:
+      return "order the vertices along the boundary, or send two polygons";
+    case Kind::no_area:
+      return "move at least one vertex off the line through the others";
+    case Kind::hole_outside_ring:
+      return "a notch in the edge is part of the outer ring, not a hole";
+    case Kind::holes_overlap:
+      return "make one hole of them";
+  }
+  return "";
+}
+
+class Receiver {
+ public:
+  Receiver(const std::vector<import::Polygon>& polygons, std::size_t edges_most)
+      : polygons_(polygons), edges_most_(edges_most), placer_({false, false, true}, std::nullopt) {}
+
+  std::variant<ReceivedRegions, RefusedZone> run() {
+    if (is_too_much()) return std::move(*refused_);
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      if (!take(i)) return std::move(*refused_);
+    }
+    Region all = regions_.size() == 1 ? std::move(regions_[0]) : Region::of_rings(rings_);
+    if (sgn(placer_.error()) == 0) return ReceivedRegions{all, all};
+    ReceivedRegions regions{all.shrink(placer_.error()), all.grow(placer_.error())};
+    if (regions.within.empty()) {
+      refuse("the zone", "is nowhere wider than its coordinates are exact",
+             "a zone of more than 2 mm in both directions works");
+      return std::move(*refused_);
+    }
+    return regions;
+  }
+
+ private:
+  bool refuse(std::string where, std::string message, std::string help) {
+    refused_ = RefusedZone{std::move(where), std::move(message), std::move(help)};
+    return false;
+  }
+  bool is_too_much() {
+    std::size_t vertices = 0;
+    for (const import::Polygon& polygon : polygons_) {
+      vertices += polygon.outer.positions.size();
+      for (const import::Ring& hole : polygon.holes) vertices += hole.positions.size();
+    }
+    if (polygons_.empty()) return !refuse("the zone", "has no polygon", "send at least one");
+    if (vertices <= edges_most_) return false;
+    return !refuse("the zone",
+                   "has " + std::to_string(vertices) + " vertices, " + std::to_string(edges_most_) +
+                       " are the most",
+                   "leave out vertices that change the outline by little, or declare `zone[" +
+                       std::to_string(vertices) + "]`");
+  }
+  std::optional<Ring> placed(const import::Ring& from, const std::string& where) {
+    const auto& all = from.positions;
+    const auto bad = std::find_if(all.begin(), all.end(), [](const import::Position& p) {
+      return !std::isfinite(p.x) || !std::isfinite(p.y);
+    });
+    if (bad != all.end()) {
+      refuse(where + ", " + vertex_text(static_cast<std::size_t>(bad - all.begin())),
+             "has a coordinate that is not finite", "send numbers, in metres");
+      return std::nullopt;
+    }
+    auto places = placer_.place(from);
+    if (const auto* fault = std::get_if<NoPlace>(&places)) {
+      refuse(where + ", " + vertex_text(fault->vertex), "lies too far away, or nowhere",
+             "coordinates of at most 500 km from (0 m, 0 m) work");
+      return std::nullopt;
+    }
+    Ring ring;
+    for (const PlacedPoint& p : std::get<PlacedRing>(places).points) ring.push_back({p.x, p.y});
+    return ring;
+  }
+  bool take(std::size_t i) {
+    const import::Polygon& polygon = polygons_[i];
+    const auto where = [&](std::size_t ring) { return ring_text(i, polygons_.size(), ring); };
+    auto outer = placed(polygon.outer, where(0));
+    if (!outer) return false;
+    std::vector<Ring> holes;
+    for (std::size_t k = 0; k < polygon.holes.size(); ++k) {
+      auto hole = placed(polygon.holes[k], where(k + 1));
+      if (!hole) return false;
+      holes.push_back(std::move(*hole));
+    }
+    auto made = Region::polygon(*outer, holes);
+    if (const auto* problem = std::get_if<Problem>(&made)) {
+      const bool whole = problem->kind == Kind::too_short || problem->kind == Kind::no_area ||
+                         problem->kind == Kind::holes_overlap;
+      return refuse(where(problem->ring) + (whole ? "" : ", " + vertex_text(problem->vertex)),
+                    message_of(*problem), help_of(problem->kind));
+    }
+    add(std::get<Region>(std::move(made)));
+    return true;
+  }
+  void add(Region region) {
+    for (PolygonWithHoles& part : region.polygons()) {
+      rings_.push_back(std::move(part.outer));
+      std::move(part.holes.begin(), part.holes.end(), std::back_inserter(rings_));
+    }
+    regions_.push_back(std::move(region));
+  }
+
+  const std::vector<import::Polygon>& polygons_;
+  const std::size_t edges_most_;
+  Placer placer_;
+  std::vector<Region> regions_;
+  std::vector<Ring> rings_;
+  std::optional<RefusedZone> refused_;
+};
+
+RefusedZone refused(const import::Failure& failure) {
+  return {failure.where, failure.message, failure.help};
+}
+
+std::variant<OutlineTable, RefusedZone> outline_table(const SnappedZone& zone,
+                                                      std::size_t edges_most) {
+  OutlineTable table;
+  table.edges = edge_rows(zone);
+  if (table.edges.size() > edges_most) {
+    return RefusedZone{"the zone",
+                       "has " + std::to_string(table.edges.size()) +
+                           " edges on the grid of 1 mm, " + std::to_string(edges_most) +
+                           " are the most",
+                       "vertices between two places of the grid take more edges: leave out those "
+                       "that change the outline by little, or declare `zone[" +
+                           std::to_string(table.edges.size()) + "]`"};
+  }
+  auto grown = grow_cell_tree(zone, exact_mm_wanted);
+  if (const auto* dense = std::get_if<TooDense>(&grown)) {
+    const Point at{Rational(dense->at.x_mm, 1000), Rational(dense->at.y_mm, 1000)};
+    return RefusedZone{"the zone, at " + place(at),
+                       "has " + std::to_string(dense->edges) + " edges within " +
+                           to_decimal(Rational(dense->within_mm, 1000)) + " m, " +
+                           std::to_string(cell_edges_max) + " can be checked there",
+                       "an outline with fewer vertices there works"};
+  }
+  table.tree = std::move(std::get<CellTree>(grown));
+  return table;
+}
+
+bool same_edges(const OutlineTable& a, const OutlineTable& b) {
+  return std::ranges::equal(a.edges, b.edges, [](const EdgeRow& e, const EdgeRow& f) {
+    return e.a == f.a && e.b == f.b;
+  });
+}
+
+}  // namespace
+
+std::variant<ZoneTables, RefusedZone> make_zone_tables(const ReceivedRegions& regions,
+                                                       std::size_t edges_most) {
+  const auto inner = snap_inside(regions.within), outer = snap_around(regions.around);
+  if (!inner || !outer) {
+    return RefusedZone{"the zone", "has nothing left on the grid of 1 mm",
+                       "a zone of more than 2 mm in both directions works"};
+  }
+  auto within = outline_table(*inner, edges_most);
+  if (auto* refusal = std::get_if<RefusedZone>(&within)) return std::move(*refusal);
+  auto around = outline_table(*outer, edges_most);
+  if (auto* refusal = std::get_if<RefusedZone>(&around)) return std::move(*refusal);
+  ZoneTables tables{std::move(std::get<OutlineTable>(within)), std::nullopt};
+  auto& other = std::get<OutlineTable>(around);
+  if (!same_edges(tables.within, other)) tables.around = std::move(other);
+  return tables;
+}
+
+std::variant<ReceivedRegions, RefusedZone> receive_zone(
+    const std::vector<import::Polygon>& polygons, std::size_t edges_most) {
+  return Receiver(polygons, edges_most).run();
+}
+
+std::variant<ReceivedRegions, RefusedZone> receive_wkt(const std::string& text,
+                                                       std::size_t edges_most) {
+  import::Limits limits;
+  limits.areas_max = limits.positions_max = 2 * edges_most + 16;  // rings repeat a vertex
+  limits.values_max = 8 * edges_most + 64;
+  limits.bytes_max = wkt_bytes_most(edges_most);
+  auto read = import::read(import::Format::wkt, text, limits);
+  if (const auto* failure = std::get_if<import::Failure>(&read)) return refused(*failure);
+  const auto& areas = std::get<import::Areas>(read);
+  if (areas.unit == import::Unit::degrees) {
+    return RefusedZone{"the whole text", "is in degrees", "send metres, x to the east"};
+  }
+  std::vector<import::Polygon> polygons;
+  for (const import::Area& area : areas.areas) {
+    if (area.refusal) return refused(*area.refusal);
+    for (const import::Part& part : area.parts) {
+      const auto* polygon = std::get_if<import::Polygon>(&part.shape);
+      if (polygon == nullptr) {
+        return RefusedZone{"the whole text", "has a circle", "send a polygon"};
+      }
+      polygons.push_back(*polygon);
+    }
+  }
+  return receive_zone(polygons, edges_most);
+}
+
+}  // namespace rtac::geometry
