@@ -4,7 +4,7 @@
 # like a project of an outside user, because it is one.
 include(CMakePackageConfigHelpers)
 
-set(RTAC_COMPONENTS core stack sim planning optimize)
+set(RTAC_COMPONENTS core stack sim planning optimize zones)
 set(rtac_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rtac)
 
 foreach(component ${RTAC_COMPONENTS})
@@ -40,6 +40,7 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/RtacAddModule.cmake
   ${PROJECT_SOURCE_DIR}/runtime/adapters/planning/ompl_target.cmake
   ${PROJECT_SOURCE_DIR}/runtime/adapters/optimize/ipopt_target.cmake
+  ${PROJECT_SOURCE_DIR}/runtime/adapters/geometry/exact_target.cmake
   DESTINATION ${rtac_package_dir})
 
 # For builds without CMake: the two libraries that every generated module links.
