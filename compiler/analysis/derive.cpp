@@ -131,9 +131,20 @@ class Deriver {
     return to;
   }
   static ir::EdgeTree tree(const geometry::CellTree& from) {
-    return {from.x_mm,     from.y_mm,  from.shift, from.column, from.row,
-            from.columns,  from.rows,  from.depth, from.leaves, from.edges_most,
-            from.exact_mm, from.words, from.lists};
+    return {.x_mm = from.x_mm,
+            .y_mm = from.y_mm,
+            .shift = from.shift,
+            .column = from.column,
+            .row = from.row,
+            .columns = from.columns,
+            .rows = from.rows,
+            .depth = from.depth,
+            .leaves = from.leaves,
+            .edges_most = from.edges_most,
+            .exact_mm = from.exact_mm,
+            .exact_inside_mm = from.exact_inside_mm,
+            .words = from.words,
+            .lists = from.lists};
   }
   // A zone on the grid is one region, another one two: what is in it, and what contains it.
   std::vector<ir::Region> number_regions(const std::vector<ZoneUse>& wanted) {

@@ -11,6 +11,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
 namespace {
@@ -118,31 +119,41 @@ class WellFormed {
   }
 
   // Beyond the distances that a tree of cells holds exactly, its bounds from below may fail places
-  // that are far enough from the boundary.
+  // that are far enough from the boundary. In a zone that is not much wider than that, few are.
   void exact_far_enough(const ir::Decision& decision, const ir::Monitor& monitor) {
-    if (!monitor.ahead) return;
+    if (!monitor.lookahead.duration) return;
     const std::int64_t t_us =
         horizon_us_max(decision.body, monitor.lookahead.duration_us) + decision.return_extra_us;
     const std::int64_t reach_mm =
         disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps, t_us);
-    for (const ir::Value& v : monitor.ahead->values) {
-      const auto* within = std::get_if<ir::ZoneReach>(&v.op);
-      if (!within) continue;
-      const ir::ZoneTable& zone = module_[within->zone];
-      const std::int64_t need = reach_mm + within->least_mm;
-      if (zone.tree.exact_mm.value_or(INT32_MAX) >= need) continue;
-      diag::Diagnostic d{};
-      d.code = Code::too_many_edges;
-      d.range = source_of(within->zone);
-      d.message = "distances to the boundary of `" + zone.name + "` are exact up to " +
-                  metres(*zone.tree.exact_mm) + " alone, since it has " +
-                  std::to_string(zone.edges.size()) + " edges in tables of 64 bytes an edge";
-      d.notes.push_back({std::nullopt, "monitor `" + monitor.name + "` looks " + metres(need) +
-                                           " ahead at full speed"});
-      d.help = "fewer vertices, a shorter `ahead` or a lower `speed` work";
-      diagnostics_.report(std::move(d));
-      return;
+    for (const ir::Value& v : monitor.property.values) {
+      const auto* compare = std::get_if<ir::AtLeast>(&v.op);
+      const auto bound = compare
+                             ? ir::lower_bound(monitor.property, *compare, decision.facts.params)
+                             : std::nullopt;
+      if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) continue;
+      const ir::ZoneIndex zone{bound->leaf.table};
+      const std::int64_t need = reach_mm + bound->need.strictest;
+      const std::int64_t enough = std::min<std::int64_t>(need, module_[zone].widest_mm / 4 * 3);
+      if (const auto exact = module_[zone].tree.exact_inside_mm; exact && *exact < enough) {
+        too_short(monitor, zone, *exact, need);
+        return;
+      }
     }
+  }
+  void too_short(const ir::Monitor& monitor, ir::ZoneIndex index, std::int64_t exact_mm,
+                 std::int64_t need_mm) {
+    const ir::ZoneTable& zone = module_[index];
+    diag::Diagnostic d{};
+    d.code = Code::too_many_edges;
+    d.range = source_of(index);
+    d.message = "distances to the boundary of `" + zone.name + "` are exact up to " +
+                metres(exact_mm) + " alone: it has " + std::to_string(zone.edges.size()) +
+                " edges, in tables of 64 bytes an edge and 64 KiB";
+    d.notes.push_back({std::nullopt, "monitor `" + monitor.name + "` needs a clearance of " +
+                                         metres(need_mm) + " at full speed"});
+    d.help = "fewer vertices, a shorter `ahead` or a lower `speed` work";
+    diagnostics_.report(std::move(d));
   }
 
   void site(sema::KindId kind, const ir::Decision& decision, const ir::Monitor& monitor) {

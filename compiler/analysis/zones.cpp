@@ -4,13 +4,15 @@
 #include <iterator>
 #include <string>
 
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/reach.h"
 #include "compiler/analysis/ring_problems.h"
 #include "compiler/analysis/sites.h"
+#include "compiler/sema/dimension.h"
+#include "compiler/sema/visit.h"
 
 namespace rtac::analysis {
 namespace {
-
-constexpr std::int64_t exact_mm_wanted = 50'000;  // more than what robots look ahead
 
 using diag::Code;
 using sema::ZoneId;
@@ -239,7 +241,8 @@ namespace {
 // From what is exact to tables; a zone that the grid cannot hold is reported.
 class Baker {
  public:
-  explicit Baker(diag::Engine& diagnostics) : diagnostics_(diagnostics) {}
+  Baker(std::int64_t exact_mm, diag::Engine& diagnostics)
+      : exact_mm_(exact_mm), diagnostics_(diagnostics) {}
 
   // `around`: the zone as a keep-out, of one that points ask for.
   std::optional<EvaluatedZone> bake(const sema::Zone& zone, const ZoneUse& use,
@@ -280,7 +283,7 @@ class Baker {
   }
   // False: reported.
   bool grow(const geometry::SnappedZone& zone, geometry::CellTree& to) {
-    auto grown = geometry::grow_cell_tree(zone, exact_mm_wanted);
+    auto grown = geometry::grow_cell_tree(zone, exact_mm_);
     if (const auto* dense = std::get_if<geometry::TooDense>(&grown)) {
       too_dense(*dense);
       return false;
@@ -290,7 +293,7 @@ class Baker {
   }
   void too_dense(const geometry::TooDense& at) {
     report(Code::too_many_edges,
-           std::to_string(at.edges) + " edges of the zone lie within " +
+           "about " + std::to_string(at.edges) + " edges of the zone lie within " +
                metres(Rational(at.within_mm, 1000)) + " of (" + metres(Rational(at.at.x_mm, 1000)) +
                ", " + metres(Rational(at.at.y_mm, 1000)) + "); a decision checks at most " +
                std::to_string(geometry::cell_edges_max) +
@@ -299,9 +302,36 @@ class Baker {
            "stay in, one around it for a zone to keep out of");
   }
 
+  std::int64_t exact_mm_;  // distances that are to be exact
   diag::Engine& diagnostics_;
   SourceRange range_;
 };
+
+// Lengths that properties of points name, and what any robot looks ahead at full speed; at least
+// 50 m. For more, tables would be longer.
+std::int64_t exact_wanted_mm(const sema::Spec& spec) {
+  std::int64_t most_mm = 50'000;
+  std::int64_t ahead_us = 1'000'000;
+  for (const sema::Monitor& m : spec.monitors) {
+    if (m.ahead.duration) {
+      ahead_us = std::max(ahead_us, ceil_to_int(m.ahead.duration->value * 1'000'000));
+    }
+  }
+  const auto named = [&](const sema::Expr& e) {
+    const auto* constant = std::get_if<sema::Constant>(&e.node);
+    if (!constant || e.dimension != sema::dims::length) return;
+    most_mm = std::max(most_mm, ceil_to_int(abs(constant->value) * 1500));
+  };
+  for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, named);
+  for (const sema::RobotKind& kind : spec.kinds) {
+    const ir::Body body = body_of(kind, ahead_us);
+    if (body.brake_mmps2 <= 0) continue;  // reported
+    const ir::Motion motion = any_control(kind);
+    most_mm = std::max(
+        most_mm, 2 * disc_mm(body, motion, motion.speed_mmps, horizon_us_max(body, ahead_us)));
+  }
+  return most_mm;
+}
 
 }  // namespace
 
@@ -317,7 +347,7 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
                                                          const std::vector<ZoneUse>& wanted,
                                                          diag::Engine& diagnostics) {
   Evaluator evaluator(spec, diagnostics);
-  Baker baker(diagnostics);
+  Baker baker(diagnostics.has_errors() ? 0 : exact_wanted_mm(spec), diagnostics);
   std::vector<std::optional<EvaluatedZone>> result(spec.zones.size());
   for (std::uint32_t i = 0; i < spec.zones.size(); ++i) {
     auto region = evaluator.zone(ZoneId(i));  // unused zones are validated too

@@ -176,16 +176,13 @@ class Source {
       out.blank();
     }
   }
-  // Zones of a few edges beside one of many have a tree, too: there is one kind of zone in a
-  // kernel.
+  // Of all zones or of none: there is one kind of zone in a kernel.
   bool needs_trees() const {
-    const auto many = [](const auto& zone) { return zone.edges.size() > edges_without_tree; };
-    for (std::size_t i = 0; i < module_.zones.size(); ++i) {
-      if (used(ZoneIndex(i)) && many(module_.zones[i])) return true;
-    }
-    return module_.watch &&
-           (asks_for_received(*module_.watch) ||
-            std::any_of(module_.watch->regions.begin(), module_.watch->regions.end(), many));
+    const auto has_tree = [](const auto& zone) { return !zone.tree.words.empty(); };
+    return std::any_of(module_.zones.begin(), module_.zones.end(), has_tree) ||
+           (module_.watch &&
+            (asks_for_received(*module_.watch) ||
+             std::any_of(module_.watch->regions.begin(), module_.watch->regions.end(), has_tree)));
   }
   // Of a ZoneTable or a Region.
   template <class Zone>
@@ -222,8 +219,8 @@ class Source {
     const std::string cells = words("_cells", t.words);
     const std::string lists = t.lists.empty() ? "0" : words("_lists", t.lists);
     std::string fields = "{" + symbol + "_edges, " + cells + ", " + lists;
-    for (const std::int32_t f :
-         {t.x_mm, t.y_mm, t.shift, t.column, t.row, t.columns, t.rows, t.depth, t.leaves}) {
+    for (const std::int32_t f : {t.x_mm, t.y_mm, t.shift, t.column, t.row, t.columns, t.rows,
+                                 t.depth, t.leaves, t.exact_mm.value_or(INT32_MAX)}) {
       fields += ", " + num(f);
     }
     return fields + "}";

@@ -83,6 +83,24 @@ std::string cost(const sema::Expr& e, const Block& block, bool of_others) {
          (bytes > 0 ? ", " + count(static_cast<std::size_t>(bytes), "byte") + " of state" : "");
 }
 
+// Places farther from a zone than its tables reach are not known as well.
+std::string near_enough(const ir::Watch& watch, const Block& block) {
+  std::optional<std::int32_t> least_mm;
+  const auto look = [&](ir::RegionIndex index) {
+    const auto& exact = watch.regions[static_cast<std::size_t>(index)].tree.exact_mm;
+    if (exact) least_mm = std::min(least_mm.value_or(*exact), *exact);
+  };
+  for (const Value& v : block.values) {
+    if (const auto* c = std::get_if<ir::PointClearance>(&v.op)) {
+      look(c->within);
+      look(c->around);
+    }
+  }
+  if (!least_mm) return "";
+  return ", of places within " + to_decimal(Rational(*least_mm, 1000)) +
+         " m of the boundary of each zone";
+}
+
 }  // namespace
 
 std::string PropertyRemarks::rounding(const PlainMonitor& m) const {
@@ -102,7 +120,8 @@ std::string PropertyRemarks::rounding(const PlainMonitor& m) const {
     text += (text.empty() ? "" : ", or ") + sema::show(decimals(si, true), unit.dimension);
   }
   return "rounding: an exact margin is decided when it is more than " + text + " away from 0" +
-         (bound.has_rounded_choice ? ", with both sides of a choice known" : "");
+         (bound.has_rounded_choice ? ", with both sides of a choice known" : "") +
+         near_enough(watch_, m.property);
 }
 
 void PropertyRemarks::expressions(const sema::Expr& root, const SourceRange& owner,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <unordered_map>
 
 #include "compiler/geometry/cell_distance.h"
@@ -58,7 +59,8 @@ struct Bud {
 
   // The next one to be divided is that which is nearest to the boundary.
   friend bool operator<(const Bud& a, const Bud& b) {
-    return a.near.least_nearest > b.near.least_nearest;
+    const double of_a = a.near.least_nearest, of_b = b.near.least_nearest;
+    return of_a != of_b ? of_a > of_b : a.slot > b.slot;
   }
 };
 
@@ -76,7 +78,7 @@ class Growth {
     start_grid(whole, corners);
     start_outside(whole, grid_.cells(), 0);
     const std::size_t most_a_division = 16 * (1 + terms_.edges_max) * 4;
-    while (!buds_.empty()) {
+    while (!buds_.empty() && !refused_) {
       std::pop_heap(buds_.begin(), buds_.end());
       const Bud bud = std::move(buds_.back());
       buds_.pop_back();
@@ -111,7 +113,10 @@ class Growth {
   }
   // Cells that are not in the grid; what they share with the grid is never asked for.
   void start_outside(const Part& part, std::size_t slot, std::int32_t depth) {
-    if (grid_.index(part.square)) return;
+    if (grid_.index(part.square)) {
+      ++tree_.leaves;  // a word that nothing leads to
+      return;
+    }
     if (part.near.edges.size() <= terms_.edges_max || part.parts.empty()) {
       start({slot, part.square, part.near, false, depth});
       return;
@@ -155,10 +160,14 @@ class Growth {
       refused_ = TooDense{middle(bud.square), bud.near.edges.size(), bud.square.side_mm};
     }
     ++tree_.leaves;
-    const auto down = static_cast<std::int64_t>(distance_mm * (1 - 1e-9) - 1e-3);
+    const auto down = static_cast<std::int32_t>(
+        std::clamp<double>(distance_mm * (1 - 1e-9) - 1e-3, 0, far_most_mm));
     tree_.words[bud.slot] = far_word(down, bud.inside);
-    tree_.exact_mm = static_cast<std::int32_t>(std::min<std::int64_t>(
-        tree_.exact_mm.value_or(INT32_MAX), std::max<std::int64_t>(down, 0)));
+    const auto at_most = [&](std::optional<std::int32_t>& exact) {
+      exact = std::min(exact.value_or(down), down);
+    };
+    at_most(tree_.exact_mm);
+    if (bud.inside) at_most(tree_.exact_inside_mm);
   }
   std::uint32_t leaf(const Bud& bud) {
     const std::vector<std::uint32_t>& near = bud.near.edges;
@@ -167,10 +176,13 @@ class Growth {
                            return meets_closed(bud.square, edges_[e]);
                          });
     ++tree_.leaves;
-    tree_.edges_most = std::max(tree_.edges_most, static_cast<std::int32_t>(near.size()));
-    const bool neighbours = near.back() - near.front() + 1 == near.size();
-    return neighbours ? run_word(near.front(), near.size(), bud.inside, crossed)
-                      : list_word(list(near), near.size(), bud.inside, crossed);
+    // Edges that lie between them in number do no harm, and need no list.
+    const std::size_t run = near.back() - near.front() + 1;
+    const bool is_run = run <= terms_.edges_max;
+    const std::size_t checked = is_run ? run : near.size();
+    tree_.edges_most = std::max(tree_.edges_most, static_cast<std::int32_t>(checked));
+    return is_run ? run_word(near.front(), run, bud.inside, crossed)
+                  : list_word(list(near), near.size(), bud.inside, crossed);
   }
   // Wider than the cells of the grid: it lies outside, but for what it shares with the grid.
   [[nodiscard]] bool outside(const Square& square) const {
@@ -212,21 +224,25 @@ class Grower {
 
   std::variant<CellTree, TooDense> run(std::int64_t wanted_mm) {
     const std::size_t n = edges_.size();
-    const std::size_t most = cell_tree_bytes_max(n) - n * edge_bytes;
+    // Words have 24 bits for the places of lists.
+    const std::size_t most =
+        std::min<std::size_t>(cell_tree_bytes_max(n) - n * edge_bytes, 1U << 26);
     const std::size_t few =
         std::min(most, 64 * n + 2048 - n * edge_bytes);  // small zones stay small
     std::vector<Terms> attempts = {{8, few}, {cell_edges_max, few}, {8, most}};
     if (n > 20'000) attempts = {{8, few}};  // an attempt takes seconds
-    for (const Terms& terms : attempts) {
-      Growth growth(edges_, grid_, terms);
+    attempts.push_back({cell_edges_max, most});
+    std::optional<TooDense> refusal;
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+      Growth growth(edges_, grid_, attempts[i]);
       growth.grow(whole_, corners_);
+      refusal = growth.refusal();
+      if (refusal) continue;
       CellTree tree = growth.take();
-      if (tree.exact_mm.value_or(INT32_MAX) >= wanted_mm) return tree;
+      const bool is_last = i + 1 == attempts.size();
+      if (is_last || tree.exact_inside_mm.value_or(INT32_MAX) >= wanted_mm) return tree;
     }
-    Growth growth(edges_, grid_, {cell_edges_max, most});
-    growth.grow(whole_, corners_);
-    if (growth.refusal()) return *growth.refusal();
-    return growth.take();
+    return *refusal;
   }
 
  private:

@@ -21,9 +21,10 @@ namespace rtac::geometry {
 //   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
 //   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row.
 // Its edges: those that can be the nearest one to some place of the closed cell; bits 24 to 27 tell
-// how many, less one. Bit 28: the boundary meets the closed cell. Bit 29: the region contains a
-// place just inside the south-west corner of the cell: nearer to its south side than to any vertex
-// off that side, and much nearer still to its west side.
+// how many, less one. Bit 28: the boundary meets the closed cell (of one
+// that is wider than those of the grid: 0, since its places outside the grid are outside). Bit 29:
+// the region contains a place just inside the south-west corner of the cell: nearer to its south
+// side than to any vertex off that side, and much nearer still to its west side.
 struct CellTree {
   std::int32_t x_mm = 0, y_mm = 0;   // south-west corner of the square
   std::int32_t shift = 0;            // the cells of the grid are 2^shift mm wide, an even power
@@ -32,8 +33,9 @@ struct CellTree {
   std::int32_t depth = 0;   // most splits on the way to a cell
   std::int32_t leaves = 0;  // cells without parts
   std::int32_t edges_most = 0;
-  // Distances up to this one are exact; longer ones are bounded from below. nullopt: all are.
-  std::optional<std::int32_t> exact_mm;
+  // Distances up to this one are exact; longer ones are bounded from below. nullopt: all are. The
+  // same of places inside.
+  std::optional<std::int32_t> exact_mm, exact_inside_mm;
   std::vector<std::uint32_t> words;  // the grid, the square, then the parts of cells
   std::vector<std::uint32_t> lists;
 
@@ -46,7 +48,7 @@ constexpr std::size_t cell_tree_bytes_max(std::size_t edges) {
   return 64 * edges + 65536;
 }
 
-// Why there is no such tree: so many edges are equally near to a place, within so many mm of it.
+// Why there is no such tree: about so many edges lie in a square about a place, so many mm wide.
 struct TooDense {
   GridPoint at;
   std::size_t edges = 0;
@@ -54,7 +56,7 @@ struct TooDense {
 };
 
 // Edges are numbered as edge_rows does. The zone has at least one ring. Distances up to `wanted_mm`
-// are exact if the bytes suffice; with bytes left, cells have fewer edges.
+// inside are exact if the bytes suffice; with bytes left, cells have fewer edges.
 std::variant<CellTree, TooDense> grow_cell_tree(const SnappedZone& zone, std::int64_t wanted_mm);
 
 }  // namespace rtac::geometry

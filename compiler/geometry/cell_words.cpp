@@ -32,10 +32,8 @@ bool spans_y(const PreparedEdge& e, std::int64_t y) {
 
 }  // namespace
 
-std::uint32_t far_word(std::int64_t distance_mm, bool inside) {
-  constexpr std::int64_t most = (std::int64_t{1} << 28) - 1;  // bit 28 stays 0
-  return kind(0) | (inside ? 1U << 29 : 0) |
-         static_cast<std::uint32_t>(std::clamp<std::int64_t>(distance_mm, 0, most));
+std::uint32_t far_word(std::int32_t distance_mm, bool inside) {
+  return kind(0) | (inside ? 1U << 29 : 0) | static_cast<std::uint32_t>(distance_mm);
 }
 std::uint32_t run_word(std::size_t first, std::size_t edges, bool inside, bool crossed) {
   return edges_word(1, first, edges, inside, crossed);

@@ -11,8 +11,10 @@
 namespace rtac::geometry {
 
 inline constexpr int square_shift = 32;
+inline constexpr std::int32_t far_most_mm = (1 << 28) - 1;
 
-std::uint32_t far_word(std::int64_t distance_mm, bool inside);
+// `distance_mm`: 0 to far_most_mm.
+std::uint32_t far_word(std::int32_t distance_mm, bool inside);
 std::uint32_t run_word(std::size_t first, std::size_t edges, bool inside, bool crossed);
 std::uint32_t list_word(std::size_t at, std::size_t edges, bool inside, bool crossed);
 std::uint32_t split_word(std::size_t at);

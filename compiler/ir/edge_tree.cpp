@@ -9,7 +9,7 @@ class TreeChecker {
  public:
   TreeChecker(const EdgeTree& tree, std::size_t edges) : tree_(tree), edges_(edges) {}
 
-  [[nodiscard]] bool is_good() const {
+  [[nodiscard]] bool is_good() {
     const auto grid =
         static_cast<std::size_t>(tree_.columns) * static_cast<std::size_t>(tree_.rows);
     if (tree_.columns < 1 || tree_.rows < 1 || tree_.words.size() <= grid) return false;
@@ -17,16 +17,17 @@ class TreeChecker {
     for (std::size_t i = 0; i < grid; ++i) {
       if (!is_good(i, tree_.shift, 0)) return false;
     }
-    return is_good(grid, 32, 0);
+    return is_good(grid, 32, 0) && leaves_ <= tree_.leaves;
   }
 
  private:
-  [[nodiscard]] bool is_good(std::size_t at, std::int32_t shift, std::int32_t depth) const {
+  [[nodiscard]] bool is_good(std::size_t at, std::int32_t shift, std::int32_t depth) {
     const std::uint32_t word = tree_.words[at];
+    if (word >> 30 != 3) ++leaves_;
     const std::size_t first = word & 0xffffff, count = (word >> 24 & 15) + 1;
     switch (word >> 30) {
       case 0:
-        return true;
+        return (word >> 28 & 1) == 0;
       case 1:
         return first + count <= edges_;
       case 2:
@@ -35,11 +36,11 @@ class TreeChecker {
                            tree_.lists.begin() + std::ptrdiff_t(first + count),
                            [&](std::uint32_t e) { return e < edges_; });
       default:
-        return are_good(word & 0x3fffffff, shift - 2, depth + 1);
+        return (word & 0x3fffffff) > at && are_good(word & 0x3fffffff, shift - 2, depth + 1);
     }
   }
   // Parts come after what they are parts of, so that there is no way back.
-  [[nodiscard]] bool are_good(std::size_t first, std::int32_t shift, std::int32_t depth) const {
+  [[nodiscard]] bool are_good(std::size_t first, std::int32_t shift, std::int32_t depth) {
     if (shift < 0 || depth > tree_.depth || first + 16 > tree_.words.size()) return false;
     for (std::size_t i = first; i < first + 16; ++i) {
       if (!is_good(i, shift, depth)) return false;
@@ -49,6 +50,7 @@ class TreeChecker {
 
   const EdgeTree& tree_;
   std::size_t edges_;
+  std::int32_t leaves_ = 0;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace rtac::ir {
 
 // Every word leads to edges, to lists or to parts that are there, and a place passes `depth`
-// divisions at most. A zone of a few edges needs no tree.
+// divisions at most; there are no more than `leaves` cells. A zone of a few edges needs no tree.
 bool leads_to_edges(const EdgeTree& tree, std::size_t edges);
 
 }  // namespace rtac::ir

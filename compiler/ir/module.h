@@ -35,7 +35,8 @@ struct EdgeTree {
   std::int32_t column = 0, row = 0, columns = 0, rows = 0;  // of the grid, in cells
   std::int32_t depth = 0, leaves = 0;                       // most divisions; undivided cells
   std::int32_t edges_most = 0;                              // of a cell
-  std::optional<std::int32_t> exact_mm;  // longest distance that is exact; none: all are
+  // longest distance that is exact, of all places and of those inside; none: all are
+  std::optional<std::int32_t> exact_mm, exact_inside_mm;
   std::vector<std::uint32_t> words, lists;
 
   [[nodiscard]] std::size_t bytes() const {

@@ -136,10 +136,9 @@ static int32_t may_lie_in(const zone *z, vec p) {
 static int32_t touches_only(const zone *z, vec from, vec to) {
   return segment_boundary_lo(z, from, to) == 0 && may_lie_in(z, to);
 }
-/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin leg_gap touches_only inside_zone margin_and margin_true */
+/*= plan_in_zone : zone_type plan_fault plan_unknown waypoint_of leg_margin leg_gap leg_gap_hi touches_only inside_zone margin_and margin_true */
 /* Every way-point and every leg of a proposed plan lies in the zone. `need_mm` covers the rounding
- * of the way-points; `leg_gap` is within 3 mm, so that a leg outside may be that much farther from
- * the zone. */
+ * of the way-points; a leg outside may be farther from the zone than `leg_gap` says. */
 static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_mm) {
   margin worst = margin_true();
   int32_t k, inside;
@@ -151,9 +150,10 @@ static margin plan_in_zone(const zone *z, const KERNEL_plan *plan, int64_t need_
     const vec to = waypoint_of(plan, k);
     const vec from = k > 0 ? waypoint_of(plan, k - 1) : to;
     const int64_t gap = leg_gap(z, from, to, &inside);
-    margin leg = leg_margin(gap - need_mm - (gap < -1 ? 2 : 0), REASON_LEG, k);
+    const int64_t least = gap < -1 ? -leg_gap_hi(z, -1 - gap, to) : gap;
+    margin leg = leg_margin(least - need_mm, REASON_LEG, k);
     if (gap >= 0 || (gap == -1 && touches_only(z, from, to))) {
-      leg.hi = (gap + 3 + need_mm) * WEIGHT_MM;
+      leg.hi = (leg_gap_hi(z, gap, to) + need_mm) * WEIGHT_MM;
     }
     worst = margin_and(worst, leg);
   }

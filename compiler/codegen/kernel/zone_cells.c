@@ -7,13 +7,15 @@
  *   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
  *   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row from the south-west.
  * Its edges: those that can be nearest to some place of it; bits 24 to 27: how many, less one. Bit
- * 28: the boundary meets it. Bit 29: its south-west corner, moved as in `crosses_way`, is inside. */
+ * 28: the boundary meets it; never of cells wider than those of the grid, whose places are outside.
+ * Bit 29: its south-west corner, moved as in `crosses_way`, is inside. */
 typedef struct zone {
   const edge *edges;
   const uint32_t *cells, *lists;
   int32_t x, y;                              /* south-west corner of the square */
   int32_t shift, column, row, columns, rows; /* of the grid where a place near the zone starts */
   int32_t depth, leaves;                     /* most splits on the way to a cell; cells */
+  int32_t exact;                             /* distances below are those of edges, in mm */
 } zone;
 /*= cell_type */
 typedef struct cell {
@@ -118,14 +120,10 @@ static place place_of(const zone *z, vec p) {
   at.inside = cell_inside(z, &c, 2 * p.x, 2 * p.y);
   return at;
 }
-/*= way_along @cells : magnitude div_up */
-/* a * (part / whole), rounded down, for part / whole in 0..1. */
-static int64_t way_along(int64_t a, int64_t part, int64_t whole) {
-  const int64_t product = magnitude(part) * a;
-  return product < 0 ? -div_up(-product, magnitude(whole)) : product / magnitude(whole);
-}
-/*= next_cell @cells : cell_type minus vec_of magnitude clamp_of way_along */
-/* Moves `at` to a place of the next cell that the segment p-e enters; 0: it ends in this one. */
+/*= next_cell @cells : cell_type minus vec_of magnitude clamp_of */
+/* Moves `at` to a place of the next cell that the segment p-e enters; 0: it ends in this one. Where
+ * it leaves this one is rounded towards p, and kept beside this one: at a corner, the next step leads
+ * on. Each step leaves a cell for good. */
 static int32_t next_cell(const cell *c, vec p, vec e, vec *at) {
   const vec d = minus(e, p);
   const int64_t x1 = c->x + (INT64_C(1) << c->shift);
@@ -139,9 +137,9 @@ static int32_t next_cell(const cell *c, vec p, vec e, vec *at) {
   }
   if (by_x && (!by_y || magnitude(q.x) * magnitude(d.y) <= magnitude(q.y) * magnitude(d.x))) {
     at->x = d.x > 0 ? x1 : c->x - 1;
-    at->y = clamp_of(p.y + way_along(d.y, q.x, d.x), c->y, y1 - 1);
+    at->y = clamp_of(p.y + d.y * magnitude(q.x) / magnitude(d.x), c->y, y1 - 1);
   } else {
-    at->x = clamp_of(p.x + way_along(d.x, q.y, d.y), c->x, x1 - 1);
+    at->x = clamp_of(p.x + d.x * magnitude(q.y) / magnitude(d.y), c->x, x1 - 1);
     at->y = d.y > 0 ? y1 : c->y - 1;
   }
   return 1;
@@ -167,5 +165,10 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
     }
     more = next_cell(&c, p, e, &at);
   }
-  return nearest_mm(&n);
+  return more ? 0 : nearest_mm(&n);
+}
+/*= leg_gap_hi @cells : zone_type boundary_gap max_of */
+/* Upper bound of the distance of a leg from the boundary; `gap`: the lower one, `to`: its end. */
+static int64_t leg_gap_hi(const zone *z, int64_t gap, vec to) {
+  return gap < z->exact ? gap + 3 : max_of(gap + 3, boundary_gap(z, to).hi);
 }

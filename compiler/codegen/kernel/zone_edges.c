@@ -59,3 +59,10 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
   }
   return nearest_mm(&n);
 }
+/*= leg_gap_hi @edges : zone_type */
+/* Upper bound of the distance of a leg from the boundary; `gap`: the lower one. */
+static int64_t leg_gap_hi(const zone *z, int64_t gap, vec to) {
+  (void)z;
+  (void)to;
+  return gap + 3;
+}

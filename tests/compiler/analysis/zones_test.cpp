@@ -1,6 +1,8 @@
 // Zones of a specification become tables on the safe side.
 #include "compiler/analysis/zones.h"
 
+#include <cmath>
+
 #include "tests/compiler/analysis/testing.h"
 
 namespace rtac::analysis::test {
@@ -108,6 +110,21 @@ TEST(Zones, ALargeZoneHasCellsThatRecoveriesSearch) {
   const ir::Cells& cells = room_of(*c).cells;
   EXPECT_EQ(cells.cell_mm, 250);
   EXPECT_LE(std::int64_t{cells.columns} * cells.rows, cells_most);
+}
+
+// Tables of 64 bytes an edge hold the distances of a few hundred metres; a fast robot needs more.
+TEST(Zones, DistancesThatARobotNeedsAreExactOrItIsAnError) {
+  std::string lake = "polygon [";
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = 2 * M_PI * i / 4000;
+    lake += (i > 0 ? ", (" : "(") + std::to_string(3000 * std::cos(angle)) + " m, " +
+            std::to_string(3000 * std::sin(angle)) + " m)";
+  }
+  const std::string slow = edited(drone_spec(), "rectangle (0 m, 0 m) to (5 m, 5 m)", lake + "]");
+  const auto good = compiled(slow);
+  EXPECT_FALSE(has(*good, diag::Code::too_many_edges)) << reports(*good);
+  const auto fast = compiled(edited(slow, "speed <= 1 m/s", "speed <= 80 m/s"));
+  EXPECT_TRUE(has(*fast, diag::Code::too_many_edges)) << reports(*fast);
 }
 
 // The zone that the help speaks of compiles.

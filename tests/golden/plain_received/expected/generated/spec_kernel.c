@@ -327,13 +327,15 @@ static void near_edge(const edge *e, vec p, nearest *n) {
  *   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
  *   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row from the south-west.
  * Its edges: those that can be nearest to some place of it; bits 24 to 27: how many, less one. Bit
- * 28: the boundary meets it. Bit 29: its south-west corner, moved as in `crosses_way`, is inside. */
+ * 28: the boundary meets it; never of cells wider than those of the grid, whose places are outside.
+ * Bit 29: its south-west corner, moved as in `crosses_way`, is inside. */
 typedef struct zone {
   const edge *edges;
   const uint32_t *cells, *lists;
   int32_t x, y;                              /* south-west corner of the square */
   int32_t shift, column, row, columns, rows; /* of the grid where a place near the zone starts */
   int32_t depth, leaves;                     /* most splits on the way to a cell; cells */
+  int32_t exact;                             /* distances below are those of edges, in mm */
 } zone;
 
 typedef struct cell {
@@ -783,6 +785,7 @@ static zone zone_of_outline(const field_outline *o) {
   z.rows = o->rows;
   z.depth = o->depth;
   z.leaves = o->leaves;
+  z.exact = 0; /* no legs are held against it */
   return z;
 }
 
@@ -826,7 +829,7 @@ static const edge region_within_base_edges[] = {
 static const uint32_t region_within_base_cells[] = {
   0x53000000, 0x43000000
 };
-static const zone region_within_base = {region_within_base_edges, region_within_base_cells, 0, -1431655765, -1431655765, 18, 5461, 5461, 1, 1, 0, 2};
+static const zone region_within_base = {region_within_base_edges, region_within_base_cells, 0, -1431655765, -1431655765, 18, 5461, 5461, 1, 1, 0, 2, 2147483647};
 
 /* ---- monitors without a robot ---- */
 /* What a tick knows of its inputs. */

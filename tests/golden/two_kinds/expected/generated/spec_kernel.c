@@ -602,6 +602,13 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
   return nearest_mm(&n);
 }
 
+/* Upper bound of the distance of a leg from the boundary; `gap`: the lower one. */
+static int64_t leg_gap_hi(const zone *z, int64_t gap, vec to) {
+  (void)z;
+  (void)to;
+  return gap + 3;
+}
+
 /* Signed gap between the body and the boundary, now; `at`: the place of the measured position. */
 static span clearance_now(const place *at, const estimate *s, const body *b, const motion *m) {
   if (s->p_input != TWO_KINDS_INPUT_NONE) {
@@ -723,8 +730,7 @@ static int32_t touches_only(const zone *z, vec from, vec to) {
 }
 
 /* Every way-point and every leg of a proposed plan lies in the zone. `need_mm` covers the rounding
- * of the way-points; `leg_gap` is within 3 mm, so that a leg outside may be that much farther from
- * the zone. */
+ * of the way-points; a leg outside may be farther from the zone than `leg_gap` says. */
 static margin plan_in_zone(const zone *z, const two_kinds_plan *plan, int64_t need_mm) {
   margin worst = margin_true();
   int32_t k, inside;
@@ -736,9 +742,10 @@ static margin plan_in_zone(const zone *z, const two_kinds_plan *plan, int64_t ne
     const vec to = waypoint_of(plan, k);
     const vec from = k > 0 ? waypoint_of(plan, k - 1) : to;
     const int64_t gap = leg_gap(z, from, to, &inside);
-    margin leg = leg_margin(gap - need_mm - (gap < -1 ? 2 : 0), TWO_KINDS_REASON_LEG, k);
+    const int64_t least = gap < -1 ? -leg_gap_hi(z, -1 - gap, to) : gap;
+    margin leg = leg_margin(least - need_mm, TWO_KINDS_REASON_LEG, k);
     if (gap >= 0 || (gap == -1 && touches_only(z, from, to))) {
-      leg.hi = (gap + 3 + need_mm) * WEIGHT_MM;
+      leg.hi = (leg_gap_hi(z, gap, to) + need_mm) * WEIGHT_MM;
     }
     worst = margin_and(worst, leg);
   }
