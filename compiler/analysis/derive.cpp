@@ -49,6 +49,7 @@ class Deriver {
     if (diagnostics_.has_errors()) return std::nullopt;
     number_zones(wanted);
     std::vector<ir::Region> regions = number_regions(wanted);
+    std::vector<ir::Solid> solids = number_solids(regions);
     keep_trees(regions);
     number_sites();
     for (const sema::Decision& decision : spec_.decisions) {
@@ -56,8 +57,8 @@ class Deriver {
     }
     const ir::Signals signals = ir::build_signals(spec_, diagnostics_);
     ir::build_blocks(spec_, out_.tables, signals, sources_, out_.module, diagnostics_);
-    out_.module.watch =
-        ir::build_watch(spec_, signals, sources_, std::move(regions), out_.tables, diagnostics_);
+    out_.module.watch = ir::build_watch(spec_, signals, sources_, std::move(regions),
+                                        std::move(solids), out_.tables, diagnostics_);
     for (ir::Decision& d : out_.module.decisions) fill_clearances(d);
     fill_costs();
     check_well_formed(spec_, out_.module, out_.tables, diagnostics_);
@@ -155,7 +156,7 @@ class Deriver {
         out_.tables.regions[i] = {ir::RegionIndex(regions.size()), ir::RegionIndex(regions.size())};
         regions.push_back({spec_.zones[i].name, false, {}, {}, 0});  // the channel is found later
       }
-      if (!zones_[i] || !wanted[i].points) continue;
+      if (!zones_[i] || !wanted[i].points || zones_[i]->solid) continue;
       const auto& zone = out_.tables.zones[i];
       const std::string name = zone ? out_.module[*zone].name : table_name(spec_.zones[i], regions);
       regions.push_back({name, false, edges(zones_[i]->baked.edges), tree(zones_[i]->tree)});
@@ -184,6 +185,42 @@ class Deriver {
     if (std::ranges::any_of(out_.module.zones, many) || std::ranges::any_of(regions, many)) return;
     for (ir::ZoneTable& z : out_.module.zones) z.tree = {};
     for (ir::Region& r : regions) r.tree = {};
+  }
+  // A zone with height: a region for each of its slabs.
+  std::vector<ir::Solid> number_solids(std::vector<ir::Region>& regions) {
+    std::vector<ir::Solid> solids;
+    out_.tables.solids.resize(spec_.zones.size());
+    for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
+      if (!zones_[i] || !zones_[i]->solid) continue;
+      const EvaluatedSolid& zone = *zones_[i]->solid;
+      const std::string name = table_name(spec_.zones[i], regions);
+      solids.push_back(solid(name, false, zone.within, regions));
+      const ir::SolidIndex within{static_cast<std::uint32_t>(solids.size() - 1)};
+      ir::SolidIndex around = within;
+      if (!std::ranges::equal(zone.within, zone.around, same_slab)) {
+        around = ir::SolidIndex(solids.size());
+        solids.push_back(solid(name, true, zone.around, regions));
+      }
+      out_.tables.solids[i] = {within, around};
+    }
+    return solids;
+  }
+  static bool same_slab(const BakedSlab& a, const BakedSlab& b) {
+    return a.floor_mm == b.floor_mm && a.ceiling_mm == b.ceiling_mm &&
+           std::ranges::equal(a.edges, b.edges,
+                              [](const geometry::EdgeRow& e, const geometry::EdgeRow& f) {
+                                return e.a == f.a && e.b == f.b;
+                              });
+  }
+  static ir::Solid solid(const std::string& name, bool around, const std::vector<BakedSlab>& slabs,
+                         std::vector<ir::Region>& regions) {
+    ir::Solid to{name, around, {}};
+    for (const BakedSlab& slab : slabs) {
+      to.slabs.push_back({slab.floor_mm, slab.ceiling_mm, ir::RegionIndex(regions.size())});
+      regions.push_back({name, around, edges(slab.edges), tree(slab.tree), std::nullopt,
+                         static_cast<std::uint32_t>(to.slabs.size())});
+    }
+    return to;
   }
   static ir::ZoneTable table(std::string name, const EvaluatedZone& zone) {
     ir::ZoneTable t;

@@ -21,17 +21,6 @@ std::string metres(const Rational& value) {
   return to_decimal(value) + " m";
 }
 
-bool fits_grid(const geometry::Region& region) {
-  const Rational limit(536'870'911, 1000);  // 2^29 mm
-  const auto beyond = [&](const geometry::Point& p) {
-    return abs(p.x) > limit || abs(p.y) > limit;
-  };
-  for (const geometry::PolygonWithHoles& part : region.polygons()) {
-    if (std::any_of(part.outer.begin(), part.outer.end(), beyond)) return false;
-  }
-  return true;
-}
-
 geometry::BakedZone baked(const geometry::SnappedZone& zone) {
   if (zone.rings.empty()) return {};
   geometry::GridPoint low = zone.rings[0][0], high = low;
@@ -51,19 +40,21 @@ class Evaluator {
       : spec_(spec),
         diagnostics_(diagnostics),
         regions_(2 * spec.zones.size()),
-        visited_(2 * spec.zones.size(), false) {}
+        visited_(2 * spec.zones.size(), false),
+        solids_(spec, diagnostics,
+                [this](const sema::ZoneExpr& base, Side side) { return expr(base, side); }) {}
 
   // The zone as a keep-in: never larger than the exact one. nullopt: faulty, and reported where
   // the fault is.
   std::optional<geometry::Region> zone(ZoneId id) { return zone(id, Side::inner); }
   // The zone as a keep-out: never smaller than the exact one.
   std::optional<geometry::Region> around(ZoneId id) { return zone(id, Side::outer); }
+  // Zones with height.
+  SolidEvaluator& solids() { return solids_; }
 
  private:
   using Result = std::optional<geometry::Region>;
   // Curves are approximated from within, or from without where the zone is subtracted.
-  enum class Side { inner, outer };
-  static Side other(Side side) { return side == Side::inner ? Side::outer : Side::inner; }
 
   Result zone(ZoneId id, Side side) {
     const auto i = 2 * static_cast<std::uint32_t>(id) + (side == Side::inner ? 0 : 1);
@@ -88,6 +79,7 @@ class Evaluator {
     const Result of = zone(complement.zone, other(side));
     return of ? Result(geometry::Region::everywhere().subtract(*of)) : std::nullopt;
   }
+  Result eval(const sema::ZonePrism&, const SourceRange&, Side) { return std::nullopt; }
   Result eval(const sema::ZoneCircle& circle, const SourceRange&, Side side) {
     return geometry::Region::circle({circle.centre.x, circle.centre.y}, circle.radius,
                                     side == Side::inner);
@@ -215,9 +207,21 @@ class Evaluator {
   diag::Engine& diagnostics_;
   std::vector<Result> regions_;
   std::vector<bool> visited_;
+  SolidEvaluator solids_;
 };
 
 }  // namespace
+
+bool fits_grid(const geometry::Region& region) {
+  const Rational limit(536'870'911, 1000);  // 2^29 mm
+  const auto beyond = [&](const geometry::Point& p) {
+    return abs(p.x) > limit || abs(p.y) > limit;
+  };
+  for (const geometry::PolygonWithHoles& part : region.polygons()) {
+    if (std::any_of(part.outer.begin(), part.outer.end(), beyond)) return false;
+  }
+  return true;
+}
 
 std::int32_t cell_mm_for(std::int64_t width_mm, std::int64_t height_mm) {
   constexpr std::int64_t step_mm = 10;
@@ -335,11 +339,22 @@ std::int64_t exact_wanted_mm(const sema::Spec& spec) {
 
 }  // namespace
 
-std::vector<std::optional<geometry::Region>> exact_zones(const sema::Spec& spec) {
+std::vector<std::vector<ShownSlab>> exact_zones(const sema::Spec& spec) {
   diag::Engine reported_before;
   Evaluator evaluator(spec, reported_before);
-  std::vector<std::optional<geometry::Region>> zones;
-  for (std::uint32_t i = 0; i < spec.zones.size(); ++i) zones.push_back(evaluator.zone(ZoneId(i)));
+  std::vector<std::vector<ShownSlab>> zones;
+  for (std::uint32_t i = 0; i < spec.zones.size(); ++i) {
+    std::vector<ShownSlab>& slabs = zones.emplace_back();
+    if (spec.zones[i].has_height) {
+      const auto solid = evaluator.solids().zone(ZoneId(i), Side::inner);
+      if (!solid) continue;
+      for (const geometry::Slab& slab : solid->slabs()) {
+        slabs.push_back({slab.region, std::pair(slab.floor, slab.ceiling)});
+      }
+    } else if (auto region = evaluator.zone(ZoneId(i))) {
+      slabs.push_back({std::move(*region), std::nullopt});
+    }
+  }
   return zones;
 }
 
@@ -350,8 +365,17 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
   Baker baker(diagnostics.has_errors() ? 0 : exact_wanted_mm(spec), diagnostics);
   std::vector<std::optional<EvaluatedZone>> result(spec.zones.size());
   for (std::uint32_t i = 0; i < spec.zones.size(); ++i) {
-    auto region = evaluator.zone(ZoneId(i));  // unused zones are validated too
     const ZoneUse& use = wanted[i];
+    if (spec.zones[i].has_height) {
+      const auto exact = evaluator.solids().zone(ZoneId(i), Side::inner);
+      auto solid = exact && use.points ? evaluator.solids().bake(ZoneId(i)) : std::nullopt;
+      if (solid) {
+        result[i].emplace();
+        result[i]->solid = std::move(solid);
+      }
+      continue;
+    }
+    auto region = evaluator.zone(ZoneId(i));  // unused zones are validated too
     if (!region || (!use.robots && !use.points)) continue;
     std::optional<geometry::Region> around;
     if (use.points) around = evaluator.around(ZoneId(i));

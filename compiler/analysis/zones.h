@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "compiler/analysis/solids.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/geometry/bake.h"
 #include "compiler/geometry/cell_tree.h"
@@ -30,6 +32,7 @@ struct EvaluatedZone {
   geometry::CellTree tree;                // of its edges
   std::vector<geometry::EdgeRow> around;  // for points: of a zone that contains the exact one
   geometry::CellTree around_tree;
+  std::optional<EvaluatedSolid> solid{};  // of a zone with height, which has nothing of the above
 };
 
 // Width of the cells of a zone of this size: `cell_mm_least`, or the least multiple of 1 cm with
@@ -37,9 +40,16 @@ struct EvaluatedZone {
 // a wider one is only more careful.
 std::int32_t cell_mm_for(std::int64_t width_mm, std::int64_t height_mm);
 
-// By ZoneId, as keep-ins: never larger than the exact zones; nullopt for a faulty one. For
-// pictures, of a specification without errors.
-std::vector<std::optional<geometry::Region>> exact_zones(const sema::Spec& spec);
+// Whether its coordinates lie on the grid that kernels compute on.
+bool fits_grid(const geometry::Region& region);
+
+// By ZoneId, as keep-ins: never larger than the exact zones; a zone of the plane is one slab
+// without heights, a faulty one has none. For pictures, of a specification without errors.
+struct ShownSlab {
+  geometry::Region region;
+  std::optional<std::pair<Rational, Rational>> heights;
+};
+std::vector<std::vector<ShownSlab>> exact_zones(const sema::Spec& spec);
 
 // By ZoneId; nullopt for a zone that is faulty (reported) or not wanted.
 std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,

@@ -149,9 +149,31 @@ class Source {
   void regions(const Watch& watch, Code& out) {
     for (const Region& r : watch.regions) {
       if (r.channel) continue;
-      const std::string what = r.around ? "What contains zone " : "Zone ";
-      boundary(what + r.name, region_symbol(r), r, out);
+      const std::string slab = r.slab > 0 ? "Slab " + num(std::int64_t(r.slab)) + " of " : "";
+      std::string what = r.around ? "what contains zone " : "zone ";
+      if (slab.empty()) what[0] = r.around ? 'W' : 'Z';
+      boundary(slab + what + r.name, region_symbol(r), r, out);
     }
+    for (const Solid& s : watch.solids) solid(watch, s, out);
+  }
+  static void solid(const Watch& watch, const Solid& s, Code& out) {
+    out.comment((s.around ? "What contains zone " : "Zone ") + s.name +
+                ": slabs from below to above, floor, ceiling (mm).");
+    const std::string symbol = solid_symbol(s);
+    out.block(
+        "static const slab " + symbol + "_slabs[] =",
+        [&](Code& body) {
+          std::vector<std::string> lines;
+          for (const Slab& slab : s.slabs) {
+            lines.push_back("{&" + region_symbol(watch[slab.region]) + ", " + num(slab.floor_mm) +
+                            ", " + num(slab.ceiling_mm) + "}");
+          }
+          rows(body, lines, 1);
+        },
+        "};");
+    out.line("static const solid " + symbol + " = {" + symbol + "_slabs, " +
+             num(std::int64_t(s.slabs.size())) + "};");
+    out.blank();
   }
   static void schedules(const Watch& watch, Code& out) {
     for (const Schedule& s : watch.schedules) {

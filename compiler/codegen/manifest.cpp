@@ -207,6 +207,7 @@ Json tables(const Watch& w) {
                     {"edges_checked_max", edges_checked_max(r)},
                     {"bytes", region_bytes(r)}});
     if (r.tree.exact_mm) list.back()["exact_mm"] = *r.tree.exact_mm;
+    if (r.slab > 0) list.back()["slab"] = r.slab;
   }
   return list;
 }
@@ -230,6 +231,16 @@ Json watch(const Module& module, const sema::Spec& spec) {
   j["monitors"] = Json::array();
   for (const PlainMonitor& m : w.monitors) j["monitors"].push_back(property(spec, w, m));
   j["tables"] = tables(w);
+  for (const Solid& s : w.solids) {
+    Json slabs = Json::array();
+    for (const Slab& slab : s.slabs) {
+      slabs.push_back({{"floor_mm", slab.floor_mm}, {"ceiling_mm", slab.ceiling_mm}});
+    }
+    j["solids"].push_back({{"name", s.name},
+                           {"side", s.around ? "around" : "within"},
+                           {"slabs", std::move(slabs)},
+                           {"bytes", solid_bytes(s)}});
+  }
   for (const Schedule& s : w.schedules) {
     j["schedules"].push_back({{"zone", s.name},
                               {"openings", s.once.size()},

@@ -226,6 +226,9 @@ void Names::claim(const std::string& name, const Derived& derived) {
 }
 
 void Names::claim_tables(const ir::Module& module) {
+  for (const ir::Solid& solid : module.watch ? module.watch->solids : std::vector<ir::Solid>{}) {
+    taken_.insert({"k:" + solid_symbol(solid), "k:" + solid_symbol(solid) + "_slabs"});
+  }
   for (const ir::Region& region :
        module.watch ? module.watch->regions : std::vector<ir::Region>{}) {
     if (region.channel) continue;

@@ -119,6 +119,7 @@ class Finder {
     arguments_look_.inputs[0].components = {""};
     arguments_look_.params = module.watch->params;
     arguments_look_.regions = module.watch->regions;
+    arguments_look_.solids = module.watch->solids;
     arguments_look_.schedules = module.watch->schedules;
     for (std::size_t i = 0; i < block.values.size(); ++i) count_uses(i);
     ++uses_[at(block.result)];

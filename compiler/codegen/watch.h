@@ -54,6 +54,7 @@ bool has_signals(const ir::Decision& decision);
 inline constexpr std::int64_t missed_ticks_max = 4;
 // The table of a region in the kernel.
 std::string region_symbol(const ir::Region& region);
+std::string solid_symbol(const ir::Solid& solid);
 std::string schedule_symbol(const ir::Schedule& schedule);
 
 // By channel: whether a monitor asks for the input, or for its age; an input that none asks for is
@@ -97,6 +98,7 @@ std::int64_t watch_monitor_bytes(const ir::PlainMonitor& monitor);
 std::int64_t facts_state_bytes(const ir::Watch& facts);
 // Of the constant tables of zones that places are held against.
 std::int64_t region_bytes(const ir::Region& region);
+std::int64_t solid_bytes(const ir::Solid& solid);
 std::int64_t schedule_bytes(const ir::Schedule& schedule);
 std::int64_t table_bytes(const ir::Watch& watch);
 

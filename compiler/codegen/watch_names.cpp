@@ -96,7 +96,12 @@ bool has_signals(const Decision& decision) {
 }
 
 std::string region_symbol(const Region& region) {
-  return (region.around ? "region_around_" : "region_within_") + region.name;
+  const std::string side = (region.around ? "_around_" : "_within_") + region.name;
+  return (region.slab > 0 ? "slab_" + std::to_string(region.slab) : "region") + side;
+}
+
+std::string solid_symbol(const Solid& solid) {
+  return (solid.around ? "solid_around_" : "solid_within_") + solid.name;
 }
 
 std::string schedule_symbol(const Schedule& schedule) {
@@ -123,7 +128,7 @@ std::set<std::uint32_t> channels_of(const Watch& watch, const PlainMonitor& moni
         [&](const auto& op) {
           if constexpr (requires { op.channel; }) out.insert(op.channel);
           if constexpr (requires { op.other_channel; }) out.insert(op.other_channel);
-          if constexpr (requires { op.within; }) {
+          if constexpr (requires { watch[op.within].channel; }) {
             if (watch[op.within].channel) out.insert(*watch[op.within].channel);
           }
         },
@@ -226,6 +231,10 @@ std::int64_t watch_state_bytes(const Watch& watch, Telling telling) {
 std::int64_t region_bytes(const Region& region) {
   return static_cast<std::int64_t>(region.edges.size() * sizeof(Edge) + region.tree.bytes());
 }
+std::int64_t solid_bytes(const Solid& solid) {
+  constexpr std::size_t slab_bytes = 16;  // of 64-bit pointers
+  return static_cast<std::int64_t>(solid.slabs.size() * slab_bytes);
+}
 std::int64_t schedule_bytes(const Schedule& schedule) {
   return static_cast<std::int64_t>((schedule.once.size() + schedule.weekly.size()) *
                                    sizeof(Opening));
@@ -234,6 +243,7 @@ std::int64_t table_bytes(const Watch& watch) {
   std::int64_t bytes = 0;
   for (const Schedule& schedule : watch.schedules) bytes += schedule_bytes(schedule);
   for (const Region& region : watch.regions) bytes += region_bytes(region);
+  for (const Solid& solid : watch.solids) bytes += solid_bytes(solid);
   return bytes;
 }
 

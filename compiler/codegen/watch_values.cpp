@@ -124,6 +124,18 @@ std::string WatchValuePrinter::operator()(const PointInside& v) {
   return use("inside_of", operand(v.condition) + ", " + regions(v.within, v.around) + ", " +
                               operand(v.a) + ", " + operand(v.b));
 }
+std::string WatchValuePrinter::solids(SolidIndex within, SolidIndex around) const {
+  return "&" + solid_symbol(kernel_.watch[within]) + ", &" + solid_symbol(kernel_.watch[around]);
+}
+std::string WatchValuePrinter::operator()(const SolidClearance& v) {
+  return use("clearance_in_space", solids(v.within, v.around) + ", " + operand(v.a) + ", " +
+                                       operand(v.b) + ", " + operand(v.c) + ", " +
+                                       num(value_->range->lo) + ", " + num(value_->range->hi));
+}
+std::string WatchValuePrinter::operator()(const SolidInside& v) {
+  return use("inside_in_space", operand(v.condition) + ", " + solids(v.within, v.around) + ", " +
+                                    operand(v.a) + ", " + operand(v.b) + ", " + operand(v.c));
+}
 std::string WatchValuePrinter::operator()(const Between& v) {
   return use("span_of", num(v.lo) + ", " + num(v.hi));
 }

@@ -65,6 +65,8 @@ class WatchValuePrinter {
   std::string operator()(const ir::Norm& v) { return call("norm_of", v.a, v.b); }
   std::string operator()(const ir::PointClearance& v);
   std::string operator()(const ir::PointInside& v);
+  std::string operator()(const ir::SolidClearance& v);
+  std::string operator()(const ir::SolidInside& v);
   std::string operator()(const ir::Between& v);
   std::string operator()(const ir::Phase& v);
   std::string operator()(const ir::Sine& v) { return call("sine_of", v.a); }
@@ -88,6 +90,7 @@ class WatchValuePrinter {
   std::string temporal(const ir::Op& op, ir::ValueId a, ir::ValueId b = {});
   // The zone that is received, and the number of its input.
   [[nodiscard]] std::string received(std::uint32_t channel) const;
+  [[nodiscard]] std::string solids(ir::SolidIndex within, ir::SolidIndex around) const;
   [[nodiscard]] std::string regions(ir::RegionIndex within, ir::RegionIndex around) const;
   [[nodiscard]] std::string signal(std::uint32_t channel, std::uint32_t component) const;
 

@@ -33,8 +33,9 @@ template <class T>
 concept NeverAsked =
     is_one_of<T, Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, CountOthers,
               Input, Age, SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute, Root,
-              PointClearance, Norm, Between, Phase, Sine, Cosine, Choose, Aggregate> ||
-    is_one_of<T, InputTruth, Open, InputSame, PointInside, Previously, Once, Historically, Since> ||
+              PointClearance, SolidClearance, Norm, Between, Phase, Sine, Cosine, Choose,
+              Aggregate> || is_one_of<T, InputTruth, Open, InputSame, PointInside, SolidInside,
+                                      Previously, Once, Historically, Since> ||
     is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
               LegsApart, OnTrack, EnergyReach, ChargeReach, Fact>;
 
@@ -149,7 +150,8 @@ class VerdictPrinter {
   // ---- what needs a name, what needs its root
   void look_at_uses(const Op& op) {
     const bool as_bits = is_temporal(op) || std::holds_alternative<Choose>(op) ||
-                         std::holds_alternative<PointInside>(op);
+                         std::holds_alternative<PointInside>(op) ||
+                         std::holds_alternative<SolidInside>(op);
     const auto* compare = std::get_if<AtLeast>(&op);
     const bool by_squares = compare && square_of(*compare);
     for_each_operand(op, [&](ValueId id) {
@@ -184,7 +186,7 @@ class VerdictPrinter {
     // squares of a root are what it is the root of
     if (std::holds_alternative<Root>(v.op) && !needs_root_[at(id)]) return false;
     if (v.unit || is_temporal(v.op) || std::holds_alternative<InputSame>(v.op) ||
-        std::holds_alternative<PointInside>(v.op)) {
+        std::holds_alternative<PointInside>(v.op) || std::holds_alternative<SolidInside>(v.op)) {
       return true;
     }
     return needs_name_[at(id)] || count_[at(id)] > 1;
@@ -319,6 +321,7 @@ class VerdictPrinter {
                                   signal(s->other_channel, s->other_component));
     }
     if (const auto* p = std::get_if<PointInside>(&v.op)) return inside(*p);
+    if (const auto* p = std::get_if<SolidInside>(&v.op)) return inside(*p);
     uses_.insert("bits_type");
     const std::string sure = in(operation(v.op, Side::surely, true), 0);
     const std::string may = in(operation(v.op, Side::perhaps, true), 0);
@@ -339,6 +342,11 @@ class VerdictPrinter {
     return use("bits_inside", kept(v.condition) + ", &" + region_symbol(kernel_.watch[v.within]) +
                                   ", &" + region_symbol(kernel_.watch[v.around]) + ", " +
                                   whole(v.a) + ", " + whole(v.b));
+  }
+  std::string inside(const SolidInside& v) {
+    return use("bits_in_space", kept(v.condition) + ", &" + solid_symbol(kernel_.watch[v.within]) +
+                                    ", &" + solid_symbol(kernel_.watch[v.around]) + ", " +
+                                    whole(v.a) + ", " + whole(v.b) + ", " + whole(v.c));
   }
   // That it surely (perhaps) holds, or that it does not.
   Text condition(ValueId id, Side side, bool wanted) {

@@ -39,6 +39,7 @@ class ImportRemarks {
                    [](const sema::ZonePolygon&) {},
                    [&](const sema::ZoneCircle& node) { circle(expr.range, node); },
                    [](const sema::ZoneRef&) {},
+                   [&](const sema::ZonePrism& node) { look(*node.base); },
                    [](const sema::ZoneComplement&) {},  // of a zone of its own
                    [&](const sema::ZoneBinary& node) {
                      look(*node.left);

@@ -76,6 +76,14 @@ class Widths {
     return diagonal + 2 * (middle_mm + rounding_steps) + bounds_mm;
   }
   Rational operator()(const PointInside& v) const { return of(v.condition); }
+  // In space they are 4 mm apart, with 2 mm for a middle that is off by less than 2 mm.
+  Rational operator()(const SolidClearance& v) const {
+    constexpr int bounds_mm = 4, middle_mm = 4;
+    if (v.within != v.around) return span();
+    const Rational diagonal = root_up(of(v.a) * of(v.a) + of(v.b) * of(v.b) + of(v.c) * of(v.c));
+    return diagonal + 2 * (middle_mm + rounding_steps) + bounds_mm;
+  }
+  Rational operator()(const SolidInside& v) const { return of(v.condition); }
   Rational operator()(const Between& v) const { return exact(v.hi) - exact(v.lo); }
   // the step of the angle is known to one of 2^16 of a part, and both ends are rounded outward
   Rational operator()(const Phase& v) const {
@@ -188,9 +196,9 @@ bool rounds(const Op& op) {
     return true;
   }
   return std::holds_alternative<Input>(op) || std::holds_alternative<PointClearance>(op) ||
-         std::holds_alternative<Root>(op) || std::holds_alternative<Norm>(op) ||
-         std::holds_alternative<Phase>(op) || std::holds_alternative<Sine>(op) ||
-         std::holds_alternative<Cosine>(op);
+         std::holds_alternative<SolidClearance>(op) || std::holds_alternative<Root>(op) ||
+         std::holds_alternative<Norm>(op) || std::holds_alternative<Phase>(op) ||
+         std::holds_alternative<Sine>(op) || std::holds_alternative<Cosine>(op);
 }
 
 }  // namespace rtac::driver

@@ -126,6 +126,17 @@ std::vector<SiteMark> site_marks(const sema::Spec& spec) {
   return marks;
 }
 
+// Seen from above: what overlaps may be apart in height.
+void add_slabs(const sema::Zone& zone, const std::string& origin,
+               const std::vector<analysis::ShownSlab>& slabs, ZoneSheet& sheet) {
+  for (const analysis::ShownSlab& slab : slabs) {
+    const auto& [floor, ceiling] = *slab.heights;
+    const std::string heights =
+        " from " + to_decimal(floor) + " m to " + to_decimal(ceiling) + " m";
+    sheet.layers.push_back({zone.name + heights, origin, slab.region, {}, ""});
+  }
+}
+
 }  // namespace
 
 std::vector<ZoneSheet> zone_sheets(const Compilation& c) {
@@ -136,8 +147,12 @@ std::vector<ZoneSheet> zone_sheets(const Compilation& c) {
   for (const sema::Frame& frame : spec.frames) sheets.push_back({frame.name, {}, {}});
   for (std::size_t i = 0; i < spec.zones.size(); ++i) {
     const sema::Zone& zone = spec.zones[i];
-    if (zone.name.empty() || !regions[i]) continue;
-    ZoneLayer layer{zone.name, origin_of(c, zone), *regions[i], {}, ""};
+    if (zone.name.empty() || regions[i].empty()) continue;
+    if (zone.has_height) {
+      add_slabs(zone, origin_of(c, zone), regions[i], sheets[static_cast<std::size_t>(zone.frame)]);
+      continue;
+    }
+    ZoneLayer layer{zone.name, origin_of(c, zone), regions[i].front().region, {}, ""};
     const auto asked = distances.find(zone.name);
     if (asked != distances.end()) erode(layer, asked->second);
     sheets[static_cast<std::size_t>(zone.frame)].layers.push_back(std::move(layer));

@@ -46,7 +46,9 @@ struct WholeRange {
     return hull(of(node.then_value), of(node.else_value));
   }
   Span operator()(const sema::PointClearance& node) const {
-    return zones.range(node.zone, of(node.x), of(node.y));
+    Whereabouts anywhere{of(node.x), of(node.y), std::nullopt};
+    if (node.z) anywhere.z = of(node.z);
+    return zones.range(node.zone, anywhere);
   }
   Span operator()(const sema::Aggregate& node) const {
     switch (node.op) {

@@ -121,12 +121,12 @@ struct ConditionOf {
 
   // Rule 7: p inside Z has the margin of clearance(p, Z) >= 0; which places lie in Z is exact.
   Margin operator()(const sema::PointInside& node) const {
-    const Span x = self.quantity(*node.x), y = self.quantity(*node.y);
-    const Span gap = self.clearance_of_place(expr, node, {x, y});
+    const Whereabouts at = self.whereabouts(node);
+    const Span gap = self.clearance_of_place(expr, node, at);
     static const sema::Dimension& length = sema::dims::length;
     Margin margin = at_least(gap, exactly(Rational(0)), false, length, self.scale(length));
     // a distance too small for its root
-    if (margin.hi.value.sign() == 0 && self.zones_.outside(node.zone, x, y)) margin.hi.below = true;
+    if (margin.hi.value.sign() == 0 && self.zones_.outside(node.zone, at)) margin.hi.below = true;
     return margin;
   }
 
@@ -240,14 +240,24 @@ struct Bounds : Memory {
 // has anywhere in its declared range.
 template <class Node>
 Span Evaluator::clearance_of_place(const sema::Expr& expr, const Node& node,
-                                   const std::pair<Span, Span>& place) {
-  Span gap = zones_.clearance(node.zone, place.first, place.second);
-  const Bounds& anywhere = memory<Bounds>(
-      expr, [&] { return Bounds(zones_.range(node.zone, anything(*node.x), anything(*node.y))); });
+                                   const Whereabouts& place) {
+  Span gap = zones_.clearance(node.zone, place);
+  const Bounds& anywhere = memory<Bounds>(expr, [&] {
+    Whereabouts any{anything(*node.x), anything(*node.y), std::nullopt};
+    if (node.z) any.z = anything(*node.z);
+    return Bounds(zones_.range(node.zone, any));
+  });
   if (gap.missing.missing || anywhere.span.missing.missing) return gap;
   gap.lo = std::max(gap.lo, anywhere.span.lo);
   gap.hi = std::min(gap.hi, anywhere.span.hi);
   return gap;
+}
+
+template <class Node>
+Whereabouts Evaluator::whereabouts(const Node& node) {
+  Whereabouts at{quantity(*node.x), quantity(*node.y), std::nullopt};
+  if (node.z) at.z = quantity(*node.z);
+  return at;
 }
 
 // ---- quantities -------------------------------------------------------------------------------
@@ -286,7 +296,7 @@ struct QuantityOf {
     return self.robots_ == nullptr ? unknown(std::nullopt) : self.robots_->age(node.signal);
   }
   Span operator()(const sema::PointClearance& node) const {
-    return self.clearance_of_place(expr, node, {of(node.x), of(node.y)});
+    return self.clearance_of_place(expr, node, self.whereabouts(node));
   }
   Span operator()(const sema::Arithmetic& node) const {
     if (is_square(node)) return square(of(node.operands.front()));

@@ -55,10 +55,11 @@ class Evaluator {
   T over_others(const sema::Expr& body, T start, const Join& join);
   Span clearance_of_body(sema::ZoneId zone);
   Margin plan_inside(sema::ZoneId zone);
-  // Of a node that holds a place, coordinates `x` and `y`, against a zone.
+  // Of a node that holds a place, coordinates `x`, `y` and perhaps `z`, against a zone.
   template <class Node>
-  Span clearance_of_place(const sema::Expr& expr, const Node& node,
-                          const std::pair<Span, Span>& place);
+  Whereabouts whereabouts(const Node& node);
+  template <class Node>
+  Span clearance_of_place(const sema::Expr& expr, const Node& node, const Whereabouts& place);
   Span aggregate(const sema::Expr& expr, const sema::Aggregate& node);
   // Whatever the quantity may be at any tick.
   Span anything(const sema::Expr& expr);

@@ -89,7 +89,7 @@ Rational Outline::square_to(const Edge& e, const Place& p) {
   return across * across / e.square;
 }
 
-Root Outline::distance(const Place& p) const {
+Rational Outline::square_to(const Place& p) const {
   const double x = p.x.get_d(), y = p.y.get_d();
   double nearest = std::numeric_limits<double>::infinity();
   std::vector<double> gaps;
@@ -108,7 +108,7 @@ Root Outline::distance(const Place& p) const {
     const Rational square = square_to(edges_[i], p);
     if (!least || square < *least) least = square;
   }
-  return square_root(*least);
+  return *least;
 }
 
 std::vector<Rational> Outline::meetings(const Edge& way) const {
@@ -158,7 +158,7 @@ Root Outline::distance(const Place& from, const Place& to) const {
 }
 
 // Of the vertices, the one whose farthest corner is nearest.
-Rational Outline::farthest(const Place& low, const Place& high) const {
+Rational Outline::square_of_farthest(const Place& low, const Place& high) const {
   std::optional<Rational> least;
   for (const Edge& e : edges_) {
     const Rational dx = std::max(abs(Rational(low.x - e.a.x)), abs(Rational(high.x - e.a.x)));
@@ -166,15 +166,20 @@ Rational Outline::farthest(const Place& low, const Place& high) const {
     const Rational square = dx * dx + dy * dy;
     if (!least || square < *least) least = square;
   }
-  return square_root(*least).above;
+  return *least;
 }
 
-Rational Outline::deepest() const {
+std::pair<Place, Place> Outline::extent() const {
   Place low = edges_.front().a, high = low;
   for (const Edge& e : edges_) {
     low = {std::min(low.x, e.a.x), std::min(low.y, e.a.y)};
     high = {std::max(high.x, e.a.x), std::max(high.y, e.a.y)};
   }
+  return {low, high};
+}
+
+Rational Outline::deepest() const {
+  const auto [low, high] = extent();
   return std::min(Rational(high.x - low.x), Rational(high.y - low.y)) / 2;
 }
 

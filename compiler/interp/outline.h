@@ -1,6 +1,7 @@
 // The boundary of a zone, in exact numbers: which places lie inside, and how far from it they are.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "compiler/geometry/region.h"
@@ -22,12 +23,18 @@ class Outline {
   // Of every place of the straight way from one to the other.
   [[nodiscard]] bool contains(const Place& from, const Place& to) const;
   // Between a place and the boundary.
-  [[nodiscard]] Root distance(const Place& place) const;
+  [[nodiscard]] Root distance(const Place& place) const { return square_root(square_to(place)); }
+  [[nodiscard]] Rational square_to(const Place& place) const;
   // Between that way and the boundary.
   [[nodiscard]] Root distance(const Place& from, const Place& to) const;
   // No place of this box is farther from the zone, no place of the zone farther from its boundary.
-  [[nodiscard]] Rational farthest(const Place& low, const Place& high) const;
+  [[nodiscard]] Rational farthest(const Place& low, const Place& high) const {
+    return square_root(square_of_farthest(low, high)).above;
+  }
+  [[nodiscard]] Rational square_of_farthest(const Place& low, const Place& high) const;
   [[nodiscard]] Rational deepest() const;
+  // The corners of the rectangle around it.
+  [[nodiscard]] std::pair<Place, Place> extent() const;
 
  private:
   struct Edge {

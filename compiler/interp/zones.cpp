@@ -65,6 +65,7 @@ struct Zones::Evaluate {
     const Region& of = zones.region(node.zone, other(bound));
     return of ? Region(geometry::Region::everywhere().subtract(*of)) : std::nullopt;
   }
+  Region operator()(const sema::ZonePrism&) const { return std::nullopt; }  // has height
   Region operator()(const sema::ZoneCircle& node) const {
     return geometry::Region::circle({node.centre.x, node.centre.y}, node.radius,
                                     bound == Bound::within);
@@ -126,7 +127,12 @@ struct Zones::Evaluate {
   }
 };
 
-Zones::Zones(const sema::Spec& spec) : spec_(spec), known_(spec.zones.size()) {}
+Zones::Zones(const sema::Spec& spec)
+    : spec_(spec),
+      known_(spec.zones.size()),
+      solids_(spec, [this](const sema::ZoneExpr& base, Bound bound) {
+        return std::visit(Evaluate{*this, bound}, base.node);
+      }) {}
 
 const Zones::Region& Zones::region(sema::ZoneId zone, Bound bound) {
   Known& known = known_[static_cast<std::size_t>(zone)];
@@ -161,7 +167,9 @@ Zones::Outlines Zones::outlines(sema::ZoneId zone) {
   return {known.within.get(), known.around ? known.around.get() : known.within.get()};
 }
 
-Span Zones::clearance(sema::ZoneId zone, const Span& x, const Span& y) {
+Span Zones::clearance(sema::ZoneId zone, const Whereabouts& at) {
+  if (at.z) return solids_.clearance(zone, at);
+  const auto& [x, y, none] = at;
   if (x.missing.missing) return unknown(x.missing.input);
   if (y.missing.missing) return unknown(y.missing.input);
   const Outlines zones = outlines(zone);
@@ -204,14 +212,18 @@ Zones::WayClearance Zones::clearance_of_way(sema::ZoneId zone, const Place& from
   return {between(Rational(-gap.above), Rational(-gap.below)), true};
 }
 
-bool Zones::outside(sema::ZoneId zone, const Span& x, const Span& y) {
+bool Zones::outside(sema::ZoneId zone, const Whereabouts& at) {
+  if (at.z) return solids_.outside(zone, at);
+  const auto& [x, y, none] = at;
   const Outlines zones = outlines(zone);
   if (x.missing.missing || y.missing.missing || zones.around == nullptr) return false;
   if (!is_finite(x, y) || compare(x.lo, x.hi) != 0 || compare(y.lo, y.hi) != 0) return false;
   return !zones.around->contains({x.lo.value(), y.lo.value()});
 }
 
-Span Zones::range(sema::ZoneId zone, const Span& x, const Span& y) {
+Span Zones::range(sema::ZoneId zone, const Whereabouts& at) {
+  if (at.z) return solids_.range(zone, at);
+  const auto& [x, y, none] = at;
   const bool is_received = std::holds_alternative<sema::ZoneReceived>(spec_[zone].value->node);
   if (is_received) return unknown(std::nullopt);  // it may be anything
   const Outlines zones = outlines(zone);

@@ -9,6 +9,7 @@
 
 #include "compiler/interp/outline.h"
 #include "compiler/interp/received.h"
+#include "compiler/interp/solids.h"
 #include "compiler/interp/span.h"
 #include "compiler/sema/spec.h"
 
@@ -18,9 +19,12 @@ class Zones {
  public:
   // The specification outlives the zones.
   explicit Zones(const sema::Spec& spec);
+  Zones(const Zones&) = delete;
+  Zones& operator=(const Zones&) = delete;
+  ~Zones() = default;
   // How far a place is from the boundary, negative outside: that of the middle of its box, less and
   // more half of the diagonal; see `range` for what it cannot be.
-  Span clearance(sema::ZoneId zone, const Span& x, const Span& y);
+  Span clearance(sema::ZoneId zone, const Whereabouts& at);
   // The same of the zone as robots know it, which lies within it: curves as polygons, on the grid
   // of 1 mm. `place` is exact.
   Span clearance_of_robots(sema::ZoneId zone, const Place& place);
@@ -34,12 +38,11 @@ class Zones {
   // What a zone of the specification is from now on that is received; nullptr: unknown.
   void receive(sema::ZoneId zone, std::shared_ptr<const ReceivedZone> received);
   // Whether a place that is known exactly lies outside for sure, however near.
-  bool outside(sema::ZoneId zone, const Span& x, const Span& y);
+  bool outside(sema::ZoneId zone, const Whereabouts& at);
   // Whatever the clearance may be while the place is anything in its box.
-  Span range(sema::ZoneId zone, const Span& x, const Span& y);
+  Span range(sema::ZoneId zone, const Whereabouts& at);
 
  private:
-  enum class Bound { within, around };
   using Region = std::optional<geometry::Region>;  // none: faulty, which others report
   static Bound other(Bound b) { return b == Bound::within ? Bound::around : Bound::within; }
   struct Evaluate;
@@ -60,6 +63,7 @@ class Zones {
   };
   const sema::Spec& spec_;
   std::vector<Known> known_;
+  Solids solids_;
 };
 
 }  // namespace rtac::interp

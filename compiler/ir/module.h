@@ -19,6 +19,7 @@ namespace rtac::ir {
 enum class ZoneIndex : std::uint32_t {};
 enum class SiteIndex : std::uint32_t {};
 enum class RegionIndex : std::uint32_t {};
+enum class SolidIndex : std::uint32_t {};
 enum class ScheduleIndex : std::uint32_t {};
 enum class ValueId : std::uint32_t {};
 
@@ -254,6 +255,15 @@ struct PointInside {
   ValueId condition, a, b;
   RegionIndex within, around;
 };
+// The same of a place (a, b, c) and a zone with height.
+struct SolidClearance {
+  ValueId a, b, c;
+  SolidIndex within, around;
+};
+struct SolidInside {
+  ValueId condition, a, b, c;
+  SolidIndex within, around;
+};
 struct Norm {  // root of a^2 + b^2
   ValueId a, b;
 };
@@ -306,13 +316,14 @@ struct Aggregate {  // a quantity, of a quantity or (count) of a margin
   std::uint32_t slot;
 };
 
-using Op = std::variant<Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast,
-                        PlanInZone, Truth, Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach,
-                        LegsInZone, PointsInZone, PairReach, LegsApart, OnTrack, EnergyReach,
-                        ChargeReach, Fact, Input, InputTruth, InputIs, InputSame, Open, Elapsed,
-                        Age, SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute, Root,
-                        PointClearance, PointInside, Norm, Between, Phase, Sine, Cosine, Choose,
-                        Previously, Once, Historically, Since, Aggregate>;
+using Op =
+    std::variant<Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast,
+                 PlanInZone, Truth, Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach,
+                 LegsInZone, PointsInZone, PairReach, LegsApart, OnTrack, EnergyReach, ChargeReach,
+                 Fact, Input, InputTruth, InputIs, InputSame, Open, Elapsed, Age, SensedAge,
+                 ParamValue, Multiply, Minimum, Maximum, Absolute, Root, PointClearance,
+                 PointInside, SolidClearance, SolidInside, Norm, Between, Phase, Sine, Cosine,
+                 Choose, Previously, Once, Historically, Since, Aggregate>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;
@@ -397,6 +408,16 @@ struct Region {  // a zone that places are held against
   // Of a zone that is received: the channel; its edges are not known yet. Both sides of it are one
   // region here.
   std::optional<std::uint32_t> channel = std::nullopt;
+  std::uint32_t slab = 0;  // of a zone with height: which one from below, from 1 on
+};
+struct Slab {  // both ends belong to it
+  std::int32_t floor_mm = 0, ceiling_mm = 0;
+  RegionIndex region{};
+};
+struct Solid {  // a zone with height
+  std::string name;
+  bool around = false;      // as of regions
+  std::vector<Slab> slabs;  // from below to above; their insides are apart
 };
 struct Opening {  // from the first on, before the second
   std::int64_t from_us = 0, until_us = 0;
@@ -413,6 +434,7 @@ struct Watch {
   std::vector<Channel> inputs;
   std::vector<Param> params;
   std::vector<Region> regions;
+  std::vector<Solid> solids;
   std::vector<Schedule> schedules;
   std::vector<PlainMonitor> monitors;
   std::uint32_t slots = 0;  // of the operators that remember
@@ -420,6 +442,9 @@ struct Watch {
   std::vector<Unit> units;
   [[nodiscard]] const Region& operator[](RegionIndex i) const {
     return regions[static_cast<std::uint32_t>(i)];
+  }
+  [[nodiscard]] const Solid& operator[](SolidIndex i) const {
+    return solids[static_cast<std::uint32_t>(i)];
   }
   [[nodiscard]] const Schedule& operator[](ScheduleIndex i) const {
     return schedules[static_cast<std::uint32_t>(i)];

@@ -20,6 +20,7 @@ void for_each_operand(AnyOp& op, const Visit& visit) {
         if constexpr (requires { node.b; }) {
           visit(node.a);
           visit(node.b);
+          if constexpr (requires { node.c; }) visit(node.c);
         } else if constexpr (requires { node.a; }) {
           visit(node.a);
         } else {

@@ -145,6 +145,13 @@ class Printer {
   std::string operator()(const PointInside& v) const {
     return "point_inside " + name(v.condition) + ", " + name(v.a) + ", " + name(v.b) + regions(v);
   }
+  std::string operator()(const SolidClearance& v) const {
+    return two("solid_clearance ", v) + ", " + name(v.c) + solids(v);
+  }
+  std::string operator()(const SolidInside& v) const {
+    return "solid_inside " + name(v.condition) + ", " + name(v.a) + ", " + name(v.b) + ", " +
+           name(v.c) + solids(v);
+  }
   std::string operator()(const Norm& v) const { return two("norm ", v); }
   std::string operator()(const Between& v) const {
     return "between " + num(v.lo) + ", " + num(v.hi);
@@ -270,10 +277,12 @@ class Printer {
         line("  region " + r.name + " received");
         continue;
       }
-      line("  region " + std::string(r.around ? "around " : "within ") + r.name + " edges " +
+      const std::string slab = r.slab > 0 ? " slab " + num(std::int64_t(r.slab)) : "";
+      line("  region " + std::string(r.around ? "around " : "within ") + r.name + slab + " edges " +
            num(std::int64_t(r.edges.size())));
       edges(r.edges, "    ");
     }
+    for (const Solid& s : w.solids) solid(s);
     for (const Schedule& s : w.schedules) schedule(s);
     for (const PlainMonitor& m : w.monitors) {
       line("  monitor " + m.name + " \"" + m.requirement_id + "\" at " + m.file + ":" +
@@ -283,6 +292,12 @@ class Printer {
   }
 
  private:
+  void solid(const Solid& s) {
+    line("  solid " + std::string(s.around ? "around " : "within ") + s.name);
+    for (const Slab& slab : s.slabs) {
+      line("    slab " + num(slab.floor_mm) + " to " + num(slab.ceiling_mm));
+    }
+  }
   void schedule(const Schedule& s) {
     std::string text = "  schedule " + s.name;
     for (const Opening& o : s.once) text += " [" + num(o.from_us) + ", " + num(o.until_us) + ")";
@@ -313,6 +328,12 @@ class Printer {
   std::string regions(const Node& v) const {
     const bool one = v.within == v.around;
     return ", " + region(v.within) + (one ? "" : " and " + region(v.around));
+  }
+  template <class Node>
+  std::string solids(const Node& v) const {
+    const bool one = v.within == v.around;
+    const std::string zone = (*watch_)[v.within].name;
+    return ", within " + zone + (one ? "" : " and around " + zone);
   }
   template <class Node>
   static std::string two(const char* word, const Node& v) {

@@ -103,6 +103,14 @@ class Roundings {
     return derived(by, {v.a, v.b});
   }
   Slack operator()(const PointInside& v) const { return of(v.condition); }
+  // In space bounds are 4 mm apart, and both the middle and its room are off by 1 mm more.
+  Slack operator()(const SolidClearance& v) const {
+    const Slack &a = of(v.a), &b = of(v.b), &c = of(v.c);
+    const Rational wider = root_up(a.by * a.by + b.by * b.by + c.by * c.by);
+    const Rational by = v.within == v.around ? Rational(10 + wider * 3 / 2) : span();
+    return derived(by, {v.a, v.b, v.c});
+  }
+  Slack operator()(const SolidInside& v) const { return of(v.condition); }
   // around the exact constant
   Slack operator()(const Between& v) const {
     return quantity(exact(v.hi) - exact(v.lo), v.lo == v.hi);

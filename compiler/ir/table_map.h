@@ -19,12 +19,19 @@ struct TableMap {
     RegionIndex within, around;
   };
   std::vector<std::optional<Regions>> regions;
+  struct Solids {  // the same of zones with height
+    SolidIndex within, around;
+  };
+  std::vector<std::optional<Solids>> solids;
 
   [[nodiscard]] ZoneIndex zone(sema::ZoneId id) const {
     return *zones[static_cast<std::uint32_t>(id)];
   }
   [[nodiscard]] const Regions& region(sema::ZoneId id) const {
     return *regions[static_cast<std::uint32_t>(id)];
+  }
+  [[nodiscard]] const Solids& solid(sema::ZoneId id) const {
+    return *solids[static_cast<std::uint32_t>(id)];
   }
   [[nodiscard]] SiteIndex site(sema::KindId kind, sema::SiteId id) const {
     return *sites[static_cast<std::uint32_t>(kind)][static_cast<std::uint32_t>(id)];

@@ -1,6 +1,7 @@
 #include "compiler/ir/verifier.h"
 
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "compiler/ir/edge_tree.h"
@@ -144,6 +145,15 @@ class Checker {
     if (condition && condition->unit) fail("a place in a zone, settled for a quantity");
     place(v), margin();
   }
+  void operator()(const SolidClearance& v) {
+    place_in_space(v), quantity();
+    if (here().unit && here().unit->step != Rational(1, 1000)) fail("a clearance not in mm");
+  }
+  void operator()(const SolidInside& v) {
+    const Value* condition = before(v.condition);
+    if (condition && condition->unit) fail("a place in a zone, settled for a quantity");
+    place_in_space(v), margin();
+  }
   void operator()(const Norm& v) { same_unit(v.a, v.b), plain(), kept(v.a); }
   void operator()(const Between& v) {
     plain(), quantity();
@@ -250,6 +260,15 @@ class Checker {
       if (watch_ && static_cast<std::uint32_t>(i) >= watch_->regions.size()) fail("no such region");
     }
   }
+  template <class Node>
+  void place_in_space(const Node& v) {
+    plain(), same_unit(v.a, v.b), same_unit(v.a, v.c);
+    const Value* x = before(v.a);
+    if (x && x->unit && x->unit->step != Rational(1, 1000)) fail("a place not in mm");
+    for (const SolidIndex i : {v.within, v.around}) {
+      if (watch_ && static_cast<std::uint32_t>(i) >= watch_->solids.size()) fail("no such solid");
+    }
+  }
   void zone(ZoneIndex i) {
     robot();
     if (static_cast<std::uint32_t>(i) >= module_.zones.size()) fail("no such zone");
@@ -293,11 +312,27 @@ bool in_order(const std::vector<Opening>& openings, std::int64_t end_us) {
   return last_us <= end_us;
 }
 
+// What measures distances from it relies on it.
+bool is_stack(const Watch& watch, const Solid& solid) {
+  std::int64_t top_mm = INT64_MIN;
+  for (const Slab& slab : solid.slabs) {
+    if (slab.floor_mm < top_mm || slab.ceiling_mm <= slab.floor_mm) return false;
+    if (static_cast<std::uint32_t>(slab.region) >= watch.regions.size()) return false;
+    top_mm = slab.ceiling_mm;
+  }
+  return !solid.slabs.empty();
+}
+
 std::optional<std::string> verify_watch(const Module& module, const Watch& watch) {
   if (auto problem = verify_signals(watch)) return problem;
-  std::set<std::pair<std::string, bool>> regions;
+  std::set<std::tuple<std::string, bool, std::uint32_t>> regions;
   for (const Region& r : watch.regions) {
-    if (!regions.insert({r.name, r.around}).second) return r.name + ": two regions of this name";
+    if (!regions.insert({r.name, r.around, r.slab}).second) {
+      return r.name + ": two regions of this name";
+    }
+  }
+  for (const Solid& s : watch.solids) {
+    if (!is_stack(watch, s)) return s.name + ": slabs out of order";
   }
   for (const Region& r : watch.regions) {
     if (r.channel &&

@@ -15,8 +15,9 @@ class WatchBuilder {
                diag::Engine& diagnostics)
       : spec_(spec), sources_(sources), tables_(tables), diagnostics_(diagnostics) {}
 
-  Watch run(const Signals& signals, std::vector<Region> regions) {
+  Watch run(const Signals& signals, std::vector<Region> regions, std::vector<Solid> solids) {
     watch_.regions = std::move(regions);
+    watch_.solids = std::move(solids);
     watch_.period_us = spec_.period ? floor_to_int(spec_.period->value * 1'000'000) : 1;
     watch_.in_utc = spec_.utc_clock.has_value();
     add_signals(signals);
@@ -79,9 +80,11 @@ Rational scale_of(const sema::Spec& spec, const sema::Dimension& dimension) {
 
 std::optional<Watch> build_watch(const sema::Spec& spec, const Signals& signals,
                                  const SourceManager& sources, std::vector<Region> regions,
-                                 const TableMap& tables, diag::Engine& diagnostics) {
+                                 std::vector<Solid> solids, const TableMap& tables,
+                                 diag::Engine& diagnostics) {
   if (spec.watches.empty()) return std::nullopt;
-  return WatchBuilder(spec, sources, tables, diagnostics).run(signals, std::move(regions));
+  return WatchBuilder(spec, sources, tables, diagnostics)
+      .run(signals, std::move(regions), std::move(solids));
 }
 
 }  // namespace rtac::ir

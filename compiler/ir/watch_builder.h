@@ -17,6 +17,7 @@ namespace rtac::ir {
 // when there are none.
 std::optional<Watch> build_watch(const sema::Spec& spec, const Signals& signals,
                                  const SourceManager& sources, std::vector<Region> regions,
-                                 const TableMap& tables, diag::Engine& diagnostics);
+                                 std::vector<Solid> solids, const TableMap& tables,
+                                 diag::Engine& diagnostics);
 
 }  // namespace rtac::ir

@@ -231,9 +231,8 @@ Unit QuantityBuilder::millimetres() const {
 }
 
 // Coordinates come onto the grid of zones, rounded outward.
-QuantityBuilder::Pair QuantityBuilder::place(const sema::Expr& x, const sema::Expr& y) {
-  const ValueId a = regrid(quantity(x), millimetres(), x);
-  return {a, regrid(quantity(y), millimetres(), y)};
+ValueId QuantityBuilder::coordinate(const sema::Expr& e) {
+  return regrid(quantity(e), millimetres(), e);
 }
 
 // Decisions carry the zones of robots alone.
@@ -243,21 +242,39 @@ ValueId QuantityBuilder::refuse_place(const sema::Expr& e) {
                 "input");
 }
 
-ValueId QuantityBuilder::quantity(const sema::PointClearance& v, const sema::Expr& e) {
+template <class Node>
+ValueId QuantityBuilder::gap(const Node& v, const sema::Expr& e) {
   if (watch_.regions.empty()) return refuse_place(e);
-  const auto [x, y] = place(*v.x, *v.y);
+  const ValueId x = coordinate(*v.x), y = coordinate(*v.y);
+  if (v.z) {
+    const ValueId z = coordinate(*v.z);
+    const TableMap::Solids& zone = tables_.solid(v.zone);
+    return add(SolidClearance{x, y, z, zone.within, zone.around}, millimetres(), e);
+  }
   const TableMap::Regions& zone = tables_.region(v.zone);
   return add(PointClearance{x, y, zone.within, zone.around}, millimetres(), e);
 }
 
+ValueId QuantityBuilder::quantity(const sema::PointClearance& v, const sema::Expr& e) {
+  return gap(v, e);
+}
+
 ValueId QuantityBuilder::inside(const sema::PointInside& v, const sema::Expr& e) {
-  if (watch_.regions.empty()) return refuse_place(e);
-  const auto [x, y] = place(*v.x, *v.y);
-  const TableMap::Regions& zone = tables_.region(v.zone);
-  const ValueId gap = add(PointClearance{x, y, zone.within, zone.around}, millimetres(), e);
-  const ValueId boundary = add(Const{0}, millimetres(), e);
-  const ValueId is = add(AtLeast{gap, boundary, false}, std::nullopt, e);
-  return add(PointInside{is, x, y, zone.within, zone.around}, std::nullopt, e);
+  const ValueId clearance = gap(v, e);
+  const auto is_there = [&] {
+    const ValueId boundary = add(Const{0}, millimetres(), e);
+    return add(AtLeast{clearance, boundary, false}, std::nullopt, e);
+  };
+  const Op& made = block_.values[static_cast<std::size_t>(clearance)].op;
+  if (const auto* p = std::get_if<PointClearance>(&made)) {
+    const PointClearance at = *p;  // more values move the one that it is part of
+    return add(PointInside{is_there(), at.a, at.b, at.within, at.around}, std::nullopt, e);
+  }
+  if (const auto* p = std::get_if<SolidClearance>(&made)) {
+    const SolidClearance at = *p;
+    return add(SolidInside{is_there(), at.a, at.b, at.c, at.within, at.around}, std::nullopt, e);
+  }
+  return clearance;  // refused
 }
 
 // The operand on a grid of squares, whose root is a grid.

@@ -99,7 +99,9 @@ class QuantityBuilder {
   ValueId constant_alone(const Rational& si, const sema::Expr& e);
   // Two values on one grid; what they stand for in the text.
   Pair meet(ValueId a, const sema::Expr& left, ValueId b, const sema::Expr& right);
-  Pair place(const sema::Expr& x, const sema::Expr& y);
+  template <class Node>
+  ValueId gap(const Node& v, const sema::Expr& e);
+  ValueId coordinate(const sema::Expr& e);
   ValueId regrid(ValueId a, const Unit& to, const sema::Expr& e);
   ValueId scaled(const sema::Expr& operand, const Rational& factor, const sema::Expr& e);
   ValueId product(ValueId a, ValueId b, const sema::Expr& e);

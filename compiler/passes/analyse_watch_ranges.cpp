@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
+#include <vector>
 
 #include "compiler/ir/grid_help.h"
 #include "compiler/ir/weights.h"
@@ -123,6 +125,18 @@ class WatchRanges {
     return {-exact(root(farthest(watch_[v.within], x, y), true)), exact(deepest(watch_[v.around])),
             declared};
   }
+  Wide operator()(const SolidClearance& v) {
+    const Wide x = of(v.a), y = of(v.b), z = of(v.c);
+    for (const Wide* c : {&x, &y, &z}) {
+      if (!fits_below(*c, place_mm_max)) {
+        refuse_place(x, y, &z);
+        break;
+      }
+    }
+    const bool declared = x.declared && y.declared && z.declared;
+    return {-exact(root(farthest(watch_[v.within], x, y, z), true)),
+            exact(deepest(watch_[v.around])), declared};
+  }
   Wide operator()(const Between& v) const { return {exact(v.lo), exact(v.hi), true}; }
   Wide operator()(const Phase& v) {
     const Wide angle = of(v.a);
@@ -229,6 +243,29 @@ class WatchRanges {
     }
     return (std::min(x1 - x0, y1 - y0) + 1) / 2;
   }
+  // The same in space.
+  [[nodiscard]] Rational farthest(const Solid& solid, const Wide& x, const Wide& y,
+                                  const Wide& z) const {
+    std::optional<Rational> least;
+    for (const Slab& slab : solid.slabs) {
+      const Rational across = farthest(watch_[slab.region], x, y);
+      for (const std::int32_t height : {slab.floor_mm, slab.ceiling_mm}) {
+        const Rational dz = std::max(abs(Rational(z.lo - height)), abs(Rational(z.hi - height)));
+        const Rational square = across + dz * dz;
+        if (!least || square < *least) least = square;
+      }
+    }
+    return *least;
+  }
+  [[nodiscard]] std::int64_t deepest(const Solid& solid) const {
+    std::vector<Edge> edges;
+    for (const Slab& slab : solid.slabs) {
+      std::ranges::copy(watch_[slab.region].edges, std::back_inserter(edges));
+    }
+    const std::int64_t height =
+        std::int64_t{solid.slabs.back().ceiling_mm} - solid.slabs.front().floor_mm;
+    return std::min(deepest({"", false, std::move(edges)}), (height + 1) / 2);
+  }
   static bool fits(const Wide& w) { return fits_below(w, quantity_max); }
 
   Range checked(const Wide& w) {
@@ -245,9 +282,10 @@ class WatchRanges {
            "`resolution`");
     return {0, exact(quantity_max), w.declared};
   }
-  void refuse_place(const Wide& x, const Wide& y) {
+  void refuse_place(const Wide& x, const Wide& y, const Wide* z = nullptr) {
     const Unit& unit = *value_->unit;
-    report("this place ranges over " + shown(x, unit) + " and " + shown(y, unit) +
+    const std::string height = z != nullptr ? ", in height over " + shown(*z, unit) : "";
+    report("this place ranges over " + shown(x, unit) + " and " + shown(y, unit) + height +
                ", beyond the grid of zones",
            "coordinates of at most " +
                sema::show(Rational(exact(place_mm_max) * unit.step), unit.dimension) + " work",

@@ -23,6 +23,13 @@ class CarrierFinder {
     const auto found = resolve_robot(context_, around.name, around.number.get());
     // a kind that is not known was reported
     if (!found || index_of(context_.spec[*found].kind) >= context_.spec.kinds.size()) return;
+    if (context_.spec[zone].has_height) {
+      context_.report(Finding(Code::spaces_differ, around.range,
+                              "a zone with height moves with a robot, which moves in the plane")
+                          .label("a robot has no height")
+                          .help("let it move with an input of type `point3`"));
+      return;
+    }
     if (frames_agree(zone, around, map_frame)) context_.carriers.emplace(zone, *found);
   }
 
@@ -30,13 +37,16 @@ class CarrierFinder {
     const auto found = context_.resolve<InputId>(around.name, Sort::input);
     if (!found || context_.faulty_inputs.count(*found) > 0) return;
     const ValueType& type = context_.input_types[index_of(*found)];
-    if (type.kind != TypeKind::point || type.space || type.length || around.number) {
+    const bool tall = context_.spec[zone].has_height;
+    if (type.kind != TypeKind::point || type.space != tall || type.length || around.number) {
       context_.report(
           Finding(Code::wrong_argument, around.range,
-                  "a zone moves with a point or a robot, this is " +
+                  (tall ? "a zone with height moves with a point of space, this is "
+                        : "a zone moves with a point or a robot, this is ") +
                       (around.number ? "an element of an array" : describe(context_.spec, type)))
-              .label("not a point")
-              .help("write the name of an input of type `point`, or of a robot of a fleet"));
+              .label(tall ? "not a point of space" : "not a point")
+              .help(tall ? "write the name of an input of type `point3`"
+                         : "write the name of an input of type `point`, or of a robot of a fleet"));
       return;
     }
     if (frames_agree(zone, around, type.frame)) context_.carriers.emplace(zone, *found);

@@ -87,16 +87,19 @@ class TrendFinder {
             [&](const ForOthers& others) { return of(*others.body); },
             [&](const CountOthers& others) { return of(*others.body); },
             // a place that moves may come nearer to the boundary, and leave it
-            [&](const PointInside& node) { return either_way(joined(of(*node.x), of(*node.y))); },
-            [&](const PointClearance& node) {
-              return either_way(joined(of(*node.x), of(*node.y)));
-            },
+            [&](const PointInside& node) { return either_way(of_place(node)); },
+            [&](const PointClearance& node) { return either_way(of_place(node)); },
             [](const auto&) { return Trend{}; },  // speaks of no parameter
         },
         expr.node);
   }
 
  private:
+  template <class Node>
+  [[nodiscard]] Trend of_place(const Node& node) const {
+    const Trend flat = joined(of(*node.x), of(*node.y));
+    return node.z ? joined(flat, of(*node.z)) : flat;
+  }
   [[nodiscard]] Trend all(const std::vector<ExprPtr>& operands) const {
     Trend trend;
     for (const ExprPtr& operand : operands) trend = joined(trend, of(*operand));

@@ -154,9 +154,13 @@ std::string text_of(const ZoneCircle& circle) {
 }
 std::string text_of(const ZoneImport::Area& area) {
   std::string text;
-  for (const auto& part : area.parts) {
+  for (std::size_t i = 0; i < area.parts.size(); ++i) {
     text += text.empty() ? "" : " | ";
-    text += std::visit([](const auto& shape) { return text_of(shape); }, part);
+    text += std::visit([](const auto& shape) { return text_of(shape); }, area.parts[i]);
+    if (area.bands.empty()) continue;
+    const ZoneImport::Band& band = area.bands[i];
+    if (band.floor) text += " from " + to_decimal(*band.floor);
+    if (band.ceiling) text += " to " + to_decimal(*band.ceiling);
   }
   return area.parts.size() > 1 ? "(" + text + ")" : text;
 }
@@ -193,6 +197,10 @@ std::string ExprPrinter::zone(const ZoneExpr& expr) const {
           },
           [](const ZoneImport& imported) { return text_of(imported); },
           [&](const ZoneReceived& received) { return spec_[received.input].name; },
+          [&](const ZonePrism& prism) {
+            return "prism (" + zone(*prism.base) + ") from " + to_decimal(prism.floor) + " to " +
+                   to_decimal(prism.ceiling);
+          },
           [&](const ZoneComplement& of) { return "complement(" + zone(of.zone) + ")"; },
           [&](const ZoneOffset& offset) {
             return std::string(offset.distance < 0 ? "shrink(" : "grow(") + zone(*offset.operand) +
@@ -243,10 +251,11 @@ std::string ExprPrinter::expr(const Expr& expr) const {
           [](const SensedAge& age) { return "age(self." + name_of(age.signal) + ")"; },
           [&](const ParamRef& reference) { return spec_[reference.param].name; },
           [&](const PointInside& atom) {
-            return "(" + point(*atom.x, *atom.y) + " inside " + zone(atom.zone) + ")";
+            return "(" + point(*atom.x, *atom.y, atom.z.get()) + " inside " + zone(atom.zone) + ")";
           },
           [&](const PointClearance& atom) {
-            return "clearance(" + point(*atom.x, *atom.y) + ", " + zone(atom.zone) + ")";
+            return "clearance(" + point(*atom.x, *atom.y, atom.z.get()) + ", " + zone(atom.zone) +
+                   ")";
           },
           [&](const ZoneOpen& open) { return "open(" + zone(open.zone) + ")"; },
           [&](const WhileOpen& open) { return this->expr(*open.operand); },
@@ -297,8 +306,8 @@ std::string ExprPrinter::input(const InputRef& reference) const {
   return signal.name + "[" + component.substr(0, dot) + "]" + component.substr(dot);
 }
 
-std::string ExprPrinter::point(const Expr& x, const Expr& y) const {
-  return "(" + expr(x) + ", " + expr(y) + ")";
+std::string ExprPrinter::point(const Expr& x, const Expr& y, const Expr* z) const {
+  return "(" + expr(x) + ", " + expr(y) + (z != nullptr ? ", " + expr(*z) : "") + ")";
 }
 
 std::string ExprPrinter::listed(const std::vector<ExprPtr>& operands) const {

@@ -49,9 +49,34 @@ class AreaPlacer {
       for (const auto& part : area->parts) {
         const auto one = [&](const auto& shape) { return place(shape, added); };
         if (!std::visit(one, part.shape)) return false;
+        if (job_.with_heights && !band(part.band, area->where, added)) return false;
       }
     }
     return true;
+  }
+
+  // On a grid of 1 um, as places are.
+  [[nodiscard]] std::optional<Rational> height(
+      const std::optional<geometry::import::Altitude>& from) const {
+    if (!from) return std::nullopt;
+    constexpr long per_metre = 1'000'000;
+    Rational height(static_cast<long>(std::llround(from->value_m * per_metre)), per_metre);
+    height.canonicalize();
+    return height + job_.levels.at(from->reference);
+  }
+  bool band(const geometry::import::Band& from, const std::string& where, ZoneImport::Area& to) {
+    const ZoneImport::Band band{height(from.floor), height(from.ceiling)};
+    to.bands.push_back(band);
+    if (!band.floor || !band.ceiling || *band.floor < *band.ceiling) return true;
+    context_.report(
+        Finding(Code::band_inverted, job_.written.path.range,
+                "`" + job_.path + "`, " + where + ": the floor is at " +
+                    show(*band.floor, dims::length) + " of the map, the ceiling at " +
+                    show(*band.ceiling, dims::length))
+            .label("upside down")
+            .help(
+                "floor and ceiling have different references: look at where `heights` puts them"));
+    return false;
   }
 
   bool place(const Polygon& from, ZoneImport::Area& to) {

@@ -1,6 +1,7 @@
 // From the areas of a file to the polygons and circles of a zone. Internal to imports.cpp.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct ImportJob {
   std::vector<std::vector<const geometry::import::Area*>> inclusions;
   std::vector<const geometry::import::Area*> exclusions;
   std::vector<std::string> remarks;
+  // Heights count: from here, in m, by their reference.
+  bool with_heights = false;
+  std::map<geometry::import::AltitudeReference, Rational> levels{};
 };
 
 // nullopt: some position has no place, which is reported.

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 
+#include "compiler/sema/dimension.h"
 #include "compiler/sema/frames.h"
 #include "compiler/sema/import_areas.h"
 #include "compiler/sema/origin.h"
+#include "compiler/sema/quantity.h"
 #include "compiler/sema/suggest.h"
 #include "compiler/syntax/spelling.h"
 
 namespace rtac::sema {
 
+using geometry::import::AltitudeReference;
 using geometry::import::Area;
 using geometry::import::Areas;
 using geometry::import::Axes;
@@ -46,6 +51,10 @@ class Importer {
 
   bool take_options() {
     for (const ImportOption& option : written_.options) {
+      if (option.word == ImportWord::heights) {
+        if (!take_level(option)) return false;
+        continue;
+      }
       const ImportOption*& first = options_[static_cast<std::size_t>(option.word)];
       if (first != nullptr) {
         context_.duplicate_clause(option.range, first->range,
@@ -67,6 +76,39 @@ class Importer {
     context_.missing_clause(given->range, "`" + std::string(syntax::spell(word)) + "`", "reason",
                             std::string(syntax::spell(word)) + " \"one level\"");
     return false;
+  }
+  // `heights amsl at -432 m`: where what heights count from lies.
+  bool take_level(const ImportOption& given) {
+    if (!known(given.names[0], "reference of heights", {"agl", "amsl", "wgs84"})) return false;
+    const auto reference = reference_of(given.names[0].text);
+    const auto level = quantity(context_, *given.level, {dims::length, "a level of reference"});
+    if (!level) return false;
+    const auto [first, is_new] = levels_.emplace(reference, &given);
+    if (!is_new) {
+      context_.duplicate_clause(given.range, first->second->range,
+                                "`heights " + given.names[0].text + "`");
+      return false;
+    }
+    job_.with_heights = true;
+    job_.levels.emplace(reference, level->value);
+    return true;
+  }
+  static AltitudeReference reference_of(const std::string& name) {
+    if (name == "agl") return AltitudeReference::ground;
+    return name == "amsl" ? AltitudeReference::mean_sea_level : AltitudeReference::ellipsoid;
+  }
+  static std::string name_of(AltitudeReference reference) {
+    switch (reference) {
+      case AltitudeReference::ground:
+        return "agl";
+      case AltitudeReference::mean_sea_level:
+        return "amsl";
+      case AltitudeReference::ellipsoid:
+        return "wgs84";
+      case AltitudeReference::unstated:
+        break;
+    }
+    return "";
   }
   // The word of an option is one of those allowed.
   bool known(const syntax::Name& word, const std::string& what,
@@ -335,10 +377,51 @@ class Importer {
       if (std::any_of(area->parts.begin(), area->parts.end(), has_band)) band = area;
       if (!area->schedule.empty()) time = area;
     }
-    return settle_limit(ImportWord::flat, band, "applies between certain heights only",
-                        "for all heights") &&
+    return (job_.with_heights
+                ? settle_heights()
+                : settle_limit(ImportWord::flat, band, "applies between certain heights only",
+                               "for all heights")) &&
            settle_limit(ImportWord::timeless, time, "applies at certain times only",
                         "for all times");
+  }
+  // Every reference of the selected areas has its level, and no level is without one.
+  bool settle_heights() {
+    if (const ImportOption* const flat = option(ImportWord::flat)) {
+      return without_effect(*flat, "`heights` says where the limits of height are",
+                            "leave out `flat`, or `heights`");
+    }
+    std::set<AltitudeReference> used;
+    for (const Area* area : selected_) {
+      for (const Part& part : area->parts) {
+        for (const auto& limit : {part.band.floor, part.band.ceiling}) {
+          if (!limit) continue;
+          used.insert(limit->reference);
+          if (job_.levels.count(limit->reference) == 0) return no_level(*area, limit->reference);
+        }
+      }
+    }
+    for (const auto& [reference, given] : levels_) {
+      if (used.count(reference) > 0) continue;
+      return without_effect(
+          *given,
+          "no area of `" + job_.path + "` has limits of height from " + given->names[0].text,
+          "leave it out");
+    }
+    for (const auto& [reference, level] : job_.levels) {
+      job_.remarks.push_back("heights " + name_of(reference) +
+                             " count from z = " + show(level, dims::length));
+    }
+    return true;
+  }
+  bool no_level(const Area& area, AltitudeReference reference) {
+    const std::string name = name_of(reference);
+    return ambiguous(written_.path.range,
+                     "`" + job_.path + "`, " + area.where + " has limits of height from " + name +
+                         ", and nothing says where that is",
+                     "from which height of the map?",
+                     "write `heights " + name +
+                         " at 0 m` with the z coordinate of the map from "
+                         "which they count");
   }
   bool settle_limit(ImportWord word, const Area* limited, const std::string& what,
                     const std::string& instead) {
@@ -356,7 +439,10 @@ class Importer {
                        "a zone has no such "
                        "limits",
                        "write `" + name + " \"why\"` behind it to take the area " + instead +
-                           ": safe of one to keep out of, and a promise of one to stay in");
+                           ": safe of one to keep out of, and a promise of one to stay in" +
+                           (word == ImportWord::flat ? "; or `heights agl at 0 m`, with the level "
+                                                       "from which its heights count"
+                                                     : ""));
     }
     if (given != nullptr) job_.remarks.push_back(name + ": " + given->text->text);
     return true;
@@ -365,10 +451,11 @@ class Importer {
   Context& context_;
   const syntax::ImportLit& written_;
   FrameId frame_;
-  std::array<const ImportOption*, 7> options_{};
+  std::array<const ImportOption*, 8> options_{};
+  std::map<AltitudeReference, const ImportOption*> levels_;
   const Areas* areas_ = nullptr;
   std::vector<const Area*> selected_;
-  ImportJob job_{written_, {}, {}, {}, {}, false, {}, {}, {}};
+  ImportJob job_{written_, {}, {}, {}, {}, false, {}, {}, {}, false, {}};
 };
 
 }  // namespace

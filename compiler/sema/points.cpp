@@ -41,18 +41,14 @@ std::optional<PropertyChecker::Placed> PropertyChecker::placed(const syntax::Exp
   return Placed{std::move(*pair), context_.spec[context_.spec[*robot].kind].radius.value};
 }
 
+PropertyChecker::Centre PropertyChecker::centre_of(Pair& place) {
+  return {std::move(place.x), std::move(place.y), std::move(place.z)};
+}
+
 // The place that a point is, in length.
 std::optional<Pair> PropertyChecker::place_of(const syntax::Expr& expr, const std::string& user) {
   auto place = pair_of(expr, Pair::Kind::point, user);
   if (!place) return std::nullopt;
-  if (place->z) {
-    context_.report(
-        Finding(Code::spaces_differ, expr.range, "`" + user + "` takes a point of the plane")
-            .label("this has three coordinates")
-            .help("zones lie in the plane: write `.xy` for the part in the plane, and compare `.z` "
-                  "by itself"));
-    return std::nullopt;
-  }
   if (place->x->dimension == dims::length) return place;
   context_.report(
       Finding(Code::wrong_dimension, expr.range,
@@ -71,7 +67,19 @@ std::optional<ZoneId> PropertyChecker::zone_around(const Pair& place, const synt
   if (received && !signal_allowed(zone.range, *name, Sort::input)) return std::nullopt;
   const FrameId frame = place.frame ? *place.frame : frame_of_zone(context_, zone);
   const Change change = scope_.of_robot() ? Change::refused : Change::allowed;
-  return zone_in_property(context_, zone, frame, change);
+  const auto id = zone_in_property(context_, zone, frame, change, Height::allowed);
+  if (!id || has_height(context_, zone) == (place.z != nullptr)) return id;
+  Finding finding(Code::spaces_differ, zone.range,
+                  place.z ? "a point of space is held against a zone of the plane"
+                          : "a place in the plane is held against a zone with height");
+  finding.label(place.z ? "this zone lies in the plane" : "this zone has height");
+  finding.help(place.z
+                   ? "say how high the zone reaches, `prism (zone) from 0 m to 50 m`, or write "
+                     "`.xy` for the part of the point in the plane"
+                   : "an input of type `point3` has a height; robots move in the plane, and are "
+                     "held against zones of the plane");
+  context_.report(finding);
+  return std::nullopt;
 }
 
 // The place as it is seen from what the zone moves with; false: reported.
@@ -91,6 +99,9 @@ bool PropertyChecker::seen_from_carrier(const syntax::Expr& expr, ZoneId zone, P
   if (centre == nullptr) return false;
   place.x = sum(expr, ArithmeticOp::subtract, std::move(place.x), std::move(centre->x));
   place.y = sum(expr, ArithmeticOp::subtract, std::move(place.y), std::move(centre->y));
+  if (place.z) {
+    place.z = sum(expr, ArithmeticOp::subtract, std::move(place.z), std::move(centre->z));
+  }
   return true;
 }
 
@@ -123,7 +134,8 @@ ExprPtr PropertyChecker::inside_of(const syntax::Expr& expr, Centre place, ZoneI
     ExprPtr in = inside_of(expr, std::move(place), *of);
     return make_condition(expr.range, Logic{LogicOp::logical_not, operands_of(std::move(in))});
   }
-  return make_condition(expr.range, PointInside{std::move(place.x), std::move(place.y), zone});
+  return make_condition(
+      expr.range, PointInside{std::move(place.x), std::move(place.y), std::move(place.z), zone});
 }
 
 // The distance of a place to the boundary, negative outside.
@@ -133,8 +145,9 @@ ExprPtr PropertyChecker::gap_of(const syntax::Expr& expr, Centre place, ZoneId z
     return make_quantity(expr.range, dims::length,
                          Arithmetic{ArithmeticOp::negate, operands_of(std::move(gap))});
   }
-  return make_quantity(expr.range, dims::length,
-                       PointClearance{std::move(place.x), std::move(place.y), zone});
+  return make_quantity(
+      expr.range, dims::length,
+      PointClearance{std::move(place.x), std::move(place.y), std::move(place.z), zone});
 }
 
 ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Binary& binary) {
@@ -142,7 +155,7 @@ ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Bi
   auto held = placed(*binary.left, "inside");
   const auto zone = held ? zone_around(held->centre, *binary.right) : std::nullopt;
   if (!zone || !seen_from_carrier(expr, *zone, held->centre)) return nullptr;
-  Centre centre{std::move(held->centre.x), std::move(held->centre.y)};
+  Centre centre = centre_of(held->centre);
   if (held->radius == 0) {
     return inside_while_open(expr.range, *zone, inside_of(expr, std::move(centre), *zone));
   }
@@ -176,7 +189,7 @@ std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const synt
   auto held = placed(first, user);
   const auto zone = held ? zone_around(held->centre, second) : std::nullopt;
   if (!zone || !seen_from_carrier(expr, *zone, held->centre)) return std::nullopt;
-  Centre centre{std::move(held->centre.x), std::move(held->centre.y)};
+  Centre centre = centre_of(held->centre);
   return CentreGap{gap_of(expr, std::move(centre), *zone), held->radius, *zone};
 }
 

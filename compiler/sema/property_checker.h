@@ -229,7 +229,9 @@ class PropertyChecker {
   };
   struct Centre {
     ExprPtr x, y;  // m
+    ExprPtr z;     // null: in the plane
   };
+  static Centre centre_of(Pair& place);
   ExprPtr inside_of(const syntax::Expr& expr, Centre place, ZoneId zone);
   ExprPtr gap_of(const syntax::Expr& expr, Centre place, ZoneId zone);
   [[nodiscard]] bool says_zone(const syntax::Expr& expr) const;

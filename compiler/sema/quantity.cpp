@@ -302,6 +302,7 @@ std::string form_of(const syntax::Expr& expr) {
   if (std::holds_alternative<syntax::RectangleLit>(expr.node) ||
       std::holds_alternative<syntax::CircleLit>(expr.node) ||
       std::holds_alternative<syntax::PolygonLit>(expr.node) ||
+      std::holds_alternative<syntax::PrismLit>(expr.node) ||
       std::holds_alternative<syntax::ImportLit>(expr.node)) {
     return "a zone";
   }

@@ -97,8 +97,12 @@ struct ZoneOffset {  // grow when positive, shrink when negative
 // The areas of a file: inside any of the inclusions, which is inside all of its areas, and outside
 // of every exclusion.
 struct ZoneImport {
+  struct Band {  // m; without an end: from the lowest place there is, or to the highest
+    std::optional<Rational> floor, ceiling;
+  };
   struct Area {  // the union of its parts
     std::vector<std::variant<ZonePolygon, ZoneCircle>> parts;
+    std::vector<Band> bands;  // of each part of a zone with height; else none
   };
   std::string path;  // as written
   std::vector<std::vector<Area>> inclusions;
@@ -113,13 +117,17 @@ struct ZoneReceived {  // while the monitors run
   InputId input;
   std::uint32_t edges_most;
 };
+struct ZonePrism {  // of a zone of the plane; floor < ceiling
+  ZoneExprPtr base;
+  Rational floor, ceiling;  // m
+};
 struct ZoneComplement {  // every place that is not in the zone
   ZoneId zone;
 };
 struct ZoneExpr {
   SourceRange range;
-  std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport, ZoneReceived,
-               ZoneComplement>
+  std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport, ZonePrism,
+               ZoneReceived, ZoneComplement>
       node;
 };
 // From one moment on, before another: once, or on certain days of every week. In UTC.
@@ -132,6 +140,7 @@ struct Zone {
   SourceRange name_range;
   ZoneExprPtr value;
   FrameId frame = map_frame;
+  bool has_height = false;          // else it lies in the plane
   std::vector<Opening> openings{};  // outside of them it is empty; none: it is always there
 };
 
@@ -361,10 +370,12 @@ struct ParamRef {
 };
 struct PointInside {  // p inside Z
   ExprPtr x, y;       // m
+  ExprPtr z;          // m, of a zone with height; else null
   ZoneId zone;
 };
 struct PointClearance {  // clearance(p, Z): distance to the boundary, negative outside
   ExprPtr x, y;          // m
+  ExprPtr z;             // m, of a zone with height; else null
   ZoneId zone;
 };
 struct ZoneOpen {  // now is within an opening of the zone

@@ -19,6 +19,10 @@ std::vector<ExprPtr> clone_all(const std::vector<ExprPtr>& operands) {
   return copies;
 }
 
+ExprPtr cloned(const ExprPtr& expr) {
+  return expr ? clone(*expr) : nullptr;
+}
+
 decltype(Expr::node) clone_node(const decltype(Expr::node)& written) {
   using Node = decltype(Expr::node);
   return std::visit(
@@ -63,10 +67,10 @@ decltype(Expr::node) clone_node(const decltype(Expr::node)& written) {
             return Node(WithinOf{clone(*node.operand), clone(*node.trigger), node.duration});
           },
           [](const PointInside& node) {
-            return Node(PointInside{clone(*node.x), clone(*node.y), node.zone});
+            return Node(PointInside{clone(*node.x), clone(*node.y), cloned(node.z), node.zone});
           },
           [](const PointClearance& node) {
-            return Node(PointClearance{clone(*node.x), clone(*node.y), node.zone});
+            return Node(PointClearance{clone(*node.x), clone(*node.y), cloned(node.z), node.zone});
           },
           [](const WhileOpen& node) {
             return Node(WhileOpen{node.zone, node.endless, clone(*node.operand)});

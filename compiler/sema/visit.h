@@ -36,6 +36,7 @@ void for_each_operand(Tree& expr, Visit&& visit) {
                              std::is_same_v<Node, PointClearance>) {
           visit(node.x);
           visit(node.y);
+          if (node.z) visit(node.z);
         } else if constexpr (std::is_same_v<Node, WithinOf>) {
           visit(node.operand);
           visit(node.trigger);

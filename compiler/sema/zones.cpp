@@ -31,11 +31,13 @@ class ZoneChecker {
   ZoneExprPtr zone(const syntax::Expr&, const syntax::ErrorExpr&) { return nullptr; }
 
   ZoneExprPtr zone(const syntax::Expr& expr, const syntax::NameRef& reference) {
-    const auto id = zone_in_frame(context_, reference.name, frame_);
+    const auto id =
+        zone_in_frame(context_, reference.name, frame_, Change::refused, Height::allowed);
     return id ? make(expr.range, ZoneRef{*id}) : nullptr;
   }
 
   ZoneExprPtr zone(const syntax::Expr& expr, const syntax::RectangleLit& rectangle) {
+    if (has_height(context_, expr)) return box_over(expr, rectangle);
     const auto from = check_point(context_, *rectangle.from, "a corner of a rectangle");
     const auto to = check_point(context_, *rectangle.to, "a corner of a rectangle");
     if (!from || !to) return nullptr;
@@ -90,6 +92,20 @@ class ZoneChecker {
     return good;
   }
 
+  ZoneExprPtr zone(const syntax::Expr& expr, const syntax::PrismLit& written) {
+    const bool flat = lies_in_plane(context_, *written.base, "the base of a prism");
+    ZoneExprPtr base = check(*written.base);
+    const auto band = check_band(context_, expr, written);
+    if (!flat || !base || !band) return nullptr;
+    return make(expr.range, ZonePrism{std::move(base), band->floor, band->ceiling});
+  }
+  ZoneExprPtr box_over(const syntax::Expr& expr, const syntax::RectangleLit& written) {
+    auto box = check_box(context_, expr, written);
+    if (!box) return nullptr;
+    ZoneExprPtr base = make(expr.range, std::move(box->base));
+    return make(expr.range, ZonePrism{std::move(base), box->band.floor, box->band.ceiling});
+  }
+
   ZoneExprPtr zone(const syntax::Expr& expr, const syntax::ImportLit& written) {
     auto imported = import_zone(context_, written, frame_);
     return imported ? make(expr.range, std::move(*imported)) : nullptr;
@@ -128,7 +144,7 @@ class ZoneChecker {
   ZoneExprPtr join(const syntax::Expr& expr, const syntax::Binary& binary, ZoneOp op) {
     ZoneExprPtr left = check(*binary.left);
     ZoneExprPtr right = check(*binary.right);
-    if (!left || !right) return nullptr;
+    if (!left || !right || !heights_agree(context_, binary)) return nullptr;
     return make(expr.range, ZoneBinary{op, std::move(left), std::move(right)});
   }
 
@@ -162,7 +178,8 @@ class ZoneChecker {
 
   ZoneExprPtr complement(const syntax::Expr& expr, const syntax::Call& call) {
     if (!argument_count(expr, call, 1, "a zone is due", "(zone)")) return nullptr;
-    const auto of = zone_in_property(context_, *call.arguments[0], frame_);
+    const auto of =
+        zone_in_property(context_, *call.arguments[0], frame_, Change::refused, Height::allowed);
     return of ? make(expr.range, ZoneComplement{*of}) : nullptr;
   }
 
@@ -196,8 +213,9 @@ class ZoneChecker {
   }
 
   static constexpr const char* zone_help =
-      "write the name of a zone, `rectangle`, `circle`, `polygon`, `shrink(zone, length)`, "
-      "`complement(zone)`, `import \"file\"`, or zones joined by `|`, `&` and `-`";
+      "write the name of a zone, `rectangle`, `circle`, `polygon`, `prism`, "
+      "`shrink(zone, length)`, `complement(zone)`, `import \"file\"`, or zones joined by `|`, `&` "
+      "and `-`";
 
   Context& context_;
   FrameId frame_;
@@ -218,6 +236,8 @@ void collect_references(const ZoneExpr& expr, std::vector<const ZoneExpr*>& refe
     collect_references(*binary->right, references);
   } else if (const auto* offset = std::get_if<ZoneOffset>(&expr.node)) {
     collect_references(*offset->operand, references);
+  } else if (const auto* prism = std::get_if<ZonePrism>(&expr.node)) {
+    collect_references(*prism->base, references);
   }
 }
 
@@ -303,6 +323,7 @@ void check_zones(Context& context) {
     // operands without a name join the zones meanwhile
     ZoneExprPtr value = checker.check(*context.zones[i].node->value);
     context.spec.zones[i].value = std::move(value);
+    context.spec.zones[i].has_height = has_height(context, *context.zones[i].node->value);
     context.spec.zones[i].openings = check_openings(context, context.zones[i].node->during);
   }
   CycleSearch search(context);
@@ -330,26 +351,58 @@ bool have_units(Context& context, const syntax::PointLit& point, const SourceRan
 
 }  // namespace
 
-std::optional<Point> check_point(Context& context, const syntax::Expr& expr,
-                                 const std::string& what) {
+namespace {
+
+std::optional<std::vector<Rational>> coordinates(Context& context, const syntax::Expr& expr,
+                                                 const std::string& what, bool space) {
   if (is_error(expr)) return std::nullopt;
   const auto* point = std::get_if<syntax::PointLit>(&expr.node);
-  if (point == nullptr || point->coordinates.size() != 2) {
-    context.report(Finding(Code::point_expected, expr.range, what + " is a point of the plane")
+  if (point == nullptr || point->coordinates.size() != (space ? 3 : 2)) {
+    context.report(Finding(Code::point_expected, expr.range,
+                           what + (space ? " is a point of space" : " is a point of the plane"))
                        .label(point == nullptr
                                   ? "not a point"
                                   : std::to_string(point->coordinates.size()) + " coordinates")
-                       .help("write two lengths: `(1 m, 2 m)`"));
+                       .help(space ? "write three lengths: `(1 m, 2 m, 3 m)`"
+                                   : "write two lengths: `(1 m, 2 m)`"));
     return std::nullopt;
   }
   if (!have_units(context, *point, expr.range)) return std::nullopt;
-  const auto x = quantity(context, *point->coordinates[0], {dims::length, "a coordinate"});
-  const auto y = quantity(context, *point->coordinates[1], {dims::length, "a coordinate"});
-  if (!x || !y) return std::nullopt;
-  return Point{x->value, y->value};
+  std::vector<Rational> values;
+  for (const syntax::ExprPtr& each : point->coordinates) {
+    const auto value = quantity(context, *each, {dims::length, "a coordinate"});
+    if (value) values.push_back(value->value);
+  }
+  const bool good = values.size() == point->coordinates.size();
+  return good ? std::optional(std::move(values)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Point> check_point(Context& context, const syntax::Expr& expr,
+                                 const std::string& what) {
+  const auto found = coordinates(context, expr, what, false);
+  return found ? std::optional(Point{(*found)[0], (*found)[1]}) : std::nullopt;
+}
+std::optional<std::vector<Rational>> check_corner(Context& context, const syntax::Expr& expr,
+                                                  const std::string& what) {
+  return coordinates(context, expr, what, true);
 }
 
 namespace {
+
+// What asks for a zone without saying for which places.
+constexpr const char* robots_are = "a robot";
+
+bool lies_in_plane(Context& context, const syntax::Name& name, ZoneId id) {
+  const std::uint32_t index = index_of(id);
+  const bool tall = index < context.zones.size()
+                        ? has_height(context, *context.zones[index].node->value)
+                        : context.spec[id].has_height;
+  if (!tall) return true;
+  report_height(context, name.range, "`" + name.text + "`", robots_are);
+  return false;
+}
 
 bool stays(Context& context, const syntax::Name& name, ZoneId id) {
   const std::uint32_t index = index_of(id);
@@ -396,13 +449,14 @@ static std::optional<ZoneId> received_zone(Context& context, const syntax::Name&
 }
 
 std::optional<ZoneId> zone_in_frame(Context& context, const syntax::Name& name, FrameId frame,
-                                    Change change) {
+                                    Change change, Height height) {
   const Symbol* symbol = context.symbols.find(name.text);
   const bool received = symbol != nullptr && is_received_zone(context, *symbol);
   const auto id = received ? received_zone(context, name, *symbol, change)
                            : context.resolve<ZoneId>(name, Sort::zone);
   if (!id) return std::nullopt;
   if (change == Change::refused && !stays(context, name, *id)) return std::nullopt;
+  if (height == Height::refused && !lies_in_plane(context, name, *id)) return std::nullopt;
   if (context.spec[*id].frame == frame) return id;
   const std::string& here = context.spec[context.spec[*id].frame].name;
   const std::string& due = context.spec[frame].name;
@@ -431,8 +485,11 @@ const Symbol* first_zone(const Context& context, const syntax::Expr& expr) {
     return left != nullptr ? left : first_zone(context, *binary->right);
   }
   const auto* call = std::get_if<syntax::Call>(&expr.node);
-  const bool has_operand = call != nullptr && !call->arguments.empty();
-  return has_operand ? first_zone(context, *call->arguments.front()) : nullptr;
+  if (call != nullptr && !call->arguments.empty()) {
+    return first_zone(context, *call->arguments.front());
+  }
+  const auto* prism = std::get_if<syntax::PrismLit>(&expr.node);
+  return prism != nullptr ? first_zone(context, *prism->base) : nullptr;
 }
 
 }  // namespace
@@ -446,10 +503,11 @@ FrameId frame_of_zone(const Context& context, const syntax::Expr& expr) {
 }
 
 std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr, FrameId frame,
-                                       Change change) {
+                                       Change change, Height height) {
   if (const auto* reference = std::get_if<syntax::NameRef>(&expr.node)) {
-    return zone_in_frame(context, reference->name, frame, change);
+    return zone_in_frame(context, reference->name, frame, change, height);
   }
+  if (height == Height::refused && !lies_in_plane(context, expr, robots_are)) return std::nullopt;
   // the body of a function is looked at for each of its calls
   auto& zones = context.spec.zones;
   const auto same = std::find_if(zones.begin(), zones.end(), [&](const Zone& zone) {
@@ -458,7 +516,8 @@ std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& exp
   if (same != zones.end()) return ZoneId{static_cast<std::uint32_t>(same - zones.begin())};
   ZoneExprPtr value = ZoneChecker(context, frame).check(expr);
   if (!value) return std::nullopt;
-  context.spec.zones.push_back({"", expr.range, std::move(value), frame});
+  context.spec.zones.push_back(
+      {"", expr.range, std::move(value), frame, has_height(context, expr)});
   return ZoneId{static_cast<std::uint32_t>(context.spec.zones.size() - 1)};
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compiler/sema/context.h"
+#include "compiler/sema/heights.h"
 
 namespace rtac::sema {
 
@@ -22,6 +23,10 @@ bool is_received_zone(const Context& context, const Symbol& symbol);
 std::optional<Point> check_point(Context& context, const syntax::Expr& expr,
                                  const std::string& what);
 
+// A point of space; all of its coordinates are lengths.
+std::optional<std::vector<Rational>> check_corner(Context& context, const syntax::Expr& expr,
+                                                  const std::string& what);
+
 // Functions whose value is a zone: `shrink`, `grow`, `complement`.
 bool is_zone_function(const std::string& name);
 
@@ -34,13 +39,15 @@ enum class Change { refused, allowed };
 // The zone that an expression inside a property stands for: a declared one, or a new one without
 // a name at the end of spec.zones; all of it in `frame`. Robots are in `map`.
 std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr,
-                                       FrameId frame = map_frame, Change change = Change::refused);
+                                       FrameId frame = map_frame, Change change = Change::refused,
+                                       Height height = Height::refused);
 
 // The frame of the first zone that is named in an expression; `map` when none is.
 FrameId frame_of_zone(const Context& context, const syntax::Expr& expr);
 
 // The declared zone of this name, which must be in this frame.
 std::optional<ZoneId> zone_in_frame(Context& context, const syntax::Name& name,
-                                    FrameId frame = map_frame, Change change = Change::refused);
+                                    FrameId frame = map_frame, Change change = Change::refused,
+                                    Height height = Height::refused);
 
 }  // namespace rtac::sema

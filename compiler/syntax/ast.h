@@ -145,7 +145,7 @@ struct OverFleet {  // min(q : Kind, q != r : x), count(q : Kind, q != r : φ); 
 struct PointLit {  // (1 m, 2 m)
   std::vector<ExprPtr> coordinates;
 };
-struct RectangleLit {  // rectangle (0 m, 0 m) to (5 m, 5 m)
+struct RectangleLit {  // rectangle (0 m, 0 m) to (5 m, 5 m); of space: a box
   ExprPtr from, to;
 };
 struct CircleLit {  // circle (1 m, 1 m) radius 30 cm
@@ -159,14 +159,18 @@ struct PolygonLit {  // polygon [p, p, p] hole [p, p, p]
   Ring outer;
   std::vector<Ring> holes;
 };
+struct PrismLit {  // prism (field - pond) from 10 m to 50 m
+  ExprPtr base, floor, ceiling;
+};
 // What a file leaves open, or what of it is meant: feature "hospital", in m, axes latitude
-// longitude, inclusions all, exclusions, flat "why", timeless "why".
-enum class ImportWord { feature, unit, axes, inclusions, exclusions, flat, timeless };
+// longitude, inclusions all, exclusions, flat "why", timeless "why", heights sea at -432 m.
+enum class ImportWord { feature, unit, axes, inclusions, exclusions, flat, timeless, heights };
 struct ImportOption {
   ImportWord word = ImportWord::feature;
   std::optional<Text> text;
   std::vector<Name> names;  // sema knows them
   SourceRange range;
+  ExprPtr level = nullptr;  // of heights: where the reference is
 };
 struct ImportLit {  // import "city.geojson" feature "hospital"
   Text path;
@@ -178,7 +182,7 @@ struct Expr {
   SourceRange range;
   std::variant<NumberLit, BoolLit, NameRef, Member, Call, Unary, Binary, Held, Previously, Past,
                Since, WithinOf, Aggregate, Conditional, Let, Index, Quantified, OverFleet, PointLit,
-               RectangleLit, CircleLit, PolygonLit, ImportLit, ErrorExpr>
+               RectangleLit, CircleLit, PolygonLit, PrismLit, ImportLit, ErrorExpr>
       node;
 };
 

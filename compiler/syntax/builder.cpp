@@ -209,6 +209,11 @@ Operand Builder::circle(const SourceRange& range, Operand centre, Operand radius
               CircleLit{std::move(centre.expr), std::move(radius.expr)});
 }
 
+Operand Builder::prism(const SourceRange& range, Operand base, Operand floor, Operand ceiling) {
+  return grow(range, std::max({base.height, floor.height, ceiling.height}),
+              PrismLit{std::move(base.expr), std::move(floor.expr), std::move(ceiling.expr)});
+}
+
 Operand Builder::polygon(const SourceRange& range, PolygonParts parts) {
   return grow(range, parts.height, std::move(parts.node));
 }

@@ -128,6 +128,7 @@ class Builder {
   Operand point(const SourceRange& range, Operand first, Operands rest);
   Operand rectangle(const SourceRange& range, Operand from, Operand to);
   Operand circle(const SourceRange& range, Operand centre, Operand radius);
+  Operand prism(const SourceRange& range, Operand base, Operand floor, Operand ceiling);
   Operand polygon(const SourceRange& range, PolygonParts parts);
   ImportLit zone_file(Text path);
 

@@ -160,6 +160,13 @@ class ExprDumper {
     Level level{text_};
     add_all(ring.points);
   }
+  void add(const PrismLit& node, const SourceRange& range) {
+    line("Prism", range);
+    Level level{text_};
+    add(*node.base);
+    part("From", node.floor);
+    part("To", node.ceiling);
+  }
   void add(const ImportLit& node, const SourceRange& range) {
     line("Import " + spell_text(node.path.text), range);
     Level level{text_};
@@ -168,6 +175,9 @@ class ExprDumper {
       if (option.text) text += ' ' + spell_text(option.text->text);
       for (const Name& name : option.names) text += ' ' + name.text;
       line(text, option.range);
+      if (!option.level) continue;
+      Level at{text_};
+      add(*option.level);
     }
   }
   void add(const ErrorExpr&, const SourceRange& range) { line("Error", range); }

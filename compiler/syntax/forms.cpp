@@ -15,6 +15,7 @@ constexpr Construct kConstructs[] = {
     {T::RECTANGLE, "rectangle (0 m, 0 m) to (5 m, 5 m)"},
     {T::CIRCLE, "circle (1 m, 1 m) radius 2 m"},
     {T::POLYGON, "polygon [(0 m, 0 m), (5 m, 0 m), (4 m, 5 m)]"},
+    {T::PRISM, "prism (field) from 10 m to 50 m"},
     {T::FORALL, "forall q : Cart, q != r : distance(r, q) >= 8 cm"},
     {T::DURING, "during 2026-05-01T08:00Z .. 2026-05-01T18:00Z or monday, friday 07:30 .. 16:00"},
     {T::AROUND, "zone bubble = circle (0 m, 0 m) radius 3 m around carrier;"},

@@ -25,7 +25,7 @@ enum Strength {
   sum_level,
   product_level,
   negation_level,
-  zone_level,  // rectangle, circle, polygon: operands, but `.` cannot follow them
+  zone_level,  // rectangle, circle, polygon, prism: operands, but `.` cannot follow them
   primary_level
 };
 
@@ -83,6 +83,7 @@ Strength strength_of(const Expr& expr) {
           [](const RectangleLit&) { return zone_level; },
           [](const CircleLit&) { return zone_level; },
           [](const PolygonLit&) { return zone_level; },
+          [](const PrismLit&) { return zone_level; },
           [](const ImportLit&) { return zone_level; },
           [](const NumberLit&) { return primary_level; },
           [](const BoolLit&) { return primary_level; },
@@ -207,10 +208,21 @@ std::string print_node(const PolygonLit& node) {
     result += " hole [" + print_list(hole.points) + ']';
   return result;
 }
+// A height may have a sign without brackets.
+std::string print_height(const ExprPtr& height) {
+  const auto* sign = std::get_if<Unary>(&height->node);
+  const bool is_signed = sign != nullptr && sign->op == UnaryOp::negate;
+  return is_signed ? '-' + print_height(sign->operand) : operand(height, primary_level);
+}
+std::string print_node(const PrismLit& node) {
+  return "prism " + operand(node.base, primary_level) + " from " + print_height(node.floor) +
+         " to " + print_height(node.ceiling);
+}
 std::string print_option(const ImportOption& option) {
   std::string result{spell(option.word)};
   if (option.text) result += ' ' + spell_text(option.text->text);
   for (const Name& name : option.names) result += ' ' + name.text;
+  if (option.level) result += " at " + print_height(option.level);
   return result;
 }
 std::string print_node(const ImportLit& node) {

@@ -80,6 +80,8 @@ std::string_view spell(ImportWord word) {
       return "flat";
     case ImportWord::timeless:
       return "timeless";
+    case ImportWord::heights:
+      return "heights";
   }
   return {};
 }

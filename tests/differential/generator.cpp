@@ -102,6 +102,9 @@ std::string declarations(std::uint32_t variant) {
       "m);\n"
       "zone bend = polygon [(-1 m, -1 m), (1.2 m, -0.7005 m), (0.3 m, 1.4 m), (0 m, 0 m)];\n"
       "zone pond = circle (0.5 m, -0.5 m) radius 0.8 m;\n"
+      "zone loft = prism (yard) from -0.5 m to 1 m | prism (bend) from 1 m to 1.8 m;\n"
+      "zone shaft = prism (pond) from -1.2 m to 1.3 m - rectangle (0 m, -1 m, 0 m) to (1 m, 1 m, "
+      "0.7003 m);\n"
       "robot Rover {\n"
       "  body radius 10 cm;\n"
       "  motion point { speed <= 0.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }\n"
@@ -212,6 +215,13 @@ std::string Generator::atom() {
       "q inside complement(pond)",
       "clearance(p, complement(yard | pond)) > 30 cm",
       "p inside grow(complement(bend), 10 cm) & yard",
+      "s inside loft",
+      "s inside shaft",
+      "s inside complement(shaft | loft)",
+      "s inside shrink(loft, 10 cm)",
+      "clearance(s, loft) >= 30 cm",
+      "distance(s, shaft) <= 20 cm",
+      "distance(s, grow(prism (yard) from 0 m to 1 m, 20 cm)) >= 30 cm",
       "g == (if b then w else drive)",
       "(if a then g else park) != (if c then reverse else w)"};
   return *(whole.begin() + below(whole.size()));

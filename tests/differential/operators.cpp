@@ -165,6 +165,9 @@ void add_space(List& all) {
       {"norm", "norm($1)", Type::length, {vector}},
       {"distance", "distance($1, $2)", Type::length, {point, point}},
       {"if", "(if $1 then $2 else $3)", point, {condition, point, point}},
+      {"distance to a zone", "distance($1, shaft)", Type::length, {point}},
+      {"clearance", "clearance($1, loft)", Type::length, {point}},
+      {"inside", "$1 inside loft", condition, {point}},
       {"component", "$1.z", Type::length, {point}},
       {"component", "$1.xy", Type::point, {point}},
   };

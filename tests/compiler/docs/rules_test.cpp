@@ -181,6 +181,9 @@ TEST(Rule7_5, IsAsShown) {
 TEST(Rule7_6, IsAsShown) {
   expect_as_shown("7.6");
 }
+TEST(Rule7_7, IsAsShown) {
+  expect_as_shown("7.7");
+}
 TEST(Rule8, IsAsShown) {
   expect_as_shown("8");
 }

@@ -160,13 +160,19 @@ TEST(Points, AsLiteralsAreInTheFrameOfTheZone) {
 }
 
 // Zones lie in the plane: what height a point of space has there is not for them to say.
-TEST(Points, OfSpaceAreInNoZone) {
+TEST(Points, OfSpaceAreInNoZoneOfThePlane) {
   for (const char* property : {"s inside room", "clearance(s, room) >= 1 m",
                                "distance(s, room) <= 1 m", "(1 m, 2 m, 3 m) inside room"}) {
     const std::string found = meaning(property);
     EXPECT_NE(found.find("3040 spaces_differ"), std::string::npos) << property << ": " << found;
-    EXPECT_NE(found.find("takes a point of the plane"), std::string::npos) << found;
+    EXPECT_NE(found.find("held against a zone of the plane"), std::string::npos) << found;
   }
+}
+TEST(Points, OfSpaceAreInZonesWithHeight) {
+  EXPECT_EQ(meaning("s inside prism (room) from -1 m to 2.5 m"),
+            "((s.x, s.y, s.z) inside prism (room) from -1 to 2.5)");
+  EXPECT_EQ(meaning("clearance(s, complement(prism (room) from 0 m to 2 m)) <= 1 m"),
+            "((-clearance((s.x, s.y, s.z), prism (room) from 0 to 2)) <= 1 m)");
 }
 TEST(Points, OfSpaceHaveAPartInThePlane) {
   EXPECT_EQ(meaning("s.xy inside room"), "((s.x, s.y) inside room)");

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "tests/compiler/sema/rules_frames.h"
+#include "tests/compiler/sema/rules_heights.h"
 #include "tests/compiler/sema/rules_mistakes.h"
 #include "tests/compiler/sema/rules_monitors.h"
 #include "tests/compiler/sema/rules_names.h"
@@ -25,7 +26,7 @@ std::vector<Rule> all_rules() {
         rules_of_controllers(), rules_of_properties(), rules_of_monitors(), rules_of_decisions(),
         rules_of_signals(), rules_of_watches(), rules_of_values(), rules_of_functions(),
         rules_of_windows(), rules_of_robots_and_time(), rules_of_habits(), rules_of_limits(),
-        rules_of_frames(), rules_of_openings()}) {
+        rules_of_frames(), rules_of_openings(), rules_of_heights()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -201,6 +201,44 @@ TEST_F(ZoneFiles, OfAviationAskAboutHeightsTimesAndPermissions) {
   EXPECT_EQ(imported(zones + "feature \"JAIL\" exclusions flat \"all\";").inclusions.size(), 1U);
 }
 
+// Heights count from where the author says that their references lie; nothing else is known of
+// them.
+TEST_F(ZoneFiles, HeightsCountFromTheLevelsOfTheirReferences) {
+  const auto volume = [](const std::string& lower, const std::string& upper) {
+    return R"({"uomDimensions":"M",)" + lower + "," + upper +
+           R"(,"horizontalProjection":{"type":"Circle","center":[8.546,47.398],"radius":300}})";
+  };
+  const auto file = [&](const std::string& volumes) {
+    write("uas.json",
+          R"({"title":"t","features":[{"identifier":"JAIL","country":"CHE","type":"COMMON",)"
+          R"("restriction":"PROHIBITED","zoneAuthority":[],"applicability":[{"permanent":"YES"}],)"
+          R"("geometry":[)" +
+              volumes + "]}]}");
+  };
+  const std::string ground = R"("lowerLimit":10.5,"lowerVerticalReference":"AGL")";
+  const std::string sea = R"("upperLimit":500,"upperVerticalReference":"AMSL")";
+  const std::string zones = std::string(origin) + "zone z = import \"uas.json\" exclusions ";
+  file(volume(ground, sea));
+  const ZoneImport both = imported(zones + "heights agl at -1.5 m heights amsl at -432 m;");
+  ASSERT_EQ(both.inclusions.at(0).at(0).bands.size(), 1U);
+  EXPECT_EQ(both.inclusions[0][0].bands[0].floor, Rational(9));
+  EXPECT_EQ(both.inclusions[0][0].bands[0].ceiling, Rational(68));
+  EXPECT_EQ(both.remarks.back(), "heights agl count from z = -1.5 m");
+
+  expect(zones + "heights agl at 0 m;", Code::import_ambiguous, "\"uas.json\"",
+         "limits of height from amsl", "`heights amsl at 0 m`");
+  expect(zones + "heights agl at 0 m heights amsl at 0 m heights wgs84 at 1 m;",
+         Code::clause_without_effect, "heights wgs84 at 1 m", "no area", "leave it out");
+  expect(zones + "flat \"all\" heights agl at 0 m heights amsl at 0 m;",
+         Code::clause_without_effect, "flat \"all\"", "`heights` says", "leave out");
+  expect(zones + "heights sea at 0 m;", Code::unknown_word, "sea", "reference of heights", "agl");
+  expect(zones + "heights agl at 0 s;", Code::wrong_dimension, "0 s", "a length", "in m");
+  expect(zones + "heights agl at 0 m heights agl at 1 m;", Code::duplicate_clause,
+         "heights agl at 1 m", "", "");
+  expect(zones + "heights agl at 0 m heights amsl at -490 m;", Code::band_inverted, "\"uas.json\"",
+         "the floor is at 10.5 m of the map, the ceiling at 10 m", "different references");
+}
+
 // A way from vertex to vertex that a format does not describe is covered by the error, one that is
 // straight in degrees is divided.
 TEST_F(ZoneFiles, EdgesThatMayRunEitherWayWidenTheError) {

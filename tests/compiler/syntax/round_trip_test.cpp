@@ -40,6 +40,12 @@ TEST(RoundTrip, KeepsWindowsOfTime) {
   expect_round_trip("input clock, during, around : bool;\nzone a = during during 07:30 .. 16:00;");
 }
 
+TEST(RoundTrip, KeepsPrisms) {
+  expect_round_trip(
+      "zone a = prism (b - c) from -5 m to from | rectangle (1 m, 2 m, 3 m) to (4 m, 5 m, 6 m);");
+  expect_round_trip("zone from = prism (a) from -(1 m + 2 m) to --to - prism b from 0 m to c.d;");
+}
+
 TEST(RoundTrip, HoldsForAllSpecs) {
   const auto specs = all_specs();
   ASSERT_GE(specs.size(), 6U);

@@ -1,0 +1,189 @@
+#include "compiler/analysis/solids.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "compiler/analysis/zones.h"
+
+namespace rtac::analysis {
+
+using diag::Code;
+
+SolidEvaluator::SolidEvaluator(const sema::Spec& spec, diag::Engine& diagnostics, Base base)
+    : spec_(spec),
+      diagnostics_(diagnostics),
+      base_(std::move(base)),
+      solids_(2 * spec.zones.size()),
+      visited_(2 * spec.zones.size(), false) {}
+
+std::optional<geometry::Solid> SolidEvaluator::zone(sema::ZoneId id, Side side) {
+  const auto i = 2 * static_cast<std::size_t>(id) + (side == Side::inner ? 0 : 1);
+  if (!visited_[i]) {
+    visited_[i] = true;
+    solids_[i] = expr(*spec_[id].value, side);
+    if (solids_[i] && solids_[i]->empty()) {
+      report_empty(spec_[id]);
+      solids_[i].reset();
+    }
+  }
+  return solids_[i];
+}
+
+SolidEvaluator::Result SolidEvaluator::expr(const sema::ZoneExpr& e, Side side) {
+  return std::visit([&](const auto& node) { return eval(node, side); }, e.node);
+}
+
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZonePrism& prism, Side side) {
+  auto base = base_(*prism.base, side);
+  if (!base) return std::nullopt;
+  return geometry::Solid::prism(std::move(*base), prism.floor, prism.ceiling);
+}
+
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneRef& reference, Side side) {
+  return zone(reference.zone, side);
+}
+
+// As of zones of the plane: the boundary is moved sideways by the error of the file, and its areas
+// are combined before.
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneImport& node, Side side) {
+  std::vector<geometry::Slab> groups;
+  for (const auto& group : node.inclusions) {
+    Result all;
+    for (const auto& area : group) {
+      std::vector<geometry::Slab> slabs;
+      if (!add(area, side, slabs)) return std::nullopt;
+      geometry::Solid one = geometry::Solid::of_slabs(slabs);
+      all = all ? all->intersect(one) : std::move(one);
+    }
+    if (all) std::ranges::copy(all->slabs(), std::back_inserter(groups));
+  }
+  std::vector<geometry::Slab> exclusions;
+  for (const auto& area : node.exclusions) {
+    if (!add(area, other(side), exclusions)) return std::nullopt;
+  }
+  const geometry::Solid zone =
+      geometry::Solid::of_slabs(groups).subtract(geometry::Solid::of_slabs(exclusions));
+  return side == Side::inner ? zone.shrink(node.error, 0) : zone.grow(node.error, 0);
+}
+
+bool SolidEvaluator::add(const sema::ZoneImport::Area& area, Side side,
+                         std::vector<geometry::Slab>& slabs) {
+  const geometry::Slab all = geometry::Solid::everywhere().slabs().front();
+  for (std::size_t i = 0; i < area.parts.size(); ++i) {
+    sema::ZoneExpr shape{};
+    std::visit([&](const auto& part) { shape.node = part; }, area.parts[i]);
+    auto base = base_(shape, side);
+    if (!base) return false;
+    if (base->empty()) continue;
+    slabs.push_back({area.bands[i].floor.value_or(all.floor),
+                     area.bands[i].ceiling.value_or(all.ceiling), std::move(*base)});
+  }
+  return true;
+}
+
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneComplement& complement, Side side) {
+  const Result of = zone(complement.zone, other(side));
+  return of ? Result(geometry::Solid::everywhere().subtract(*of)) : std::nullopt;
+}
+
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneBinary& node, Side side) {
+  const Result left = expr(*node.left, side);
+  const Result right = expr(*node.right, node.op == sema::ZoneOp::subtract ? other(side) : side);
+  if (!left || !right) return std::nullopt;
+  switch (node.op) {
+    case sema::ZoneOp::unite:
+      return left->unite(*right);
+    case sema::ZoneOp::intersect:
+      return left->intersect(*right);
+    case sema::ZoneOp::subtract:
+      return left->subtract(*right);
+  }
+  return std::nullopt;
+}
+
+// Sideways as the offsets of zones of the plane, which are exact within 2 mm; up and down exact.
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneOffset& node, Side side) {
+  static const Rational slack_m(1, 500);
+  const Result operand = expr(*node.operand, side);
+  if (!operand) return std::nullopt;
+  const Rational by = abs(node.distance);
+  const bool shrinks = sgn(node.distance) < 0;
+  const Rational across = shrinks == (side == Side::inner) ? by : Rational(by - slack_m);
+  return shrinks ? operand->shrink(across, by) : operand->grow(across, by);
+}
+
+void SolidEvaluator::report(Code code, const sema::Zone& zone, std::string message,
+                            std::string help) {
+  const SourceRange range = zone.name.empty() ? zone.value->range : zone.name_range;
+  diagnostics_.report({code, range, std::move(message), "", {}, std::move(help), {}});
+}
+
+void SolidEvaluator::report_empty(const sema::Zone& zone) {
+  std::string help = "the operands of `&` must overlap, in height as well";
+  if (std::holds_alternative<sema::ZoneOffset>(zone.value->node)) {
+    help = "`shrink` takes its distance away on every side, above and below as well";
+  } else if (const auto* binary = std::get_if<sema::ZoneBinary>(&zone.value->node)) {
+    if (binary->op == sema::ZoneOp::subtract) {
+      help = "what is subtracted must leave a part of the zone";
+    }
+  }
+  report(Code::empty_zone, zone,
+         zone.name.empty() ? "this zone is empty" : "zone `" + zone.name + "` is empty",
+         std::move(help));
+}
+
+std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id) {
+  const auto inner = zone(id, Side::inner), outer = zone(id, Side::outer);
+  if (!inner || !outer) return std::nullopt;
+  const sema::Zone& declared = spec_[id];
+  const auto fits = [](const geometry::Slab& slab) { return fits_grid(slab.region); };
+  const bool small =
+      std::ranges::all_of(inner->slabs(), fits) && std::ranges::all_of(outer->slabs(), fits);
+  const auto within = small ? geometry::snap_inside(*inner) : std::nullopt;
+  const auto around = small ? geometry::snap_around(*outer) : std::nullopt;
+  if (!within || !around) {
+    report(Code::zone_too_large, declared, "the zone reaches beyond the grid of 1 mm",
+           "coordinates and heights of at most 536.8 km from the origin work");
+    return std::nullopt;
+  }
+  if (within->empty()) {
+    report(Code::zone_vanishes_on_grid, declared, "nothing of the zone is left on the grid of 1 mm",
+           "a zone of more than 2 mm in all directions works");
+    return std::nullopt;
+  }
+  auto inside = baked(declared, *within);
+  auto outside = inside ? baked(declared, *around) : std::nullopt;
+  if (!outside) return std::nullopt;
+  return EvaluatedSolid{std::move(*inside), std::move(*outside)};
+}
+
+std::optional<std::vector<BakedSlab>> SolidEvaluator::baked(const sema::Zone& zone,
+                                                            const geometry::SnappedSolid& solid) {
+  if (solid.size() > slabs_max) {
+    report(Code::too_many_edges, zone,
+           "the zone has " + std::to_string(solid.size()) + " slabs, a decision checks at most " +
+               std::to_string(slabs_max),
+           "watch parts of the zone by monitors of their own");
+    return std::nullopt;
+  }
+  std::vector<BakedSlab> slabs;
+  for (const geometry::SnappedSlab& slab : solid) {
+    auto grown = geometry::grow_cell_tree(slab.zone, exact_mm_wanted);
+    if (const auto* dense = std::get_if<geometry::TooDense>(&grown)) {
+      report(Code::too_many_edges, zone,
+             std::to_string(dense->edges) +
+                 " edges of a slab of the zone are equally near to a place; a decision checks at "
+                 "most " +
+                 std::to_string(geometry::cell_edges_max),
+             "an outline with fewer vertices there works");
+      return std::nullopt;
+    }
+    slabs.push_back({slab.floor_mm, slab.ceiling_mm, geometry::edge_rows(slab.zone),
+                     std::move(std::get<geometry::CellTree>(grown))});
+  }
+  return slabs;
+}
+
+}  // namespace rtac::analysis

@@ -1,0 +1,73 @@
+// Evaluates zones with height exactly, from the zones of the plane under their prisms, and bakes
+// those that are used.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/geometry/cell_tree.h"
+#include "compiler/geometry/solid.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+// A zone is known from within, where robots or points have to be in it, and from without.
+enum class Side { inner, outer };
+inline Side other(Side side) {
+  return side == Side::inner ? Side::outer : Side::inner;
+}
+
+struct BakedSlab {
+  std::int32_t floor_mm = 0, ceiling_mm = 0;
+  std::vector<geometry::EdgeRow> edges;
+  geometry::CellTree tree;  // of its edges
+};
+// Every place is held against all of them.
+inline constexpr std::size_t slabs_max = 64;
+// Distances up to this one are exact where tables may be large enough.
+inline constexpr std::int64_t exact_mm_wanted = 50'000;  // more than what robots look ahead
+struct EvaluatedSolid {
+  std::vector<BakedSlab> within, around;  // from below to above
+};
+
+class SolidEvaluator {
+ public:
+  // A zone of the plane; nullopt: faulty, and reported.
+  using Base = std::function<std::optional<geometry::Region>(const sema::ZoneExpr& base, Side)>;
+  SolidEvaluator(const sema::Spec& spec, diag::Engine& diagnostics, Base base);
+
+  // nullopt: faulty, and reported.
+  std::optional<geometry::Solid> zone(sema::ZoneId id, Side side);
+  // As tables; nullopt: reported.
+  std::optional<EvaluatedSolid> bake(sema::ZoneId id);
+
+ private:
+  using Result = std::optional<geometry::Solid>;
+  Result expr(const sema::ZoneExpr& e, Side side);
+  Result eval(const sema::ZonePrism& prism, Side side);
+  Result eval(const sema::ZoneRef& reference, Side side);
+  Result eval(const sema::ZoneImport& node, Side side);
+  bool add(const sema::ZoneImport::Area& area, Side side, std::vector<geometry::Slab>& slabs);
+  Result eval(const sema::ZoneComplement& complement, Side side);
+  Result eval(const sema::ZoneBinary& node, Side side);
+  Result eval(const sema::ZoneOffset& node, Side side);
+  // Zones of the plane stand under a prism.
+  template <class Flat>
+  Result eval(const Flat&, Side) {
+    return std::nullopt;
+  }
+  void report(diag::Code code, const sema::Zone& zone, std::string message, std::string help);
+  void report_empty(const sema::Zone& zone);
+  std::optional<std::vector<BakedSlab>> baked(const sema::Zone& zone,
+                                              const geometry::SnappedSolid& solid);
+
+  const sema::Spec& spec_;
+  diag::Engine& diagnostics_;
+  Base base_;
+  std::vector<Result> solids_;
+  std::vector<bool> visited_;
+};
+
+}  // namespace rtac::analysis
