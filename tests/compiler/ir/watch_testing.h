@@ -50,8 +50,8 @@ inline Built built(const std::string& declarations, const std::string& property)
   b.spec = sema::check(program, b.diagnostics);
   if (!b.spec) return b;
   b.module.name = "s";
-  b.module.watch =
-      build_watch(*b.spec, build_signals(*b.spec, b.diagnostics), b.sources, {}, {}, b.diagnostics);
+  b.module.watch = build_watch(*b.spec, build_signals(*b.spec, b.diagnostics), b.sources, {}, {},
+                               {}, b.diagnostics);
   return b;
 }
 
