@@ -125,9 +125,9 @@ void CheckPrinter::measure_self(Code& to) {
   in_order(to, "in->velocity", "last_velocity_us", "v->self.input = " + up_ + "_INPUT_VELOCITY;");
   for (const ZoneIndex zone : own_places()) {
     // once a tick: every horizon and every driver starts from the same place
-    use({"place_of"});
-    to.line("v->" + place_symbol(module_[zone], names_) + " = place_of(&" +
-            zone_symbol(module_[zone], names_) + ", v->self.p);");
+    use({"place_seen"});
+    to.line("v->" + place_symbol(module_[zone], names_) + " = place_seen(&" +
+            zone_symbol(module_[zone], names_) + ", &v->self);");
   }
   if (!d_.body.heading_age_us) return;
   use({"heading_fault"});

@@ -163,6 +163,7 @@ class Growth {
     const auto down = static_cast<std::int32_t>(
         std::clamp<double>(distance_mm * (1 - 1e-9) - 1e-3, 0, far_most_mm));
     tree_.words[bud.slot] = far_word(down, bud.inside);
+    if (bud.square.side_mm < 2) return;  // known to the mm as well
     const auto at_most = [&](std::optional<std::int32_t>& exact) {
       exact = std::min(exact.value_or(down), down);
     };
@@ -240,7 +241,7 @@ class Grower {
       if (refusal) continue;
       CellTree tree = growth.take();
       const bool is_last = i + 1 == attempts.size();
-      if (is_last || tree.exact_inside_mm.value_or(INT32_MAX) >= wanted_mm) return tree;
+      if (is_last || tree.exact_mm.value_or(INT32_MAX) >= wanted_mm) return tree;
     }
     return *refusal;
   }

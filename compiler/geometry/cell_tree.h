@@ -56,7 +56,7 @@ struct TooDense {
 };
 
 // Edges are numbered as edge_rows does. The zone has at least one ring. Distances up to `wanted_mm`
-// inside are exact if the bytes suffice; with bytes left, cells have fewer edges.
+// are exact if the bytes suffice; with bytes left, cells have fewer edges.
 std::variant<CellTree, TooDense> grow_cell_tree(const SnappedZone& zone, std::int64_t wanted_mm);
 
 }  // namespace rtac::geometry

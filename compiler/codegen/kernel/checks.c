@@ -1,4 +1,14 @@
 /* The checks of the library: what a property means now, and on everything within reach. */
+/*= place_seen : place_of estimate_type */
+/* Beyond the extent a robot is outside every zone, and farther from it than where it saturates. */
+static place place_seen(const zone *z, const estimate *s) {
+  place at = place_of(z, s->p);
+  if (s->off_map_mm > 0) {
+    at.inside = 0;
+    at.gap_mm_hi += s->off_map_mm;
+  }
+  return at;
+}
 /*= clearance_now : place_type estimate_type body_type motion_type moved_now span_of span_unknown */
 /* Signed gap between the body and the boundary, now; `at`: the place of the measured position. */
 static span clearance_now(const place *at, const estimate *s, const body *b, const motion *m) {
@@ -21,7 +31,7 @@ static margin zone_reach(const zone *z, const place *at, const reach *r, int64_t
     return margin_unknown(r->input);
   }
   if (!at->inside) {
-    spare = -at->gap_mm - r->disc_mm - least_mm;
+    spare = -at->gap_mm_hi - r->disc_mm - least_mm;
   } else {
     spare = at->gap_mm - r->disc_mm - least_mm;
     if (spare < 0) {

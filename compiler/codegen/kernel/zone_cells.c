@@ -94,7 +94,7 @@ static span cell_gap(const zone *z, const cell *c, vec p) {
   int32_t i;
   if (cell_count(c->word) == 0) {
     const int64_t far = c->word & 0xfffffff; /* in words no more than that */
-    return span_of(far, far + (far == 0xfffffff ? INT64_C(1) << 32 : (INT64_C(2) << c->shift) + 2));
+    return span_of(far, far + (far == 0xfffffff ? INT64_C(1) << 32 : (INT64_C(2) << c->shift) + 1));
   }
   for (i = 0; i < cell_count(c->word); ++i) {
     near_edge(cell_edge(z, c->word, i), p, &n);

@@ -249,6 +249,7 @@ typedef struct estimate {
   int32_t p_input; /* the same of the position alone: where the robot is now takes no velocity */
   vec p, v;
   int64_t p_error_mm, v_error_mmps;
+  int64_t off_map_mm; /* how far beyond the extent it may be, where `p` saturates */
   int64_t speed_mmps; /* of the measured velocity, rounded up */
   int64_t age_us;     /* of the position */
 } estimate;
@@ -266,9 +267,14 @@ static int32_t within_speeds(const unused_monitor_point *v) {
          v->y_hi <= SPEED_MAX_MMPS;
 }
 
-/* A coordinate beyond the extent saturates; it counts as outside every zone there as well. */
+/* A coordinate beyond the extent saturates. */
 static int64_t on_map(int64_t mm) {
   return clamp_of(mm, -EXTENT_MM, EXTENT_MM);
+}
+
+/* How far that moves it, up to 137,000 km. */
+static int64_t off_map(int64_t mm) {
+  return magnitude(clamp_of(mm, -256 * EXTENT_MM, 256 * EXTENT_MM) - on_map(mm));
 }
 
 /* Nothing is known of the robot any more. */
@@ -292,6 +298,7 @@ static estimate estimate_of(const unused_monitor_point *position, const unused_m
   s.p = vec_of(0, 0);
   s.v = vec_of(0, 0);
   s.p_error_mm = 0;
+  s.off_map_mm = 0;
   s.v_error_mmps = 0;
   s.speed_mmps = 0;
   s.age_us = 0;
@@ -299,6 +306,8 @@ static estimate estimate_of(const unused_monitor_point *position, const unused_m
     s.p = vec_of(on_map(position->x_lo), on_map(position->y_lo));
     s.p_error_mm = b->position_error_mm + (on_map(position->x_hi) - s.p.x) +
                    (on_map(position->y_hi) - s.p.y);
+    s.off_map_mm = off_map(position->x_lo) + off_map(position->x_hi) + off_map(position->y_lo) +
+                   off_map(position->y_hi);
     s.age_us = elapsed_us(position->stamp_us, now_us);
   }
   if (s.input == UNUSED_MONITOR_INPUT_NONE) {
@@ -588,6 +597,16 @@ static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
   return nearest_mm(&n);
 }
 
+/* Beyond the extent a robot is outside every zone, and farther from it than where it saturates. */
+static place place_seen(const zone *z, const estimate *s) {
+  place at = place_of(z, s->p);
+  if (s->off_map_mm > 0) {
+    at.inside = 0;
+    at.gap_mm_hi += s->off_map_mm;
+  }
+  return at;
+}
+
 /* Signed gap between the body and the boundary, now; `at`: the place of the measured position. */
 static span clearance_now(const place *at, const estimate *s, const body *b, const motion *m) {
   if (s->p_input != UNUSED_MONITOR_INPUT_NONE) {
@@ -609,7 +628,7 @@ static margin zone_reach(const zone *z, const place *at, const reach *r, int64_t
     return margin_unknown(r->input);
   }
   if (!at->inside) {
-    spare = -at->gap_mm - r->disc_mm - least_mm;
+    spare = -at->gap_mm_hi - r->disc_mm - least_mm;
   } else {
     spare = at->gap_mm - r->disc_mm - least_mm;
     if (spare < 0) {
@@ -915,7 +934,7 @@ static void fly_measure(fly_view *v, unused_monitor_fly_state *s, int64_t elapse
   if (in->velocity.valid && !in_order(in->velocity.stamp_us, v->now_us, &s->last_velocity_us)) {
     v->self.input = UNUSED_MONITOR_INPUT_VELOCITY;
   }
-  v->at_room = place_of(&zone_room, v->self.p);
+  v->at_room = place_seen(&zone_room, &v->self);
   v->charge = span_of(0, 0);
   if (in->self < 0 || in->self >= ROBOTS) {
     lost(&v->self, UNUSED_MONITOR_INPUT_OTHER_ROBOT); /* nobody of the fleet */
