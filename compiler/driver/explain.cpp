@@ -1,8 +1,6 @@
 #include "compiler/driver/explain.h"
 
 #include <algorithm>
-#include <cctype>
-#include <iterator>
 #include <optional>
 #include <ostream>
 #include <vector>
@@ -23,9 +21,11 @@ const diag::CodeInfo* find(const std::string& topic) {
   const auto named = std::find_if(all.begin(), all.end(),
                                   [&](const diag::CodeInfo& info) { return topic == info.name; });
   if (named != all.end()) return &*named;
-  std::string digits;
-  std::copy_if(topic.begin(), topic.end(), std::back_inserter(digits),
-               [](unsigned char c) { return std::isdigit(c) != 0; });
+  std::string digits = topic;
+  for (const std::string prefix : {"error", "warning", "note", "[", "E", "e"}) {
+    if (digits.rfind(prefix, 0) == 0) digits.erase(0, prefix.size());
+  }
+  if (!digits.empty() && digits.back() == ']') digits.pop_back();
   const auto numbered = std::find_if(all.begin(), all.end(), [&](const diag::CodeInfo& info) {
     return digits == number_of(info);
   });

@@ -137,6 +137,18 @@ TEST_F(CommandLine, ADumpReplacesTheSummary) {
   }
 }
 
+// What people have at hand finds a page; what only holds its number does not.
+TEST_F(CommandLine, ADiagnosticIsFoundByItsNumberAsItIsPrinted) {
+  const std::string page = rtac({"explain", "4011"}).out;
+  EXPECT_EQ(page.find("# 4011"), 0U) << page;
+  for (const std::string topic : {"E4011", "[4011]", "error[4011]", "too_many_edges"}) {
+    EXPECT_EQ(rtac({"explain", topic}).out, page) << topic;
+  }
+  for (const std::string topic : {"4011x", "x4011", "40 11", "4011]]"}) {
+    EXPECT_EQ(rtac({"explain", topic}).status, 2) << topic;
+  }
+}
+
 // Every command has a page of its own, with what it takes, examples, and what its exit codes mean.
 TEST_F(CommandLine, EveryCommandHasItsHelp) {
   for (const std::string command : {"check", "build", "replay", "zones", "fmt", "explain"}) {
