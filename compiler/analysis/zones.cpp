@@ -297,7 +297,7 @@ class Baker {
   }
   void too_dense(const geometry::TooDense& at) {
     report(Code::too_many_edges,
-           "about " + std::to_string(at.edges) + " edges of the zone lie within " +
+           std::to_string(at.edges) + " edges of the zone lie within " +
                metres(Rational(at.within_mm, 1000)) + " of (" + metres(Rational(at.at.x_mm, 1000)) +
                ", " + metres(Rational(at.at.y_mm, 1000)) + "); a decision checks at most " +
                std::to_string(geometry::cell_edges_max) +

@@ -157,7 +157,9 @@ class Growth {
   void far(const Bud& bud) {
     const double distance_mm = bud.near.least_nearest;
     if (bud.near.meets_boundary()) {
-      refused_ = TooDense{middle(bud.square), bud.near.edges.size(), bud.square.side_mm};
+      // An edge of the cell is at most its diagonal away from it: from its middle, 2.13 sides.
+      const std::int64_t within_mm = bud.square.side_mm * 17 / 8 + 1;
+      refused_ = TooDense{middle(bud.square), bud.near.edges.size(), within_mm};
     }
     ++tree_.leaves;
     const auto down = static_cast<std::int32_t>(

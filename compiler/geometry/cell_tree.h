@@ -48,7 +48,7 @@ constexpr std::size_t cell_tree_bytes_max(std::size_t edges) {
   return 64 * edges + 65536;
 }
 
-// Why there is no such tree: about so many edges lie in a square about a place, so many mm wide.
+// Why there is no such tree: so many edges lie within so many mm of a place.
 struct TooDense {
   GridPoint at;
   std::size_t edges = 0;
