@@ -2,7 +2,7 @@
 // up in their tables is what looking at every edge says.
 #include "tests/bench/zones/outline.h"
 #include "tests/kernel/zones/exact_box.h"
-#include "tests/kernel/zones/scene.h"
+#include "tests/kernel/zones/first_touch.h"
 
 namespace rtac::kernel_test {
 namespace {
@@ -34,6 +34,8 @@ void ask(const Scene& scene, Random& random, Place p) {
   ASSERT_EQ(probe_box_in(tables, b), box_in(scene.edges, b)) << p.x << " " << p.y;
   const std::int64_t size = std::int64_t{1} << random.in(0, 20);
   const Edge leg{p, {p.x + random.in(-size, size), p.y + random.in(-size, size)}};
+  ASSERT_NO_FATAL_FAILURE(expect_leave(scene, leg))
+      << p.x << " " << p.y << " to " << leg.b.x << " " << leg.b.y;
   const std::int64_t lower = probe_leg_lo(tables, leg.a, leg.b);
   ASSERT_EQ(lower < 0, crosses(scene.edges, leg))
       << p.x << " " << p.y << " to " << leg.b.x << " " << leg.b.y;

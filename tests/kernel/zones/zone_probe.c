@@ -155,3 +155,19 @@ int64_t probe_reach_mm(const probe_tables* t, probe_place p, probe_place e, int6
   r.capsule_mm = capsule_mm;
   return zone_reach(&t->z, &at, &r, 0).lo / WEIGHT_MM;
 }
+int64_t probe_leave_mm(const probe_tables* t, probe_place p, probe_place e, int64_t radius_mm) {
+  return leave_disc_mm(&t->z, to_vec(p), to_vec(e), radius_mm);
+}
+probe_border probe_border_of(const probe_tables* t, probe_place p) {
+  const border b = border_of(&t->z, to_vec(p));
+  probe_border to;
+  to.at.x = b.at.x;
+  to.at.y = b.at.y;
+  to.inward_q30.x = b.inward_q30.x;
+  to.inward_q30.y = b.inward_q30.y;
+  to.gap.lo = b.gap.lo;
+  to.gap.hi = b.gap.hi;
+  to.inside = b.inside;
+  to.nearest = b.nearest;
+  return to;
+}

@@ -18,6 +18,12 @@ typedef struct probe_box {
 typedef struct probe_span {
   int64_t lo, hi;
 } probe_span;
+/* The boundary as a place sees it: a place of it and a unit vector inwards. */
+typedef struct probe_border {
+  probe_place at, inward_q30;
+  probe_span gap;
+  int32_t inside, nearest;
+} probe_border;
 typedef struct probe_edge {
   int32_t ax, ay, bx, by, ux_q30, uy_q30;
 } probe_edge;
@@ -53,6 +59,9 @@ int32_t probe_plan_in(const probe_tables* t, const probe_place* places, int32_t 
  * leg; either suffices. */
 int64_t probe_reach_mm(const probe_tables* t, probe_place p, probe_place e, int64_t disc_mm,
                        int64_t capsule_mm);
+/* How far a disc, or for radius 0 a place, may move from p to e; INT64_MAX: all the way. */
+int64_t probe_leave_mm(const probe_tables* t, probe_place p, probe_place e, int64_t radius_mm);
+probe_border probe_border_of(const probe_tables* t, probe_place p);
 
 #ifdef __cplusplus
 }
