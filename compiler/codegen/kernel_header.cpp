@@ -3,6 +3,7 @@
 
 #include "compiler/codegen/code.h"
 #include "compiler/codegen/kernel.h"
+#include "compiler/codegen/kernel_areas.h"
 #include "compiler/codegen/names.h"
 #include "compiler/codegen/temporal.h"
 #include "compiler/codegen/watch.h"
@@ -52,6 +53,7 @@ class Header {
     }
     for (const Decision& d : module_.decisions) d.on_plan ? on_plan(d) : periodic(d);
     if (module_.watch) print_watch_header(module_, names_, code_);
+    print_area_declarations(module_, names_, code_);
     code_.line("#ifdef __cplusplus").line("}").line("#endif").blank();
     code_.line("#endif");
     return std::move(code_);

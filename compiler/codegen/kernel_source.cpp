@@ -5,6 +5,7 @@
 
 #include "compiler/codegen/code.h"
 #include "compiler/codegen/kernel.h"
+#include "compiler/codegen/kernel_areas.h"
 #include "compiler/codegen/kernel_blocks.h"
 #include "compiler/codegen/kernel_library.h"
 #include "compiler/codegen/kernel_step.h"
@@ -49,6 +50,7 @@ class Source {
     if (module_.watch) print_watch_source(module_, names_, uses_, body);
     has_trees_ = needs_trees();
     if (has_trees_) uses_.insert("cells");
+    use_areas(module_, uses_);
     Code tables;
     zones(tables);
     if (module_.watch) regions(*module_.watch, tables);
@@ -74,12 +76,12 @@ class Source {
     out.line("#define MARGIN_MAX INT64_C(" + num(margin_max) + ")");
     out.line("#define SPAN_MAX INT64_C(" + num(span_max(module_)) + ")");
     if (module_.decisions.empty() && module_.watch) {
-      if (!module_.watch->regions.empty()) q30(out);
+      if (has_areas(module_)) extent(out);
+      if (!module_.watch->regions.empty() || has_areas(module_)) q30(out);
       out.blank();
       return;
     }
-    out.comment("Positions saturate here: products of two differences fit 62 bits.");
-    out.line("#define EXTENT_MM INT64_C(536870912)");
+    extent(out);
     out.line("#define SPEED_MAX_MMPS INT64_C(100000)");
     q30(out);
     out.comment("Millionths of the scale (1 m, 1 %) per grid unit (1 mm, 1 ppm).");
@@ -91,6 +93,10 @@ class Source {
     out.blank();
   }
 
+  static void extent(Code& out) {
+    out.comment("Positions saturate here: products of two differences fit 62 bits.");
+    out.line("#define EXTENT_MM INT64_C(536870912)");
+  }
   static void q30(Code& out) { out.line("#define Q30 INT64_C(1073741824)"); }
 
   bool used(ZoneIndex index) const {
@@ -142,8 +148,10 @@ class Source {
   void zones(Code& out) {
     for (std::size_t i = 0; i < module_.zones.size(); ++i) {
       const ZoneTable& z = module_.zones[i];
-      if (!used(ZoneIndex(i))) continue;
-      boundary("Zone " + z.name, zone_symbol(z, names_), z, out);
+      const bool has_tree = !z.tree.words.empty();
+      if (!used(ZoneIndex(i)) && !has_tree) continue;
+      boundary("Zone " + z.name, zone_symbol(z, names_), z, out, used(ZoneIndex(i)));
+      if (has_tree) print_area(module_, z, zone_symbol(z, names_), names_, out);
     }
   }
   void regions(const Watch& watch, Code& out) {
@@ -206,10 +214,10 @@ class Source {
             (asks_for_received(*module_.watch) ||
              std::any_of(module_.watch->regions.begin(), module_.watch->regions.end(), has_tree)));
   }
-  // Of a ZoneTable or a Region.
+  // Of a ZoneTable or a Region; `checked`: by a decision or monitor.
   template <class Zone>
-  void boundary(const std::string& what, const std::string& symbol, const Zone& zone,
-                Code& out) const {
+  void boundary(const std::string& what, const std::string& symbol, const Zone& zone, Code& out,
+                bool checked = true) const {
     out.comment(what + ": " + num(std::int64_t(zone.edges.size())) +
                 " edges ax, ay, bx, by (mm, the zone on the left), direction (Q30).");
     std::vector<std::string> lines;
@@ -219,7 +227,8 @@ class Source {
     }
     table("edge", symbol + "_edges", lines, 1, out);
     if (has_trees_) {
-      out.line("static const zone " + symbol + " = " + tree(symbol, zone.tree, out) + ";");
+      const std::string fields = tree(symbol, zone.tree, out);
+      if (checked) out.line("static const zone " + symbol + " = " + fields + ";");
     } else {
       out.line("static const zone " + symbol + " = {" + symbol + "_edges, " +
                num(std::int64_t(zone.edges.size())) + "};");

@@ -1,63 +1,93 @@
 #include "rtac/zone.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "rtac/zone_table.h"
+#include "zone_cells.h"
+#include "zone_edges.h"
 
 namespace rtac {
 namespace {
 
-constexpr double m_per_mm = 1e-3;
+using detail::closest_on;
+using detail::Edge;
+using detail::edge_at;
+using detail::ZoneCell;
+using detail::ZoneCells;
+
 // How far below the true minimum along a segment that leaves the zone the search may stop short.
 constexpr double outside_resolution_m = 1e-3;
 
-struct Edge {
-  Vec2 a, b;  // metres
-};
-
-Edge edge_at(const ZoneView& zone, std::size_t i) {
-  const std::int32_t* e = zone.edges_mm + 4 * i;
-  return {{e[0] * m_per_mm, e[1] * m_per_mm}, {e[2] * m_per_mm, e[3] * m_per_mm}};
+Vec2 in_mm(Vec2 p) {
+  return {p.x / detail::m_per_mm, p.y / detail::m_per_mm};
 }
 
-double cross(Vec2 a, Vec2 b) {
-  return a.x * b.y - a.y * b.x;
+// The cell whose edges are those that matter for a place; false: all do.
+bool find_cell(const ZoneView& zone, Vec2 p, ZoneCell& cell) {
+  return zone.tree != nullptr && ZoneCells(*zone.tree).find(in_mm(p), cell);
 }
-
-Vec2 closest_on(const Edge& e, Vec2 p) {
-  const Vec2 d = e.b - e.a;
-  const double length2 = dot(d, d);
-  if (length2 <= 0) return e.a;
-  const double t = std::clamp(dot(p - e.a, d) / length2, 0.0, 1.0);
-  return e.a + t * d;
+template <class Visit>
+void for_each_edge(const ZoneView& zone, const Visit& visit) {
+  for (std::size_t i = 0; i < zone.edge_count; ++i) visit(edge_at(zone, i));
 }
-
-bool segments_meet(const Edge& e, Vec2 a, Vec2 b) {
-  const Vec2 d = e.b - e.a, s = b - a;
-  const double a_side = cross(d, a - e.a), b_side = cross(d, b - e.a);
-  const double ea_side = cross(s, e.a - a), eb_side = cross(s, e.b - a);
-  if (a_side == 0 && b_side == 0) return false;  // collinear: the end points' distances decide
-  return ((a_side <= 0 && b_side >= 0) || (a_side >= 0 && b_side <= 0)) &&
-         ((ea_side <= 0 && eb_side >= 0) || (ea_side >= 0 && eb_side <= 0));
+template <class Visit>
+void for_each_edge(const ZoneView& zone, const ZoneCell& cell, const Visit& visit) {
+  for (std::size_t i = 0; i < cell.edges(); ++i) visit(edge_at(zone, cell.edge(*zone.tree, i)));
+}
+// Those that the nearest place of the boundary lies on: of a cell far from it nothing is known, so
+// that all are looked at.
+template <class Visit>
+void for_each_near_edge(const ZoneView& zone, Vec2 p, const Visit& visit) {
+  ZoneCell cell;
+  if (find_cell(zone, p, cell) && !cell.is_far()) {
+    for_each_edge(zone, cell, visit);
+  } else {
+    for_each_edge(zone, visit);
+  }
 }
 
 // Even-odd rule over all rings: holes need no special case.
 bool contains(const ZoneView& zone, Vec2 p) {
   bool inside = false;
-  for (std::size_t i = 0; i < zone.edge_count; ++i) {
-    const Edge e = edge_at(zone, i);
-    if ((e.a.y > p.y) == (e.b.y > p.y)) continue;
+  for_each_edge(zone, [&](const Edge& e) {
+    if ((e.a.y > p.y) == (e.b.y > p.y)) return;
     const double x = e.a.x + (p.y - e.a.y) / (e.b.y - e.a.y) * (e.b.x - e.a.x);
     if (p.x < x) inside = !inside;
-  }
+  });
   return inside;
 }
+bool contains(const ZoneView& zone, const ZoneCell& cell, Vec2 p) {
+  return ZoneCells(*zone.tree).contains(cell, in_mm(p));
+}
 
-double boundary_distance(const ZoneView& zone, Vec2 p) {
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < zone.edge_count; ++i) {
-    best = std::min(best, norm(p - closest_on(edge_at(zone, i), p)));
+struct Along {
+  double least_m = std::numeric_limits<double>::infinity();  // distance from the boundary
+  bool crosses = false;
+
+  void look(const Edge& e, Vec2 a, Vec2 b) {
+    crosses = crosses || detail::segments_meet(e, a, b);
+    const Edge s{a, b};
+    least_m = std::min({least_m, norm(a - closest_on(e, a)), norm(b - closest_on(e, b)),
+                        norm(e.a - closest_on(s, e.a)), norm(e.b - closest_on(s, e.b))});
   }
-  return best;
+};
+Along look_along(const ZoneView& zone, Vec2 a, Vec2 b) {
+  Along found;
+  const auto look = [&](const Edge& e) { found.look(e, a, b); };
+  const auto look_in = [&](const ZoneCell& cell) {
+    if (cell.is_far()) found.least_m = std::min(found.least_m, cell.far_mm() * detail::m_per_mm);
+    for_each_edge(zone, cell, look);
+  };
+  if (zone.tree == nullptr || !ZoneCells(*zone.tree).along(in_mm(a), in_mm(b), look_in)) {
+    for_each_edge(zone, look);
+  }
+  return found;
+}
+bool inside(const ZoneView& zone, Vec2 p) {
+  ZoneCell cell;
+  return find_cell(zone, p, cell) ? contains(zone, cell, p) : contains(zone, p);
 }
 
 // Smallest signed clearance along a segment that leaves the zone. Signed clearance is 1-Lipschitz,
@@ -86,21 +116,21 @@ double deepest(const ZoneView& zone, Vec2 a, Vec2 b) {
 }  // namespace
 
 double signed_clearance(const ZoneView& zone, Vec2 p) {
-  const double distance = boundary_distance(zone, p);
-  return contains(zone, p) ? distance : -distance;
+  const bool is_inside = inside(zone, p);
+  ZoneCell cell;
+  if (is_inside && find_cell(zone, p, cell) && cell.is_far()) {
+    return cell.far_mm() * detail::m_per_mm;
+  }
+  double distance_m = std::numeric_limits<double>::infinity();
+  for_each_near_edge(zone, p, [&](const Edge& e) {
+    distance_m = std::min(distance_m, norm(p - closest_on(e, p)));
+  });
+  return is_inside ? distance_m : -distance_m;
 }
 
 double signed_clearance(const ZoneView& zone, Vec2 a, Vec2 b) {
-  bool crosses = false;
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < zone.edge_count; ++i) {
-    const Edge e = edge_at(zone, i);
-    crosses = crosses || segments_meet(e, a, b);
-    const Edge s{a, b};
-    best = std::min({best, norm(a - closest_on(e, a)), norm(b - closest_on(e, b)),
-                     norm(e.a - closest_on(s, e.a)), norm(e.b - closest_on(s, e.b))});
-  }
-  if (!crosses && contains(zone, a)) return best;
+  const Along found = look_along(zone, a, b);
+  if (!found.crosses && inside(zone, a)) return found.least_m;
   // Touching the boundary from inside gives 0; a true crossing is negative at an end point or found
   // by the search, and never reported above 0.
   return std::min(deepest(zone, a, b), 0.0);
@@ -109,15 +139,44 @@ double signed_clearance(const ZoneView& zone, Vec2 a, Vec2 b) {
 Vec2 nearest_boundary(const ZoneView& zone, Vec2 p) {
   Vec2 best = p;
   double best_m = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < zone.edge_count; ++i) {
-    const Vec2 q = closest_on(edge_at(zone, i), p);
+  for_each_near_edge(zone, p, [&](const Edge& e) {
+    const Vec2 q = closest_on(e, p);
     const double d = norm(p - q);
     if (d < best_m) {
       best_m = d;
       best = q;
     }
-  }
+  });
   return best;
+}
+
+Vec2 inward(const ZoneView& zone, Vec2 p) {
+  constexpr double on_boundary_m = 1e-6;
+  const Vec2 from = nearest_boundary(zone, p);
+  const double distance_m = norm(p - from);
+  if (distance_m > on_boundary_m) return ((inside(zone, p) ? 1 : -1) / distance_m) * (p - from);
+  Vec2 sum{0, 0};
+  for_each_near_edge(zone, p, [&](const Edge& e) {
+    const Vec2 d = e.b - e.a;
+    if (norm(p - closest_on(e, p)) > on_boundary_m || norm(d) <= 0) return;
+    sum = sum + (1 / norm(d)) * Vec2{-d.y, d.x};
+  });
+  return norm(sum) > 0 ? (1 / norm(sum)) * sum : sum;
+}
+
+double distance_to_leave(const ZoneView& zone, Vec2 a, Vec2 b, double radius_m) {
+  const auto keeps = [&](Vec2 end) {
+    const Along found = look_along(zone, a, end);
+    return !found.crosses && found.least_m > 0 && found.least_m >= radius_m;
+  };
+  if (!inside(zone, a) || !keeps(a)) return 0;
+  if (keeps(b)) return std::numeric_limits<double>::infinity();
+  double low = 0, high = 1;  // fractions
+  for (int i = 0; i < 48; ++i) {
+    const double middle = (low + high) / 2;
+    (keeps(a + middle * (b - a)) ? low : high) = middle;
+  }
+  return low * norm(b - a);
 }
 
 }  // namespace rtac

@@ -23,6 +23,7 @@ SafetyJudge::SafetyJudge(const std::vector<double>& radius_m, const Requirements
 
 void SafetyJudge::watch_zone(const ZoneView& zone) {
   zone_ = zone;
+  zone_.tree = nullptr;  // looks at every edge: a mistake in the tables must not judge itself
   has_zone_ = true;
   anchors_.assign(radius_m_.size(), Anchor{});
 }

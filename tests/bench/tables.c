@@ -3,6 +3,10 @@
 #define robot_delivery_plan_executor_init bench_copy_init
 #define robot_delivery_plan_executor_step bench_copy_step
 #define robot_delivery_motion_planner_judge bench_copy_judge
+#define robot_delivery_leave_mm bench_copy_leave_mm
+#define robot_delivery_border_of bench_copy_border_of
+#define robot_delivery_free_area bench_copy_free_area
+#define robot_delivery_zone_of_line_62_area bench_copy_zone_of_line_62_area
 #include "robot_delivery_kernel.c"
 
 #include "tests/bench/tables.h"

@@ -298,3 +298,44 @@ static border border_of(const zone *z, vec p) {
   }
   return b;
 }
+/*= zone_of_area @cells : zone_type edge_type */
+/* The six numbers of an edge are its members. */
+static zone zone_of_area(const KERNEL_area *a) {
+  zone z;
+  z.edges = (const edge *)(const void *)a->edges;
+  z.cells = a->cells;
+  z.lists = a->lists;
+  z.x = a->x;
+  z.y = a->y;
+  z.shift = a->shift;
+  z.column = a->column;
+  z.row = a->row;
+  z.columns = a->columns;
+  z.rows = a->rows;
+  z.depth = a->depth;
+  z.leaves = a->leaves;
+  z.exact = a->exact;
+  return z;
+}
+/*= area_leave @cells : zone_of_area leave_disc_mm vec_of on_map */
+int64_t KERNEL_leave_mm(const KERNEL_area *area, int64_t x, int64_t y, int64_t to_x, int64_t to_y,
+                        int64_t radius_mm) {
+  const zone z = zone_of_area(area);
+  if (on_map(x) != x || on_map(y) != y) {
+    return 0; /* outside every zone */
+  }
+  return leave_disc_mm(&z, vec_of(x, y), vec_of(on_map(to_x), on_map(to_y)), radius_mm);
+}
+/*= area_border @cells : zone_of_area border_of vec_of on_map */
+void KERNEL_border_of(const KERNEL_area *area, int64_t x, int64_t y, KERNEL_border *to) {
+  const zone z = zone_of_area(area);
+  const border b = border_of(&z, vec_of(on_map(x), on_map(y)));
+  to->x = b.at.x;
+  to->y = b.at.y;
+  to->inward_x_q30 = b.inward_q30.x;
+  to->inward_y_q30 = b.inward_q30.y;
+  to->gap_mm_lo = b.gap.lo;
+  to->gap_mm_hi = b.gap.hi;
+  to->inside = b.inside;
+  to->nearest = b.nearest;
+}

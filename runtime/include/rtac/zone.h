@@ -13,6 +13,8 @@ namespace rtac {
 // zone is large; generated code refuses a runtime with a lower limit.
 inline constexpr std::size_t max_zone_cells = 40'000;
 
+struct ZoneOutline;  // rtac/zone_table.h
+
 struct ZoneView {
   const char* name = "";
   // Edges a -> b in mm, the zone on their left; `ring_start[i]` is the first edge of ring i.
@@ -24,15 +26,30 @@ struct ZoneView {
   // closed cell in mm, 0 where it meets the boundary, -1 outside.
   std::int32_t origin_x_mm = 0, origin_y_mm = 0, cell_mm = 100, columns = 0, rows = 0;
   const std::int32_t* clearance_mm_lo = nullptr;
+  // Which edges matter for a place: the tables of the module's kernel, of zones of more than 16
+  // edges. Then what is asked below takes as long as a cell has edges, at most 16, for a place, and
+  // as the cells that a segment passes; null: every question looks at all edges.
+  const ZoneOutline* tree = nullptr;
 };
 
 // Signed distance (m) from `p` to the boundary: positive inside, negative outside. Exact up to
-// double rounding: for controllers and for judging the true state, not for decisions.
+// double rounding: for controllers and for judging the true state, not for decisions. With a tree,
+// places inside that are farther from the boundary than it tells (the manifest's `exact_mm`) get a
+// lower bound, which is no less than that; far outside all edges are looked at.
 double signed_clearance(const ZoneView& zone, Vec2 p);
 // The same for the segment a-b: the smallest signed clearance on it. Exact for a segment inside the
-// zone; at most 0, and within 1 mm of the true minimum, for one that meets or crosses the boundary.
+// zone, up to the same bound; at most 0, and within 1 mm of the true minimum, for one that meets or
+// crosses the boundary.
 double signed_clearance(const ZoneView& zone, Vec2 a, Vec2 b);
 // Closest point of the boundary.
 Vec2 nearest_boundary(const ZoneView& zone, Vec2 p);
+// Unit vector out of danger: outside towards the closest point of the boundary, inside away from
+// it, on the boundary into the zone; between both sides on a vertex.
+Vec2 inward(const ZoneView& zone, Vec2 p);
+// How far (m) a disc may move from `a` towards `b` before it is not in the zone any more: until its
+// middle is closer to the boundary than `radius_m`, or on it. 0 when that is so at `a`, infinite
+// when it is nowhere so up to `b`. Divided by a speed, the time to leave. For controllers: the
+// kernel of the module answers it in integers, never late (`..._leave_mm`).
+double distance_to_leave(const ZoneView& zone, Vec2 a, Vec2 b, double radius_m = 0);
 
 }  // namespace rtac

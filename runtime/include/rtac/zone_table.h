@@ -125,6 +125,28 @@ void put_outline(KernelOutline& to, const ZoneOutline& from) {
   to.leaves = from.leaves;
 }
 
+// Of a zone that is compiled in: KernelArea { edges, ..., exact }.
+template <class KernelArea>
+ZoneOutline outline_of(const KernelArea& from) {
+  ZoneOutline to;
+  to.edges = from.edges;
+  to.cells = from.cells;
+  to.lists = from.lists;
+  to.edge_count = from.edge_count;
+  to.cell_count = from.cell_count;
+  to.list_count = from.list_count;
+  to.x_mm = from.x;
+  to.y_mm = from.y;
+  to.shift = from.shift;
+  to.column = from.column;
+  to.row = from.row;
+  to.columns = from.columns;
+  to.rows = from.rows;
+  to.depth = from.depth;
+  to.leaves = from.leaves;
+  return to;
+}
+
 // KernelSignal { lo, hi, stamp_us, valid }, KernelZone { checksum, version, within, around }. A
 // table that is there already is not looked at again.
 template <class KernelSignal, class KernelZone>

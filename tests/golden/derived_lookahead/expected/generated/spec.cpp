@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rtac/zone_table.h"
+
 namespace derived_lookahead {
 
 namespace {
@@ -468,17 +470,19 @@ const rtac::DecisionRecord& Fly::step(rtac::TimeUs now_us, bool holding, bool su
 }
 
 const rtac::ZoneView& room_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(derived_lookahead_room_area);
   static const rtac::ZoneView view = {
     "room", room_edges_mm, 4, room_rings, 1,
-    0, 0, 100, 50, 50, room_clearance_mm
+    0, 0, 100, 50, 50, room_clearance_mm, &tree
   };
   return view;
 }
 
 const rtac::ZoneView& zone_of_line_8_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(derived_lookahead_zone_of_line_8_area);
   static const rtac::ZoneView view = {
     "zone_of_line_8", zone_of_line_8_edges_mm, 36, zone_of_line_8_rings, 2,
-    0, 0, 100, 50, 50, zone_of_line_8_clearance_mm
+    0, 0, 100, 50, 50, zone_of_line_8_clearance_mm, &tree
   };
   return view;
 }

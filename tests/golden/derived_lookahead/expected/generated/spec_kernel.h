@@ -165,6 +165,41 @@ void derived_lookahead_fly_init(derived_lookahead_fly_state *s);
 void derived_lookahead_fly_step(derived_lookahead_fly_state *s, const derived_lookahead_fly_in *in,
                                 int64_t now_us, derived_lookahead_fly_out *out);
 
+/* A zone as its checks have it: six numbers an edge, ax ay bx by in mm, the zone on the left,
+ * and its direction in Q30; cells that tell which edges matter where (rtac/zone_table.h). exact:
+ * distances below are those of edges. */
+typedef struct derived_lookahead_area {
+  const int32_t *edges;
+  const uint32_t *cells, *lists;
+  int32_t edge_count, cell_count, list_count;
+  int32_t x, y, shift, column, row, columns, rows, depth, leaves;
+  int32_t exact;
+} derived_lookahead_area;
+
+extern const derived_lookahead_area derived_lookahead_room_area;
+extern const derived_lookahead_area derived_lookahead_zone_of_line_8_area;
+
+/* How far in mm a disc, or for radius 0 a place, may move from (x, y) to (to_x, to_y): at most
+ * as far as it stays in the zone without touching the boundary; 0: not at all; INT64_MAX: all
+ * the way. A place less than 3 mm short of that; a disc before 2 mm more would bring it to a
+ * place where it has less than 5 mm to spare. Divided by its speed, the time to leave. */
+int64_t derived_lookahead_leave_mm(const derived_lookahead_area *zone, int64_t x, int64_t y,
+    int64_t to_x, int64_t to_y, int64_t radius_mm);
+
+/* Where the boundary is nearest to a place: (x, y) of it, within 1 mm up to 10 km, else 3; a
+ * unit vector in Q30, outside towards it, inside away from it, on it into the zone; bounds of
+ * the distance. nearest 0: of a place that is too far away for exact distances, (x, y) is a
+ * place of the boundary in some direction. */
+typedef struct derived_lookahead_border {
+  int64_t x, y;
+  int64_t inward_x_q30, inward_y_q30;
+  int64_t gap_mm_lo, gap_mm_hi;
+  int32_t inside, nearest;
+} derived_lookahead_border;
+
+void derived_lookahead_border_of(const derived_lookahead_area *zone, int64_t x, int64_t y,
+    derived_lookahead_border *to);
+
 #ifdef __cplusplus
 }
 #endif

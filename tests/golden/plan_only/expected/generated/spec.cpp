@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rtac/zone_table.h"
+
 namespace plan_only {
 
 namespace {
@@ -596,33 +598,37 @@ const rtac::DecisionRecord& RouteCheck::judge(const rtac::Path& plan, rtac::Time
 }
 
 const rtac::ZoneView& room_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(plan_only_room_area);
   static const rtac::ZoneView view = {
     "room", room_edges_mm, 4, room_rings, 1,
-    0, 0, 100, 50, 50, room_clearance_mm
+    0, 0, 100, 50, 50, room_clearance_mm, &tree
   };
   return view;
 }
 
 const rtac::ZoneView& zone_of_line_11_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(plan_only_zone_of_line_11_area);
   static const rtac::ZoneView view = {
     "zone_of_line_11", zone_of_line_11_edges_mm, 4, zone_of_line_11_rings, 1,
-    400, 400, 100, 42, 42, zone_of_line_11_clearance_mm
+    400, 400, 100, 42, 42, zone_of_line_11_clearance_mm, &tree
   };
   return view;
 }
 
 const rtac::ZoneView& zone_of_line_11_2_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(plan_only_zone_of_line_11_2_area);
   static const rtac::ZoneView view = {
     "zone_of_line_11_2", zone_of_line_11_2_edges_mm, 36, zone_of_line_11_2_rings, 2,
-    0, 0, 100, 50, 50, zone_of_line_11_2_clearance_mm
+    0, 0, 100, 50, 50, zone_of_line_11_2_clearance_mm, &tree
   };
   return view;
 }
 
 const rtac::ZoneView& zone_of_line_11_3_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(plan_only_zone_of_line_11_3_area);
   static const rtac::ZoneView view = {
     "zone_of_line_11_3", zone_of_line_11_3_edges_mm, 16, zone_of_line_11_3_rings, 1,
-    992, 992, 100, 31, 31, zone_of_line_11_3_clearance_mm
+    992, 992, 100, 31, 31, zone_of_line_11_3_clearance_mm, &tree
   };
   return view;
 }

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rtac/zone_table.h"
+
 namespace point_fleet_yield {
 
 namespace {
@@ -1056,9 +1058,10 @@ const rtac::DecisionRecord& Fly::step(rtac::TimeUs now_us, bool holding, bool su
 }
 
 const rtac::ZoneView& field_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(point_fleet_yield_field_area);
   static const rtac::ZoneView view = {
     "field", field_edges_mm, 64, field_rings, 1,
-    -6000, -6000, 100, 120, 120, field_clearance_mm
+    -6000, -6000, 100, 120, 120, field_clearance_mm, &tree
   };
   return view;
 }

@@ -502,6 +502,548 @@ static int64_t segment_gap_lo(vec a, vec b, vec c, vec d) {
   return square < INT64_MAX ? root_below(square, best) : best;
 }
 
+/* One directed edge of a zone, the zone on its left. `u` is its direction in Q30. */
+typedef struct edge {
+  int32_t ax, ay, bx, by;
+  int32_t ux_q30, uy_q30;
+} edge;
+
+/* Largest axis distance between the boxes of two segments: never more than their distance. */
+static int64_t box_gap(vec a, vec b, vec c, vec d) {
+  const int64_t x = max_of(min_of(a.x, b.x) - max_of(c.x, d.x), min_of(c.x, d.x) - max_of(a.x, b.x));
+  const int64_t y = max_of(min_of(a.y, b.y) - max_of(c.y, d.y), min_of(c.y, d.y) - max_of(a.y, b.y));
+  return max_of(x, y);
+}
+
+/* The smallest of several distances: of those known in mm, and of those known as squares. */
+typedef struct nearest {
+  int64_t mm, square;
+} nearest;
+
+static nearest nearest_none(void) {
+  nearest n;
+  n.mm = SPAN_MAX;
+  n.square = INT64_MAX;
+  return n;
+}
+
+/* Whether `gap` is below the smallest distance so far, its root rounded down. */
+static int32_t nearer(int64_t gap, const nearest *n) {
+  const int64_t next = max_of(gap, -1) + 1;
+  return gap < n->mm && next * next <= n->square;
+}
+
+static int64_t nearest_mm(const nearest *n) {
+  return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
+}
+
+/* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
+ * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
+static void near_edge(const edge *e, vec p, nearest *n) {
+  const vec a = vec_of(e->ax, e->ay);
+  const vec b = vec_of(e->bx, e->by);
+  const vec d = minus(b, a);
+  const vec q = minus(p, a);
+  const int64_t along = dot(q, d);
+  if (along <= 0) {
+    n->square = min_of(n->square, dot(q, q));
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
+    n->square = min_of(n->square, dot(r, r));
+  } else {
+    const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
+  }
+}
+
+/* Takes an edge of the boundary into account; 0: the segment crosses it. */
+static int32_t segment_near_edge(segment *s, const edge *k, nearest *n) {
+  const vec a = vec_of(k->ax, k->ay);
+  const vec b = vec_of(k->bx, k->by);
+  if (nearer(box_gap(a, b, s->a, s->b), n)) {
+    if (cross_each_other(s->a, s->b, a, b)) {
+      return 0;
+    }
+    near_edge(k, s->a, n);
+    near_edge(k, s->b, n);
+    s->across = INT64_MAX;
+    near_point(s, a, &n->square);
+    near_point(s, b, &n->square);
+    if (s->across < INT64_MAX) {
+      n->mm = min_of(n->mm, across_lo(s));
+    }
+  }
+  return 1;
+}
+
+/* A square of 2^32 mm, divided by 16 again and again; cells are closed to the south and west. A word
+ * of `cells` tells of a cell, in its two highest bits, that it is
+ *   0 far    the boundary is at least as far away as the lowest 28 bits say;
+ *   1 run    its edges are neighbours, the first one in the lowest 24 bits;
+ *   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
+ *   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row from the south-west.
+ * Its edges: those that can be nearest to some place of it; bits 24 to 27: how many, less one. Bit
+ * 28: the boundary meets it; never of cells wider than those of the grid, whose places are outside.
+ * Bit 29: its south-west corner, moved as in `crosses_way`, is inside. */
+typedef struct zone {
+  const edge *edges;
+  const uint32_t *cells, *lists;
+  int32_t x, y;                              /* south-west corner of the square */
+  int32_t shift, column, row, columns, rows; /* of the grid where a place near the zone starts */
+  int32_t depth, leaves;                     /* most splits on the way to a cell; cells */
+  int32_t exact;                             /* distances below are those of edges, in mm */
+} zone;
+
+typedef struct cell {
+  int64_t x, y; /* south-west corner */
+  int32_t shift; /* 2^shift mm wide */
+  uint32_t word;
+} cell;
+
+/* The cell of a point: from its cell of the grid, or else from the whole square, to the last part. */
+static cell cell_at(const zone *z, vec p) {
+  const uint64_t x = (uint64_t)(p.x - z->x);
+  const uint64_t y = (uint64_t)(p.y - z->y);
+  const uint64_t column = (x >> z->shift) - (uint64_t)z->column;
+  const uint64_t row = (y >> z->shift) - (uint64_t)z->row;
+  const uint64_t columns = (uint64_t)z->columns;
+  const uint64_t rows = (uint64_t)z->rows;
+  const int32_t in_grid = column < columns && row < rows;
+  int32_t i;
+  cell c;
+  c.shift = in_grid ? z->shift : 32;
+  c.word = z->cells[in_grid ? row * columns + column : rows * columns];
+  for (i = 0; i < z->depth && c.word >> 30 == 3; ++i) {
+    c.shift -= 2;
+    c.word = z->cells[(c.word & 0x3fffffff) + ((y >> c.shift & 3) << 2 | (x >> c.shift & 3))];
+  }
+  c.x = z->x + (int64_t)(x >> c.shift << c.shift);
+  c.y = z->y + (int64_t)(y >> c.shift << c.shift);
+  return c;
+}
+
+static int32_t cell_count(uint32_t word) {
+  return word >> 30 == 0 ? 0 : (int32_t)(word >> 24 & 15) + 1;
+}
+
+static const edge *cell_edge(const zone *z, uint32_t word, int32_t i) {
+  const uint32_t at = (word & 0xffffff) + (uint32_t)i;
+  return &z->edges[word >> 30 == 1 ? at : z->lists[at]];
+}
+
+/* Whether the edge crosses the way from (x0, y0) north or south to y, then east or west to x, all
+ * doubled. Exact; these points count as moved north by less than anything else, and east by less
+ * than that, so that none lies on the edge. Without branches, since nobody can predict them. */
+static int32_t crosses_way(const edge *e, int64_t x0, int64_t y0, int64_t x, int64_t y) {
+  const int64_t ax = 2 * (int64_t)e->ax, ay = 2 * (int64_t)e->ay;
+  const int64_t bx = 2 * (int64_t)e->bx, by = 2 * (int64_t)e->by;
+  const int64_t dx = e->bx - (int64_t)e->ax, dy = e->by - (int64_t)e->ay;
+  const int64_t left = 1 - ((dx > 0) | ((dx == 0) & (dy < 0))); /* from this product on */
+  const int32_t start = dx * (y0 - ay) - dy * (x0 - ax) >= left;
+  const int32_t turn = dx * (y - ay) - dy * (x0 - ax) >= left;
+  const int32_t end = dx * (y - ay) - dy * (x - ax) >= left;
+  return (((ax > x0) ^ (bx > x0)) & (start ^ turn)) ^ (((ay > y) ^ (by > y)) & (turn ^ end));
+}
+
+/* Whether a place of the cell, coordinates doubled, is inside: its corner is, or not, and each edge
+ * on the way from there changes it. Of places on the boundary it says nothing. */
+static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
+  int32_t inside = (int32_t)(c->word >> 29 & 1);
+  int32_t i;
+  if ((c->word >> 28 & 1) != 0) {
+    for (i = 0; i < cell_count(c->word); ++i) {
+      inside ^= crosses_way(cell_edge(z, c->word, i), 2 * c->x, 2 * c->y, x, y);
+    }
+  }
+  return inside;
+}
+
+static int32_t inside_zone(const zone *z, vec p) {
+  const cell c = cell_at(z, p);
+  return cell_inside(z, &c, 2 * p.x, 2 * p.y);
+}
+
+/* Bounds of the distance from a place of the cell to the boundary: 3 mm apart, but in cells that are
+ * far from it. */
+static span cell_gap(const zone *z, const cell *c, vec p) {
+  nearest n = nearest_none();
+  int32_t i;
+  if (cell_count(c->word) == 0) {
+    const int64_t far = c->word & 0xfffffff; /* in words no more than that */
+    return span_of(far, far + (far == 0xfffffff ? INT64_C(1) << 32 : (INT64_C(2) << c->shift) + 1));
+  }
+  for (i = 0; i < cell_count(c->word); ++i) {
+    near_edge(cell_edge(z, c->word, i), p, &n);
+  }
+  return span_of(nearest_mm(&n), nearest_mm(&n) + 3);
+}
+
+static span boundary_gap(const zone *z, vec p) {
+  const cell c = cell_at(z, p);
+  return cell_gap(z, &c, p);
+}
+
+static int64_t boundary_gap_lo(const zone *z, vec p) {
+  return boundary_gap(z, p).lo;
+}
+
+/* Moves `at` to a place of the next cell that the segment p-e enters; 0: it ends in this one. Where
+ * it leaves this one is rounded towards p, and kept beside this one: at a corner, the next step leads
+ * on. Each step leaves a cell for good. */
+static int32_t next_cell(const cell *c, vec p, vec e, vec *at) {
+  const vec d = minus(e, p);
+  const int64_t x1 = c->x + (INT64_C(1) << c->shift);
+  const int64_t y1 = c->y + (INT64_C(1) << c->shift);
+  /* where it would pass the lines of the sides that it runs towards, from p */
+  const vec q = minus(vec_of(d.x > 0 ? x1 : c->x, d.y > 0 ? y1 : c->y), p);
+  const int32_t by_x = d.x > 0 ? e.x >= x1 : e.x < c->x;
+  const int32_t by_y = d.y > 0 ? e.y >= y1 : e.y < c->y;
+  if (!by_x && !by_y) {
+    return 0;
+  }
+  if (by_x && (!by_y || magnitude(q.x) * magnitude(d.y) <= magnitude(q.y) * magnitude(d.x))) {
+    at->x = d.x > 0 ? x1 : c->x - 1;
+    at->y = clamp_of(p.y + d.y * magnitude(q.x) / magnitude(d.x), c->y, y1 - 1);
+  } else {
+    at->x = clamp_of(p.x + d.x * magnitude(q.y) / magnitude(d.y), c->x, x1 - 1);
+    at->y = d.y > 0 ? y1 : c->y - 1;
+  }
+  return 1;
+}
+
+/* Lower bound of the distance from the segment p-e to the boundary; -1 when they cross. The edges
+ * that are nearest to its places are those of the cells that it passes. */
+static int64_t segment_boundary_lo(const zone *z, vec p, vec e) {
+  segment s = segment_of(p, e);
+  nearest n = nearest_none();
+  vec at = p;
+  int32_t more = 1;
+  int32_t i, k;
+  for (i = 0; i < z->leaves && more; ++i) {
+    const cell c = cell_at(z, at);
+    if (cell_count(c.word) == 0) {
+      n.mm = min_of(n.mm, c.word & 0xfffffff);
+    }
+    for (k = 0; k < cell_count(c.word); ++k) {
+      if (!segment_near_edge(&s, cell_edge(z, c.word, k), &n)) {
+        return -1;
+      }
+    }
+    more = next_cell(&c, p, e, &at);
+  }
+  return more ? 0 : nearest_mm(&n);
+}
+
+/* 2^31 num / den rounded down, for 0 <= num <= den < 2^62: a digit at a time, so that nothing
+ * overflows. */
+static int64_t part_q31(int64_t num, int64_t den) {
+  int64_t part = 0;
+  int32_t i;
+  if (num >= den) {
+    return INT64_C(1) << 31;
+  }
+  for (i = 0; i < 31; ++i) {
+    num *= 2;
+    part *= 2;
+    if (num >= den) {
+      num -= den;
+      part += 1;
+    }
+  }
+  return part;
+}
+
+/* Where the leg p-e first touches the edge: as far from p, or less than 3 mm nearer; INT64_MAX: it
+ * does not, which is exact. `length`: of the leg, rounded down.
+ * The place is that part of the leg which start / (start - end) says, and start - end is the cross
+ * product of two differences: below 2^62. Rounding takes 1 mm for the length, 2^30.5 / 2^31 mm for
+ * the part, and 1 mm for their product. */
+static int64_t meeting_mm(const edge *k, vec p, vec e, int64_t length) {
+  const vec a = vec_of(k->ax, k->ay);
+  const vec b = vec_of(k->bx, k->by);
+  const vec d = minus(e, p);
+  const vec g = minus(b, a);
+  const int64_t start = cross(g, minus(p, a));
+  const int64_t end = cross(g, minus(e, a));
+  const int64_t a_side = cross(d, minus(a, p));
+  const int64_t b_side = cross(d, minus(b, p));
+  int64_t part;
+  if (box_gap(a, b, p, e) > 0 || (start > 0 && end > 0) || (start < 0 && end < 0) ||
+      (a_side > 0 && b_side > 0) || (a_side < 0 && b_side < 0)) {
+    return INT64_MAX;
+  }
+  if (start == 0 && end == 0) { /* on one line, where boxes that touch mean that they do */
+    const int64_t first = min_of(dot(minus(a, p), d), dot(minus(b, p), d));
+    part = first <= 0 ? 0 : part_q31(first, dot(d, d));
+  } else {
+    part = part_q31(magnitude(start), magnitude(start) + magnitude(end));
+  }
+  return part * length >> 31;
+}
+
+/* How far from p the leg p-e first touches the boundary, less than 3 mm short of it and never
+ * beyond; 0 from outside; INT64_MAX: all of the leg lies inside. Where it touches, the edge is one
+ * of the cell there, or of the cell before. An edge that is touched in a later cell is no end: what
+ * comes before it has to be looked at, up to 5 mm more for what was rounded. */
+static int64_t leave_mm(const zone *z, vec p, vec e) {
+  const int64_t length = point_gap_lo(p, e);
+  int64_t first = INT64_MAX;
+  vec at = p;
+  int32_t more = 1;
+  int32_t i, k;
+  if (!inside_zone(z, p)) {
+    return 0;
+  }
+  for (i = 0; i < z->leaves && more; ++i) {
+    const cell c = cell_at(z, at);
+    for (k = 0; k < cell_count(c.word); ++k) {
+      first = min_of(first, meeting_mm(cell_edge(z, c.word, k), p, e, length));
+    }
+    more = next_cell(&c, p, e, &at) && point_gap_lo(p, at) - 5 <= first;
+  }
+  return more ? 0 : first;
+}
+
+/* a / b to the nearest integer, for b > 0 and |a| + b below 2^63. */
+static int64_t nearest_quotient(int64_t a, int64_t b) {
+  return a < 0 ? -((b / 2 - a) / b) : (a + b / 2) / b;
+}
+
+/* The grid point nearest to the place that is `mm` along p-e, which is `length` mm long. */
+static vec point_along(vec p, vec e, int64_t length, int64_t mm) {
+  const vec d = minus(e, p);
+  return vec_of(p.x + nearest_quotient(d.x * mm, length), p.y + nearest_quotient(d.y * mm, length));
+}
+
+/* How far a disc may move along p-e: up to there its middle keeps `radius` mm to the boundary, and
+ * before 2 mm more there is a place where it does not keep radius + 5 mm. 0: it does not at p;
+ * INT64_MAX: it does all the way. Beyond exact distances it may end sooner.
+ * By halving, at most 31 times. A place of the leg up to `low` - 1 is within sqrt(1/2) mm of the leg
+ * to the grid point at `low` (its length is rounded up, which takes 1 mm of the way): 1 mm more
+ * clearance there suffices. The clearance that a leg is known to keep is at most 3 mm too small. */
+static int64_t leave_disc_mm(const zone *z, vec p, vec e, int64_t radius) {
+  const vec d = minus(e, p);
+  const int64_t length = root_up(dot(d, d));
+  int64_t low = 0;
+  int64_t high = length;
+  int32_t i;
+  if (radius <= 0) {
+    return leave_mm(z, p, e);
+  }
+  if (!inside_zone(z, p) || boundary_gap_lo(z, p) < radius) {
+    return 0;
+  }
+  if (segment_boundary_lo(z, p, e) >= radius) {
+    return INT64_MAX;
+  }
+  for (i = 0; i < 31 && high - low > 1; ++i) {
+    const int64_t middle = low + (high - low) / 2;
+    if (segment_boundary_lo(z, p, point_along(p, e, length, middle)) > radius) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return max_of(low - 1, 0);
+}
+
+/* The edge whose line is nearest beside it, and the nearest vertex. */
+typedef struct closest {
+  const edge *line;
+  int64_t across_q30; /* from `line` */
+  vec vertex;
+  int64_t square;    /* of the distance from `vertex` */
+  const edge *end;   /* one that ends at the place itself, */
+  vec normals;       /* the inward normals of all that do: their sum, Q30, */
+  int32_t ends;      /* and how many they are */
+} closest;
+
+static closest closest_none(void) {
+  closest c;
+  c.line = 0;
+  c.across_q30 = INT64_MAX;
+  c.vertex = vec_of(0, 0);
+  c.square = INT64_MAX;
+  c.end = 0;
+  c.normals = vec_of(0, 0);
+  c.ends = 0;
+  return c;
+}
+
+static void close_vertex(const edge *k, vec v, vec p, closest *c) {
+  const vec q = minus(p, v);
+  const int64_t square = dot(q, q);
+  if (square < c->square) {
+    c->square = square;
+    c->vertex = v;
+  }
+  if (square == 0) {
+    c->normals = vec_of(c->normals.x - k->uy_q30, c->normals.y + k->ux_q30);
+    c->end = k;
+    c->ends += 1;
+  }
+}
+
+/* As near_edge, which knows no places. */
+static void close_edge(const edge *k, vec p, closest *c) {
+  const vec a = vec_of(k->ax, k->ay);
+  const vec b = vec_of(k->bx, k->by);
+  const vec d = minus(b, a);
+  const vec q = minus(p, a);
+  const int64_t along = dot(q, d);
+  if (along <= 0) {
+    close_vertex(k, a, p, c);
+  } else if (along >= dot(d, d)) {
+    close_vertex(k, b, p, c);
+  } else {
+    const int64_t across_q30 = magnitude(q.y * k->ux_q30 - q.x * k->uy_q30);
+    if (across_q30 < c->across_q30) {
+      c->across_q30 = across_q30;
+      c->line = k;
+    }
+  }
+}
+
+/* In 1/256 mm up to 8 km, so that of two places some mm apart the nearer one is taken. */
+static int32_t line_is_closer(const closest *c) {
+  if (c->line == 0) {
+    return 0;
+  }
+  if (c->square >> 46 == 0) {
+    return c->across_q30 >> 22 <= root_down(c->square * 65536);
+  }
+  return c->square == INT64_MAX || c->across_q30 >> 30 <= root_down(c->square);
+}
+
+/* The unit vector along r, each component within 3 of 2^30; (0, 0) of none. */
+static vec unit_q30(vec r) {
+  segment s = segment_of(vec_of(0, 0), r);
+  if (s.square == 0) {
+    return r;
+  }
+  draw_length(&s);
+  return vec_of(r.x * (INT64_C(1) << (30 + s.bits)) / s.root,
+                r.y * (INT64_C(1) << (30 + s.bits)) / s.root);
+}
+
+/* From a vertex: between the normals of its edges. Where parts touch they may cancel each other;
+ * then it is one of them. */
+static vec inward_at_end(const closest *c) {
+  const vec sum = vec_of(c->normals.x / c->ends, c->normals.y / c->ends);
+  return sum.x == 0 && sum.y == 0 ? vec_of(-(int64_t)c->end->uy_q30, c->end->ux_q30)
+                                  : unit_q30(sum);
+}
+
+/* The boundary as a place sees it. `at`: a place of it, rounded to the grid; `inward_q30`: a unit
+ * vector, from outside towards `at`, inside away from it, on the boundary into the zone. */
+typedef struct border {
+  vec at, inward_q30;
+  span gap; /* bounds of the distance from the boundary */
+  int32_t inside;
+  int32_t nearest; /* whether `at` is the nearest one; else it is one in some direction */
+} border;
+
+/* The foot of the perpendicular from p, to the grid: within 1 mm of it for p and ends of the edge up
+ * to 10 km apart, and 3 mm for all others. From p against the normal (-uy, ux), as far as p is
+ * across in halves of a millimetre: 1/4 mm, then sqrt(1/2) mm for the grid; the direction is off by
+ * 2^-31 in each component, which turns and shortens by as little. The box of the edge holds the foot,
+ * so that clamping takes nothing. */
+static vec foot_on(const edge *k, vec p) {
+  const int64_t across_q30 =
+      (p.y - k->ay) * (int64_t)k->ux_q30 - (p.x - k->ax) * (int64_t)k->uy_q30;
+  const int64_t halves = nearest_quotient(across_q30, Q30 / 2);
+  return vec_of(clamp_of(p.x + nearest_quotient(halves * k->uy_q30, 2 * Q30), min_of(k->ax, k->bx),
+                         max_of(k->ax, k->bx)),
+                clamp_of(p.y - nearest_quotient(halves * k->ux_q30, 2 * Q30), min_of(k->ay, k->by),
+                         max_of(k->ay, k->by)));
+}
+
+/* `inside`: that of p. Beside an edge the direction is that of its normal, at a vertex that from or
+ * to p; on a vertex it lies between the normals of the edges there. */
+static void look_at_border(const closest *c, vec p, border *b) {
+  if (line_is_closer(c)) {
+    const edge *k = c->line;
+    const int32_t side = side_of(vec_of(k->ax, k->ay), vec_of(k->bx, k->by), p);
+    const int32_t turned = side != 0 && (side > 0) != (b->inside != 0);
+    b->at = foot_on(k, p);
+    b->inward_q30 = turned ? vec_of(k->uy_q30, -(int64_t)k->ux_q30)
+                           : vec_of(-(int64_t)k->uy_q30, k->ux_q30);
+  } else {
+    b->at = c->vertex;
+    b->inward_q30 = c->ends > 0 ? inward_at_end(c)
+                                : unit_q30(b->inside ? minus(p, c->vertex) : minus(c->vertex, p));
+  }
+}
+
+/* Of a place in a far cell the boundary is looked for on the way to the first vertex: in the first
+ * cell on it that has edges, which is that of the vertex at the latest. Straight on to `at` leads
+ * to the boundary; inside, where distances are no shorter than the bound, any direction does. */
+static border border_of(const zone *z, vec p) {
+  const vec vertex = vec_of(z->edges[0].ax, z->edges[0].ay);
+  cell c = cell_at(z, p);
+  closest near = closest_none();
+  vec at = p;
+  border b;
+  int32_t i;
+  b.inside = cell_inside(z, &c, 2 * p.x, 2 * p.y);
+  b.gap = cell_gap(z, &c, p);
+  b.nearest = cell_count(c.word) > 0;
+  for (i = 0; i < z->leaves && cell_count(c.word) == 0; ++i) {
+    if (next_cell(&c, p, vertex, &at)) {
+      c = cell_at(z, at);
+    }
+  }
+  for (i = 0; i < cell_count(c.word); ++i) {
+    close_edge(cell_edge(z, c.word, i), at, &near);
+  }
+  look_at_border(&near, at, &b);
+  if (!b.nearest) {
+    b.inward_q30 = unit_q30(b.inside ? minus(p, b.at) : minus(b.at, p));
+  }
+  return b;
+}
+
+/* The six numbers of an edge are its members. */
+static zone zone_of_area(const point_fleet_yield_area *a) {
+  zone z;
+  z.edges = (const edge *)(const void *)a->edges;
+  z.cells = a->cells;
+  z.lists = a->lists;
+  z.x = a->x;
+  z.y = a->y;
+  z.shift = a->shift;
+  z.column = a->column;
+  z.row = a->row;
+  z.columns = a->columns;
+  z.rows = a->rows;
+  z.depth = a->depth;
+  z.leaves = a->leaves;
+  z.exact = a->exact;
+  return z;
+}
+
+int64_t point_fleet_yield_leave_mm(const point_fleet_yield_area *area, int64_t x, int64_t y, int64_t to_x, int64_t to_y,
+                        int64_t radius_mm) {
+  const zone z = zone_of_area(area);
+  if (on_map(x) != x || on_map(y) != y) {
+    return 0; /* outside every zone */
+  }
+  return leave_disc_mm(&z, vec_of(x, y), vec_of(on_map(to_x), on_map(to_y)), radius_mm);
+}
+
+void point_fleet_yield_border_of(const point_fleet_yield_area *area, int64_t x, int64_t y, point_fleet_yield_border *to) {
+  const zone z = zone_of_area(area);
+  const border b = border_of(&z, vec_of(on_map(x), on_map(y)));
+  to->x = b.at.x;
+  to->y = b.at.y;
+  to->inward_x_q30 = b.inward_q30.x;
+  to->inward_y_q30 = b.inward_q30.y;
+  to->gap_mm_lo = b.gap.lo;
+  to->gap_mm_hi = b.gap.hi;
+  to->inside = b.inside;
+  to->nearest = b.nearest;
+}
+
 /* Another robot as it was heard. */
 typedef struct other {
   estimate s;
@@ -794,6 +1336,161 @@ static int32_t gate_of(const reach *r, const other *others, int32_t count, int32
   }
   return gate;
 }
+
+/* Zone field: 64 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
+static const edge zone_field_edges[] = {
+  {0, -6000, 587, -5971, 1072433861, 52982252},
+  {587, -5971, 1169, -5885, 1062207851, 156958548},
+  {1169, -5885, 1743, -5741, 1041468768, 261274395},
+  {1743, -5741, 2296, -5543, 1010897847, 361948958},
+  {2296, -5543, 2828, -5291, 970381116, 459654213},
+  {2828, -5291, 3334, -4988, 921207583, 551632209},
+  {3334, -4988, 3807, -4637, 862263659, 639861616},
+  {3807, -4637, 4243, -4242, 795742189, 720913222},
+  {4243, -4242, 4637, -3807, 720818730, 795827785},
+  {4637, -3807, 4988, -3334, 639861616, 862263659},
+  {4988, -3334, 5291, -2828, 551632209, 921207583},
+  {5291, -2828, 5543, -2296, 459654213, 970381116},
+  {5543, -2296, 5741, -1741, 360792138, 1011311296},
+  {5741, -1741, 5884, -1170, 260849828, 1041575188},
+  {5884, -1170, 5971, -589, 159011219, 1061902508},
+  {5971, -589, 6000, 0, 52802782, 1072442712},
+  {6000, 0, 5971, 587, -52982252, 1072433861},
+  {5971, 587, 5885, 1169, -156958548, 1062207851},
+  {5885, 1169, 5741, 1743, -261274395, 1041468768},
+  {5741, 1743, 5543, 2296, -361948958, 1010897847},
+  {5543, 2296, 5291, 2828, -459654213, 970381116},
+  {5291, 2828, 4988, 3334, -551632209, 921207583},
+  {4988, 3334, 4637, 3807, -639861616, 862263659},
+  {4637, 3807, 4242, 4243, -720913222, 795742189},
+  {4242, 4243, 3807, 4637, -795827785, 720818730},
+  {3807, 4637, 3334, 4988, -862263659, 639861616},
+  {3334, 4988, 2828, 5291, -921207583, 551632209},
+  {2828, 5291, 2296, 5543, -970381116, 459654213},
+  {2296, 5543, 1741, 5741, -1011311296, 360792138},
+  {1741, 5741, 1170, 5884, -1041575188, 260849828},
+  {1170, 5884, 589, 5971, -1061902508, 159011219},
+  {589, 5971, 0, 6000, -1072442712, 52802782},
+  {0, 6000, -587, 5971, -1072433861, -52982252},
+  {-587, 5971, -1169, 5885, -1062207851, -156958548},
+  {-1169, 5885, -1743, 5741, -1041468768, -261274395},
+  {-1743, 5741, -2296, 5543, -1010897847, -361948958},
+  {-2296, 5543, -2828, 5291, -970381116, -459654213},
+  {-2828, 5291, -3334, 4988, -921207583, -551632209},
+  {-3334, 4988, -3807, 4637, -862263659, -639861616},
+  {-3807, 4637, -4243, 4242, -795742189, -720913222},
+  {-4243, 4242, -4637, 3807, -720818730, -795827785},
+  {-4637, 3807, -4988, 3334, -639861616, -862263659},
+  {-4988, 3334, -5291, 2828, -551632209, -921207583},
+  {-5291, 2828, -5543, 2296, -459654213, -970381116},
+  {-5543, 2296, -5741, 1741, -360792138, -1011311296},
+  {-5741, 1741, -5884, 1170, -260849828, -1041575188},
+  {-5884, 1170, -5971, 589, -159011219, -1061902508},
+  {-5971, 589, -6000, 0, -52802782, -1072442712},
+  {-6000, 0, -5971, -587, 52982252, -1072433861},
+  {-5971, -587, -5885, -1169, 156958548, -1062207851},
+  {-5885, -1169, -5741, -1743, 261274395, -1041468768},
+  {-5741, -1743, -5543, -2296, 361948958, -1010897847},
+  {-5543, -2296, -5291, -2828, 459654213, -970381116},
+  {-5291, -2828, -4988, -3334, 551632209, -921207583},
+  {-4988, -3334, -4637, -3807, 639861616, -862263659},
+  {-4637, -3807, -4242, -4243, 720913222, -795742189},
+  {-4242, -4243, -3807, -4637, 795827785, -720818730},
+  {-3807, -4637, -3334, -4988, 862263659, -639861616},
+  {-3334, -4988, -2828, -5291, 921207583, -551632209},
+  {-2828, -5291, -2296, -5543, 970381116, -459654213},
+  {-2296, -5543, -1741, -5741, 1011311296, -360792138},
+  {-1741, -5741, -1170, -5884, 1041575188, -260849828},
+  {-1170, -5884, -589, -5971, 1061902508, -159011219},
+  {-589, -5971, 0, -6000, 1072442712, -52802782}
+};
+/* Of a place, at most 16 edges are checked, after 10 steps; distances up to 22369620 mm are
+ * exact. */
+static const uint32_t zone_field_cells[] = {
+  0x57000034, 0x9b000000, 0x59000001, 0x57000005, 0x5a00002d, 0xc00000f1, 0xc00000d1, 0x7700000a, 0x59000025, 0xc00000e1, 0x7d000011, 0x78000010,
+  0x57000023, 0x7700001e, 0x78000017, 0x47000014, 0xc0000011, 0x4d000031, 0xfffffff, 0x4a000004, 0x47000008, 0xfffffff, 0xc0000021, 0x4e00000a,
+  0x4700000d, 0x4a000021, 0x4e000017, 0x49000013, 0x47000011, 0x47000020, 0x4700001b, 0x47000017, 0x45000015, 0x4d000031, 0x5555554, 0x4a000004,
+  0x47000008, 0x5555554, 0xc0000031, 0x4e00000a, 0x4700000d, 0x4a000021, 0x4e000017, 0x49000013, 0x47000011, 0x47000020, 0x4700001b, 0x47000017,
+  0x45000015, 0x4d000031, 0x1555554, 0x4a000004, 0x47000008, 0x1555554, 0xc0000041, 0x4e00000a, 0x4700000d, 0x4a000021, 0x4e000017, 0x49000013,
+  0x47000011, 0x47000020, 0x4700001b, 0x47000017, 0x45000015, 0x4d000031, 0xc0000261, 0x4a000004, 0x47000008, 0xc0000271, 0xc0000051, 0x4e00000a,
+  0x4700000d, 0x4a000021, 0x4e000017, 0x49000013, 0x47000011, 0x47000020, 0x4700001b, 0x47000017, 0x45000015, 0x4c000031, 0xc0000241, 0x4a000004,
+  0x47000008, 0xc0000251, 0xc0000061, 0x4e00000a, 0x4700000d, 0x4a000021, 0x4e000017, 0x49000013, 0x47000011, 0x47000020, 0x4700001b, 0x47000017,
+  0x45000015, 0x4b000032, 0xc0000221, 0x4a000004, 0x47000008, 0xc0000231, 0xc0000071, 0x4e00000a, 0x4700000d, 0x4a000021, 0x4e000017, 0x49000013,
+  0x47000011, 0x47000020, 0x4700001b, 0x47000017, 0x45000015, 0x4b000032, 0xc0000201, 0x4a000004, 0x47000008, 0xc0000211, 0xc0000081, 0x4e00000a,
+  0x4700000d, 0x4a000021, 0x4e000017, 0x49000013, 0x47000011, 0x47000020, 0x4700001b, 0x47000017, 0x45000015, 0x4b000032, 0xc00001e1, 0x4a000003,
+  0x46000008, 0xc00001f1, 0xc0000091, 0x4f000009, 0x4800000c, 0x4a000022, 0x4f000017, 0x49000013, 0x47000011, 0x46000021, 0x4800001b, 0x47000017,
+  0x45000015, 0x49000033, 0x8d00000c, 0x4a000001, 0x47000006, 0x4d00002b, 0xc00000a1, 0xc00000b1, 0x4800000a, 0x4a000024, 0xc00000c1, 0x4d000011,
+  0x48000010, 0x47000022, 0x4800001d, 0x48000017, 0x47000014, 0x45000035, 0x46000037, 0x8600001a, 0x46000000, 0x46000032, 0x0, 0x0,
+  0x0, 0x4600002e, 0x0, 0x0, 0x0, 0x46000029, 0x0, 0x0, 0x0, 0x46000003, 0x45000006, 0x44000008,
+  0x43000009, 0x0, 0x45000008, 0x4400000a, 0x4300000b, 0x0, 0x4500000c, 0x4300000d, 0x4300000d, 0x0, 0x45000010, 0x43000010,
+  0x43000010, 0x46000026, 0x0, 0x0, 0x0, 0x45000024, 0x45000022, 0x4500001e, 0x4500001a, 0x44000023, 0x44000021, 0x4300001f,
+  0x4300001c, 0x43000023, 0x43000021, 0x4300001f, 0x4300001c, 0x65000002, 0x64000005, 0x63000007, 0x63000008, 0x67000003, 0x64000007, 0x63000009,
+  0x6300000a, 0x68000006, 0x6500000a, 0x6400000b, 0x6300000c, 0x6a00000d, 0x6600000e, 0x6300000f, 0x6300000f, 0x65000028, 0x67000025, 0x68000021,
+  0x6b000017, 0x64000026, 0x64000024, 0x65000020, 0x6600001b, 0x63000025, 0x63000023, 0x64000020, 0x6300001d, 0x63000024, 0x63000022, 0x63000020,
+  0x6300001d, 0x63000036, 0x65000037, 0x6500003a, 0xa4000021, 0x64000033, 0x65000035, 0x68000037, 0xa8000026, 0x65000030, 0x67000030, 0x6d000031,
+  0xc0000101, 0x6400002c, 0x68000029, 0xc0000111, 0xc0000121, 0xa300002f, 0x63000000, 0x63000002, 0x63000004, 0xa300002f, 0x64000000, 0x63000003,
+  0x63000005, 0xa600001a, 0x66000000, 0x65000004, 0x64000006, 0xab000000, 0x69000001, 0x66000006, 0x64000009, 0x6300002f, 0x6300002f, 0x6600002e,
+  0x6a00002d, 0x6300002c, 0x6400002b, 0x66000029, 0x69000025, 0x6300002a, 0x63000029, 0x65000026, 0x66000023, 0x63000028, 0x63000027, 0x64000025,
+  0x64000022, 0xc0000151, 0xc0000131, 0x6700000a, 0x6500000c, 0xc0000141, 0x6c000011, 0x66000011, 0x65000010, 0x6800001d, 0x67000017, 0x65000015,
+  0x64000013, 0x6500001e, 0x6500001a, 0x65000017, 0x63000016, 0x65000002, 0x64000005, 0x64000007, 0x62000009, 0x66000004, 0x65000007, 0x64000009,
+  0x6200000b, 0x68000007, 0x6500000a, 0x6300000c, 0x6200000d, 0x6900000e, 0x6500000f, 0x6400000f, 0x6300000f, 0x65000028, 0x66000025, 0x68000020,
+  0x69000017, 0x64000026, 0x65000023, 0x65000020, 0x6500001b, 0x64000024, 0x64000022, 0x63000020, 0x6300001d, 0x62000024, 0x62000022, 0x62000020,
+  0x6300001d, 0x65000035, 0x65000037, 0x6400003b, 0xa5000033, 0x64000033, 0x67000034, 0x68000037, 0xa9000039, 0x64000030, 0x67000030, 0x6e000030,
+  0xc0000161, 0x6500002b, 0x68000028, 0xc0000171, 0xc0000181, 0xa4000043, 0x63000001, 0x62000004, 0x63000005, 0xa6000048, 0x64000002, 0x65000004,
+  0x64000006, 0xa800004f, 0x66000003, 0x65000006, 0x63000009, 0xc0000191, 0x68000005, 0x64000009, 0x6300000b, 0x6400002d, 0x6400002d, 0x6800002a,
+  0xc00001a1, 0x6200002b, 0x64000029, 0x67000026, 0x68000022, 0x63000029, 0x64000027, 0x65000024, 0x65000021, 0x63000027, 0x64000025, 0x64000023,
+  0x64000020, 0xc00001b1, 0x6a00000d, 0x6700000d, 0x6500000d, 0x6d000017, 0x68000014, 0x65000012, 0x63000012, 0x6600001c, 0x66000017, 0x65000015,
+  0x63000014, 0x6400001d, 0x6300001a, 0x64000017, 0x63000016, 0x6000003d, 0xa5000058, 0x63000001, 0x61000004, 0x6000003d, 0xa5000058, 0x63000002,
+  0x62000004, 0x6300003a, 0xa700005e, 0x63000002, 0x64000005, 0x67000036, 0xa800004f, 0x66000004, 0x68000005, 0x64000030, 0x6700002d, 0x6800002d,
+  0x6c00002d, 0x6300002d, 0x6300002d, 0x6000002d, 0x6000002d, 0x6000002d, 0x6300002a, 0x6300002a, 0x68000025, 0x6300002a, 0x64000029, 0x64000026,
+  0x66000024, 0xaa000066, 0xae000071, 0x68000005, 0x6300000a, 0xc00001c1, 0xc00001d1, 0x6d00000d, 0x6700000d, 0xaf000080, 0xa9000090, 0x69000014,
+  0x65000014, 0x6800001d, 0x6000001d, 0x67000016, 0x65000015, 0x6700002d, 0x6800002d, 0x6800002d, 0xa400009a, 0x6000002d, 0x6000002d, 0x6000002d,
+  0x6000002d, 0x6000002d, 0x6000002d, 0x68000025, 0x68000025, 0x6300002a, 0x68000025, 0x68000025, 0x65000025, 0xa700009f, 0xa70000a7, 0x6000000d,
+  0x6000000d, 0xa70000af, 0xa70000b7, 0xa40000bf, 0x6800000d, 0xa40000c4, 0x6000001d, 0x68000015, 0x65000015, 0x6800001d, 0x6000001d, 0x68000015,
+  0x68000015, 0x4400003b, 0x830000c9, 0x43000000, 0x44000001, 0x4300003b, 0x840000cd, 0x43000000, 0x44000002, 0x45000039, 0x850000d2, 0x45000000,
+  0x45000002, 0x46000037, 0x870000d8, 0x47000000, 0x45000004, 0x43000030, 0x43000031, 0x45000031, 0x46000032, 0x4300002e, 0x4400002e, 0x4500002e,
+  0x4700002d, 0x4300002c, 0x4300002c, 0x4500002a, 0x47000028, 0x4400002a, 0x44000029, 0x45000028, 0x45000026, 0x4300003c, 0x830000c9, 0x43000000,
+  0x43000002, 0x4400003b, 0x84000043, 0x44000000, 0x45000002, 0x4500003a, 0x85000058, 0x45000001, 0x45000003, 0x47000037, 0x880000e0, 0x47000001,
+  0x46000005, 0x43000030, 0x44000030, 0x45000030, 0x47000031, 0x4300002e, 0x4400002d, 0x4500002d, 0x4800002b, 0x4300002c, 0x4400002b, 0x45000029,
+  0x47000027, 0x4300002a, 0x44000028, 0x45000027, 0x46000024, 0x4300003c, 0x830000c9, 0x44000000, 0x44000002, 0x4400003b, 0x84000043, 0x44000001,
+  0x44000003, 0x4500003a, 0x86000048, 0x45000001, 0x45000004, 0x47000037, 0x890000e9, 0x47000002, 0x46000005, 0x43000030, 0x44000030, 0x45000030,
+  0x47000031, 0x4300002e, 0x4400002d, 0x4600002c, 0x4900002a, 0x4400002b, 0x4500002a, 0x45000029, 0x47000026, 0x44000029, 0x44000028, 0x45000026,
+  0x46000024, 0x4300003c, 0x84000043, 0x44000000, 0x44000002, 0x4400003b, 0x84000043, 0x44000001, 0x44000003, 0x4500003a, 0x850000f3, 0x45000001,
+  0x45000004, 0x48000037, 0x890000e9, 0x47000002, 0x46000005, 0x43000030, 0x44000030, 0x45000030, 0x48000030, 0x4400002d, 0x4400002d, 0x4500002c,
+  0x4900002a, 0x4400002b, 0x4400002a, 0x45000029, 0x47000026, 0x44000029, 0x44000028, 0x45000026, 0x46000024, 0x4300003c, 0x84000043, 0x44000000,
+  0x44000002, 0x4400003b, 0x84000043, 0x44000001, 0x44000003, 0x4500003a, 0x850000f3, 0x45000001, 0x45000004, 0x48000037, 0x890000e9, 0x47000002,
+  0x46000005, 0x43000030, 0x44000030, 0x45000030, 0x48000030, 0x4400002d, 0x4400002d, 0x4500002c, 0x4800002a, 0x4400002b, 0x4400002a, 0x45000029,
+  0x47000026, 0x44000029, 0x44000028, 0x45000026, 0x46000024
+};
+static const uint32_t zone_field_lists[] = {
+  0x0, 0x1, 0x2, 0x37, 0x38, 0x39, 0x3a, 0x3b, 0x3c, 0x3d, 0x3e, 0x3f,
+  0x0, 0x1, 0x2, 0x3, 0x4, 0x37, 0x38, 0x39, 0x3a, 0x3b, 0x3c, 0x3d,
+  0x3e, 0x3f, 0x0, 0x1, 0x3b, 0x3c, 0x3d, 0x3e, 0x3f, 0x0, 0x1, 0x2,
+  0x3, 0x3f, 0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x6, 0x3e, 0x3f, 0x0,
+  0x3d, 0x3e, 0x3f, 0x0, 0x1, 0x2, 0x3, 0x4, 0x3f, 0x0, 0x1, 0x2,
+  0x3, 0x4, 0x5, 0x6, 0x7, 0x3e, 0x3f, 0x0, 0x1, 0x2, 0x3e, 0x3f,
+  0x0, 0x1, 0x2, 0x3, 0x3d, 0x3e, 0x3f, 0x0, 0x1, 0x2, 0x3, 0x4,
+  0x5, 0x3d, 0x3e, 0x3f, 0x0, 0x1, 0x2, 0x3d, 0x3e, 0x3f, 0x0, 0x1,
+  0x2, 0x3, 0x4, 0x3d, 0x3e, 0x3f, 0x2d, 0x34, 0x35, 0x36, 0x37, 0x38,
+  0x39, 0x3a, 0x3b, 0x3c, 0x3d, 0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x6,
+  0x7, 0x8, 0x9, 0xa, 0xb, 0xc, 0xd, 0x3d, 0x1d, 0x1e, 0x20, 0x21,
+  0x22, 0x23, 0x24, 0x25, 0x26, 0x27, 0x28, 0x29, 0x2a, 0x2b, 0x2c, 0x2d,
+  0x15, 0x16, 0x17, 0x18, 0x19, 0x1a, 0x1b, 0x1d, 0x24, 0x25, 0x2d, 0x34,
+  0x35, 0x3a, 0x3d, 0xd, 0x1d, 0x2d, 0x33, 0x34, 0x35, 0x36, 0x3d, 0x3,
+  0x4, 0x5, 0x6, 0xd, 0x1d, 0x2d, 0x3d, 0xd, 0x1d, 0x23, 0x24, 0x25,
+  0x26, 0x2d, 0x3d, 0xd, 0x13, 0x14, 0x15, 0x16, 0x1d, 0x2d, 0x3d, 0xd,
+  0x14, 0x15, 0x1a, 0x1d, 0x1d, 0x24, 0x25, 0x2a, 0x2d, 0x0, 0x1, 0x3e,
+  0x3f, 0x0, 0x1, 0x3d, 0x3e, 0x3f, 0x0, 0x1, 0x3c, 0x3d, 0x3e, 0x3f,
+  0x0, 0x1, 0x2, 0x3b, 0x3c, 0x3d, 0x3e, 0x3f, 0x0, 0x1, 0x2, 0x3,
+  0x4, 0x3c, 0x3d, 0x3e, 0x3f, 0x0, 0x1, 0x2, 0x3, 0x4, 0x5, 0x3c,
+  0x3d, 0x3e, 0x3f, 0x0, 0x1, 0x2, 0x3, 0x3e, 0x3f
+};
+
+const point_fleet_yield_area point_fleet_yield_field_area = {
+  &zone_field_edges[0].ax, zone_field_cells, zone_field_lists,
+  64, 641, 249,
+  -1431661765, -1431661765, 12, 349525, 349525, 4, 4, 10, 602, 22369620
+};
 
 /* ---- decision fly for Quad ---- */
 #define BODY fly_body

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rtac/zone_table.h"
+
 namespace robot_delivery {
 
 namespace {
@@ -832,17 +834,19 @@ const rtac::DecisionRecord& MotionPlanner::judge(const rtac::Path& plan, rtac::T
 }
 
 const rtac::ZoneView& free_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(robot_delivery_free_area);
   static const rtac::ZoneView view = {
     "free", free_edges_mm, 16, free_rings, 3,
-    0, 0, 100, 50, 50, free_clearance_mm
+    0, 0, 100, 50, 50, free_clearance_mm, &tree
   };
   return view;
 }
 
 const rtac::ZoneView& zone_of_line_62_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(robot_delivery_zone_of_line_62_area);
   static const rtac::ZoneView view = {
     "zone_of_line_62", zone_of_line_62_edges_mm, 88, zone_of_line_62_rings, 2,
-    260, 260, 100, 45, 45, zone_of_line_62_clearance_mm
+    260, 260, 100, 45, 45, zone_of_line_62_clearance_mm, &tree
   };
   return view;
 }
