@@ -952,31 +952,52 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const yard_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(yard_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(yard_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(yard_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -987,46 +1008,47 @@ static int64_t tick_until(const yard_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const yard_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. Each question is a branch of its own, hardly ever taken: that is
+ * less work than their conjunction. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  if (at < least) {
     return 0;
   }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
+  if (at > most - between) {
     return 0;
   }
   return 1;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const yard_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const yard_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const yard_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
@@ -1034,32 +1056,26 @@ static inline int32_t bits_truth(const yard_signal *s, int32_t fresh) {
 }
 
 /* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const yard_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const yard_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -1493,28 +1509,31 @@ static inline margin calm_now(const yard_view *v) {
 }
 
 static inline void yard_look_gate_open(yard_view *v, const yard_monitors_in *in) {
-  const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, v->now_us);
-  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us,
-      v->now_us) <= 500000;
-  v->gate_open = truth_of(&in->gate_open, fresh_gate_open, YARD_MONITORS_INPUT_GATE_OPEN);
+  const int32_t good_gate_open = sample_good(in->gate_open.stamp_us, &v->s->last_gate_open_us,
+      v->now_us);
+  const int32_t fresh_gate_open = good_gate_open && sample_young(in->gate_open.stamp_us,
+      v->now_us, 500000) && in->gate_open.valid != 0;
+  v->gate_open = truth_of(in->gate_open.value, (in->gate_open.between & 1U), fresh_gate_open,
+      YARD_MONITORS_INPUT_GATE_OPEN);
 }
 
 static inline void yard_look_wind(yard_view *v, const yard_monitors_in *in) {
-  const int32_t good_wind = sample_good(&in->wind, &v->s->last_wind_us, v->now_us);
-  const int32_t fresh_wind = good_wind && elapsed_us(in->wind.stamp_us, v->now_us) <= 1000000;
-  v->wind = number_of(&in->wind, fresh_wind, 0, 40000, 0, YARD_MONITORS_INPUT_WIND);
+  const int32_t good_wind = sample_good(in->wind.stamp_us, &v->s->last_wind_us, v->now_us);
+  const int32_t fresh_wind = good_wind && sample_young(in->wind.stamp_us, v->now_us, 1000000) &&
+      in->wind.valid != 0;
+  v->wind = number_of(in->wind.value, (in->wind.between & 1U), fresh_wind, 0, 40000, 0,
+      YARD_MONITORS_INPUT_WIND);
 }
 
 static inline void yard_look_d1_position(yard_view *v, const yard_monitors_in *in) {
-  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us,
-      v->now_us);
-  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us,
-      v->now_us) <= 50000;
-  v->d1_position_x = number_of(&in->d1_position_x, fresh_d1_position, -100000000, 100000000, 20,
-      YARD_MONITORS_INPUT_D1_POSITION);
-  v->d1_position_y = number_of(&in->d1_position_y, fresh_d1_position &&
-      in->d1_position_y.stamp_us == in->d1_position_x.stamp_us, -100000000, 100000000, 20,
-      YARD_MONITORS_INPUT_D1_POSITION);
+  const int32_t good_d1_position = sample_good(in->d1_position.stamp_us,
+      &v->s->last_d1_position_us, v->now_us);
+  const int32_t fresh_d1_position = good_d1_position && sample_young(in->d1_position.stamp_us,
+      v->now_us, 50000) && in->d1_position.valid != 0;
+  v->d1_position_x = number_of(in->d1_position.x, (in->d1_position.between & 1U),
+      fresh_d1_position, -100000000, 100000000, 20, YARD_MONITORS_INPUT_D1_POSITION);
+  v->d1_position_y = number_of(in->d1_position.y, (in->d1_position.between >> 1 & 1U),
+      fresh_d1_position, -100000000, 100000000, 20, YARD_MONITORS_INPUT_D1_POSITION);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
@@ -1524,20 +1543,6 @@ static int32_t yard_resume(yard_monitors_state *s, int64_t now_us) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 20000);
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
-  if (begun == 0) {
-    begun = yard_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
   return 1;
 }
 
@@ -1552,23 +1557,41 @@ void yard_monitors_init(yard_monitors_state *s) {
   s->last_d1_position_us = INT64_MIN;
 }
 
-void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
-                        yard_monitors_out *out) {
+/* The tick that has come. */
+static inline void yard_judge(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
+                              yard_monitors_out *out) {
   yard_view v;
-  int32_t k;
-  if (yard_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < YARD_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(YARD_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   out->tick = s->clock.tick;
   yard_look_d1_position(&v, in);
   out->monitors[YARD_MONITORS_FENCED] = finding_judged(fenced_now(&v));
   yard_look_gate_open(&v, in);
   yard_look_wind(&v, in);
   out->monitors[YARD_MONITORS_CALM] = finding_judged(calm_now(&v));
+}
+
+static SELDOM void yard_late(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
+                             yard_monitors_out *out) {
+  int32_t k;
+  if (yard_resume(s, now_us) != 0) {
+    yard_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < YARD_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(YARD_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
+                        yard_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 20000)) {
+    tick_counted(&s->clock, now_us);
+    yard_judge(s, in, now_us, out);
+  } else {
+    yard_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1608,52 +1631,42 @@ static inline int32_t calm_verdict(const yard_verdicts_view *v) {
 
 static inline void yard_verdicts_look_gate_open(yard_verdicts_view *v,
                                                 const yard_monitors_in *in) {
-  const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, v->now_us);
-  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us,
-      v->now_us) <= 500000;
-  v->gate_open = bits_truth(&in->gate_open, fresh_gate_open);
+  const int32_t good_gate_open = sample_good(in->gate_open.stamp_us, &v->s->last_gate_open_us,
+      v->now_us);
+  const int32_t fresh_gate_open = good_gate_open && sample_young(in->gate_open.stamp_us,
+      v->now_us, 500000) && in->gate_open.valid != 0;
+  v->gate_open = bits_truth(in->gate_open.value, (in->gate_open.between & 1U), fresh_gate_open);
 }
 
 static inline void yard_verdicts_look_wind(yard_verdicts_view *v, const yard_monitors_in *in) {
-  const int32_t good_wind = sample_good(&in->wind, &v->s->last_wind_us, v->now_us);
-  const int32_t fresh_wind = good_wind && elapsed_us(in->wind.stamp_us, v->now_us) <= 1000000;
-  v->wind = bounds_number(&in->wind, fresh_wind, 0, 40000, 0);
+  const int32_t good_wind = sample_good(in->wind.stamp_us, &v->s->last_wind_us, v->now_us);
+  const int32_t fresh_wind = good_wind && sample_young(in->wind.stamp_us, v->now_us, 1000000) &&
+      in->wind.valid != 0;
+  v->wind = bounds_number(in->wind.value, (in->wind.between & 1U), fresh_wind, 0, 40000, 0);
 }
 
 static inline void yard_verdicts_look_d1_position(yard_verdicts_view *v,
                                                   const yard_monitors_in *in) {
-  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us,
-      v->now_us);
-  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us,
-      v->now_us) <= 50000;
-  v->d1_position_x = bounds_number(&in->d1_position_x, fresh_d1_position, -100000000, 100000000,
-      20);
-  v->d1_position_y = bounds_number(&in->d1_position_y, fresh_d1_position &&
-      in->d1_position_y.stamp_us == in->d1_position_x.stamp_us, -100000000, 100000000, 20);
+  const int32_t good_d1_position = sample_good(in->d1_position.stamp_us,
+      &v->s->last_d1_position_us, v->now_us);
+  const int32_t fresh_d1_position = good_d1_position && sample_young(in->d1_position.stamp_us,
+      v->now_us, 50000) && in->d1_position.valid != 0;
+  v->d1_position_x = bounds_number(in->d1_position.x, (in->d1_position.between & 1U),
+      fresh_d1_position, -100000000, 100000000, 20);
+  v->d1_position_y = bounds_number(in->d1_position.y, (in->d1_position.between >> 1 & 1U),
+      fresh_d1_position, -100000000, 100000000, 20);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
 static int32_t yard_verdicts_resume(yard_monitors_verdicts_state *s, int64_t now_us) {
+  if (tick_passed(&s->clock, s->until_us, now_us, 20000) == 0) {
+    return 0;
+  }
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 20000);
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t yard_verdicts_begin(yard_verdicts_view *v, yard_monitors_verdicts_state *s,
-                                          int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
-  if (begun == 0) {
-    begun = yard_verdicts_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
   return 1;
 }
 
@@ -1668,19 +1681,38 @@ void yard_monitors_verdicts_init(yard_monitors_verdicts_state *s) {
   s->last_d1_position_us = INT64_MIN;
 }
 
-void yard_monitors_verdicts(yard_monitors_verdicts_state *s, const yard_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[YARD_MONITORS]) {
+/* The tick that has come. */
+static inline void yard_verdicts_judge(yard_monitors_verdicts_state *s,
+                                       const yard_monitors_in *in, int64_t now_us,
+                                       int32_t verdicts[YARD_MONITORS]) {
   yard_verdicts_view v;
-  int32_t k;
-  if (yard_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < YARD_MONITORS; ++k) {
-      verdicts[k] = YARD_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   yard_verdicts_look_d1_position(&v, in);
   verdicts[YARD_MONITORS_FENCED] = fenced_verdict(&v);
   yard_verdicts_look_gate_open(&v, in);
   yard_verdicts_look_wind(&v, in);
   verdicts[YARD_MONITORS_CALM] = calm_verdict(&v);
+}
+
+static SELDOM void yard_verdicts_late(yard_monitors_verdicts_state *s,
+                                      const yard_monitors_in *in, int64_t now_us,
+                                      int32_t verdicts[YARD_MONITORS]) {
+  int32_t k;
+  if (yard_verdicts_resume(s, now_us) != 0) {
+    yard_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < YARD_MONITORS; ++k) {
+    verdicts[k] = YARD_VERDICT_UNKNOWN;
+  }
+}
+
+void yard_monitors_verdicts(yard_monitors_verdicts_state *s, const yard_monitors_in *in,
+                            int64_t now_us, int32_t verdicts[YARD_MONITORS]) {
+  if (tick_follows(&s->until_us, now_us, 20000)) {
+    yard_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    yard_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -692,31 +692,52 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const ground_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(ground_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(ground_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(ground_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -727,62 +748,57 @@ static int64_t tick_until(const ground_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const ground_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. Each question is a branch of its own, hardly ever taken: that is
+ * less work than their conjunction. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  if (at < least) {
     return 0;
   }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
+  if (at > most - between) {
     return 0;
   }
   return 1;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const ground_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const ground_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
 /* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const ground_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
@@ -3117,10 +3133,12 @@ static inline margin late_now(const ground_view *v) {
 }
 
 static inline void ground_look_p(ground_view *v, const ground_monitors_in *in) {
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
-  const int32_t fresh_p = good_p && elapsed_us(in->p_x.stamp_us, v->now_us) <= 500000;
-  v->p_x = number_of(&in->p_x, fresh_p, 0, 99000, 50, GROUND_MONITORS_INPUT_P);
-  v->p_y = number_of(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, 0, 99000, 50,
+  const int32_t good_p = sample_good(in->p.stamp_us, &v->s->last_p_us, v->now_us);
+  const int32_t fresh_p = good_p && sample_young(in->p.stamp_us, v->now_us, 500000) &&
+      in->p.valid != 0;
+  v->p_x = number_of(in->p.x, (in->p.between & 1U), fresh_p, 0, 99000, 50,
+      GROUND_MONITORS_INPUT_P);
+  v->p_y = number_of(in->p.y, (in->p.between >> 1 & 1U), fresh_p, 0, 99000, 50,
       GROUND_MONITORS_INPUT_P);
 }
 
@@ -3161,22 +3179,6 @@ static int32_t ground_resume(ground_monitors_state *s, int64_t now_us) {
   return 1;
 }
 
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t ground_begin(ground_view *v, ground_monitors_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = ground_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->open_fair = is_open(&schedule_fair, v->now_us) ? margin_true() : margin_false();
-  v->open_school = is_open(&schedule_school, v->now_us) ? margin_true() : margin_false();
-  return 1;
-}
-
 void ground_monitors_init(ground_monitors_state *s) {
   s->clock.started = 0;
   s->clock.origin_us = 0;
@@ -3187,23 +3189,43 @@ void ground_monitors_init(ground_monitors_state *s) {
   s->last_p_us = INT64_MIN;
 }
 
-void ground_monitors_step(ground_monitors_state *s, const ground_monitors_in *in, int64_t now_us,
-                          ground_monitors_out *out) {
+/* The tick that has come. */
+static inline void ground_judge(ground_monitors_state *s, const ground_monitors_in *in,
+                                int64_t now_us, ground_monitors_out *out) {
   ground_view v;
-  int32_t k;
-  if (ground_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < GROUND_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(GROUND_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.open_fair = is_open(&schedule_fair, v.now_us) ? margin_true() : margin_false();
+  v.open_school = is_open(&schedule_school, v.now_us) ? margin_true() : margin_false();
   out->tick = s->clock.tick;
   ground_look_p(&v, in);
   out->monitors[GROUND_MONITORS_AWAY] = finding_judged(away_now(&v));
   out->monitors[GROUND_MONITORS_QUIET] = finding_judged(quiet_now(&v));
   out->monitors[GROUND_MONITORS_LATE] = finding_judged(late_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void ground_late(ground_monitors_state *s, const ground_monitors_in *in,
+                               int64_t now_us, ground_monitors_out *out) {
+  int32_t k;
+  if (ground_resume(s, now_us) != 0) {
+    ground_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < GROUND_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(GROUND_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void ground_monitors_step(ground_monitors_state *s, const ground_monitors_in *in, int64_t now_us,
+                          ground_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    ground_judge(s, in, now_us, out);
+  } else {
+    ground_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -3267,10 +3289,11 @@ static inline int32_t late_verdict(const ground_verdicts_view *v) {
 }
 
 static inline void ground_verdicts_look_p(ground_verdicts_view *v, const ground_monitors_in *in) {
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
-  const int32_t fresh_p = good_p && elapsed_us(in->p_x.stamp_us, v->now_us) <= 500000;
-  v->p_x = bounds_number(&in->p_x, fresh_p, 0, 99000, 50);
-  v->p_y = bounds_number(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, 0, 99000, 50);
+  const int32_t good_p = sample_good(in->p.stamp_us, &v->s->last_p_us, v->now_us);
+  const int32_t fresh_p = good_p && sample_young(in->p.stamp_us, v->now_us, 500000) &&
+      in->p.valid != 0;
+  v->p_x = bounds_number(in->p.x, (in->p.between & 1U), fresh_p, 0, 99000, 50);
+  v->p_y = bounds_number(in->p.y, (in->p.between >> 1 & 1U), fresh_p, 0, 99000, 50);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -3299,6 +3322,9 @@ static void ground_verdicts_catch_up(ground_monitors_verdicts_state *s, int64_t 
 
 /* A tick that does not follow the last one; 0: there is none since then. */
 static int32_t ground_verdicts_resume(ground_monitors_verdicts_state *s, int64_t now_us) {
+  if (tick_passed(&s->clock, s->until_us, now_us, 100000) == 0) {
+    return 0;
+  }
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
@@ -3307,23 +3333,6 @@ static int32_t ground_verdicts_resume(ground_monitors_verdicts_state *s, int64_t
   if (elapsed > 1) {
     ground_verdicts_catch_up(s, elapsed - 1);
   }
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t ground_verdicts_begin(ground_verdicts_view *v,
-                                            ground_monitors_verdicts_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = ground_verdicts_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->open_fair = is_open(&schedule_fair, v->now_us) ? BITS_TRUE : BITS_FALSE;
-  v->open_school = is_open(&schedule_school, v->now_us) ? BITS_TRUE : BITS_FALSE;
   return 1;
 }
 
@@ -3337,19 +3346,40 @@ void ground_monitors_verdicts_init(ground_monitors_verdicts_state *s) {
   s->last_p_us = INT64_MIN;
 }
 
-void ground_monitors_verdicts(ground_monitors_verdicts_state *s, const ground_monitors_in *in,
-                              int64_t now_us, int32_t verdicts[GROUND_MONITORS]) {
+/* The tick that has come. */
+static inline void ground_verdicts_judge(ground_monitors_verdicts_state *s,
+                                         const ground_monitors_in *in, int64_t now_us,
+                                         int32_t verdicts[GROUND_MONITORS]) {
   ground_verdicts_view v;
-  int32_t k;
-  if (ground_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < GROUND_MONITORS; ++k) {
-      verdicts[k] = GROUND_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.open_fair = is_open(&schedule_fair, v.now_us) ? BITS_TRUE : BITS_FALSE;
+  v.open_school = is_open(&schedule_school, v.now_us) ? BITS_TRUE : BITS_FALSE;
   ground_verdicts_look_p(&v, in);
   verdicts[GROUND_MONITORS_AWAY] = away_verdict(&v);
   verdicts[GROUND_MONITORS_QUIET] = quiet_verdict(&v);
   verdicts[GROUND_MONITORS_LATE] = late_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void ground_verdicts_late(ground_monitors_verdicts_state *s,
+                                        const ground_monitors_in *in, int64_t now_us,
+                                        int32_t verdicts[GROUND_MONITORS]) {
+  int32_t k;
+  if (ground_verdicts_resume(s, now_us) != 0) {
+    ground_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < GROUND_MONITORS; ++k) {
+    verdicts[k] = GROUND_VERDICT_UNKNOWN;
+  }
+}
+
+void ground_monitors_verdicts(ground_monitors_verdicts_state *s, const ground_monitors_in *in,
+                              int64_t now_us, int32_t verdicts[GROUND_MONITORS]) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    ground_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    ground_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -643,40 +643,77 @@ static span least_over(span x, span none, crane_slide *s, crane_kept *ring, cran
                                kept_of_span(none), s, ring, delay, from, to, 0, t));
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const crane_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
  * from the future. */
-static inline int32_t sample_arrived(const crane_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  if (stamp_us <= since_us) {
     return 0;
   }
-  return s->stamp_us <= now_us;
+  return stamp_us <= now_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(crane_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const crane_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(crane_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(crane_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -692,46 +729,47 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const crane_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. Each question is a branch of its own, hardly ever taken: that is
+ * less work than their conjunction. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  if (at < least) {
     return 0;
   }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
+  if (at > most - between) {
     return 0;
   }
   return 1;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const crane_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const crane_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const crane_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
@@ -739,32 +777,26 @@ static inline int32_t bits_truth(const crane_signal *s, int32_t fresh) {
 }
 
 /* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const crane_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const crane_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -1344,31 +1376,39 @@ static inline margin spare_now(const crane_view *v) {
 }
 
 static inline void crane_look_hook(crane_view *v, const crane_monitors_in *in) {
-  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, v->now_us);
-  const int32_t fresh_hook = good_hook && elapsed_us(in->hook_x.stamp_us, v->now_us) <= 500000;
-  v->hook_x = number_of(&in->hook_x, fresh_hook, -5000, 60000, 50, CRANE_MONITORS_INPUT_HOOK);
-  v->hook_y = number_of(&in->hook_y, fresh_hook && in->hook_y.stamp_us == in->hook_x.stamp_us,
-      -5000, 60000, 50, CRANE_MONITORS_INPUT_HOOK);
+  const int32_t good_hook = sample_good(in->hook.stamp_us, &v->s->last_hook_us, v->now_us);
+  const int32_t fresh_hook = good_hook && sample_young(in->hook.stamp_us, v->now_us, 500000) &&
+      in->hook.valid != 0;
+  v->hook_x = number_of(in->hook.x, (in->hook.between & 1U), fresh_hook, -5000, 60000, 50,
+      CRANE_MONITORS_INPUT_HOOK);
+  v->hook_y = number_of(in->hook.y, (in->hook.between >> 1 & 1U), fresh_hook, -5000, 60000, 50,
+      CRANE_MONITORS_INPUT_HOOK);
 }
 
 static inline void crane_look_swing(crane_view *v, const crane_monitors_in *in) {
-  const int32_t good_swing = sample_good(&in->swing_x, &v->s->last_swing_us, v->now_us);
-  const int32_t fresh_swing = good_swing && elapsed_us(in->swing_x.stamp_us, v->now_us) <= 500000;
-  v->swing_x = number_of(&in->swing_x, fresh_swing, -2000, 2000, 0, CRANE_MONITORS_INPUT_SWING);
-  v->swing_y = number_of(&in->swing_y, fresh_swing &&
-      in->swing_y.stamp_us == in->swing_x.stamp_us, -2000, 2000, 0, CRANE_MONITORS_INPUT_SWING);
+  const int32_t good_swing = sample_good(in->swing.stamp_us, &v->s->last_swing_us, v->now_us);
+  const int32_t fresh_swing = good_swing && sample_young(in->swing.stamp_us, v->now_us,
+      500000) && in->swing.valid != 0;
+  v->swing_x = number_of(in->swing.x, (in->swing.between & 1U), fresh_swing, -2000, 2000, 0,
+      CRANE_MONITORS_INPUT_SWING);
+  v->swing_y = number_of(in->swing.y, (in->swing.between >> 1 & 1U), fresh_swing, -2000, 2000, 0,
+      CRANE_MONITORS_INPUT_SWING);
 }
 
 static inline void crane_look_loaded(crane_view *v, const crane_monitors_in *in) {
-  const int32_t fresh_loaded = sample_arrived(&in->loaded, v->since_us, v->now_us);
-  v->loaded = truth_of(&in->loaded, fresh_loaded, CRANE_MONITORS_INPUT_LOADED);
+  const int32_t fresh_loaded = sample_arrived(in->loaded.stamp_us, v->since_us, v->now_us) &&
+      in->loaded.valid != 0;
+  v->loaded = truth_of(in->loaded.value, (in->loaded.between & 1U), fresh_loaded,
+      CRANE_MONITORS_INPUT_LOADED);
 }
 
 static inline void crane_look_mark(crane_view *v, const crane_monitors_in *in) {
-  const int32_t fresh_mark = sample_arrived(&in->mark_x, v->since_us, v->now_us);
-  v->mark_x = number_of(&in->mark_x, fresh_mark, -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
-  v->mark_y = number_of(&in->mark_y, fresh_mark && in->mark_y.stamp_us == in->mark_x.stamp_us,
-      -9000, 9000, 0, CRANE_MONITORS_INPUT_MARK);
+  const int32_t fresh_mark = sample_arrived(in->mark.stamp_us, v->since_us, v->now_us) &&
+      in->mark.valid != 0;
+  v->mark_x = number_of(in->mark.x, (in->mark.between & 1U), fresh_mark, -9000, 9000, 0,
+      CRANE_MONITORS_INPUT_MARK);
+  v->mark_y = number_of(in->mark.y, (in->mark.between >> 1 & 1U), fresh_mark, -9000, 9000, 0,
+      CRANE_MONITORS_INPUT_MARK);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1399,7 +1439,7 @@ static void crane_catch_up(crane_monitors_state *s, int64_t missed) {
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t crane_resume(crane_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t crane_resume(crane_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
@@ -1409,24 +1449,9 @@ static int32_t crane_resume(crane_monitors_state *s, int64_t now_us, int64_t *si
   if (elapsed > 1) {
     crane_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t crane_begin(crane_view *v, crane_monitors_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = crane_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -1442,17 +1467,14 @@ void crane_monitors_init(crane_monitors_state *s) {
   s->last_swing_us = INT64_MIN;
 }
 
-void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, int64_t now_us,
-                         crane_monitors_out *out) {
+/* The tick that has come. */
+static inline void crane_judge(crane_monitors_state *s, const crane_monitors_in *in,
+                               int64_t now_us, crane_monitors_out *out) {
   crane_view v;
-  int32_t k;
-  if (crane_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < CRANE_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(CRANE_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   crane_look_hook(&v, in);
   out->monitors[CRANE_MONITORS_OVER_GROUND] = finding_judged(over_ground_now(&v));
@@ -1466,6 +1488,29 @@ void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, i
   out->monitors[CRANE_MONITORS_BARE] = finding_judged(bare_now(&v));
   out->monitors[CRANE_MONITORS_SPARE] = finding_judged(spare_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void crane_late(crane_monitors_state *s, const crane_monitors_in *in,
+                              int64_t now_us, crane_monitors_out *out) {
+  int32_t k;
+  if (crane_resume(s, now_us) != 0) {
+    crane_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < CRANE_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(CRANE_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void crane_monitors_step(crane_monitors_state *s, const crane_monitors_in *in, int64_t now_us,
+                         crane_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    crane_judge(s, in, now_us, out);
+  } else {
+    crane_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1589,32 +1634,35 @@ static inline int32_t spare_verdict(const crane_verdicts_view *v) {
 }
 
 static inline void crane_verdicts_look_hook(crane_verdicts_view *v, const crane_monitors_in *in) {
-  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, v->now_us);
-  const int32_t fresh_hook = good_hook && elapsed_us(in->hook_x.stamp_us, v->now_us) <= 500000;
-  v->hook_x = bounds_number(&in->hook_x, fresh_hook, -5000, 60000, 50);
-  v->hook_y = bounds_number(&in->hook_y, fresh_hook &&
-      in->hook_y.stamp_us == in->hook_x.stamp_us, -5000, 60000, 50);
+  const int32_t good_hook = sample_good(in->hook.stamp_us, &v->s->last_hook_us, v->now_us);
+  const int32_t fresh_hook = good_hook && sample_young(in->hook.stamp_us, v->now_us, 500000) &&
+      in->hook.valid != 0;
+  v->hook_x = bounds_number(in->hook.x, (in->hook.between & 1U), fresh_hook, -5000, 60000, 50);
+  v->hook_y = bounds_number(in->hook.y, (in->hook.between >> 1 & 1U), fresh_hook, -5000, 60000,
+      50);
 }
 
 static inline void crane_verdicts_look_swing(crane_verdicts_view *v, const crane_monitors_in *in) {
-  const int32_t good_swing = sample_good(&in->swing_x, &v->s->last_swing_us, v->now_us);
-  const int32_t fresh_swing = good_swing && elapsed_us(in->swing_x.stamp_us, v->now_us) <= 500000;
-  v->swing_x = bounds_number(&in->swing_x, fresh_swing, -2000, 2000, 0);
-  v->swing_y = bounds_number(&in->swing_y, fresh_swing &&
-      in->swing_y.stamp_us == in->swing_x.stamp_us, -2000, 2000, 0);
+  const int32_t good_swing = sample_good(in->swing.stamp_us, &v->s->last_swing_us, v->now_us);
+  const int32_t fresh_swing = good_swing && sample_young(in->swing.stamp_us, v->now_us,
+      500000) && in->swing.valid != 0;
+  v->swing_x = bounds_number(in->swing.x, (in->swing.between & 1U), fresh_swing, -2000, 2000, 0);
+  v->swing_y = bounds_number(in->swing.y, (in->swing.between >> 1 & 1U), fresh_swing, -2000,
+      2000, 0);
 }
 
 static inline void crane_verdicts_look_loaded(crane_verdicts_view *v,
                                               const crane_monitors_in *in) {
-  const int32_t fresh_loaded = sample_arrived(&in->loaded, v->since_us, v->now_us);
-  v->loaded = bits_truth(&in->loaded, fresh_loaded);
+  const int32_t fresh_loaded = sample_arrived(in->loaded.stamp_us, v->since_us, v->now_us) &&
+      in->loaded.valid != 0;
+  v->loaded = bits_truth(in->loaded.value, (in->loaded.between & 1U), fresh_loaded);
 }
 
 static inline void crane_verdicts_look_mark(crane_verdicts_view *v, const crane_monitors_in *in) {
-  const int32_t fresh_mark = sample_arrived(&in->mark_x, v->since_us, v->now_us);
-  v->mark_x = bounds_number(&in->mark_x, fresh_mark, -9000, 9000, 0);
-  v->mark_y = bounds_number(&in->mark_y, fresh_mark &&
-      in->mark_y.stamp_us == in->mark_x.stamp_us, -9000, 9000, 0);
+  const int32_t fresh_mark = sample_arrived(in->mark.stamp_us, v->since_us, v->now_us) &&
+      in->mark.valid != 0;
+  v->mark_x = bounds_number(in->mark.x, (in->mark.between & 1U), fresh_mark, -9000, 9000, 0);
+  v->mark_y = bounds_number(in->mark.y, (in->mark.between >> 1 & 1U), fresh_mark, -9000, 9000, 0);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1645,8 +1693,7 @@ static void crane_verdicts_catch_up(crane_monitors_verdicts_state *s, int64_t mi
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t crane_verdicts_resume(crane_monitors_verdicts_state *s, int64_t now_us,
-                                     int64_t *since_us) {
+static int32_t crane_verdicts_resume(crane_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
@@ -1656,25 +1703,9 @@ static int32_t crane_verdicts_resume(crane_monitors_verdicts_state *s, int64_t n
   if (elapsed > 1) {
     crane_verdicts_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t crane_verdicts_begin(crane_verdicts_view *v,
-                                           crane_monitors_verdicts_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = crane_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -1684,22 +1715,23 @@ void crane_monitors_verdicts_init(crane_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   ticks_start(&s->ticks);
   s->last_hook_us = INT64_MIN;
   s->last_swing_us = INT64_MIN;
+  s->judged_us = INT64_MAX;
 }
 
-void crane_monitors_verdicts(crane_monitors_verdicts_state *s, const crane_monitors_in *in,
-                             int64_t now_us, int32_t verdicts[CRANE_MONITORS]) {
+/* The tick that has come. */
+static inline void crane_verdicts_judge(crane_monitors_verdicts_state *s,
+                                        const crane_monitors_in *in, int64_t now_us,
+                                        int32_t verdicts[CRANE_MONITORS]) {
   crane_verdicts_view v;
-  int32_t k;
-  if (crane_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < CRANE_MONITORS; ++k) {
-      verdicts[k] = CRANE_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   crane_verdicts_look_hook(&v, in);
   verdicts[CRANE_MONITORS_OVER_GROUND] = over_ground_verdict(&v);
   verdicts[CRANE_MONITORS_OFF_MAST] = off_mast_verdict(&v);
@@ -1712,4 +1744,39 @@ void crane_monitors_verdicts(crane_monitors_verdicts_state *s, const crane_monit
   verdicts[CRANE_MONITORS_BARE] = bare_verdict(&v);
   verdicts[CRANE_MONITORS_SPARE] = spare_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void crane_verdicts_late(crane_monitors_verdicts_state *s,
+                                       const crane_monitors_in *in, int64_t now_us,
+                                       int32_t verdicts[CRANE_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 100000);
+    begun = tick_follows(&s->until_us, now_us, 100000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = crane_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 100000);
+    crane_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < CRANE_MONITORS; ++k) {
+    verdicts[k] = CRANE_VERDICT_UNKNOWN;
+  }
+}
+
+void crane_monitors_verdicts(crane_monitors_verdicts_state *s, const crane_monitors_in *in,
+                             int64_t now_us, int32_t verdicts[CRANE_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 100000;
+    crane_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    crane_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -493,40 +493,77 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const airfield_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
  * from the future. */
-static inline int32_t sample_arrived(const airfield_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  if (stamp_us <= since_us) {
     return 0;
   }
-  return s->stamp_us <= now_us;
+  return stamp_us <= now_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(airfield_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const airfield_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(airfield_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(airfield_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -542,62 +579,57 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const airfield_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. Each question is a branch of its own, hardly ever taken: that is
+ * less work than their conjunction. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  if (at < least) {
     return 0;
   }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
+  if (at > most - between) {
     return 0;
   }
   return 1;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const airfield_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const airfield_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
 /* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const airfield_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
@@ -3263,65 +3295,51 @@ static inline margin out_now(const airfield_view *v) {
 }
 
 static inline void airfield_look_at(airfield_view *v, const airfield_monitors_in *in) {
-  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, v->now_us);
-  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, v->now_us) <= 500000;
-  v->at_x = number_of(&in->at_x, fresh_at, -20000, 90000, 50, AIRFIELD_MONITORS_INPUT_AT);
-  v->at_y = number_of(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -20000,
-      90000, 50, AIRFIELD_MONITORS_INPUT_AT);
-  v->at_z = number_of(&in->at_z, fresh_at && in->at_z.stamp_us == in->at_x.stamp_us, -20000,
-      90000, 50, AIRFIELD_MONITORS_INPUT_AT);
+  const int32_t good_at = sample_good(in->at.stamp_us, &v->s->last_at_us, v->now_us);
+  const int32_t fresh_at = good_at && sample_young(in->at.stamp_us, v->now_us, 500000) &&
+      in->at.valid != 0;
+  v->at_x = number_of(in->at.x, (in->at.between & 1U), fresh_at, -20000, 90000, 50,
+      AIRFIELD_MONITORS_INPUT_AT);
+  v->at_y = number_of(in->at.y, (in->at.between >> 1 & 1U), fresh_at, -20000, 90000, 50,
+      AIRFIELD_MONITORS_INPUT_AT);
+  v->at_z = number_of(in->at.z, (in->at.between >> 2 & 1U), fresh_at, -20000, 90000, 50,
+      AIRFIELD_MONITORS_INPUT_AT);
 }
 
 static inline void airfield_look_other(airfield_view *v, const airfield_monitors_in *in) {
-  const int32_t good_other = sample_good(&in->other_x, &v->s->last_other_us, v->now_us);
-  const int32_t fresh_other = good_other && elapsed_us(in->other_x.stamp_us,
-      v->now_us) <= 1000000;
-  v->other_x = number_of(&in->other_x, fresh_other, -20000, 90000, 100,
+  const int32_t good_other = sample_good(in->other.stamp_us, &v->s->last_other_us, v->now_us);
+  const int32_t fresh_other = good_other && sample_young(in->other.stamp_us, v->now_us,
+      1000000) && in->other.valid != 0;
+  v->other_x = number_of(in->other.x, (in->other.between & 1U), fresh_other, -20000, 90000, 100,
       AIRFIELD_MONITORS_INPUT_OTHER);
-  v->other_y = number_of(&in->other_y, fresh_other &&
-      in->other_y.stamp_us == in->other_x.stamp_us, -20000, 90000, 100,
-      AIRFIELD_MONITORS_INPUT_OTHER);
-  v->other_z = number_of(&in->other_z, fresh_other &&
-      in->other_z.stamp_us == in->other_x.stamp_us, -20000, 90000, 100,
-      AIRFIELD_MONITORS_INPUT_OTHER);
+  v->other_y = number_of(in->other.y, (in->other.between >> 1 & 1U), fresh_other, -20000, 90000,
+      100, AIRFIELD_MONITORS_INPUT_OTHER);
+  v->other_z = number_of(in->other.z, (in->other.between >> 2 & 1U), fresh_other, -20000, 90000,
+      100, AIRFIELD_MONITORS_INPUT_OTHER);
 }
 
 static inline void airfield_look_mark(airfield_view *v, const airfield_monitors_in *in) {
-  const int32_t fresh_mark = sample_arrived(&in->mark_x, v->since_us, v->now_us);
-  v->mark_x = number_of(&in->mark_x, fresh_mark, -20000, 90000, 0, AIRFIELD_MONITORS_INPUT_MARK);
-  v->mark_y = number_of(&in->mark_y, fresh_mark && in->mark_y.stamp_us == in->mark_x.stamp_us,
-      -20000, 90000, 0, AIRFIELD_MONITORS_INPUT_MARK);
-  v->mark_z = number_of(&in->mark_z, fresh_mark && in->mark_z.stamp_us == in->mark_x.stamp_us,
-      -20000, 90000, 0, AIRFIELD_MONITORS_INPUT_MARK);
+  const int32_t fresh_mark = sample_arrived(in->mark.stamp_us, v->since_us, v->now_us) &&
+      in->mark.valid != 0;
+  v->mark_x = number_of(in->mark.x, (in->mark.between & 1U), fresh_mark, -20000, 90000, 0,
+      AIRFIELD_MONITORS_INPUT_MARK);
+  v->mark_y = number_of(in->mark.y, (in->mark.between >> 1 & 1U), fresh_mark, -20000, 90000, 0,
+      AIRFIELD_MONITORS_INPUT_MARK);
+  v->mark_z = number_of(in->mark.z, (in->mark.between >> 2 & 1U), fresh_mark, -20000, 90000, 0,
+      AIRFIELD_MONITORS_INPUT_MARK);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t airfield_resume(airfield_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t airfield_resume(airfield_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 100000);
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t airfield_begin(airfield_view *v, airfield_monitors_state *s,
-                                     int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = airfield_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -3336,17 +3354,14 @@ void airfield_monitors_init(airfield_monitors_state *s) {
   s->last_other_us = INT64_MIN;
 }
 
-void airfield_monitors_step(airfield_monitors_state *s, const airfield_monitors_in *in,
-                            int64_t now_us, airfield_monitors_out *out) {
+/* The tick that has come. */
+static inline void airfield_judge(airfield_monitors_state *s, const airfield_monitors_in *in,
+                                  int64_t now_us, airfield_monitors_out *out) {
   airfield_view v;
-  int32_t k;
-  if (airfield_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < AIRFIELD_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(AIRFIELD_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   airfield_look_at(&v, in);
   out->monitors[AIRFIELD_MONITORS_KEPT] = finding_judged(kept_now(&v));
@@ -3359,6 +3374,29 @@ void airfield_monitors_step(airfield_monitors_state *s, const airfield_monitors_
   out->monitors[AIRFIELD_MONITORS_STACKED] = finding_judged(stacked_now(&v));
   out->monitors[AIRFIELD_MONITORS_SPARE] = finding_judged(spare_now(&v));
   out->monitors[AIRFIELD_MONITORS_OUT] = finding_judged(out_now(&v));
+}
+
+static SELDOM void airfield_late(airfield_monitors_state *s, const airfield_monitors_in *in,
+                                 int64_t now_us, airfield_monitors_out *out) {
+  int32_t k;
+  if (airfield_resume(s, now_us) != 0) {
+    airfield_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < AIRFIELD_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(AIRFIELD_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void airfield_monitors_step(airfield_monitors_state *s, const airfield_monitors_in *in,
+                            int64_t now_us, airfield_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    airfield_judge(s, in, now_us, out);
+  } else {
+    airfield_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -3501,65 +3539,49 @@ static inline int32_t out_verdict(const airfield_verdicts_view *v) {
 
 static inline void airfield_verdicts_look_at(airfield_verdicts_view *v,
                                              const airfield_monitors_in *in) {
-  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, v->now_us);
-  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, v->now_us) <= 500000;
-  v->at_x = bounds_number(&in->at_x, fresh_at, -20000, 90000, 50);
-  v->at_y = bounds_number(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -20000,
-      90000, 50);
-  v->at_z = bounds_number(&in->at_z, fresh_at && in->at_z.stamp_us == in->at_x.stamp_us, -20000,
-      90000, 50);
+  const int32_t good_at = sample_good(in->at.stamp_us, &v->s->last_at_us, v->now_us);
+  const int32_t fresh_at = good_at && sample_young(in->at.stamp_us, v->now_us, 500000) &&
+      in->at.valid != 0;
+  v->at_x = bounds_number(in->at.x, (in->at.between & 1U), fresh_at, -20000, 90000, 50);
+  v->at_y = bounds_number(in->at.y, (in->at.between >> 1 & 1U), fresh_at, -20000, 90000, 50);
+  v->at_z = bounds_number(in->at.z, (in->at.between >> 2 & 1U), fresh_at, -20000, 90000, 50);
 }
 
 static inline void airfield_verdicts_look_other(airfield_verdicts_view *v,
                                                 const airfield_monitors_in *in) {
-  const int32_t good_other = sample_good(&in->other_x, &v->s->last_other_us, v->now_us);
-  const int32_t fresh_other = good_other && elapsed_us(in->other_x.stamp_us,
-      v->now_us) <= 1000000;
-  v->other_x = bounds_number(&in->other_x, fresh_other, -20000, 90000, 100);
-  v->other_y = bounds_number(&in->other_y, fresh_other &&
-      in->other_y.stamp_us == in->other_x.stamp_us, -20000, 90000, 100);
-  v->other_z = bounds_number(&in->other_z, fresh_other &&
-      in->other_z.stamp_us == in->other_x.stamp_us, -20000, 90000, 100);
+  const int32_t good_other = sample_good(in->other.stamp_us, &v->s->last_other_us, v->now_us);
+  const int32_t fresh_other = good_other && sample_young(in->other.stamp_us, v->now_us,
+      1000000) && in->other.valid != 0;
+  v->other_x = bounds_number(in->other.x, (in->other.between & 1U), fresh_other, -20000, 90000,
+      100);
+  v->other_y = bounds_number(in->other.y, (in->other.between >> 1 & 1U), fresh_other, -20000,
+      90000, 100);
+  v->other_z = bounds_number(in->other.z, (in->other.between >> 2 & 1U), fresh_other, -20000,
+      90000, 100);
 }
 
 static inline void airfield_verdicts_look_mark(airfield_verdicts_view *v,
                                                const airfield_monitors_in *in) {
-  const int32_t fresh_mark = sample_arrived(&in->mark_x, v->since_us, v->now_us);
-  v->mark_x = bounds_number(&in->mark_x, fresh_mark, -20000, 90000, 0);
-  v->mark_y = bounds_number(&in->mark_y, fresh_mark &&
-      in->mark_y.stamp_us == in->mark_x.stamp_us, -20000, 90000, 0);
-  v->mark_z = bounds_number(&in->mark_z, fresh_mark &&
-      in->mark_z.stamp_us == in->mark_x.stamp_us, -20000, 90000, 0);
+  const int32_t fresh_mark = sample_arrived(in->mark.stamp_us, v->since_us, v->now_us) &&
+      in->mark.valid != 0;
+  v->mark_x = bounds_number(in->mark.x, (in->mark.between & 1U), fresh_mark, -20000, 90000, 0);
+  v->mark_y = bounds_number(in->mark.y, (in->mark.between >> 1 & 1U), fresh_mark, -20000, 90000,
+      0);
+  v->mark_z = bounds_number(in->mark.z, (in->mark.between >> 2 & 1U), fresh_mark, -20000, 90000,
+      0);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t airfield_verdicts_resume(airfield_monitors_verdicts_state *s, int64_t now_us,
-                                        int64_t *since_us) {
+static int32_t airfield_verdicts_resume(airfield_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 100000);
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t airfield_verdicts_begin(airfield_verdicts_view *v,
-                                              airfield_monitors_verdicts_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = airfield_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -3569,22 +3591,22 @@ void airfield_monitors_verdicts_init(airfield_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   s->last_at_us = INT64_MIN;
   s->last_other_us = INT64_MIN;
+  s->judged_us = INT64_MAX;
 }
 
-void airfield_monitors_verdicts(airfield_monitors_verdicts_state *s,
-                                const airfield_monitors_in *in, int64_t now_us,
-                                int32_t verdicts[AIRFIELD_MONITORS]) {
+/* The tick that has come. */
+static inline void airfield_verdicts_judge(airfield_monitors_verdicts_state *s,
+                                           const airfield_monitors_in *in, int64_t now_us,
+                                           int32_t verdicts[AIRFIELD_MONITORS]) {
   airfield_verdicts_view v;
-  int32_t k;
-  if (airfield_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < AIRFIELD_MONITORS; ++k) {
-      verdicts[k] = AIRFIELD_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   airfield_verdicts_look_at(&v, in);
   verdicts[AIRFIELD_MONITORS_KEPT] = kept_verdict(&v);
   verdicts[AIRFIELD_MONITORS_OFF_TOWER] = off_tower_verdict(&v);
@@ -3596,4 +3618,40 @@ void airfield_monitors_verdicts(airfield_monitors_verdicts_state *s,
   verdicts[AIRFIELD_MONITORS_STACKED] = stacked_verdict(&v);
   verdicts[AIRFIELD_MONITORS_SPARE] = spare_verdict(&v);
   verdicts[AIRFIELD_MONITORS_OUT] = out_verdict(&v);
+}
+
+static SELDOM void airfield_verdicts_late(airfield_monitors_verdicts_state *s,
+                                          const airfield_monitors_in *in, int64_t now_us,
+                                          int32_t verdicts[AIRFIELD_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 100000);
+    begun = tick_follows(&s->until_us, now_us, 100000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = airfield_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 100000);
+    airfield_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < AIRFIELD_MONITORS; ++k) {
+    verdicts[k] = AIRFIELD_VERDICT_UNKNOWN;
+  }
+}
+
+void airfield_monitors_verdicts(airfield_monitors_verdicts_state *s,
+                                const airfield_monitors_in *in, int64_t now_us,
+                                int32_t verdicts[AIRFIELD_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 100000;
+    airfield_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    airfield_verdicts_late(s, in, now_us, verdicts);
+  }
 }

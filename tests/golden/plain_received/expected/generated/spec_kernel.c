@@ -475,31 +475,52 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const field_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(field_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(field_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(field_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -510,78 +531,73 @@ static int64_t tick_until(const field_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const field_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. Each question is a branch of its own, hardly ever taken: that is
+ * less work than their conjunction. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  if (at < least) {
     return 0;
   }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
+  if (at > most - between) {
     return 0;
   }
   return 1;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const field_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const field_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
-static inline int64_t age_known(const field_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+/* Time since the stamp of the newest sample; -1 when it has no value, or beyond 35 years. */
+static inline int64_t age_known(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = whole ? elapsed_us(stamp_us, now_us) : -1;
   return age_us > AGE_MAX_US ? -1 : age_us;
 }
 
-static inline bounds bounds_age(const field_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline bounds bounds_age(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
 }
 
-static inline span age_span(const field_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline span age_span(int64_t stamp_us, int32_t whole, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
 }
 
 /* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const field_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
@@ -874,25 +890,29 @@ static inline margin known_now(const field_view *v) {
 }
 
 static inline void field_look_fence(field_view *v, const field_monitors_in *in) {
-  const int32_t good_fence = sample_good(&in->fence, &v->s->last_fence_us, v->now_us);
-  const int32_t fresh_fence = good_fence && elapsed_us(in->fence.stamp_us, v->now_us) <= 60000000;
-  v->fence = fresh_fence && in->fence.valid != 0 ? &in->fence_zone : 0;
+  const int32_t good_fence = sample_good(in->fence.stamp_us, &v->s->last_fence_us, v->now_us);
+  const int32_t fresh_fence = good_fence && sample_young(in->fence.stamp_us, v->now_us,
+      60000000) && in->fence.valid != 0;
+  v->fence = fresh_fence ? &in->fence_zone : 0;
 }
 
 static inline void field_look_closed(field_view *v, const field_monitors_in *in) {
-  const int32_t good_closed = sample_good(&in->closed, &v->s->last_closed_us, v->now_us);
-  const int32_t fresh_closed = good_closed && elapsed_us(in->closed.stamp_us,
-      v->now_us) <= 60000000;
-  v->closed = fresh_closed && in->closed.valid != 0 ? &in->closed_zone : 0;
-  v->age_of_closed = age_span(&in->closed, good_closed, v->now_us, FIELD_MONITORS_INPUT_CLOSED);
+  const int32_t good_closed = sample_good(in->closed.stamp_us, &v->s->last_closed_us, v->now_us);
+  const int32_t fresh_closed = good_closed && sample_young(in->closed.stamp_us, v->now_us,
+      60000000) && in->closed.valid != 0;
+  v->closed = fresh_closed ? &in->closed_zone : 0;
+  v->age_of_closed = age_span(in->closed.stamp_us, good_closed && in->closed.valid != 0,
+      v->now_us, FIELD_MONITORS_INPUT_CLOSED);
 }
 
 static inline void field_look_p(field_view *v, const field_monitors_in *in) {
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
-  const int32_t fresh_p = good_p && elapsed_us(in->p_x.stamp_us, v->now_us) <= 1000000;
-  v->p_x = number_of(&in->p_x, fresh_p, -99000, 99000, 50, FIELD_MONITORS_INPUT_P);
-  v->p_y = number_of(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -99000, 99000,
-      50, FIELD_MONITORS_INPUT_P);
+  const int32_t good_p = sample_good(in->p.stamp_us, &v->s->last_p_us, v->now_us);
+  const int32_t fresh_p = good_p && sample_young(in->p.stamp_us, v->now_us, 1000000) &&
+      in->p.valid != 0;
+  v->p_x = number_of(in->p.x, (in->p.between & 1U), fresh_p, -99000, 99000, 50,
+      FIELD_MONITORS_INPUT_P);
+  v->p_y = number_of(in->p.y, (in->p.between >> 1 & 1U), fresh_p, -99000, 99000, 50,
+      FIELD_MONITORS_INPUT_P);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
@@ -902,20 +922,6 @@ static int32_t field_resume(field_monitors_state *s, int64_t now_us) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 100000);
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t field_begin(field_view *v, field_monitors_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = field_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
   return 1;
 }
 
@@ -930,17 +936,12 @@ void field_monitors_init(field_monitors_state *s) {
   s->last_p_us = INT64_MIN;
 }
 
-void field_monitors_step(field_monitors_state *s, const field_monitors_in *in, int64_t now_us,
-                         field_monitors_out *out) {
+/* The tick that has come. */
+static inline void field_judge(field_monitors_state *s, const field_monitors_in *in,
+                               int64_t now_us, field_monitors_out *out) {
   field_view v;
-  int32_t k;
-  if (field_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < FIELD_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(FIELD_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   out->tick = s->clock.tick;
   field_look_fence(&v, in);
   field_look_p(&v, in);
@@ -948,6 +949,29 @@ void field_monitors_step(field_monitors_state *s, const field_monitors_in *in, i
   field_look_closed(&v, in);
   out->monitors[FIELD_MONITORS_AWAY] = finding_judged(away_now(&v));
   out->monitors[FIELD_MONITORS_KNOWN] = finding_judged(known_now(&v));
+}
+
+static SELDOM void field_late(field_monitors_state *s, const field_monitors_in *in,
+                              int64_t now_us, field_monitors_out *out) {
+  int32_t k;
+  if (field_resume(s, now_us) != 0) {
+    field_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < FIELD_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(FIELD_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void field_monitors_step(field_monitors_state *s, const field_monitors_in *in, int64_t now_us,
+                         field_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    field_judge(s, in, now_us, out);
+  } else {
+    field_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1005,50 +1029,40 @@ static inline int32_t known_verdict(const field_verdicts_view *v) {
 }
 
 static inline void field_verdicts_look_fence(field_verdicts_view *v, const field_monitors_in *in) {
-  const int32_t good_fence = sample_good(&in->fence, &v->s->last_fence_us, v->now_us);
-  const int32_t fresh_fence = good_fence && elapsed_us(in->fence.stamp_us, v->now_us) <= 60000000;
-  v->fence = fresh_fence && in->fence.valid != 0 ? &in->fence_zone : 0;
+  const int32_t good_fence = sample_good(in->fence.stamp_us, &v->s->last_fence_us, v->now_us);
+  const int32_t fresh_fence = good_fence && sample_young(in->fence.stamp_us, v->now_us,
+      60000000) && in->fence.valid != 0;
+  v->fence = fresh_fence ? &in->fence_zone : 0;
 }
 
 static inline void field_verdicts_look_closed(field_verdicts_view *v,
                                               const field_monitors_in *in) {
-  const int32_t good_closed = sample_good(&in->closed, &v->s->last_closed_us, v->now_us);
-  const int32_t fresh_closed = good_closed && elapsed_us(in->closed.stamp_us,
-      v->now_us) <= 60000000;
-  v->closed = fresh_closed && in->closed.valid != 0 ? &in->closed_zone : 0;
-  v->age_of_closed = bounds_age(&in->closed, good_closed, v->now_us);
+  const int32_t good_closed = sample_good(in->closed.stamp_us, &v->s->last_closed_us, v->now_us);
+  const int32_t fresh_closed = good_closed && sample_young(in->closed.stamp_us, v->now_us,
+      60000000) && in->closed.valid != 0;
+  v->closed = fresh_closed ? &in->closed_zone : 0;
+  v->age_of_closed = bounds_age(in->closed.stamp_us, good_closed && in->closed.valid != 0,
+      v->now_us);
 }
 
 static inline void field_verdicts_look_p(field_verdicts_view *v, const field_monitors_in *in) {
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
-  const int32_t fresh_p = good_p && elapsed_us(in->p_x.stamp_us, v->now_us) <= 1000000;
-  v->p_x = bounds_number(&in->p_x, fresh_p, -99000, 99000, 50);
-  v->p_y = bounds_number(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -99000,
-      99000, 50);
+  const int32_t good_p = sample_good(in->p.stamp_us, &v->s->last_p_us, v->now_us);
+  const int32_t fresh_p = good_p && sample_young(in->p.stamp_us, v->now_us, 1000000) &&
+      in->p.valid != 0;
+  v->p_x = bounds_number(in->p.x, (in->p.between & 1U), fresh_p, -99000, 99000, 50);
+  v->p_y = bounds_number(in->p.y, (in->p.between >> 1 & 1U), fresh_p, -99000, 99000, 50);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
 static int32_t field_verdicts_resume(field_monitors_verdicts_state *s, int64_t now_us) {
+  if (tick_passed(&s->clock, s->until_us, now_us, 100000) == 0) {
+    return 0;
+  }
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 100000);
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t field_verdicts_begin(field_verdicts_view *v,
-                                           field_monitors_verdicts_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = field_verdicts_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
   return 1;
 }
 
@@ -1063,20 +1077,39 @@ void field_monitors_verdicts_init(field_monitors_verdicts_state *s) {
   s->last_p_us = INT64_MIN;
 }
 
-void field_monitors_verdicts(field_monitors_verdicts_state *s, const field_monitors_in *in,
-                             int64_t now_us, int32_t verdicts[FIELD_MONITORS]) {
+/* The tick that has come. */
+static inline void field_verdicts_judge(field_monitors_verdicts_state *s,
+                                        const field_monitors_in *in, int64_t now_us,
+                                        int32_t verdicts[FIELD_MONITORS]) {
   field_verdicts_view v;
-  int32_t k;
-  if (field_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < FIELD_MONITORS; ++k) {
-      verdicts[k] = FIELD_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   field_verdicts_look_fence(&v, in);
   field_verdicts_look_p(&v, in);
   verdicts[FIELD_MONITORS_STAYS] = stays_verdict(&v);
   field_verdicts_look_closed(&v, in);
   verdicts[FIELD_MONITORS_AWAY] = away_verdict(&v);
   verdicts[FIELD_MONITORS_KNOWN] = known_verdict(&v);
+}
+
+static SELDOM void field_verdicts_late(field_monitors_verdicts_state *s,
+                                       const field_monitors_in *in, int64_t now_us,
+                                       int32_t verdicts[FIELD_MONITORS]) {
+  int32_t k;
+  if (field_verdicts_resume(s, now_us) != 0) {
+    field_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < FIELD_MONITORS; ++k) {
+    verdicts[k] = FIELD_VERDICT_UNKNOWN;
+  }
+}
+
+void field_monitors_verdicts(field_monitors_verdicts_state *s, const field_monitors_in *in,
+                             int64_t now_us, int32_t verdicts[FIELD_MONITORS]) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    field_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    field_verdicts_late(s, in, now_us, verdicts);
+  }
 }

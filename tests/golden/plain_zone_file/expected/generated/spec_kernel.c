@@ -482,31 +482,52 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const park_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(park_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(park_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(park_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -517,62 +538,57 @@ static int64_t tick_until(const park_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const park_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. Each question is a branch of its own, hardly ever taken: that is
+ * less work than their conjunction. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  if (at < least) {
     return 0;
   }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
+  if (at > most - between) {
     return 0;
   }
   return 1;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const park_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const park_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
 /* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const park_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
@@ -1088,14 +1104,13 @@ static inline margin not_hall_now(const park_view *v) {
 }
 
 static inline void park_look_walker(park_view *v, const park_monitors_in *in) {
-  const int32_t good_walker = sample_good(&in->walker_x, &v->s->last_walker_us, v->now_us);
-  const int32_t fresh_walker = good_walker && elapsed_us(in->walker_x.stamp_us,
-      v->now_us) <= 500000;
-  v->walker_x = number_of(&in->walker_x, fresh_walker, -1500000, 1500000, 50,
-      PARK_MONITORS_INPUT_WALKER);
-  v->walker_y = number_of(&in->walker_y, fresh_walker &&
-      in->walker_y.stamp_us == in->walker_x.stamp_us, -1500000, 1500000, 50,
-      PARK_MONITORS_INPUT_WALKER);
+  const int32_t good_walker = sample_good(in->walker.stamp_us, &v->s->last_walker_us, v->now_us);
+  const int32_t fresh_walker = good_walker && sample_young(in->walker.stamp_us, v->now_us,
+      500000) && in->walker.valid != 0;
+  v->walker_x = number_of(in->walker.x, (in->walker.between & 1U), fresh_walker, -1500000,
+      1500000, 50, PARK_MONITORS_INPUT_WALKER);
+  v->walker_y = number_of(in->walker.y, (in->walker.between >> 1 & 1U), fresh_walker, -1500000,
+      1500000, 50, PARK_MONITORS_INPUT_WALKER);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
@@ -1108,20 +1123,6 @@ static int32_t park_resume(park_monitors_state *s, int64_t now_us) {
   return 1;
 }
 
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t park_begin(park_view *v, park_monitors_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = park_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  return 1;
-}
-
 void park_monitors_init(park_monitors_state *s) {
   s->clock.started = 0;
   s->clock.origin_us = 0;
@@ -1131,22 +1132,40 @@ void park_monitors_init(park_monitors_state *s) {
   s->last_walker_us = INT64_MIN;
 }
 
-void park_monitors_step(park_monitors_state *s, const park_monitors_in *in, int64_t now_us,
-                        park_monitors_out *out) {
+/* The tick that has come. */
+static inline void park_judge(park_monitors_state *s, const park_monitors_in *in, int64_t now_us,
+                              park_monitors_out *out) {
   park_view v;
-  int32_t k;
-  if (park_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < PARK_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(PARK_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   out->tick = s->clock.tick;
   park_look_walker(&v, in);
   out->monitors[PARK_MONITORS_IN_PARK] = finding_judged(in_park_now(&v));
   out->monitors[PARK_MONITORS_OFF] = finding_judged(off_now(&v));
   out->monitors[PARK_MONITORS_NOT_HALL] = finding_judged(not_hall_now(&v));
+}
+
+static SELDOM void park_late(park_monitors_state *s, const park_monitors_in *in, int64_t now_us,
+                             park_monitors_out *out) {
+  int32_t k;
+  if (park_resume(s, now_us) != 0) {
+    park_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < PARK_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(PARK_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void park_monitors_step(park_monitors_state *s, const park_monitors_in *in, int64_t now_us,
+                        park_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    park_judge(s, in, now_us, out);
+  } else {
+    park_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1202,36 +1221,25 @@ static inline int32_t not_hall_verdict(const park_verdicts_view *v) {
 }
 
 static inline void park_verdicts_look_walker(park_verdicts_view *v, const park_monitors_in *in) {
-  const int32_t good_walker = sample_good(&in->walker_x, &v->s->last_walker_us, v->now_us);
-  const int32_t fresh_walker = good_walker && elapsed_us(in->walker_x.stamp_us,
-      v->now_us) <= 500000;
-  v->walker_x = bounds_number(&in->walker_x, fresh_walker, -1500000, 1500000, 50);
-  v->walker_y = bounds_number(&in->walker_y, fresh_walker &&
-      in->walker_y.stamp_us == in->walker_x.stamp_us, -1500000, 1500000, 50);
+  const int32_t good_walker = sample_good(in->walker.stamp_us, &v->s->last_walker_us, v->now_us);
+  const int32_t fresh_walker = good_walker && sample_young(in->walker.stamp_us, v->now_us,
+      500000) && in->walker.valid != 0;
+  v->walker_x = bounds_number(in->walker.x, (in->walker.between & 1U), fresh_walker, -1500000,
+      1500000, 50);
+  v->walker_y = bounds_number(in->walker.y, (in->walker.between >> 1 & 1U), fresh_walker,
+      -1500000, 1500000, 50);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
 static int32_t park_verdicts_resume(park_monitors_verdicts_state *s, int64_t now_us) {
+  if (tick_passed(&s->clock, s->until_us, now_us, 100000) == 0) {
+    return 0;
+  }
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 100000);
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t park_verdicts_begin(park_verdicts_view *v, park_monitors_verdicts_state *s,
-                                          int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = park_verdicts_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
   return 1;
 }
 
@@ -1244,18 +1252,37 @@ void park_monitors_verdicts_init(park_monitors_verdicts_state *s) {
   s->last_walker_us = INT64_MIN;
 }
 
-void park_monitors_verdicts(park_monitors_verdicts_state *s, const park_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[PARK_MONITORS]) {
+/* The tick that has come. */
+static inline void park_verdicts_judge(park_monitors_verdicts_state *s,
+                                       const park_monitors_in *in, int64_t now_us,
+                                       int32_t verdicts[PARK_MONITORS]) {
   park_verdicts_view v;
-  int32_t k;
-  if (park_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < PARK_MONITORS; ++k) {
-      verdicts[k] = PARK_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   park_verdicts_look_walker(&v, in);
   verdicts[PARK_MONITORS_IN_PARK] = in_park_verdict(&v);
   verdicts[PARK_MONITORS_OFF] = off_verdict(&v);
   verdicts[PARK_MONITORS_NOT_HALL] = not_hall_verdict(&v);
+}
+
+static SELDOM void park_verdicts_late(park_monitors_verdicts_state *s,
+                                      const park_monitors_in *in, int64_t now_us,
+                                      int32_t verdicts[PARK_MONITORS]) {
+  int32_t k;
+  if (park_verdicts_resume(s, now_us) != 0) {
+    park_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < PARK_MONITORS; ++k) {
+    verdicts[k] = PARK_VERDICT_UNKNOWN;
+  }
+}
+
+void park_monitors_verdicts(park_monitors_verdicts_state *s, const park_monitors_in *in,
+                            int64_t now_us, int32_t verdicts[PARK_MONITORS]) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    park_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    park_verdicts_late(s, in, now_us, verdicts);
+  }
 }
