@@ -179,10 +179,10 @@ class KernelEngine : public Engine {
   // Empty when the kernel has the layout that this engine is made for.
   [[nodiscard]] std::string problem() const {
     // what has no inputs has a member that says so
-    const std::size_t in = std::max<std::size_t>(
-        (words_of_samples_ + kernel_.params.size()) * sizeof(std::int64_t) +
-            kernel_.zones.size() * sizeof(Zone),
-        sizeof(std::int32_t));
+    const std::size_t in =
+        std::max<std::size_t>((words_of_samples_ + kernel_.params.size()) * sizeof(std::int64_t) +
+                                  kernel_.zones.size() * sizeof(Zone),
+                              sizeof(std::int32_t));
     const std::size_t out = sizeof(std::int64_t) + kernel_.monitors * sizeof(KernelFinding);
     const auto same = [](std::int64_t a, std::size_t b) {
       return a == static_cast<std::int64_t>(b);
@@ -280,8 +280,8 @@ class KernelEngine : public Engine {
     Zone zone{};
     zone.within = zone.around = outline_of(tables.within, held.within);
     if (tables.around) zone.around = outline_of(*tables.around, held.around);
-    const std::size_t at = words_of_samples_ + kernel_.params.size() +
-                           k * sizeof(Zone) / sizeof(std::int64_t);
+    const std::size_t at =
+        words_of_samples_ + kernel_.params.size() + k * sizeof(Zone) / sizeof(std::int64_t);
     std::memcpy(in_.data() + at, &zone, sizeof zone);
   }
   std::int64_t& param(std::size_t k) { return in_[words_of_samples_ + k]; }
