@@ -135,7 +135,6 @@ std::vector<Mutant> mutants_of_inputs() {
       {"arrived_once_is_enough", R"(\(stamp_us <= since_us\))", "(0)"},
       {"future_stamps_count", R"(\(stamp_us > now_us\))", "(0)"},
       {"stamps_may_go_backwards", R"(\(stamp_us < \*last_us\))", "(0)"},
-      {"samples_that_never_came_count", R"(\.valid != 0;)", ".valid != 2;"},
       {"age_of_no_number", R"( != INT64_MIN;)", " != INT64_MIN + 2;"},
       // parameters
       {"parameters_stay", R"(up \? max_of\(so_far, given\) : min_of\(so_far, given\))", "so_far"},
@@ -232,9 +231,6 @@ const std::vector<Mutant>& verdict_mutants() {
       {"missing_inputs_are_not_missed", R"(v->has_p == 0)", "0"},
       {"out_of_range_at_a_glance", R"(return \(uint64_t\)at - \(uint64_t\)least < [^;]*;)",
        "return 1;"},
-      {"between_steps_at_a_glance", R"((in->[\w.]+) <= (-?\d+)\) \{(\s+return \w+_VERDICT_TRUE))",
-       "$1 <= $2 + 1) {$3"},
-      {"lengths_are_exact_at_a_glance", R"((square_\d+) >= (\d+)\) \{)", "$1 + 4000 >= $2) {"},
       {"missing_at_a_glance", R"(v->fresh_\w+ == 0)", "0"},
       {"open_bounds_are_closed", R"(return measured\.lo \+ error < [^;]*;)", "return 0;"},
       {"far_is_near", R"(const int64_t most = max_of\(-a\.lo, a\.hi\);)",
