@@ -24,12 +24,9 @@ static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
 }
 /*= sample_arrived */
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
+ * from the future. One that is has an age that wraps around, and is more than any period. */
 static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
-  if (stamp_us <= since_us) {
-    return 0;
-  }
-  return stamp_us <= now_us;
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 /*= tick_follows */
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
@@ -104,16 +101,11 @@ static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max
 }
 /*= number_within */
 /* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
- * behind it before the next step. Each question is a branch of its own, hardly ever taken: that is
- * less work than their conjunction. */
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
 static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
-  if (at < least) {
-    return 0;
-  }
-  if (at > most - between) {
-    return 0;
-  }
-  return 1;
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 /*= number_inside */
 /* The same at a glance: in the range, and not its last step, behind which there is none. */
@@ -166,7 +158,8 @@ static inline span age_span(int64_t stamp_us, int32_t whole, int64_t now_us, int
   return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
 }
 /*= number_of : span_of span_unknown open_ends */
-/* The same for margins: unknown for the lack of `input`. */
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
 static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
                              int64_t most, int64_t error, int32_t input) {
   span seen;

@@ -38,8 +38,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -64,22 +64,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -90,6 +80,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -537,16 +536,11 @@ static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max
 }
 
 /* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
- * behind it before the next step. Each question is a branch of its own, hardly ever taken: that is
- * less work than their conjunction. */
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
 static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
-  if (at < least) {
-    return 0;
-  }
-  if (at > most - between) {
-    return 0;
-  }
-  return 1;
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
@@ -582,7 +576,8 @@ static inline span age_span(int64_t stamp_us, int32_t whole, int64_t now_us, int
   return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
 }
 
-/* The same for margins: unknown for the lack of `input`. */
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
 static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
                              int64_t most, int64_t error, int32_t input) {
   span seen;
