@@ -217,12 +217,12 @@ TEST_F(ReplayDecision, AnInternalErrorExitsWith70) {
   write(
       "door.rta",
       "spec door; period 10 ms; input open : bool[33];\nmonitor m { \"R: r\" always open[0]; }\n");
-  std::string header = "time", row = "0";
+  std::string columns = "time", row = "0";
   for (int k = 0; k < 33; ++k) {
-    header += ",open." + std::to_string(k);
+    columns += ",open." + std::to_string(k);
     row += ",1";
   }
-  write("door.csv", header + "\n" + row + "\n");
+  write("door.csv", columns + "\n" + row + "\n");
   setenv("CC", "cc -fpack-struct=1", 1);
   const Outcome o = rtac({"replay", "door.rta", "door.csv"});
   unsetenv("CC");
