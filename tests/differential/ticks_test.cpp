@@ -54,15 +54,10 @@ class Model {
 using StepAll = void (*)(const std::int64_t* now_us, std::int32_t count, std::int64_t* tick,
                          std::int32_t* new_tick);
 
-// `each_tick`: another input has to arrive every tick, so that the time of the last one is kept.
-driver::BuiltObject built(const std::string& period, bool each_tick) {
-  const std::string another = each_tick ? "input q : bool;\n"
-                                          "monitor n { \"R2: q\" always q; }\n"
-                                        : "";
+driver::BuiltObject built(const std::string& period) {
   const auto checked = check("spec s;\nperiod " + period +
                                  ";\ninput p : bool max_age inf;\n"
-                                 "monitor m { \"R1: p\" always p; }\n" +
-                                 another,
+                                 "monitor m { \"R1: p\" always p; }\n",
                              Until::kernel);
   EXPECT_EQ(checked->problem, "");
   const driver::KernelCode code = driver::kernel_code(checked->compilation);
@@ -71,16 +66,16 @@ driver::BuiltObject built(const std::string& period, bool each_tick) {
 void run(const int64_t *now_us, int32_t count, int64_t *tick, int32_t *new_tick) {
   P_monitors_state s;
   P_monitors_verdicts_state alone;
-  P_monitors_in in = {{INT64_MIN, 1, 0, 1}};
+  P_monitors_in in = {{1, 1, INT64_MIN, 1}};
   P_monitors_out out;
-  int32_t k, verdict[2];
+  int32_t k, verdict;
   P_monitors_init(&s);
   P_monitors_verdicts_init(&alone);
   for (k = 0; k < count; ++k) {
     P_monitors_step(&s, &in, now_us[k], &out);
-    P_monitors_verdicts(&alone, &in, now_us[k], verdict);
+    P_monitors_verdicts(&alone, &in, now_us[k], &verdict);
     tick[k] = out.tick;
-    new_tick[k] = (out.monitors[0].verdict == 2) + 2 * (verdict[0] == 2);
+    new_tick[k] = (out.monitors[0].verdict == 2) + 2 * (verdict == 2);
   }
 }
 )";
@@ -118,10 +113,6 @@ std::vector<std::int64_t> times(std::mt19937_64& random, std::int64_t period_us,
         break;
       case 4:
         break;  // stands still
-      case 5:
-      case 6:
-        now += period_us;  // does not jitter
-        break;
       default:
         now += period_us + below(std::max<std::int64_t>(1, half)) - half / 2;
     }
@@ -135,9 +126,9 @@ struct Period {
 };
 class Ticks : public ::testing::TestWithParam<Period> {};
 
-void are_those_of_the_plain_model(const Period& period, bool each_tick) {
-  const std::int64_t period_us = period.us;
-  driver::BuiltObject object = built(period.text, each_tick);
+TEST_P(Ticks, AreThoseOfThePlainModel) {
+  const std::int64_t period_us = GetParam().us;
+  driver::BuiltObject object = built(GetParam().text);
   ASSERT_TRUE(object.object) << object.problem;
   const StepAll run = object.object->function<StepAll>("run");
   ASSERT_NE(run, nullptr);
@@ -172,13 +163,6 @@ void are_those_of_the_plain_model(const Period& period, bool each_tick) {
   }
   EXPECT_GT(judged, 1000u);
   EXPECT_GT(skipped, 1000u);
-}
-
-TEST_P(Ticks, AreThoseOfThePlainModel) {
-  are_those_of_the_plain_model(GetParam(), false);
-}
-TEST_P(Ticks, AreThoseOfThePlainModelWhereSamplesMustArriveEveryTick) {
-  are_those_of_the_plain_model(GetParam(), true);
 }
 
 INSTANTIATE_TEST_SUITE_P(Periods, Ticks,
