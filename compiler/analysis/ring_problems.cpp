@@ -28,6 +28,8 @@ Code code_of(Kind kind) {
       return Code::hole_outside_ring;
     case Kind::holes_overlap:
       return Code::holes_overlap;
+    case Kind::cuts_area:
+      return Code::hole_cuts_area;
   }
   return Code::ring_self_intersects;
 }
@@ -49,6 +51,9 @@ std::string help_of(Kind kind, bool in_file) {
     case Kind::holes_overlap:
       return in_file ? "make one hole of them"
                      : "write them as one hole, or subtract both: `outer - (a | b)`";
+    case Kind::cuts_area:
+      return in_file ? "make two areas of it, or move the hole"
+                     : "subtract the hole: `outer - hole` may be in several parts";
   }
   return "";
 }
@@ -76,7 +81,11 @@ class Description {
         return which + " does not lie inside " + (in_file() ? ring_text(0) : "the outer ring") +
                ", see its " + vertex;
       case Kind::holes_overlap:
-        return which + " and " + ring_text(problem_.other) + " overlap or touch";
+        return which + " and " + ring_text(problem_.other) + " overlap, see " +
+               place(problem_.where);
+      case Kind::cuts_area:
+        return which + " touches " + ring_text(problem_.other) + " at " + place(problem_.where) +
+               ", and cuts the area in two";
     }
     return "";
   }

@@ -339,7 +339,8 @@ void Names::claim_monitors(const ir::Module& module) {
 void Names::claim_watch(const ir::Module& module) {
   for (const ir::PlainMonitor& monitor : module.watch->monitors) {
     claim(monitor.name, [&](const std::string& id) {
-      return std::vector<std::string>{"k:" + id + "_now", "M:" + upper(id)};
+      return std::vector<std::string>{"k:" + id + "_now", "k:" + id + "_told",
+                                      "k:" + id + "_closely", "M:" + upper(id)};
     });
   }
 }

@@ -28,6 +28,10 @@ bool in_space(const Watch& watch) {
     return !last.empty() && last.back() == 'z';
   });
 }
+std::string between_of(const Channel& c, std::uint32_t component) {
+  if (between_words(c) == 1) return ".between";
+  return ".between[" + num(std::int64_t(component / between_bits)) + "]";
+}
 // The type of the runtime that has these components; null: there is none.
 const char* record_type(const Channel& c) {
   const bool length = c.unit.dimension == sema::dims::length;
@@ -138,21 +142,26 @@ void SignalSetters::define_input(std::size_t index, Code& out) const {
     out.blank();
     return;
   }
-  out.block(places_.type + "& " + places_.type + "::" + s.name + "(" + s.type +
-                " value, rtac::TimeUs stamp_us)",
-            [&](Code& body) {
-              for (std::uint32_t k = 0; k < c.components.size(); ++k) {
-                const std::string to = places_.in + members_.signal(std::uint32_t(index), k).name;
-                if (c.kind != ChannelKind::number) {
-                  body.line("rtac::bridge::put_whole(" + to + ", static_cast<std::int64_t>(" +
-                            s.values[k] + "), stamp_us);");
-                } else {
-                  body.line("rtac::bridge::put_number(" + to + ", " + s.values[k] + ", " +
-                            grid(c.grid(k).unit) + ", stamp_us);");
-                }
-              }
-              body.line("return *this;");
-            });
+  out.block(
+      places_.type + "& " + places_.type + "::" + s.name + "(" + s.type +
+          " value, rtac::TimeUs stamp_us)",
+      [&](Code& body) {
+        const std::string sample = places_.in + members_.samples[index];
+        body.line("rtac::bridge::start_sample(" + sample + ", stamp_us);");
+        for (std::uint32_t k = 0; k < c.components.size(); ++k) {
+          const std::string to = places_.in + members_.signal(std::uint32_t(index), k).name;
+          if (c.kind != ChannelKind::number) {
+            body.line(to + " = static_cast<std::int64_t>(" + s.values[k] + ");");
+            continue;
+          }
+          const std::string put = "rtac::bridge::put_number(" + to + ", " + s.values[k] + ", " +
+                                  grid(c.grid(k).unit) + ")";
+          body.line(
+              sample + between_of(c, k) + " |= " + put +
+              (k % between_bits > 0 ? " << " + num(std::int64_t(k % between_bits)) + "U;" : ";"));
+        }
+        body.line("return *this;");
+      });
   out.blank();
 }
 void SignalSetters::define_param(std::size_t k, Code& out) const {

@@ -15,14 +15,18 @@ namespace rtac::codegen {
 
 // One scalar signal of the kernel: a component of an input.
 struct WatchSignal {
-  std::string name;  // of its member of the inputs: `open`, `p_x`, `temps_2`
-  std::string seen;  // of its member of the view of a tick, which has others beside it
+  std::string name;     // of its member of the inputs: `open.value`, `p.x`, `temps.at[2]`
+  std::string between;  // whether it lies behind that step, before the next: `p.between & 1U`
+  std::string seen;     // of its member of the view of a tick, which has others beside it
   std::uint32_t channel, component;
   std::string zone{};  // of a zone: that of its member with the tables
+  // `between` with `in`, what leads to the inputs: 0 or 1.
+  [[nodiscard]] std::string between_in(const std::string& in) const;
 };
 // The members of the inputs, in declaration order, then of the parameters.
 struct WatchNames {
   std::vector<WatchSignal> signals;
+  std::vector<std::string> samples;  // by channel: its member of the inputs
   std::vector<std::string> channels, params;
   std::vector<std::size_t> first;  // by channel: where its signals start
   std::vector<std::string> open;   // of the schedules, in the view of a tick
@@ -82,6 +86,9 @@ bool keeps_stamp(const ir::Watch& watch, const ChannelUses& uses, std::size_t ch
 // Whether some input has to arrive every tick: then it matters when the last one was.
 bool arrives_each_tick(const ir::Watch& watch);
 
+// Whether the end of a tick is found from its time when it is asked for, and not kept.
+bool keeps_due_tick(const ir::Watch& watch, Telling telling);
+
 // Number of an input in a finding; 0: none, and that of the clock below the first input.
 std::int64_t watch_input_number(const ir::Module& module, std::size_t channel);
 std::int64_t watch_clock_number(const ir::Module& module);
@@ -101,6 +108,13 @@ std::int64_t region_bytes(const ir::Region& region);
 std::int64_t solid_bytes(const ir::Solid& solid);
 std::int64_t schedule_bytes(const ir::Schedule& schedule);
 std::int64_t table_bytes(const ir::Watch& watch);
+
+// Each input has a member of the inputs, a struct of its own; bits of `between` stand for
+// components in order, so many a word.
+inline constexpr std::size_t between_bits = 32;
+std::size_t between_words(const ir::Channel& channel);
+// Whether its components are numbered alone, so that they are an array of the struct.
+bool is_array(const ir::Channel& channel);
 
 // The members of the structs: what the application fills in; which tick it is, if that matters, the
 // newest stamp of each input, the value of each parameter and what each operator remembers.

@@ -10,7 +10,12 @@ namespace {
 
 using namespace ir;
 
-std::string signal_comment(const Channel& c, std::uint32_t component) {
+std::string grid_comment(const ChannelGrid& grid) {
+  const std::string steps = "steps of " + name(grid.unit);
+  if (!grid.range.declared) return steps;
+  return steps + ", " + num(grid.range.lo) + " to " + num(grid.range.hi);
+}
+std::string sample_comment(const Channel& c) {
   std::string text = "/* ";
   switch (c.kind) {
     case ChannelKind::truth:
@@ -22,20 +27,41 @@ std::string signal_comment(const Channel& c, std::uint32_t component) {
       }
       break;
     case ChannelKind::zone:
-      text += "of its zone below, lo and hi mean nothing";
+      text += "of its zone below";
       break;
-    case ChannelKind::number: {
-      const ChannelGrid& grid = c.grid(component);
-      text += "steps of " + name(grid.unit);
-      if (grid.range.declared) {
-        text += ", " + num(grid.range.lo) + " to " + num(grid.range.hi);
-      }
+    case ChannelKind::number:
+      text += grid_comment(c);
+      if (c.turning) text += "; of turning: " + grid_comment(*c.turning);
       break;
-    }
   }
   if (c.held) return text + "; the last one holds */";
   if (!c.max_age_us) return text + "; new every tick */";
   return text + "; for " + num(*c.max_age_us) + " us */";
+}
+// What is asked first stands first, without a gap.
+void sample_fields(const WatchNames& names, const Channel& c, std::size_t channel,
+                   std::vector<std::string>& to) {
+  const std::size_t words = between_words(c), count = c.components.size();
+  to.emplace_back("struct {");
+  to.emplace_back("  int64_t stamp_us;");
+  to.emplace_back("  int32_t valid;");
+  if (c.kind == ChannelKind::zone) {
+    to.push_back("} " + names.samples[channel] + "; " + sample_comment(c));
+    return;
+  }
+  to.push_back(words > 1 ? "  uint32_t between[" + num(std::int64_t(words)) + "];"
+                         : "  uint32_t between;");
+  std::string members;
+  if (is_array(c)) {
+    members = "at[" + num(std::int64_t(count)) + "]";
+  } else {
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::string& path = names.signal(std::uint32_t(channel), k).name;
+      members += (k > 0 ? ", " : "") + path.substr(names.samples[channel].size() + 1);
+    }
+  }
+  to.push_back("  int64_t " + members + ";");
+  to.push_back("} " + names.samples[channel] + "; " + sample_comment(c));
 }
 
 void record(Code& out, const std::string& name, const std::vector<std::string>& fields) {
@@ -83,9 +109,8 @@ std::vector<std::string> watch_input_fields(const WatchKernel& kernel) {
   const Watch& watch = kernel.watch;
   const WatchNames members = watch_names(watch);
   std::vector<std::string> fields;
-  for (const WatchSignal& s : members.signals) {
-    fields.push_back(kernel.prefix + "_signal " + s.name + "; " +
-                     signal_comment(watch.inputs[s.channel], s.component));
+  for (std::size_t c = 0; c < watch.inputs.size(); ++c) {
+    sample_fields(members, watch.inputs[c], c, fields);
   }
   for (std::size_t k = 0; k < watch.params.size(); ++k) {
     const Param& param = watch.params[k];
@@ -138,11 +163,12 @@ std::vector<std::string> watch_memory_fields(const WatchKernel& kernel) {
 void print_watch_types(const Module& module, Code& out) {
   const std::string& p = module.name;
   out.comment(
-      "One number of an input: the grid values below and above what was measured, so that it is "
-      "never rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a "
-      "condition, the index of a value of a choice. "
-      "stamp_us: when it was measured; valid 0: never received, or not finite.");
-  record(out, p + "_signal", {"int64_t lo, hi;", "int64_t stamp_us;", "int32_t valid;"});
+      "An input has its newest sample. stamp_us: when it was measured; valid 0: never received. "
+      "Its numbers are steps of their grid: the last one that is not above what was measured. A "
+      "bit of between, the lowest one for the first number: it lies strictly between that step and "
+      "the next, so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX "
+      "finite and off every grid. 0 or 1 of a condition, the index of a value of a choice.");
+  out.blank();
   if (module.watch && receives_zones(*module.watch)) parts_of_received(p, out);
   std::set<std::string> parts{"ticks_state"};
   if (module.watch) {

@@ -64,6 +64,10 @@ void WatchLook::view() {
           body.line("int32_t has_" + members_.channels[c] + "; /* all of it */");
         }
         for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
+          if (!is_at_a_glance(c)) continue;
+          body.line("int32_t fresh_" + members_.channels[c] + "; /* whether its sample counts */");
+        }
+        for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
           if (!asked_.age[c]) continue;
           body.line(std::string(kernel_.is_full() ? "span" : "bounds") + " age_of_" +
                     members_.channels[c] + "; /* us */");
@@ -123,9 +127,22 @@ void WatchLook::blind() {
   out_.blank();
 }
 
+std::string WatchLook::see(std::size_t channel, const std::string& view, const std::string& in,
+                           const std::string& fresh) const {
+  return kernel_.functions + "_see_" + members_.channels[channel] + "(" + view + ", " + in + ", " +
+         fresh + ");";
+}
+
 void WatchLook::channels() {
   for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
     if (!asked_.used[c]) continue;
+    if (is_at_a_glance(c)) {
+      function("static inline void " + kernel_.functions + "_see_" + members_.channels[c],
+               {view_ + " *v", "const " + kernel_.types + "_in *in",
+                "int32_t fresh_" + members_.channels[c]},
+               [&](Code& body) { numbers(c, body); });
+      out_.blank();
+    }
     function("static inline void " + kernel_.functions + "_look_" + members_.channels[c],
              {view_ + " *v", "const " + kernel_.types + "_in *in"},
              [&](Code& body) { channel(c, body); });
@@ -133,93 +150,99 @@ void WatchLook::channels() {
   }
 }
 void WatchLook::channel(std::size_t index, Code& out) {
-  const Channel& c = watch_.inputs[index];
   const std::string& name = members_.channels[index];
-  const std::string first = "in->" + members_.signal(std::uint32_t(index), 0).name;
-  wrapped(out, "const int32_t fresh_" + name + " = " + fresh(index, first, out) + ";");
-  if (is_seen_whole(index)) {
-    whole(index, out);
+  const std::string of = "in->" + sample(index);
+  const std::string counts = fresh(index, of, out) + " && " + of + ".valid != 0;";
+  if (is_at_a_glance(index)) {
+    wrapped(out, "v->fresh_" + name + " = " + counts);
+    if (always_[index]) out.line(see(index, "v", "in", "v->fresh_" + name));
   } else {
-    for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, out);
+    wrapped(out, "const int32_t fresh_" + name + " = " + counts);
+    numbers(index, out);
   }
   if (!asked_.age[index]) return;
-  const std::string of = "&" + first + ", " + whole_sample(index, out) + ", v->now_us";
-  const std::string age = kernel_.is_full() ? use("age_span", of + ", " + kernel_.numbers[index])
-                                            : use("bounds_age", of);
-  out.line("v->age_of_" + name + " = " + age + ";");
+  const std::string arguments = of + ".stamp_us, " + whole_sample(index, out) + ", v->now_us";
+  const std::string age = kernel_.is_full()
+                              ? use("age_span", arguments + ", " + kernel_.numbers[index])
+                              : use("bounds_age", arguments);
+  wrapped(out, "v->age_of_" + name + " = " + age + ";");
 }
-// Whether the newest sample counts now.
-std::string WatchLook::fresh(std::size_t index, const std::string& first, Code& out) {
+void WatchLook::numbers(std::size_t index, Code& out) {
+  if (is_seen_whole(index)) {
+    whole(index, out);
+    return;
+  }
+  const std::size_t count = watch_.inputs[index].components.size();
+  for (std::uint32_t k = 0; k < count; ++k) component(index, k, out);
+}
+// Whether the newest sample counts now, if there is one.
+std::string WatchLook::fresh(std::size_t index, const std::string& of, Code& out) {
   const Channel& c = watch_.inputs[index];
   if (!keeps_stamp(watch_, asked_, index)) {
-    return use("sample_arrived", "&" + first + ", v->since_us, v->now_us");
+    return use("sample_arrived", of + ".stamp_us, v->since_us, v->now_us");
   }
   const std::string& name = members_.channels[index];
   const std::string good = "good_" + name;
   wrapped(out, "const int32_t " + good + " = " +
-                   use("sample_good", "&" + first + ", &v->s->last_" + name + "_us, v->now_us") +
+                   use("sample_good", of + ".stamp_us, &v->s->last_" + name + "_us, v->now_us") +
                    ";");
   if (c.max_age_us) {
-    return good + " && " + use("elapsed_us", first + ".stamp_us, v->now_us") +
-           " <= " + num(*c.max_age_us);
+    return good + " && " + use("sample_young", of + ".stamp_us, v->now_us, " + num(*c.max_age_us));
   }
-  return c.held ? good : good + " && " + first + ".stamp_us > v->since_us";
+  return c.held ? good : good + " && " + of + ".stamp_us > v->since_us";
 }
-// A sample has an age when all of it has a value; the library looks at the first component.
+// A sample has an age when all of it has a value.
 std::string WatchLook::whole_sample(std::size_t index, Code& out) {
   const std::string& name = members_.channels[index];
-  const std::size_t count = watch_.inputs[index].components.size();
-  if (count == 1) return "good_" + name;
-  out.line("int32_t whole_" + name + " = good_" + name + ";");
-  for (std::uint32_t k = 1; k < count; ++k) {
+  const std::string whole = "whole_" + name;
+  const std::string valid = "good_" + name + " && in->" + sample(index) + ".valid != 0";
+  if (is_zone(index)) return valid;
+  out.line("int32_t " + whole + " = " + valid + ";");
+  for (std::uint32_t k = 0; k < watch_.inputs[index].components.size(); ++k) {
     const std::string& component = members_.signal(std::uint32_t(index), k).name;
-    out.line("whole_" + name + " = whole_" + name + " && in->" + component + ".valid != 0;");
+    out.line(whole + " = " + whole + " && in->" + component + " != INT64_MIN;");
   }
-  return "whole_" + name;
+  return whole;
 }
 bool WatchLook::is_seen_whole(std::size_t channel) const {
   return !kernel_.is_full() && needed_whole_[channel];
+}
+// The step, and whether the number lies behind it.
+std::string WatchLook::number(std::size_t channel, std::uint32_t k) const {
+  const WatchSignal& signal = members_.signal(std::uint32_t(channel), k);
+  return "in->" + signal.name + ", " + signal.between_in("in->");
 }
 // Usually all components have a value, and nobody asks again which of them do.
 void WatchLook::whole(std::size_t index, Code& out) {
   const Channel& c = watch_.inputs[index];
   const std::string has = "v->has_" + members_.channels[index];
-  const WatchSignal& first = members_.signal(std::uint32_t(index), 0);
-  std::string stamps, marks, ranges;
+  std::string ranges;
   Code all;
   for (std::uint32_t k = 0; k < c.components.size(); ++k) {
-    const WatchSignal& signal = members_.signal(std::uint32_t(index), k);
-    const std::string in = "in->" + signal.name;
     const ChannelGrid& grid = c.grid(k);
     const std::string range = num(grid.range.lo) + ", " + num(grid.range.hi);
-    if (k > 0) stamps += " &&\n      " + in + ".stamp_us == in->" + first.name + ".stamp_us";
-    marks += " &&\n      " + in + ".valid != 0";
-    ranges += " &&\n      " + use("number_within", "&" + in + ", " + range);
-    all.line("v->" + signal.seen + " = " +
-             use("bounds_measured", "&" + in + ", " + num(grid.error_steps)) + ";");
+    ranges += " &&\n      " + use("number_within", number(index, k) + ", " + range);
+    wrapped(all, "v->" + members_.signal(std::uint32_t(index), k).seen + " = " +
+                     use("bounds_measured", number(index, k) + ", " + num(grid.error_steps)) + ";");
   }
   Code parts;
   for (std::uint32_t k = 0; k < c.components.size(); ++k) component(index, k, parts);
   parts.line(has + " = 0;");
   all.line(has + " = 1;");
   out.block(
-      "if (fresh_" + members_.channels[index] + stamps + marks + ranges + ")",
+      "if (fresh_" + members_.channels[index] + ranges + ")",
       [&](Code& usual) { usual.append(std::move(all)); }, "");
   out.block("} else", [&](Code& some) { some.append(std::move(parts)); });
 }
 void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
   const Channel& c = watch_.inputs[index];
-  const WatchSignal& signal = members_.signal(std::uint32_t(index), k);
-  const std::string& name = signal.name;
-  const std::string& first = members_.signal(std::uint32_t(index), 0).name;
   if (c.kind == ChannelKind::zone) {
-    wrapped(body, "v->" + signal.seen + " = fresh_" + members_.channels[index] + " && in->" + name +
-                      ".valid != 0 ? &in->" + signal.zone + " : 0;");
+    const WatchSignal& signal = members_.signal(std::uint32_t(index), k);
+    wrapped(body, "v->" + signal.seen + " = fresh_" + members_.channels[index] + " ? &in->" +
+                      signal.zone + " : 0;");
     return;
   }
-  std::string arguments = "&in->" + name + ", fresh_" + members_.channels[index];
-  // the components of an input arrive together
-  if (k > 0) arguments += " && in->" + name + ".stamp_us == in->" + first + ".stamp_us";
+  std::string arguments = number(index, k) + ", fresh_" + members_.channels[index];
   const bool truth = c.kind == ChannelKind::truth;
   if (!truth) {
     const ChannelGrid& grid = c.grid(k);
@@ -230,16 +253,17 @@ void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
   const char* const alone = truth ? "bits_truth" : "bounds_number";
   const std::string value = kernel_.is_full() ? use(full, arguments + ", " + kernel_.numbers[index])
                                               : use(alone, arguments);
-  wrapped(body, "v->" + signal.seen + " = " + value + ";");
+  wrapped(body, "v->" + members_.signal(std::uint32_t(index), k).seen + " = " + value + ";");
 }
-void WatchLook::schedules(Code& body) const {
+void WatchLook::schedules(const std::string& view, Code& body) const {
   for (std::size_t k = 0; k < watch_.schedules.size(); ++k) {
     uses_.insert("is_open");
     if (kernel_.is_full()) uses_.insert({"margin_true", "margin_false"});
-    const std::string now = "is_open(&" + schedule_symbol(watch_.schedules[k]) + ", v->now_us)";
+    const std::string now =
+        "is_open(&" + schedule_symbol(watch_.schedules[k]) + ", " + view + "now_us)";
     const char* const found =
         kernel_.is_full() ? " ? margin_true() : margin_false();" : " ? BITS_TRUE : BITS_FALSE;";
-    wrapped(body, "v->" + members_.open[k] + " = " + now + found);
+    wrapped(body, view + members_.open[k] + " = " + now + found);
   }
 }
 void WatchLook::params(const std::string& state, const std::string& in, Code& body) const {
@@ -255,7 +279,9 @@ void WatchLook::params(const std::string& state, const std::string& in, Code& bo
 }
 
 void WatchLook::start(const std::string& state, Code& body) const {
-  if (arrives_each_tick(watch_)) body.line(state + "judged_us = 0;");
+  if (arrives_each_tick(watch_) && !keeps_due_tick(watch_, kernel_.telling)) {
+    body.line(state + "judged_us = 0;");
+  }
   if (counts_ticks(watch_, kernel_.telling)) {
     uses_.insert("ticks_start");
     body.line("ticks_start(&" + state + "ticks);");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/codegen/repeat_printer.h"
@@ -18,13 +19,23 @@ class WatchLook {
  public:
   WatchLook(WatchKernel kernel, std::set<std::string>& uses, Code& out);
 
-  void view();      // the type
-  void blind();     // _blind(v, s): nothing is known of the inputs
+  void view();   // the type
+  void blind();  // _blind(v, s): nothing is known of the inputs
+  // Some monitors are told at a glance: of these inputs. They ask only whether a sample counts, and
+  // see its numbers when they look closely; others see them in every tick.
+  void glance_at(std::vector<bool> at_a_glance, std::vector<bool> always) {
+    at_a_glance_ = std::move(at_a_glance);
+    always_ = std::move(always);
+  }
   void channels();  // _look_...(v, in), for each input that is used
+  // The statement that sees the numbers of an input; `fresh`: whether its sample counts.
+  [[nodiscard]] std::string see(std::size_t channel, const std::string& view, const std::string& in,
+                                const std::string& fresh) const;
   // The statement that looks at an input; `view`, `in`: pointers.
   [[nodiscard]] std::string call(std::size_t channel, const std::string& view,
                                  const std::string& in) const;
-  void schedules(Code& body) const;  // which zones are there at `v->now_us`
+  // Which zones are there now; `view`: what leads to its members.
+  void schedules(const std::string& view, Code& body) const;
   // The newest parameters; `state`, `in`: what leads to the members.
   void params(const std::string& state, const std::string& in, Code& body) const;
   // The body of the function of a property; false: it does not look at the view.
@@ -51,11 +62,17 @@ class WatchLook {
   [[nodiscard]] std::string truth_type() const { return kernel_.is_full() ? "margin" : "int32_t"; }
   [[nodiscard]] std::string type_of(std::size_t channel) const;
   void channel(std::size_t index, Code& out);
+  void numbers(std::size_t index, Code& out);
+  [[nodiscard]] bool is_at_a_glance(std::size_t channel) const {
+    return !at_a_glance_.empty() && at_a_glance_[channel];
+  }
   std::string fresh(std::size_t index, const std::string& first, Code& out);
   std::string whole_sample(std::size_t index, Code& out);
   [[nodiscard]] bool is_seen_whole(std::size_t channel) const;
   void whole(std::size_t index, Code& out);
   void component(std::size_t index, std::uint32_t k, Code& body);
+  [[nodiscard]] std::string sample(std::size_t channel) const { return members_.samples[channel]; }
+  [[nodiscard]] std::string number(std::size_t channel, std::uint32_t k) const;
   std::string unknown(bool is_truth);
   std::string use(const std::string& function, const std::string& arguments);
 
@@ -63,7 +80,8 @@ class WatchLook {
   const ir::Watch& watch_;
   const WatchNames members_;
   const ChannelUses asked_;
-  const std::vector<bool> needed_whole_;  // by channel
+  const std::vector<bool> needed_whole_;    // by channel
+  std::vector<bool> at_a_glance_, always_;  // by channel; empty: always
   const std::string view_, clock_;
   std::set<std::string>& uses_;
   Code& out_;

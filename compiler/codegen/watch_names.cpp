@@ -24,6 +24,22 @@ std::string member(std::string name, std::set<std::string>& taken) {
   return name;
 }
 
+// Components in the struct of their input.
+std::string component_member(const Channel& channel, std::uint32_t component) {
+  const std::string& name = channel.components[component];
+  if (name.empty()) return "value";
+  if (is_array(channel)) return "at[" + name + "]";
+  const std::string word = signal_word(name);
+  return std::isdigit(static_cast<unsigned char>(word[0])) != 0 ? "at_" + word : word;
+}
+std::string between_member(const Channel& channel, std::uint32_t component) {
+  const std::size_t word = component / between_bits, bit = component % between_bits;
+  std::string text = "between";
+  if (between_words(channel) > 1) text += "[" + std::to_string(word) + "]";
+  if (bit > 0) text += " >> " + std::to_string(bit);
+  return text + " & 1U";
+}
+
 // The numbers of inputs are named in capitals, and stand beside those of the monitors.
 std::string numbered(const std::string& name, std::set<std::string>& taken) {
   std::string id = legal(name);
@@ -33,6 +49,19 @@ std::string numbered(const std::string& name, std::set<std::string>& taken) {
 
 }  // namespace
 
+std::size_t between_words(const Channel& channel) {
+  return (channel.components.size() + between_bits - 1) / between_bits;
+}
+bool is_array(const Channel& channel) {
+  const std::string& last = channel.components.back();
+  return !last.empty() && std::all_of(last.begin(), last.end(), [](char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+  });
+}
+
+std::string WatchSignal::between_in(const std::string& in) const {
+  return "(" + in + between + ")";
+}
 const WatchSignal& WatchNames::signal(std::uint32_t channel, std::uint32_t component) const {
   return signals[first[channel] + component];
 }
@@ -48,19 +77,26 @@ WatchNames watch_names(const Watch& watch) {
   for (const PlainMonitor& monitor : watch.monitors) numbers.insert(upper(legal(monitor.name)));
   for (const Channel& channel : watch.inputs) {
     out.channels.push_back(numbered(signal_word(channel.name), numbers));
-    seen.insert({"age_of_" + out.channels.back(), "has_" + out.channels.back()});
+    seen.insert({"age_of_" + out.channels.back(), "has_" + out.channels.back(),
+                 "fresh_" + out.channels.back()});
   }
   for (std::uint32_t c = 0; c < watch.inputs.size(); ++c) {
     const Channel& channel = watch.inputs[c];
     out.first.push_back(out.signals.size());
+    const std::string sample = member(signal_word(channel.name), members);
+    out.samples.push_back(sample);
     for (std::uint32_t k = 0; k < channel.components.size(); ++k) {
       std::string name = channel.name;
       if (!channel.components[k].empty()) name += "_" + channel.components[k];
       name = signal_word(name);
-      std::string in_view = member(name, seen);
-      out.signals.push_back({member(name, members), std::move(in_view), c, k});
-      if (channel.kind == ChannelKind::zone)
-        out.signals.back().zone = member(name + "_zone", members);
+      WatchSignal signal{sample, "", member(std::move(name), seen), c, k};
+      if (channel.kind == ChannelKind::zone) {
+        signal.zone = member(signal_word(channel.name) + "_zone", members);
+      } else {
+        signal.name += "." + component_member(channel, k);
+        signal.between = sample + "." + between_member(channel, k);
+      }
+      out.signals.push_back(std::move(signal));
     }
   }
   for (const Param& param : watch.params) out.params.push_back(member(param.name, members));
@@ -174,6 +210,10 @@ bool arrives_each_tick(const Watch& watch) {
                      [](const Channel& c) { return arrives_each_tick(c); });
 }
 
+bool keeps_due_tick(const Watch& watch, Telling telling) {
+  return telling == Telling::verdicts && arrives_each_tick(watch);
+}
+
 std::int64_t watch_clock_number(const Module& module) {
   // after the inputs of robots, if there are any (kernel_header.cpp)
   return module.decisions.empty() ? 1 : 7;
@@ -213,12 +253,13 @@ static std::int64_t kept_stamps(const Watch& watch) {
 }
 
 std::int64_t watch_state_bytes(const Watch& watch, Telling telling) {
-  // clock, end of the present tick, time of the last one, then the newest stamp of each input and
-  // the value of each parameter
+  // clock, end of the present tick, time of the last one, and of that with this end, then the
+  // newest stamp of each input and the value of each parameter
   constexpr std::int64_t clock_bytes = 32, word_bytes = 8;
   std::int64_t bytes = clock_bytes + word_bytes;
   if (counts_ticks(watch, telling)) bytes += temporal_ticks_bytes;
   if (arrives_each_tick(watch)) bytes += word_bytes;
+  if (keeps_due_tick(watch, telling)) bytes += 2 * word_bytes;
   bytes += word_bytes * (kept_stamps(watch) + static_cast<std::int64_t>(watch.params.size()));
   for (const PlainMonitor& monitor : watch.monitors) {
     for (const Value& value : monitor.property.values) {

@@ -1,11 +1,14 @@
 // The step of the monitors without a robot: the tick, its inputs, one function per monitor.
 #include <algorithm>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "compiler/codegen/repeat_printer.h"
 #include "compiler/codegen/repeats.h"
 #include "compiler/codegen/watch.h"
+#include "compiler/codegen/watch_glance.h"
 #include "compiler/codegen/watch_look.h"
 #include "compiler/codegen/watch_values.h"
 #include "compiler/codegen/watch_verdicts.h"
@@ -33,18 +36,22 @@ class WatchSource {
         look_(kernel_of_monitors(module, telling), uses, out),
         side_(look_.kernel()),
         uses_(uses),
-        out_(out) {}
+        out_(out) {
+    if (!side_.is_full()) glance();
+  }
 
   void print() {
     look_.view();
     for (const PlainMonitor& m : watch_.monitors) monitor(m);
     look_.channels();
+    for (std::size_t k = 0; k < glances_.size(); ++k) {
+      if (glances_[k]) told(watch_.monitors[k], *glances_[k]);
+    }
     if (has_past(watch_, side_.telling)) {
       look_.blind();
       catch_up();
     }
     resume();
-    begin();
     init();
     side_.is_full() ? step() : verdicts();
   }
@@ -98,6 +105,89 @@ class WatchSource {
     out_.blank();
   }
 
+  // Which monitors are told at a glance, and what of the inputs the others see.
+  void glance() {
+    const std::size_t inputs = watch_.inputs.size();
+    std::vector<bool> at_a_glance(inputs, false), always(inputs, false);
+    for (const PlainMonitor& m : watch_.monitors) {
+      const bool repeats = !find_repeats(module_, m.property).all.empty();
+      glances_.push_back(repeats ? std::nullopt : glance_at(side_, look_.members(), m.property));
+      for (const std::uint32_t c : channels_of(watch_, m)) {
+        (glances_.back() ? at_a_glance : always)[c] = true;
+      }
+    }
+    look_.glance_at(std::move(at_a_glance), std::move(always));
+  }
+  [[nodiscard]] std::string fresh(std::uint32_t channel) const {
+    return "fresh_" + look_.members().channels[channel];
+  }
+  void told(const PlainMonitor& m, const Glance& glance) {
+    closely(m, glance);
+    uses_.insert("number_inside");
+    std::vector<std::string> there;
+    std::string given;
+    for (const auto& [channel, components] : glance.components) {
+      const std::string counts = "v->" + fresh(channel);
+      if (!glance.needs_each) there.push_back(counts + " != 0");
+      if (!glance.needs_each) given += ", " + counts;
+      for (const std::uint32_t k : components) {
+        const Range& range = watch_.inputs[channel].grid(k).range;
+        there.push_back("number_inside(in->" + look_.members().signal(channel, k).name + ", " +
+                        num(range.lo) + ", " + num(range.hi) + ")");
+      }
+    }
+    out_.comment("Far from where it turns, that is told at a glance.");
+    look_.function("static inline int32_t " + names_(m.name) + "_told",
+                   {"const " + view() + " *v", inputs()}, [&](Code& body) {
+                     missing(glance, body);
+                     body.block("if (" + all_of(there, " &&\n      ") + ")", [&](Code& glanced) {
+                       for (const std::string& line : glance.names) wrapped(glanced, line);
+                       verdict_if(glance.surely, "TRUE", glanced);
+                       verdict_if(glance.never, "FALSE", glanced);
+                     });
+                     wrapped(body, "return " + names_(m.name) + "_closely(v->s, in" + given + ");");
+                   });
+    out_.blank();
+  }
+  static std::string all_of(const std::vector<std::string>& conditions, const std::string& join) {
+    std::string text;
+    for (const std::string& each : conditions) text += (text.empty() ? "" : join) + each;
+    return text;
+  }
+  // Without inputs nothing is known, whatever it would take to see.
+  void missing(const Glance& glance, Code& to) const {
+    if (!glance.needs_each && !glance.needs_some) return;
+    std::vector<std::string> none;
+    for (const auto& [channel, components] : glance.components) {
+      none.push_back("v->" + fresh(channel) + " == 0");
+    }
+    verdict_if(all_of(none, glance.needs_each ? " || " : " && "), "UNKNOWN", to);
+  }
+  void verdict_if(const std::string& condition, const std::string& verdict, Code& to) const {
+    if (condition.empty()) return;
+    wrapped(to, "if (" + condition + ") {");
+    to.line("  return " + up_ + "_VERDICT_" + verdict + ";").line("}");
+  }
+  void closely(const PlainMonitor& m, const Glance& glance) {
+    uses_.insert("seldom");
+    std::vector<std::string> parameters = {side_.state + " *s", inputs()};
+    for (const auto& [channel, components] : glance.components) {
+      if (!glance.needs_each) parameters.push_back("int32_t " + fresh(channel));
+    }
+    look_.function("static SELDOM int32_t " + names_(m.name) + "_closely", parameters,
+                   [&](Code& body) {
+                     body.line(view() + " v;");
+                     body.line("v.s = s;");
+                     for (const auto& [channel, components] : glance.components) {
+                       const std::string counts = glance.needs_each ? "1" : fresh(channel);
+                       body.line(look_.see(channel, "&v", "in", counts));
+                     }
+                     body.line("return " + function_of(m) + "(&v);");
+                   });
+    out_.blank();
+  }
+  [[nodiscard]] std::string inputs() const { return "const " + p_ + "_monitors_in *in"; }
+
   void catch_up() {
     const std::string most = num(missed_ticks_max);
     out_.comment("Ticks that were missed saw nothing. Beyond " + most +
@@ -124,11 +214,15 @@ class WatchSource {
   void resume() {
     uses_.insert({"next_tick", "tick_until"});
     out_.comment("A tick that does not follow the last one; 0: there is none since then.");
-    std::vector<std::string> parameters = {side_.state + " *s", "int64_t now_us"};
-    if (each_tick()) parameters.emplace_back("int64_t *since_us");
+    const std::vector<std::string> parameters = {side_.state + " *s", "int64_t now_us"};
     look_.function("static int32_t " + side_.functions + "_resume", parameters, [&](Code& body) {
       const std::string period = num(watch_.period_us);
       if (each_tick()) body.line("const int32_t first = s->clock.started == 0;");
+      if (!side_.is_full() && !keeps_due()) {
+        uses_.insert("tick_passed");
+        body.block("if (tick_passed(&s->clock, s->until_us, now_us, " + period + ") == 0)",
+                   [](Code& none) { none.line("return 0;"); });
+      }
       body.line("const int64_t elapsed = next_tick(&s->clock, now_us, " + period + ", INT64_MAX);");
       body.block("if (elapsed < 1)", [&](Code& none) { none.line("return 0;"); });
       body.line("s->until_us = tick_until(&s->clock, " + period + ");");
@@ -138,13 +232,15 @@ class WatchSource {
       }
       if (each_tick()) {
         uses_.insert("before");
-        body.line("*since_us = first || elapsed > 1 ? before(now_us, " + period +
-                  ") : s->judged_us;");
+        body.block("if (first || elapsed > 1)",
+                   [&](Code& gap) { gap.line("s->judged_us = before(now_us, " + period + ");"); });
       }
       body.line("return 1;");
     });
     out_.blank();
   }
+  // The last tick is known by its time: the next one comes so much later, more or less.
+  [[nodiscard]] bool keeps_due() const { return keeps_due_tick(watch_, side_.telling); }
   [[nodiscard]] bool each_tick() const { return arrives_each_tick(watch_); }
   [[nodiscard]] bool asks_for_inputs() const {
     return params_move() ||
@@ -156,35 +252,6 @@ class WatchSource {
                        [](const Param& param) { return param.tightens != 0; });
   }
 
-  void begin() {
-    uses_.insert("tick_follows");
-    out_.comment("Which tick has come; 0: there is none since the last step.");
-    std::vector<std::string> parameters = {view() + " *v", side_.state + " *s"};
-    if (params_move()) parameters.push_back("const " + p_ + "_monitors_in *in");
-    parameters.emplace_back("int64_t now_us");
-    look_.function("static inline int32_t " + side_.functions + "_begin", parameters,
-                   [&](Code& body) {
-                     if (each_tick()) body.line("int64_t since_us = s->judged_us;");
-                     body.line("int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, " +
-                               num(watch_.period_us) + ");");
-                     body.block("if (begun == 0)", [&](Code& late) {
-                       late.line("begun = " + side_.functions + "_resume(s, now_us" +
-                                 (each_tick() ? ", &since_us" : "") + ");");
-                     });
-                     body.block("if (begun == 0)", [](Code& none) { none.line("return 0;"); });
-                     body.line("v->s = s;");
-                     body.line("v->now_us = now_us;");
-                     look_.schedules(body);
-                     if (each_tick()) {
-                       body.line("v->since_us = since_us;");
-                       body.line("s->judged_us = now_us;");
-                     }
-                     look_.params("v->s->", "in->", body);
-                     body.line("return 1;");
-                   });
-    out_.blank();
-  }
-
   void init() {
     const std::string name =
         p_ + (side_.is_full() ? "_monitors_init(" : "_monitors_verdicts_init(");
@@ -194,7 +261,9 @@ class WatchSource {
       body.line("s->clock.last_us = 0;");
       body.line("s->clock.tick = 0;");
       body.line("s->until_us = INT64_MAX;");
+      if (keeps_due()) body.line("s->synced_us = 0;").line("s->due_us = 0;");
       look_.start("s->", body);
+      if (keeps_due()) body.line("s->judged_us = INT64_MAX;");
     });
     out_.blank();
   }
@@ -204,13 +273,15 @@ class WatchSource {
   // little has to be kept at hand.
   void judge_all(const std::string& target, Code& body) {
     std::vector<bool> seen(watch_.inputs.size(), false);
-    for (const PlainMonitor& m : watch_.monitors) {
+    for (std::size_t k = 0; k < watch_.monitors.size(); ++k) {
+      const PlainMonitor& m = watch_.monitors[k];
       for (const std::uint32_t c : channels_of(watch_, m)) {
         if (seen[c]) continue;
         seen[c] = true;
         body.line(look_.call(c, "&v", "in"));
       }
-      std::string found = function_of(m) + "(&v)";
+      const bool is_told = !side_.is_full() && glances_[k];
+      std::string found = is_told ? names_(m.name) + "_told(&v, in)" : function_of(m) + "(&v)";
       if (side_.is_full()) {
         uses_.insert("finding_judged");
         found = "finding_judged(" + found + ")";
@@ -220,29 +291,80 @@ class WatchSource {
     }
     look_.next_tick("s->", body);
   }
-  void entry(const std::string& name, const std::string& result,
+  // The usual tick has the path without calls; what is unusual ends in the same one.
+  void entry(const std::string& name, const std::string& result, const std::string& given,
              const std::function<void(Code&)>& none, const std::function<void(Code&)>& judged) {
-    look_.function(
-        "void " + name,
-        {side_.state + " *s", "const " + p_ + "_monitors_in *in", "int64_t now_us", result},
-        [&](Code& body) {
-          body.line(view() + " v;");
-          body.line("int32_t k;");
-          if (!asks_for_inputs()) body.line("(void)in;");
-          const std::string given = params_move() ? "in, " : "";
-          body.block("if (" + side_.functions + "_begin(&v, s, " + given + "now_us) == 0)",
-                     [&](Code& unknown) {
-                       unknown.block("for (k = 0; k < " + monitors() + "; ++k)", none);
-                       if (side_.is_full()) unknown.line("out->tick = s->clock.tick;");
-                       unknown.line("return;");
-                     });
-          judged(body);
-        });
+    uses_.insert({"seldom", "tick_follows"});
+    if (side_.is_full()) uses_.insert("tick_counted");
+    const std::vector<std::string> parameters = {side_.state + " *s", inputs(), "int64_t now_us",
+                                                 result};
+    const std::string judge = side_.functions + "_judge", late = side_.functions + "_late";
+    const std::string arguments = "(s, in, now_us, " + given + ");";
+    out_.comment("The tick that has come.");
+    look_.function("static inline void " + judge, parameters, [&](Code& body) {
+      body.line(view() + " v;");
+      if (!asks_for_inputs()) body.line("(void)in;");
+      body.line("v.s = s;");
+      body.line("v.now_us = now_us;");
+      if (each_tick()) body.line("v.since_us = s->judged_us;").line("s->judged_us = now_us;");
+      look_.schedules("v.", body);
+      look_.params("s->", "in->", body);
+      judged(body);
+    });
+    out_.blank();
+    const std::string period = num(watch_.period_us);
+    const std::string follows = "tick_follows(&s->until_us, now_us, " + period + ")";
+    look_.function("static SELDOM void " + late, parameters, [&](Code& body) {
+      body.line("int32_t k;");
+      const std::string comes = side_.functions + "_resume(s, now_us) != 0";
+      if (!keeps_due()) {
+        body.block("if (" + comes + ")",
+                   [&](Code& resumed) { resumed.line(judge + arguments).line("return;"); });
+      } else {
+        late_or_early(follows, judge + arguments, body);
+      }
+      body.block("for (k = 0; k < " + monitors() + "; ++k)", none);
+      if (side_.is_full()) body.line("out->tick = s->clock.tick;");
+    });
+    out_.blank();
+    look_.function("void " + name, parameters, [&](Code& body) {
+      const std::string due = "tick_due(s->due_us, s->judged_us, now_us)";
+      body.block(
+          "if (" + (keeps_due() ? due : follows) + ")",
+          [&](Code& usual) {
+            if (side_.is_full()) usual.line("tick_counted(&s->clock, now_us);");
+            if (keeps_due()) usual.line("s->due_us = (uint64_t)now_us + " + period + ";");
+            usual.line(judge + arguments);
+          },
+          "");
+      body.block("} else", [&](Code& unusual) { unusual.line(late + arguments); });
+    });
+  }
+  // A tick that is not due to the microsecond.
+  void late_or_early(const std::string& follows, const std::string& judge, Code& body) {
+    uses_.insert({"tick_due", "due_after", "tick_synced", "tick_counted"});
+    const std::string period = num(watch_.period_us);
+    body.line("int32_t begun = 0;");
+    body.block("if (s->clock.started != 0)", [&](Code& started) {
+      started.line("tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, " + period +
+                   ");");
+      started.line("begun = " + follows + ";");
+    });
+    body.block(
+        "if (begun != 0)", [](Code& next) { next.line("tick_counted(&s->clock, now_us);"); }, "");
+    body.block("} else", [&](Code& other) {
+      other.line("begun = " + side_.functions + "_resume(s, now_us);");
+    });
+    body.block("if (begun != 0)", [&](Code& tick) {
+      tick.line("s->synced_us = now_us;");
+      tick.line("s->due_us = due_after(&s->clock, now_us, " + period + ");");
+      tick.line(judge).line("return;");
+    });
   }
   void step() {
     uses_.insert({"finding_judged", "margin_unknown"});
     entry(
-        p_ + "_monitors_step", p_ + "_monitors_out *out",
+        p_ + "_monitors_step", p_ + "_monitors_out *out", "out",
         [&](Code& each) {
           each.line("out->monitors[k] = finding_judged(margin_unknown(" + clock() + "));");
         },
@@ -254,7 +376,7 @@ class WatchSource {
   }
   void verdicts() {
     entry(
-        p_ + "_monitors_verdicts", "int32_t verdicts[" + monitors() + "]",
+        p_ + "_monitors_verdicts", "int32_t verdicts[" + monitors() + "]", "verdicts",
         [&](Code& each) { each.line("verdicts[k] = " + up_ + "_VERDICT_UNKNOWN;"); },
         [&](Code& body) { judge_all("verdicts", body); });
   }
@@ -265,6 +387,7 @@ class WatchSource {
   const std::string p_, up_;
   WatchLook look_;
   const WatchKernel& side_;
+  std::vector<std::optional<Glance>> glances_;  // by monitor, for verdicts alone
   std::set<std::string>& uses_;
   Code& out_;
 };

@@ -1,6 +1,7 @@
 #include "compiler/driver/decision_engine.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "compiler/codegen/names.h"
@@ -150,8 +151,12 @@ class KernelDecisions : public DecisionEngine {
       }
       for (std::size_t k = 0; arrived && k < input.members.size(); ++k) {
         std::int64_t* const to = words + RobotWords::per_input * (input.component + k);
-        to[3] = ends(row.readings[from + k], input.step, to) ? 1 : 0;
+        to[0] = to[1] = std::numeric_limits<std::int64_t>::min();  // no number
+        if (ends(row.readings[from + k], input.step, to)) {
+          to[0] = std::max(to[0], std::numeric_limits<std::int64_t>::min() + 1);  // it is finite
+        }
         to[2] = row.time_us;
+        to[3] = 1;
       }
     }
   }
@@ -207,8 +212,12 @@ void add_signals(const ir::Decision& d, const sema::Spec& spec, DecisionInterfac
   for (std::uint32_t c = 0; c < d.facts.inputs.size(); ++c) {
     const ir::Channel& channel = d.facts.inputs[c];
     const bool number = channel.kind == ir::ChannelKind::number;
-    DecisionInterface::Input input{
-        channel.name, first[channel.declared], {}, number ? channel.unit.step : Rational(1)};
+    DecisionInterface::Input input{channel.name,
+                                   first[channel.declared],
+                                   members.samples[c],
+                                   codegen::between_words(channel),
+                                   {},
+                                   number ? channel.unit.step : Rational(1)};
     for (std::uint32_t k = 0; k < channel.components.size(); ++k) {
       input.members.push_back(members.signal(c, k).name);
     }

@@ -43,7 +43,9 @@ struct DecisionInterface {
   struct Input {
     std::string name;
     std::size_t component;             // its first one among all of the specification
-    std::vector<std::string> members;  // of the kernel, by component
+    std::string sample;                // its member of the kernel's inputs
+    std::size_t between_words;         // how many words say what lies between two steps
+    std::vector<std::string> members;  // of the kernel's inputs, by component
     Rational step;                     // SI in one step of the grid
   };
   std::vector<Input> inputs;

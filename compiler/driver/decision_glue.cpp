@@ -56,14 +56,25 @@ std::string others(const DecisionInterface& d, const std::string& capacity) {
 // What its monitors say of plain inputs and parameters.
 std::string facts(const DecisionInterface& d, std::size_t capacity) {
   std::string out;
+  constexpr std::size_t bits = 32;  // of a word of `between`
   for (const DecisionInterface::Input& input : d.inputs) {
+    const auto own = [&](std::size_t k, std::size_t word) {
+      return "own[" +
+             num(RobotWords::inputs(capacity) + RobotWords::per_input * (input.component + k) +
+                 word) +
+             "]";
+    };
+    const std::string sample = "  in.facts." + input.sample + ".";
+    const auto between = [&](std::size_t word) {
+      return sample + "between" + (input.between_words > 1 ? "[" + num(word) + "]" : "");
+    };
+    out += sample + "stamp_us = " + own(0, 2) + ";\n" + sample + "valid = (int32_t)" + own(0, 3) +
+           ";\n";
+    for (std::size_t w = 0; w < input.between_words; ++w) out += between(w) + " = 0;\n";
     for (std::size_t k = 0; k < input.members.size(); ++k) {
-      const std::size_t at =
-          RobotWords::inputs(capacity) + RobotWords::per_input * (input.component + k);
-      const std::string to = "  in.facts." + input.members[k] + ".", from = " = own[" + num(at);
-      out += to + "lo" + from + "];\n" + to + "hi" + from + " + 1];\n";
-      out +=
-          to + "stamp_us" + from + " + 2];\n" + to + "valid = (int32_t)own[" + num(at) + " + 3];\n";
+      out += "  in.facts." + input.members[k] + " = " + own(k, 0) + ";\n";
+      out += between(k / bits) + " |= (uint32_t)(" + own(k, 1) + " > " + own(k, 0) + ") << " +
+             num(k % bits) + ";\n";
     }
   }
   for (const auto& [member, value] : d.params) {

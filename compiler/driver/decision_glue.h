@@ -12,7 +12,8 @@ namespace rtac::driver {
 // What one robot is seen to be, as words of 64 bits: position and velocity { x_lo, x_hi, y_lo,
 // y_hi, stamp_us, valid }, battery and heading { lo, hi, stamp_us, valid }, then the plan { valid,
 // count, index }, presence { stamp_us, present, heard }, and the plan's coordinates x[], y[]; then
-// the plain inputs, by component of the specification { lo, hi, stamp_us, valid }.
+// the plain inputs, by component of the specification { lo, hi, stamp_us, valid }, at INT64_MIN
+// when there is no number.
 struct RobotWords {
   static constexpr std::size_t position = 0, velocity = 6, battery = 12, heading = 16, plan = 20;
   static constexpr std::size_t presence = 23, points = 26;

@@ -13,12 +13,45 @@
 namespace rtac::driver {
 namespace {
 
-// The layout that every kernel of plain monitors has.
-struct Signal {
-  std::int64_t lo, hi, stamp_us;
-  std::int32_t valid;
+// The layout that every kernel of plain monitors has: its inputs are such samples, of words of 64
+// bits. What is said in words of 32 bits, `valid` and then `between`, fills whole ones; numbers
+// follow.
+class Sample {
+ public:
+  explicit Sample(std::size_t numbers)
+      : flags_((1 + (numbers + bits - 1) / bits + 1) / 2), words_(1 + flags_ + numbers, 0) {
+    words_[0] = std::numeric_limits<std::int64_t>::min();
+  }
+  [[nodiscard]] const std::vector<std::int64_t>& words() const { return words_; }
+  // Nothing is known of its numbers yet.
+  void arrive(std::int64_t stamp_us, bool valid) {
+    std::fill(words_.begin(), words_.end(), 0);
+    words_[0] = stamp_us;
+    set_flag(0, valid ? 1 : 0);
+  }
+  void put(std::size_t component, const interp::Reading& reading, const Rational& step) {
+    std::int64_t& number = words_[1 + flags_ + component];
+    number = std::numeric_limits<std::int64_t>::min();
+    if (reading.kind != interp::Reading::Kind::number) return;
+    const auto grid = reading.number.on_grid(step);
+    number = std::max(grid.lo, number + 1);  // it is finite
+    if (grid.hi > grid.lo) set_flag(1 + component / bits, 1U << (component % bits));
+  }
+
+ private:
+  static constexpr std::size_t bits = 32;
+  // The words of 32 bits, in the order of memory.
+  void set_flag(std::size_t word, std::uint32_t value) {
+    auto* const at = reinterpret_cast<unsigned char*>(words_.data() + 1) + word * sizeof value;
+    std::uint32_t now = 0;
+    std::memcpy(&now, at, sizeof now);
+    now |= value;
+    std::memcpy(at, &now, sizeof now);
+  }
+
+  std::size_t flags_;
+  std::vector<std::int64_t> words_;
 };
-constexpr Signal never_received{0, 0, std::numeric_limits<std::int64_t>::min(), 0};
 struct Outline {
   const std::int32_t* edges;
   const std::uint32_t *cells, *lists;
@@ -47,8 +80,8 @@ std::string glue(const KernelInterface& kernel) {
   for (char& c : up) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return "#include \"" + kernel.source + "\"\n" +
          "const int64_t rtac_replay_sizes[] = {(int64_t)sizeof(" + p +
-         "_signal), (int64_t)sizeof(" + p + "_monitors_in), (int64_t)sizeof(" + p +
-         "_monitors_state), (int64_t)sizeof(" + p + "_monitors_out)};\n" +  //
+         "_monitors_in), (int64_t)sizeof(" + p + "_monitors_state), (int64_t)sizeof(" + p +
+         "_monitors_out)};\n" +  //
          "const int64_t rtac_replay_values[] = {" + up + "_VERDICT_TRUE, " + up +
          "_VERDICT_FALSE, MARGIN_MAX / 2};\n" +  //
          "void rtac_replay_init(void *state) {\n  " + p + "_monitors_init((" + p +
@@ -86,7 +119,7 @@ Outline outline_of(const geometry::OutlineTable& table, const std::vector<std::i
 }
 
 struct Sizes {
-  std::int64_t signal, in, state, out;
+  std::int64_t in, state, out;
 };
 struct Values {
   std::int64_t verdict_true, verdict_false, margin_max;
@@ -138,21 +171,23 @@ class KernelEngine : public Engine {
         sizes_(*library_.data<const Sizes>("rtac_replay_sizes")),
         values_(*library_.data<const Values>("rtac_replay_values")),
         step_(library_.function<Step>("rtac_replay_step")),
-        kernel_(kernel),
-        signals_(kernel.steps.size(), never_received) {
+        kernel_(kernel) {
+    forget_samples();
+    for (const Sample& sample : samples_) words_of_samples_ += sample.words().size();
     for (const auto& unit : kernel.units) margins_.emplace_back(unit.factor);
   }
   // Empty when the kernel has the layout that this engine is made for.
   [[nodiscard]] std::string problem() const {
-    const std::size_t in = kernel_.steps.size() * sizeof(Signal) +
-                           kernel_.params.size() * sizeof(std::int64_t) +
-                           kernel_.zones.size() * sizeof(Zone);
+    // what has no inputs has a member that says so
+    const std::size_t in =
+        std::max<std::size_t>((words_of_samples_ + kernel_.params.size()) * sizeof(std::int64_t) +
+                                  kernel_.zones.size() * sizeof(Zone),
+                              sizeof(std::int32_t));
     const std::size_t out = sizeof(std::int64_t) + kernel_.monitors * sizeof(KernelFinding);
     const auto same = [](std::int64_t a, std::size_t b) {
       return a == static_cast<std::int64_t>(b);
     };
-    const bool as_due =
-        same(sizes_.signal, sizeof(Signal)) && same(sizes_.in, in) && same(sizes_.out, out);
+    const bool as_due = same(sizes_.in, in) && same(sizes_.out, out);
     return as_due ? "" : "the generated kernel has another layout than its interface says";
   }
   // False: there is no room for what the monitors remember.
@@ -170,19 +205,18 @@ class KernelEngine : public Engine {
   [[nodiscard]] std::int64_t state_bytes() const { return sizes_.state; }
   void restart() override {
     for (std::size_t k = 0; k < kernel_.params.size(); ++k) param(k) = kernel_.params[k].value;
-    signals_.assign(signals_.size(), never_received);
+    forget_samples();
     held_.assign(kernel_.zones.size(), {});
     library_.function<Init>("rtac_replay_init")(state_.data());
   }
 
   void step(std::int64_t now_us, const std::vector<Observed>& inputs,
             std::vector<Judgement>& judgements) override {
-    for (std::size_t i = 0; i < signals_.size(); ++i) {
-      const Observed& input = inputs[kernel_.components.empty() ? i : kernel_.components[i]];
-      if (input.is_new) put(input, kernel_.steps[i], signals_[i]);
-    }
-    if (!signals_.empty()) {
-      std::memcpy(in_.data(), signals_.data(), signals_.size() * sizeof(Signal));
+    std::size_t component = 0;
+    auto to = in_.begin();
+    for (std::size_t i = 0; i < samples_.size(); component += kernel_.inputs[i].components, ++i) {
+      take(inputs, component, kernel_.inputs[i], samples_[i]);
+      to = std::copy(samples_[i].words().begin(), samples_[i].words().end(), to);
     }
     for (std::size_t k = 0; k < held_.size(); ++k) {
       const std::size_t i = kernel_.zones[k];
@@ -219,13 +253,23 @@ class KernelEngine : public Engine {
   static std::size_t words(std::int64_t bytes) {
     return (static_cast<std::size_t>(bytes) + sizeof(std::int64_t) - 1) / sizeof(std::int64_t);
   }
-  static void put(const Observed& input, const Rational& step, Signal& signal) {
-    signal.stamp_us = input.stamp_us;
-    signal.valid = input.reading.kind == interp::Reading::Kind::number ? 1 : 0;
-    if (signal.valid == 0) return;
-    const auto grid = input.reading.number.on_grid(step);
-    signal.lo = grid.lo;
-    signal.hi = grid.hi;
+  void forget_samples() {
+    samples_.clear();
+    for (const KernelInterface::Input& input : kernel_.inputs) {
+      samples_.emplace_back(input.numbers());
+    }
+  }
+  // The components of an input arrive together; the tables of a zone are beside its sample.
+  void take(const std::vector<Observed>& inputs, std::size_t first,
+            const KernelInterface::Input& input, Sample& to) const {
+    const auto at = [&](std::size_t k) -> const Observed& {
+      return inputs[kernel_.components.empty() ? first + k : kernel_.components[first + k]];
+    };
+    if (!at(0).is_new) return;
+    to.arrive(at(0).stamp_us, !input.is_zone || at(0).reading.zone != nullptr);
+    for (std::size_t k = 0; k < input.numbers(); ++k) {
+      to.put(k, at(k).reading, kernel_.steps[first + k]);
+    }
   }
   void put_zone(std::size_t k, const std::shared_ptr<const interp::ReceivedZone>& received) {
     const geometry::ZoneTables& tables = received->tables;
@@ -236,13 +280,11 @@ class KernelEngine : public Engine {
     Zone zone{};
     zone.within = zone.around = outline_of(tables.within, held.within);
     if (tables.around) zone.around = outline_of(*tables.around, held.around);
-    const std::size_t at = signals_.size() * sizeof(Signal) / sizeof(std::int64_t) +
-                           kernel_.params.size() + k * sizeof(Zone) / sizeof(std::int64_t);
+    const std::size_t at =
+        words_of_samples_ + kernel_.params.size() + k * sizeof(Zone) / sizeof(std::int64_t);
     std::memcpy(in_.data() + at, &zone, sizeof zone);
   }
-  std::int64_t& param(std::size_t k) {
-    return in_[signals_.size() * sizeof(Signal) / sizeof(std::int64_t) + k];
-  }
+  std::int64_t& param(std::size_t k) { return in_[words_of_samples_ + k]; }
   [[nodiscard]] KernelFinding finding(std::size_t monitor) const {
     KernelFinding found;
     std::memcpy(&found, out_.data() + 1 + monitor * sizeof found / sizeof(std::int64_t),
@@ -274,8 +316,9 @@ class KernelEngine : public Engine {
   Step step_;
   KernelInterface kernel_;
   std::vector<MarginText> margins_;
-  std::vector<Signal> signals_;
+  std::vector<Sample> samples_;
   std::vector<HeldZone> held_;
+  std::size_t words_of_samples_ = 0;
   std::vector<std::int64_t> state_, in_, out_;  // aligned as the kernel's structs
 };
 

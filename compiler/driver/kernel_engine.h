@@ -13,8 +13,15 @@ namespace rtac::driver {
 
 // What the engine has to know of a kernel.
 struct KernelInterface {
-  std::string prefix;           // of its names
-  std::string source;           // name of the .c file
+  std::string prefix;  // of its names
+  std::string source;  // name of the .c file
+  struct Input {
+    std::size_t components;
+    bool is_zone;
+    // That its sample has.
+    [[nodiscard]] std::size_t numbers() const { return is_zone ? 0 : components; }
+  };
+  std::vector<Input> inputs;
   std::vector<Rational> steps;  // SI in one step of the grid, by component
   // Which component of the specification each of these is; empty: they are all of them.
   std::vector<std::size_t> components;

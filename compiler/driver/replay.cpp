@@ -54,7 +54,9 @@ KernelInterface interface_of(const sema::Spec& spec, const ir::Watch& watch) {
       kernel.components.push_back(first[input.declared] + k);
     }
     const bool is_number = input.kind == ir::ChannelKind::number;
-    if (input.kind == ir::ChannelKind::zone) kernel.zones.push_back(kernel.steps.size());
+    const bool is_zone = input.kind == ir::ChannelKind::zone;
+    kernel.inputs.push_back({input.components.size(), is_zone});
+    if (is_zone) kernel.zones.push_back(kernel.steps.size());
     for (std::uint32_t k = 0; k < input.components.size(); ++k) {
       kernel.steps.push_back(is_number ? input.grid(k).unit.step : Rational(1));
     }

@@ -51,7 +51,8 @@ Region& Region::operator=(Region other) {
 
 std::variant<Region, Problem> Region::polygon(const Ring& outer, const std::vector<Ring>& holes) {
   if (auto problem = find_problem(outer, holes)) return *problem;
-  // Valid rings do not touch one another: turning them round and sorting makes them canonical.
+  // Valid rings touch one another in points at most, and are what `overlay` would cut the boundary
+  // into: turning them round and sorting makes them canonical.
   PolygonWithHoles part;
   part.outer = canonical(twice_area(outer) > 0 ? outer : reversed(outer));
   for (const Ring& hole : holes) {

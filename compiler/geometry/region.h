@@ -31,12 +31,17 @@ struct Problem {
     repeats_vertex,   // `vertex` equals vertex `other`, which comes first
     self_intersects,  // edge from `vertex` meets the edge from `other` at `where`
     no_area,          // all vertices on one line
-    // The edge from `vertex` of hole `ring` meets the edge from `other` of the outer ring at
-    // `where`; or no edges meet and `where` is vertex 0 of the hole, outside.
+    // The edge from `vertex` of hole `ring` crosses the edge from `other` of the outer ring at
+    // `where` or runs along it; or no edges meet and `where` is vertex 0 of the hole, outside.
+    // Rings may touch in points.
     hole_outside_ring,
-    // Holes `ring` < `other` (both ring numbers) meet at `where`, on the edge from `vertex` of
-    // `ring`; or one lies inside the other and `where` is the inner one's vertex 0.
+    // Holes `ring` < `other` (both ring numbers) cross at `where`, on the edge from `vertex` of
+    // `ring`, or share a part of it; or one lies inside the other and `where` is the inner one's
+    // vertex 0.
     holes_overlap,
+    // Hole `ring` touches ring `other`, at `where` on its edge from `vertex`, and with that touch
+    // rings that touch one another surround a part of the area: it is in two pieces.
+    cuts_area,
   };
   Kind kind;
   std::size_t ring = 0, vertex = 0, other = 0;

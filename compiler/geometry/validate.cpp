@@ -1,6 +1,7 @@
 // One sweep over all edges tells that they are in order, in n log n steps whatever they are. Only
 // when they are not, the first problem is searched, so that it can be named: sweeps over ever other
-// starts of the list find the first edge that meets one before it.
+// starts of the list find the first edge that meets one before it. Rings that only touch one
+// another in points are told there, too.
 #include "compiler/geometry/validate.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 #include "compiler/geometry/ring.h"
 #include "compiler/geometry/sweep.h"
+#include "compiler/geometry/touches.h"
 
 namespace rtac::geometry {
 namespace {
@@ -111,15 +113,17 @@ class Runs {
   [[nodiscard]] bool apart(const Runs& other) const {
     return disjoint(x_, other.x_) || disjoint(y_, other.y_);
   }
-  // The first edge that meets `e`, and where.
-  [[nodiscard]] std::optional<std::pair<std::size_t, Point>> meeting(const Edge& e) const {
+  // Calls `visit` with the edges that meet `e`, and where, until it returns false.
+  template <typename Visit>
+  bool for_each_meeting(const Edge& e, Visit visit) const {
     for (const Run& run : runs_) {
       if (disjoint(e.x, run.x) || disjoint(e.y, run.y)) continue;
       for (std::size_t i = run.from; i < run.to; ++i) {
-        if (auto where = edges_.meeting(e, edges_[i])) return std::pair{edges_[i].index, *where};
+        const auto where = edges_.meeting(e, edges_[i]);
+        if (where && !visit(edges_[i], *where)) return false;
       }
     }
-    return std::nullopt;
+    return true;
   }
   // The start of `v` lies inside the ring; not on it.
   [[nodiscard]] bool enclose(const Edge& v) const {
@@ -153,69 +157,101 @@ class Runs {
   Bounds x_{0, 0}, y_{0, 0};
 };
 
-// The first edge of `ring` that meets an edge of the other ring.
-struct Meeting {
-  std::size_t edge, other_edge;
-  Point where;
+// How the rings of a polygon lie to one another, each of them being simple.
+class Neighbours {
+ public:
+  Neighbours(const Edges& edges, const Rings& rings) : edges_(edges) {
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      runs_.emplace_back(edges, r);
+      counter_clockwise_.push_back(twice_area(*rings[r]) > 0);
+    }
+  }
+
+  std::optional<Problem> hole_outside() {
+    for (std::size_t r = 1; r < runs_.size(); ++r) {
+      const std::size_t touches = touches_.size();
+      if (auto met = clash(r, 0)) {
+        return Problem{Kind::hole_outside_ring, r, met->edge, met->other_edge,
+                       std::move(met->where)};
+      }
+      // Where no edges meet, one vertex speaks for the whole ring.
+      if (touches_.size() == touches && !encloses(0, r)) {
+        return Problem{Kind::hole_outside_ring, r, 0, 0, first_vertex(r)};
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Problem> overlap() {
+    for (std::size_t s = 2; s < runs_.size(); ++s) {
+      for (std::size_t r = 1; r < s; ++r) {
+        if (auto problem = overlap(r, s)) return problem;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Problem> cut() {
+    const Touch* touch = first_cut(runs_.size(), touches_);
+    if (touch == nullptr) return std::nullopt;
+    return Problem{Kind::cuts_area, touch->other, touch->edge, touch->ring, touch->at};
+  }
+
+ private:
+  struct Meeting {
+    std::size_t edge, other_edge;
+    Point where;
+  };
+
+  [[nodiscard]] const Edge& first_edge(std::size_t ring) const {
+    return edges_[edges_.first(ring)];
+  }
+  [[nodiscard]] const Point& first_vertex(std::size_t ring) const { return *first_edge(ring).a; }
+  [[nodiscard]] bool encloses(std::size_t outer, std::size_t ring) const {
+    return runs_[outer].enclose(first_edge(ring));
+  }
+
+  // The edges meet in a point alone, and the hole of `e` stays inside the outer ring, or beside the
+  // other hole, there.
+  [[nodiscard]] bool only_touch(const Edge& e, const Edge& f, const Point& at) const {
+    const Leaves from_other = leaves(edges_, e, f, counter_clockwise_[f.ring], at);
+    if (f.ring == 0) return from_other == Leaves::inwards;
+    return from_other == Leaves::outwards &&
+           leaves(edges_, f, e, counter_clockwise_[e.ring], at) == Leaves::outwards;
+  }
+  // The first edge of hole `r` that meets an edge of the other ring otherwise than by a touch.
+  std::optional<Meeting> clash(std::size_t r, std::size_t other) {
+    std::optional<Meeting> found;
+    for (std::size_t i = 0; i < edges_.size(r) && !found; ++i) {
+      const Edge& e = edges_[edges_.first(r) + i];
+      runs_[other].for_each_meeting(e, [&](const Edge& f, const Point& at) {
+        if (only_touch(e, f, at)) {
+          touches_.push_back({std::min(r, other), std::max(r, other), r > other ? i : f.index, at});
+        } else {
+          found = Meeting{i, f.index, at};
+        }
+        return !found;
+      });
+    }
+    return found;
+  }
+  std::optional<Problem> overlap(std::size_t r, std::size_t s) {
+    if (runs_[r].apart(runs_[s])) return std::nullopt;
+    const std::size_t touches = touches_.size();
+    if (auto met = clash(r, s)) {
+      return Problem{Kind::holes_overlap, r, met->edge, s, std::move(met->where)};
+    }
+    if (touches_.size() > touches) return std::nullopt;
+    if (encloses(s, r)) return Problem{Kind::holes_overlap, r, 0, s, first_vertex(r)};
+    if (encloses(r, s)) return Problem{Kind::holes_overlap, r, 0, s, first_vertex(s)};
+    return std::nullopt;
+  }
+
+  const Edges& edges_;
+  std::vector<Runs> runs_;
+  std::vector<bool> counter_clockwise_;
+  std::vector<Touch> touches_;
 };
-std::optional<Meeting> first_meeting(const Edges& edges, std::size_t ring, const Runs& other) {
-  for (std::size_t i = 0; i < edges.size(ring); ++i) {
-    if (auto met = other.meeting(edges[edges.first(ring) + i])) {
-      return Meeting{i, met->first, std::move(met->second)};
-    }
-  }
-  return std::nullopt;
-}
-
-// All rings are simple by now.
-std::optional<Problem> find_hole_outside(const Edges& edges, const Rings& rings) {
-  const Runs outer(edges, 0);
-  for (std::size_t r = 1; r < rings.size(); ++r) {
-    if (auto met = first_meeting(edges, r, outer)) {
-      return Problem{Kind::hole_outside_ring, r, met->edge, met->other_edge, std::move(met->where)};
-    }
-    // Where no edges meet, one vertex speaks for the whole ring.
-    if (!outer.enclose(edges[edges.first(r)])) {
-      return Problem{Kind::hole_outside_ring, r, 0, 0, rings[r]->front()};
-    }
-  }
-  return std::nullopt;
-}
-
-// Of two holes, `second` being the runs of ring `s`.
-std::optional<Problem> overlap(const Edges& edges, const Rings& rings, std::size_t r, std::size_t s,
-                               const Runs& second) {
-  const Runs first(edges, r);
-  if (first.apart(second)) return std::nullopt;
-  if (auto met = first_meeting(edges, r, second)) {
-    return Problem{Kind::holes_overlap, r, met->edge, s, std::move(met->where)};
-  }
-  if (second.enclose(edges[edges.first(r)])) {
-    return Problem{Kind::holes_overlap, r, 0, s, rings[r]->front()};
-  }
-  if (first.enclose(edges[edges.first(s)])) {
-    return Problem{Kind::holes_overlap, r, 0, s, rings[s]->front()};
-  }
-  return std::nullopt;
-}
-
-// The holes before ring `end` neither meet nor enclose one another.
-bool are_apart(const Edges& edges, std::size_t end) {
-  const Swept swept = sweep(edges, edges.first(1), edges.first(end));
-  return !swept.meet && std::all_of(swept.parents.begin(), swept.parents.end(),
-                                    [](std::size_t parent) { return parent == no_ring; });
-}
-
-std::optional<Problem> find_overlap(const Edges& edges, const Rings& rings) {
-  if (rings.size() < 2 || are_apart(edges, rings.size())) return std::nullopt;
-  const std::size_t s =
-      culprit(1, rings.size(), [&](std::size_t end) { return !are_apart(edges, end); });
-  const Runs second(edges, s);
-  for (std::size_t r = 1; r < s; ++r) {
-    if (auto problem = overlap(edges, rings, r, s, second)) return problem;
-  }
-  return std::nullopt;
-}
 
 // No edges meet, and every hole lies in the outer ring and in nothing else.
 bool in_order(const Edges& edges, const Rings& rings) {
@@ -235,8 +271,10 @@ std::optional<Problem> find_problem(const Ring& outer, const std::vector<Ring>& 
   if (auto problem = find_repeated_vertex(edges, rings)) return problem;
   if (in_order(edges, rings)) return std::nullopt;
   if (auto problem = find_degenerate(edges, rings)) return problem;
-  if (auto problem = find_hole_outside(edges, rings)) return problem;
-  return find_overlap(edges, rings);
+  Neighbours neighbours(edges, rings);
+  if (auto problem = neighbours.hole_outside()) return problem;
+  if (auto problem = neighbours.overlap()) return problem;
+  return neighbours.cut();
 }
 
 }  // namespace rtac::geometry

@@ -54,10 +54,15 @@ class Model {
 using StepAll = void (*)(const std::int64_t* now_us, std::int32_t count, std::int64_t* tick,
                          std::int32_t* new_tick);
 
-driver::BuiltObject built(const std::string& period) {
+// `each_tick`: another input has to arrive every tick, so that the time of the last one is kept.
+driver::BuiltObject built(const std::string& period, bool each_tick) {
+  const std::string another = each_tick ? "input q : bool;\n"
+                                          "monitor n { \"R2: q\" always q; }\n"
+                                        : "";
   const auto checked = check("spec s;\nperiod " + period +
                                  ";\ninput p : bool max_age inf;\n"
-                                 "monitor m { \"R1: p\" always p; }\n",
+                                 "monitor m { \"R1: p\" always p; }\n" +
+                                 another,
                              Until::kernel);
   EXPECT_EQ(checked->problem, "");
   const driver::KernelCode code = driver::kernel_code(checked->compilation);
@@ -66,16 +71,16 @@ driver::BuiltObject built(const std::string& period) {
 void run(const int64_t *now_us, int32_t count, int64_t *tick, int32_t *new_tick) {
   P_monitors_state s;
   P_monitors_verdicts_state alone;
-  P_monitors_in in = {{1, 1, INT64_MIN, 1}};
+  P_monitors_in in = {{INT64_MIN, 1, 0, 1}};
   P_monitors_out out;
-  int32_t k, verdict;
+  int32_t k, verdict[2];
   P_monitors_init(&s);
   P_monitors_verdicts_init(&alone);
   for (k = 0; k < count; ++k) {
     P_monitors_step(&s, &in, now_us[k], &out);
-    P_monitors_verdicts(&alone, &in, now_us[k], &verdict);
+    P_monitors_verdicts(&alone, &in, now_us[k], verdict);
     tick[k] = out.tick;
-    new_tick[k] = (out.monitors[0].verdict == 2) + 2 * (verdict == 2);
+    new_tick[k] = (out.monitors[0].verdict == 2) + 2 * (verdict[0] == 2);
   }
 }
 )";
@@ -113,6 +118,10 @@ std::vector<std::int64_t> times(std::mt19937_64& random, std::int64_t period_us,
         break;
       case 4:
         break;  // stands still
+      case 5:
+      case 6:
+        now += period_us;  // does not jitter
+        break;
       default:
         now += period_us + below(std::max<std::int64_t>(1, half)) - half / 2;
     }
@@ -126,9 +135,9 @@ struct Period {
 };
 class Ticks : public ::testing::TestWithParam<Period> {};
 
-TEST_P(Ticks, AreThoseOfThePlainModel) {
-  const std::int64_t period_us = GetParam().us;
-  driver::BuiltObject object = built(GetParam().text);
+void are_those_of_the_plain_model(const Period& period, bool each_tick) {
+  const std::int64_t period_us = period.us;
+  driver::BuiltObject object = built(period.text, each_tick);
   ASSERT_TRUE(object.object) << object.problem;
   const StepAll run = object.object->function<StepAll>("run");
   ASSERT_NE(run, nullptr);
@@ -163,6 +172,13 @@ TEST_P(Ticks, AreThoseOfThePlainModel) {
   }
   EXPECT_GT(judged, 1000u);
   EXPECT_GT(skipped, 1000u);
+}
+
+TEST_P(Ticks, AreThoseOfThePlainModel) {
+  are_those_of_the_plain_model(GetParam(), false);
+}
+TEST_P(Ticks, AreThoseOfThePlainModelWhereSamplesMustArriveEveryTick) {
+  are_those_of_the_plain_model(GetParam(), true);
 }
 
 INSTANTIATE_TEST_SUITE_P(Periods, Ticks,

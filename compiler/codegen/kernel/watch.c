@@ -1,41 +1,85 @@
 /* Monitors without a robot: what a tick sees of its inputs, conditions and quantities.
  * A margin counts halves of a millionth of its scale, one half less for a strict comparison: so the
  * negation of what holds narrowly does not, and no millionth is lost on the way. */
+/*= seldom */
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
 /*= sample_good */
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const KERNEL_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 /*= sample_arrived */
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const KERNEL_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 /*= tick_follows */
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(KERNEL_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+/*= tick_due */
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+/*= due_after : elapsed_us */
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const KERNEL_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+/*= tick_synced : later */
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(KERNEL_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+/*= tick_counted */
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(KERNEL_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+/*= tick_passed : elapsed_us */
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(KERNEL_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 /*= tick_until : later */
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -50,96 +94,92 @@ static int64_t tick_until(const KERNEL_clock *clock, int64_t period_us) {
 static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
+/*= sample_young */
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
 /*= number_within */
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const KERNEL_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
+}
+/*= number_inside */
+/* The same at a glance: in the range, and not its last step, behind which there is none. */
+static inline int32_t number_inside(int64_t at, int64_t least, int64_t most) {
+  return (uint64_t)at - (uint64_t)least < (uint64_t)most - (uint64_t)least;
 }
 /*= bounds_measured : bounds_of */
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const KERNEL_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 /*= bounds_number : number_within bounds_measured bounds_nothing */
-static inline bounds bounds_number(const KERNEL_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 /*= bits_truth : bits_type */
-static inline int32_t bits_truth(const KERNEL_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 /*= age_known : elapsed_us */
-/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
-static inline int64_t age_known(const KERNEL_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+/* Time since the stamp of the newest sample; -1 when it has no value, or beyond 35 years. */
+static inline int64_t age_known(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = whole ? elapsed_us(stamp_us, now_us) : -1;
   return age_us > AGE_MAX_US ? -1 : age_us;
 }
 /*= bounds_age : age_known bounds_of bounds_nothing */
-static inline bounds bounds_age(const KERNEL_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline bounds bounds_age(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
 }
 /*= age_span : age_known span_of span_unknown */
-static inline span age_span(const KERNEL_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline span age_span(int64_t stamp_us, int32_t whole, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
 }
 /*= number_of : span_of span_unknown open_ends */
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const KERNEL_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 /*= truth_of : bits_truth margin_true margin_false margin_unknown */
-static inline margin truth_of(const KERNEL_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }

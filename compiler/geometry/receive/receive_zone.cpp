@@ -39,8 +39,10 @@ std::string message_of(const Problem& problem) {
     case Kind::hole_outside_ring:
       return "does not lie inside the outer ring, see " + place(problem.where);
     case Kind::holes_overlap:
-      return "overlaps or touches hole " + std::to_string(problem.other) + " at " +
-             place(problem.where);
+      return "overlaps hole " + std::to_string(problem.other) + " at " + place(problem.where);
+    case Kind::cuts_area:
+      return "touches " + ring_text(0, 1, problem.other) + " at " + place(problem.where) +
+             " and cuts the area in two";
   }
   return "";
 }
@@ -58,6 +60,8 @@ std::string help_of(Kind kind) {
       return "a notch in the edge is part of the outer ring, not a hole";
     case Kind::holes_overlap:
       return "make one hole of them";
+    case Kind::cuts_area:
+      return "send two polygons, or move the hole";
   }
   return "";
 }

@@ -42,24 +42,25 @@ inline std::int64_t floor_quotient(std::int64_t a, std::int64_t b) {  // b > 0
   return a / b - (a % b < 0 ? 1 : 0);
 }
 
-// KernelSignal { lo, hi, stamp_us, valid }, on a grid of `step` / `per_unit` SI units. What is not
-// finite is not valid; a number that is off every grid has no steps (lo > hi), but an age.
-template <class KernelSignal>
-void put_number(KernelSignal& to, double si, double per_unit, std::int64_t step, TimeUs stamp_us) {
-  to.stamp_us = stamp_us;
-  to.valid = stamp_us != never_us && std::isfinite(si);
-  to.lo = 1;
-  to.hi = 0;
-  if (!grid_pair(si, per_unit, to.lo, to.hi)) return;
-  to.lo = floor_quotient(to.lo, step);
-  to.hi = -floor_quotient(-to.hi, step);
-}
-// The same of a whole number, a truth value or a choice.
-template <class KernelSignal>
-void put_whole(KernelSignal& to, std::int64_t value, TimeUs stamp_us) {
+// What is not finite, and what is finite and off every grid.
+inline constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::min();
+inline constexpr std::int64_t off_grid = std::numeric_limits<std::int64_t>::max();
+
+// KernelSample { stamp_us, valid, between, numbers }: its numbers, and bits of `between`, follow.
+template <class KernelSample>
+void start_sample(KernelSample& to, TimeUs stamp_us) {
+  to = KernelSample{};
   to.stamp_us = stamp_us;
   to.valid = stamp_us != never_us;
-  to.lo = to.hi = value;
+}
+// A number of a sample, on a grid of `step` / `per_unit` SI units: the last step that is not above
+// it. Returns 1 when it lies behind that, before the next one.
+inline std::uint32_t put_number(std::int64_t& to, double si, double per_unit, std::int64_t step) {
+  std::int64_t lo = 0, hi = 0;
+  to = std::isfinite(si) ? off_grid : no_number;
+  if (!grid_pair(si, per_unit, lo, hi)) return 0;
+  to = floor_quotient(lo, step);
+  return -floor_quotient(-hi, step) > to ? 1 : 0;
 }
 // A parameter is the grid value that was meant: 0.4 is 400 mm, although the nearest double is more,
 // and so is what is as near as the roundings of a decimal and of the two operations below allow.

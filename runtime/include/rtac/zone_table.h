@@ -147,20 +147,19 @@ ZoneOutline outline_of(const KernelArea& from) {
   return to;
 }
 
-// KernelSignal { lo, hi, stamp_us, valid }, KernelZone { checksum, version, within, around }. A
+// KernelSample { stamp_us, valid }, KernelZone { checksum, version, within, around }. A
 // table that is there already is not looked at again.
-template <class KernelSignal, class KernelZone>
-bool put_zone(KernelSignal& signal, KernelZone& zone, const ZoneTable& table,
+template <class KernelSample, class KernelZone>
+bool put_zone(KernelSample& sample, KernelZone& zone, const ZoneTable& table,
               std::int64_t edges_most, TimeUs stamp_us) {
   if (stamp_us == never_us) return false;
   const bool is_there =
-      signal.valid != 0 && zone.checksum == table.checksum && zone.version == table.version &&
+      sample.valid != 0 && zone.checksum == table.checksum && zone.version == table.version &&
       zone.within.edges == table.within.edges && zone.within.cells == table.within.cells &&
       zone.around.edges == table.around.edges && zone.around.cells == table.around.cells;
   if (!is_there && !is_usable(table, edges_most)) return false;
-  signal.lo = signal.hi = 0;
-  signal.stamp_us = stamp_us;
-  signal.valid = 1;
+  sample.stamp_us = stamp_us;
+  sample.valid = 1;
   zone.checksum = table.checksum;
   zone.version = table.version;
   put_outline(zone.within, table.within);

@@ -100,7 +100,7 @@ void window_agrees(State& hand, const Step& step, const Faults& faults) {
     typename Generated::In in;
     typename Generated::Out k;
     hand_window_out h;
-    hand_signal calm, alarm;
+    hand_number calm, alarm;
     put_condition(in.alarm, tick.alarm, tick.now_us);
     if constexpr (HasCalm<typename Generated::In>) put_condition(in.calm, tick.calm, tick.now_us);
     put_condition(calm, tick.calm, tick.now_us);
@@ -123,7 +123,7 @@ void once_agrees(const Faults& faults) {
   hand_once_init(&hand);
   window_agrees<OnceMiddle>(
       hand,
-      [](hand_once_state* s, const hand_signal&, const hand_signal& alarm, std::int64_t now_us,
+      [](hand_once_state* s, const hand_number&, const hand_number& alarm, std::int64_t now_us,
          hand_window_out* out) { hand_once_step(s, &alarm, now_us, out); },
       faults);
 }
@@ -132,7 +132,7 @@ void since_agrees(const Faults& faults) {
   hand_since_init(&hand);
   window_agrees<SinceMiddle>(
       hand,
-      [](hand_since_state* s, const hand_signal& calm, const hand_signal& alarm,
+      [](hand_since_state* s, const hand_number& calm, const hand_number& alarm,
          std::int64_t now_us,
          hand_window_out* out) { hand_since_step(s, &calm, &alarm, now_us, out); },
       faults);

@@ -1,6 +1,7 @@
 #include "tests/bench/watch/trace.h"
 
 #include <cmath>
+#include <limits>
 
 #include "rtac/sim/random.h"
 
@@ -18,12 +19,27 @@ struct Scalar {
   bool valid = true;
 };
 
-template <class Signal>
-void put(Signal& to, const Scalar& from, double per_unit) {
-  to.lo = static_cast<std::int64_t>(std::floor(from.value * per_unit));
-  to.hi = static_cast<std::int64_t>(std::ceil(from.value * per_unit));
-  to.stamp_us = from.stamp_us;
-  to.valid = from.valid ? 1 : 0;
+// The bits of `between` follow one another. What has no value, or is of another sample than the
+// first number, is none.
+template <class Sample>
+void put(Sample& to, std::int64_t& number, const Scalar& from, double per_unit, int bit) {
+  const double steps = from.value * per_unit;
+  number = std::numeric_limits<std::int64_t>::min();
+  if (!from.valid || from.stamp_us != to.stamp_us) return;
+  number = static_cast<std::int64_t>(std::floor(steps));
+  if (std::floor(steps) < steps) to.between |= 1U << bit;
+}
+template <class Sample>
+void start(Sample& to, std::int64_t stamp_us) {
+  to.stamp_us = stamp_us;
+  to.valid = 1;
+  to.between = 0;
+}
+template <class Point>
+void put_point(Point& to, const Scalar* from) {
+  start(to, from[0].stamp_us);
+  put(to, to.x, from[0], 1'000, 0);
+  put(to, to.y, from[1], 1'000, 1);
 }
 
 // What may happen to a sample; those that do not arrive leave the one before in place.
@@ -86,11 +102,10 @@ PatrolTrace patrol_trace(std::uint64_t seed, int ticks, const Faults& faults) {
       there.sample(second, other, 2, now_us);
     }
     const auto fill = [&](auto& in) {
-      put(in.battery, battery, 10'000);
-      put(in.first_x, first[0], 1'000);
-      put(in.first_y, first[1], 1'000);
-      put(in.second_x, second[0], 1'000);
-      put(in.second_y, second[1], 1'000);
+      start(in.battery, battery.stamp_us);
+      put(in.battery, in.battery.value, battery, 10'000, 0);
+      put_point(in.first, first);
+      put_point(in.second, second);
     };
     trace.now_us.push_back(now_us);
     fill(trace.kernel.emplace_back());
@@ -105,9 +120,9 @@ PatrolTrace patrol_trace(std::uint64_t seed, int ticks, const Faults& faults) {
 
 void next_round(PatrolTrace& trace) {
   const auto move = [&](auto& in) {
-    for (auto* s : {&in.battery, &in.first_x, &in.first_y, &in.second_x, &in.second_y}) {
-      s->stamp_us += trace.length_us;
-    }
+    in.battery.stamp_us += trace.length_us;
+    in.first.stamp_us += trace.length_us;
+    in.second.stamp_us += trace.length_us;
   };
   for (std::int64_t& now_us : trace.now_us) now_us += trace.length_us;
   for (auto& in : trace.kernel) move(in);

@@ -35,11 +35,12 @@ struct WindowTick {
 };
 std::vector<WindowTick> window_trace(std::uint64_t seed, int ticks, const Faults& faults);
 
-template <class Signal>
-void put_condition(Signal& to, int condition, std::int64_t now_us) {
-  to.lo = to.hi = condition == 1 ? 1 : 0;
+template <class Sample>
+void put_condition(Sample& to, int condition, std::int64_t now_us) {
   to.stamp_us = now_us;
   to.valid = condition != missing ? 1 : 0;
+  to.between = 0;
+  to.value = condition == 1 ? 1 : 0;
 }
 
 }  // namespace rtac::bench

@@ -8,7 +8,7 @@ namespace rtac::bench {
 namespace {
 
 struct HandIn {
-  hand_signal calm, alarm;
+  hand_number calm, alarm;
 };
 
 std::function<double()> once_by_hand() {

@@ -145,9 +145,8 @@ TEST_F(Stand, AParameterIsNotLoosenedBeforeItWasSeen) {
 // The kernel keeps to the rule by itself, whoever fills its input.
 TEST(StandKernel, AParameterOnlyTightens) {
   test_stand_monitors_in in{};
-  in.wheel_x = in.wheel_y = {0, 0, 0, 1};
-  in.target_x = {3000, 3000, 0, 1};
-  in.target_y = {4000, 4000, 0, 1};
+  in.wheel = {0, 1, 0, 0, 0};
+  in.target = {0, 1, 0, 3000, 4000};
   test_stand_monitors_state state;
   test_stand_monitors_init(&state);
   rtac::TimeUs now_us = 0;

@@ -212,10 +212,17 @@ TEST_F(ReplayDecision, BothEnginesPrintTheSameRowsAndExitAlike) {
   }
 }
 
+// The sample of an array of 33 has three words of 32 bits before its numbers, which are aligned.
 TEST_F(ReplayDecision, AnInternalErrorExitsWith70) {
-  write("door.rta",
-        "spec door; period 10 ms; input open : bool;\nmonitor m { \"R: r\" always open; }\n");
-  write("door.csv", "time,open\n0,1\n");
+  write(
+      "door.rta",
+      "spec door; period 10 ms; input open : bool[33];\nmonitor m { \"R: r\" always open[0]; }\n");
+  std::string columns = "time", row = "0";
+  for (int k = 0; k < 33; ++k) {
+    columns += ",open." + std::to_string(k);
+    row += ",1";
+  }
+  write("door.csv", columns + "\n" + row + "\n");
   setenv("CC", "cc -fpack-struct=1", 1);
   const Outcome o = rtac({"replay", "door.rta", "door.csv"});
   unsetenv("CC");

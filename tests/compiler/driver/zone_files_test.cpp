@@ -83,7 +83,7 @@ TEST_F(ZoneFiles, FaultsOfRingsAreNamedByTheirPlace) {
   write_polygon("a.geojson", std::string(square) + "," + inner + "," + inner);
   expect_said(
       "import \"a.geojson\"",
-      "error[4006]: a.geojson: coordinates[1] and a.geojson: coordinates[2] overlap or touch");
+      "error[4006]: a.geojson: coordinates[1] and a.geojson: coordinates[2] overlap, see");
 }
 
 TEST_F(ZoneFiles, ThinnerThanTheirErrorAreEmpty) {

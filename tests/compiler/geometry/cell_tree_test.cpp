@@ -94,7 +94,9 @@ class Trees {
     }
     if (cell.word >> 30 == 0) {
       EXPECT_LE(cell.word & 0xfffffff, nearest + 1e-6) << p.x << ", " << p.y;
-      if (cell.width > 1) EXPECT_GE(nearest + 1, tree_.exact_mm.value_or(INT32_MAX));
+      if (cell.width > 1) {
+        EXPECT_GE(nearest + 1, tree_.exact_mm.value_or(INT32_MAX));
+      }
     } else {
       EXPECT_NEAR(in_cell, nearest, 1e-6 * (1 + nearest)) << p.x << ", " << p.y;
     }

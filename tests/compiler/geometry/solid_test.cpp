@@ -136,9 +136,9 @@ TEST(SnappedSolid, OffTheGridLiesWithinOrAround) {
                           .unite(Solid::prism(square(1, 3), seam, top));
   const auto within = snap_inside(solid), around = snap_around(solid);
   ASSERT_TRUE(within && around);
-  const auto shown = [](const SnappedSolid& solid) {
+  const auto shown = [](const SnappedSolid& snapped) {
     std::string text;
-    for (const SnappedSlab& slab : solid) {
+    for (const SnappedSlab& slab : snapped) {
       text += std::to_string(slab.floor_mm) + ".." + std::to_string(slab.ceiling_mm) + ": " +
               to_region(slab.zone).area().get_str() + " ";
     }

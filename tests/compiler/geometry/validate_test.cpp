@@ -81,29 +81,87 @@ TEST(Validate, KindsAreReportedInTheirOrder) {
   EXPECT_EQ(problem(bow, {{pt(7, 7), pt(8, 8), pt(9, 9)}}).kind, Kind::self_intersects);
 }
 
-TEST(Validate, HoleMustLieStrictlyInside) {
+TEST(Validate, HoleMustLieInside) {
   expect_problem(problem(kBig, {box_ring(20000, 0, 21000, 1000)}), Kind::hole_outside_ring, 1, 0, 0,
                  pt(20, 0));
   expect_problem(problem(kBig, {{pt(9, 5), pt(11, 5), pt(9, 6)}}), Kind::hole_outside_ring, 1, 0, 1,
                  pt(10, 5));
-  // Touching from inside at a point.
-  expect_problem(problem(kBig, {{pt(8, 4), pt(10, 5), pt(8, 6)}}), Kind::hole_outside_ring, 1, 0, 1,
-                 pt(10, 5));
-  // Around the outer ring instead of inside it.
+  // A part of an edge in common.
+  expect_problem(problem(kBig, {box_ring(9000, 4000, 10000, 5000)}), Kind::hole_outside_ring, 1, 0,
+                 1, pt(10, 4));
+  // Touching from outside, and through a vertex to the outside.
+  expect_problem(problem(kBig, {{pt(10, 5), pt(12, 4), pt(12, 6)}}), Kind::hole_outside_ring, 1, 0,
+                 1, pt(10, 5));
+  expect_problem(problem(kBig, {{pt(9, 9), pt(10, 10), pt(12, 9)}}), Kind::hole_outside_ring, 1, 0,
+                 1, pt(10, 10));
+  // Around the outer ring instead of inside it, touching it or not.
   EXPECT_EQ(problem(box_ring(4000, 4000, 5000, 5000), {kBig}).kind, Kind::hole_outside_ring);
+  EXPECT_EQ(problem({pt(0, 5), pt(5, 4), pt(5, 6)}, {kBig}).kind, Kind::hole_outside_ring);
+  // Outside although all vertices touch: across a notch.
+  EXPECT_EQ(problem({pt(0, 0), pt(8, 0), pt(8, 8), pt(4, 1), pt(0, 8)},
+                    {{pt(8, 8), pt(4, 1), pt(0, 8)}})
+                .kind,
+            Kind::hole_outside_ring);
 }
 
-TEST(Validate, HolesMustNotOverlapOrTouch) {
+TEST(Validate, HolesMustNotOverlap) {
   const Ring first = box_ring(1000, 1000, 4000, 4000);
   expect_problem(problem(kBig, {first, box_ring(3000, 2000, 6000, 3000)}), Kind::holes_overlap, 1,
                  1, 2, pt(4, 2));
-  expect_problem(problem(kBig, {first, box_ring(4000, 4000, 5000, 5000)}), Kind::holes_overlap, 1,
-                 1, 2, pt(4, 4));
+  // A part of an edge in common.
+  expect_problem(problem(kBig, {first, box_ring(4000, 2000, 5000, 3000)}), Kind::holes_overlap, 1,
+                 1, 2, pt(4, 2));
   expect_problem(problem(kBig, {first, box_ring(2000, 2000, 3000, 3000)}), Kind::holes_overlap, 1,
                  0, 2, pt(2, 2));
+  // One in the other, touching it in a point.
+  EXPECT_EQ(problem(kBig, {first, {pt(1, 1), pt(3, 2), pt(2, 3)}}).kind, Kind::holes_overlap);
+  EXPECT_EQ(problem(kBig, {{pt(1, 1), pt(3, 2), pt(2, 3)}, first}).kind, Kind::holes_overlap);
   expect_problem(
       problem(kBig, {box_ring(6000, 6000, 7000, 7000), box_ring(2000, 2000, 3000, 3000), first}),
       Kind::holes_overlap, 2, 0, 3, pt(2, 2));
+}
+
+TEST(Validate, RingsMayTouchInPoints) {
+  // A vertex on an edge of the outer ring, one on its corner, two holes corner to corner, and a
+  // hole on the edge of another; rings of both orientations.
+  const Ring on_edge{pt(8, 4), pt(10, 5), pt(8, 6)};
+  const Ring in_corner{pt(0, 0), pt(2, 1), pt(1, 2)};
+  const Ring first = box_ring(3000, 3000, 4000, 4000);
+  const Ring at_corner = box_ring(4000, 4000, 5000, 5000);
+  const Ring at_edge{pt(7, 3), pt(6, 4), {q(4), q(7, 2)}};
+  const Region all = polygon(kBig, {on_edge, in_corner, first, at_corner, at_edge});
+  Ring turned = first;
+  std::reverse(turned.begin(), turned.end());
+  EXPECT_EQ(text(all), text(polygon(kBig, {at_edge, at_corner, turned, in_corner, on_edge})));
+  // The same as by the algebra of zones.
+  Region subtracted = polygon(kBig);
+  for (const Ring& hole : {on_edge, in_corner, first, at_corner, at_edge}) {
+    subtracted = subtracted.subtract(polygon(hole));
+  }
+  EXPECT_EQ(text(all), text(subtracted));
+  EXPECT_TRUE(snap_inside(all).has_value());
+}
+
+TEST(Validate, TouchesMustNotCutTheArea) {
+  // One hole from edge to edge.
+  expect_problem(problem(kBig, {{pt(0, 5), pt(5, 4), pt(10, 5), pt(5, 6)}}), Kind::cuts_area, 1, 1,
+                 0, pt(10, 5));
+  // Two holes that touch each other at two points.
+  const Ring cup{pt(2, 2), pt(6, 2), pt(6, 6), pt(4, 3), pt(2, 6)};
+  const Ring lid{pt(2, 6), pt(6, 6), pt(4, 8)};
+  EXPECT_EQ(problem(kBig, {cup, lid}).kind, Kind::cuts_area);
+  // A chain of holes from edge to edge; without its last link it cuts nothing.
+  const auto link = [](long x) {
+    return Ring{pt(x, 5), pt(x + 1, 4), pt(x + 2, 5), pt(x + 1, 6)};
+  };
+  std::vector<Ring> chain{link(0), link(2), link(4), link(6)};
+  EXPECT_TRUE(std::holds_alternative<Region>(Region::polygon(kBig, chain)));
+  chain.push_back(link(8));
+  expect_problem(problem(kBig, chain), Kind::cuts_area, 5, 1, 0, pt(10, 5));
+  // Several holes at one point cut nothing.
+  std::vector<Ring> star;
+  for (long k = 0; k < 3; ++k) star.push_back({pt(5, 5), pt(2 + 3 * k, 1), pt(3 + 3 * k, 1)});
+  EXPECT_TRUE(std::holds_alternative<Region>(Region::polygon(kBig, star)));
 }
 
 TEST(Validate, AnyOrientationAndCollinearVerticesAreAccepted) {
@@ -203,20 +261,28 @@ TEST(Validate, NamesTheFirstCrossingOfRandomRings) {
   EXPECT_GT(crossing, 300);
 }
 
-bool edges_meet(const Ring& a, const Ring& b) {
+// Two edges have more than a point in common.
+bool share_edges(const Ring& a, const Ring& b) {
   for (std::size_t e = 0; e < a.size(); ++e) {
     for (std::size_t f = 0; f < b.size(); ++f) {
-      if (meet(edge(a, e), edge(b, f))) return true;
+      const Segment s = edge(a, e), t = edge(b, f);
+      if (side(s.a, s.b, t.a) != 0 || side(s.a, s.b, t.b) != 0) continue;
+      const auto along = [&](const Point& p) -> Rational {
+        return (p.x - s.a.x) * (s.b.x - s.a.x) + (p.y - s.a.y) * (s.b.y - s.a.y);
+      };
+      const Rational from = along(t.a), to = along(t.b), end = along(s.b);
+      if ((from > 0 || to > 0) && (from < end || to < end)) return true;
     }
   }
   return false;
 }
 
 TEST(Validate, NamesTheFirstMisplacedHoleOfRandomOnes) {
-  // Against definitions: a hole lies outside when edges meet or its first vertex is outside; two
-  // holes overlap when edges meet or one holds the first vertex of the other.
+  // Against definitions: a hole lies outside when a part of it is outside or of an edge is shared;
+  // two holes overlap when they have an area or a part of an edge in common; the area is cut when
+  // what is left has two parts.
   Random random(8);
-  int outside = 0, overlapping = 0, valid = 0;
+  int outside = 0, overlapping = 0, cut = 0, valid = 0;
   for (int i = 0; i < 20000; ++i) {
     const Ring outer =
         i % 2 == 0 ? box_ring(-1000, -1000, 9000, 9000) : random_ring(random, 5, 0, 8);
@@ -235,15 +301,20 @@ TEST(Validate, NamesTheFirstMisplacedHoleOfRandomOnes) {
     for (std::size_t s = holes.size(); s > 0; --s) {
       for (std::size_t r = s - 1; r > 0; --r) {
         const Ring &a = holes[r - 1], &b = holes[s - 1];
-        if (edges_meet(a, b) || polygon(b).contains(a[0]) || polygon(a).contains(b[0])) {
+        if (share_edges(a, b) || !polygon(a).intersect(polygon(b)).empty()) {
           expected = {Kind::holes_overlap, r, 0, s, {}};
         }
       }
     }
     for (std::size_t r = holes.size(); r > 0; --r) {
-      if (edges_meet(holes[r - 1], outer) || !ground.contains(holes[r - 1][0])) {
+      if (share_edges(holes[r - 1], outer) || !polygon(holes[r - 1]).subtract(ground).empty()) {
         expected = {Kind::hole_outside_ring, r, 0, 0, {}};
       }
+    }
+    if (expected.kind == Kind::too_short) {
+      Region left = ground;
+      for (const Ring& hole : holes) left = left.subtract(polygon(hole));
+      if (left.polygons().size() > 1) expected.kind = Kind::cuts_area;
     }
     const auto result = Region::polygon(outer, holes);
     const auto* problem = std::get_if<Problem>(&result);
@@ -253,6 +324,10 @@ TEST(Validate, NamesTheFirstMisplacedHoleOfRandomOnes) {
       continue;
     }
     EXPECT_EQ(problem->kind, expected.kind) << i;
+    if (expected.kind == Kind::cuts_area) {
+      ++cut;
+      continue;
+    }
     EXPECT_EQ(problem->ring, expected.ring) << i;
     EXPECT_EQ(problem->kind == Kind::holes_overlap ? problem->other : 0, expected.other) << i;
     (expected.kind == Kind::holes_overlap ? overlapping : outside) += 1;
@@ -260,6 +335,7 @@ TEST(Validate, NamesTheFirstMisplacedHoleOfRandomOnes) {
   EXPECT_GT(valid, 300);
   EXPECT_GT(outside, 300);
   EXPECT_GT(overlapping, 150);
+  EXPECT_GT(cut, 30);
 }
 
 // ---- large rings ------------------------------------------------------------------------------

@@ -234,7 +234,11 @@ TEST(Rule6_3, AMeasurementHasNoAgeInAMissedTick) {
 
 // The kernel itself, 40 cm from a wall at rest: what a replay shows of the property now.
 facts_fly_out judged_near_the_wall() {
-  const auto signal = [](std::int64_t value) { return facts_signal{value, value, 1'000'000, 1}; };
+  const auto put = [](auto& sample, std::int64_t value) {
+    sample.stamp_us = 1'000'000;
+    sample.valid = 1;
+    sample.value = value;
+  };
   facts_fly_state state;
   facts_fly_in in{};
   facts_fly_out out;
@@ -242,9 +246,9 @@ facts_fly_out judged_near_the_wall() {
   in.position = {400, 400, 2500, 2500, 1'000'000, 1};
   in.velocity = {0, 0, 0, 0, 1'000'000, 1};
   in.plan.valid = 1;
-  in.facts.permit = signal(1);
-  in.facts.gear = signal(1);
-  in.facts.heat = signal(340'000);
+  put(in.facts.permit, 1);
+  put(in.facts.gear, 1);
+  put(in.facts.heat, 340'000);
   in.facts.h = 100;
   facts_fly_step(&state, &in, 1'000'000, &out);
   return out;

@@ -9,41 +9,59 @@
 namespace rtac {
 namespace {
 
-struct Signal {
-  std::int64_t lo = 0, hi = 0;
-  TimeUs stamp_us = 0;
-  std::int32_t valid = 0;
+struct Number {
+  std::int64_t at = 0;
+  std::uint32_t between = 0;
 };
 
-Signal put(double si, TimeUs stamp_us = 7) {
-  Signal to;
-  bridge::put_number(to, si, 1000, 1, stamp_us);
+Number put(double si, double per_unit = 1000, std::int64_t step = 1) {
+  Number to;
+  to.between = bridge::put_number(to.at, si, per_unit, step);
   return to;
 }
 
-TEST(Watch, ANumberBecomesTheStepsAroundIt) {
-  const Signal exact = put(0.25), between = put(0.0005);
-  EXPECT_EQ(exact.lo, 250);
-  EXPECT_EQ(exact.hi, 250);
-  EXPECT_EQ(between.lo, 0);
-  EXPECT_EQ(between.hi, 1);
-  EXPECT_EQ(exact.valid, 1);
+TEST(Watch, ANumberBecomesTheLastStepThatIsNotAboveIt) {
+  const Number exact = put(0.25), between = put(0.0005), below = put(-0.0005);
+  EXPECT_EQ(exact.at, 250);
+  EXPECT_EQ(exact.between, 0U);
+  EXPECT_EQ(between.at, 0);
+  EXPECT_EQ(between.between, 1U);
+  EXPECT_EQ(below.at, -1);
+  EXPECT_EQ(below.between, 1U);
+  const Number coarse = put(-0.025, 1000, 10);
+  EXPECT_EQ(coarse.at, -3);
+  EXPECT_EQ(coarse.between, 1U);
 }
 
 // It has arrived, so that it has an age (rule 6.3), but no value on any grid.
-TEST(Watch, ANumberBeyondEveryGridHasAnAgeAndNoSteps) {
+TEST(Watch, ANumberBeyondEveryGridHasNoStep) {
   for (const double far : {1e30, -1e30, std::numeric_limits<double>::max()}) {
-    const Signal s = put(far);
-    EXPECT_EQ(s.valid, 1) << far;
-    EXPECT_EQ(s.stamp_us, 7);
-    EXPECT_GT(s.lo, s.hi) << far;
+    const Number number = put(far);
+    EXPECT_EQ(number.at, bridge::off_grid) << far;
+    EXPECT_EQ(number.between, 0U) << far;
   }
 }
 
-TEST(Watch, WhatIsNoNumberOrNeverArrivedIsNotValid) {
-  EXPECT_EQ(put(std::nan("")).valid, 0);
-  EXPECT_EQ(put(std::numeric_limits<double>::infinity()).valid, 0);
-  EXPECT_EQ(put(1, never_us).valid, 0);
+TEST(Watch, WhatIsNotFiniteIsNoNumber) {
+  EXPECT_EQ(put(std::nan("")).at, bridge::no_number);
+  EXPECT_EQ(put(std::numeric_limits<double>::infinity()).at, bridge::no_number);
+  EXPECT_EQ(put(-std::numeric_limits<double>::infinity()).at, bridge::no_number);
+}
+
+// What lay between two steps in the last sample is forgotten.
+TEST(Watch, ASampleStartsAnew) {
+  struct {
+    TimeUs stamp_us;
+    std::int32_t valid;
+    std::uint32_t between;
+    std::int64_t value;
+  } sample{1, 0, 1, 5};
+  bridge::start_sample(sample, 7);
+  EXPECT_EQ(sample.stamp_us, 7);
+  EXPECT_EQ(sample.valid, 1);
+  EXPECT_EQ(sample.between, 0U);
+  bridge::start_sample(sample, never_us);
+  EXPECT_EQ(sample.valid, 0);
 }
 
 std::int64_t param(double si, bool up, double per_unit = 1000, std::int64_t step = 1) {
@@ -55,12 +73,10 @@ std::int64_t param(double si, bool up, double per_unit = 1000, std::int64_t step
 // The farthest step of any grid (10^15) is a step; what is beyond it has none.
 TEST(Watch, TheLastStepOfAnyGridIsOne) {
   for (const double sign : {1.0, -1.0}) {
-    Signal last, beyond;
-    bridge::put_number(last, sign * 1e15, 1, 1, 7);
-    EXPECT_EQ(last.lo, sign * 1'000'000'000'000'000);
-    EXPECT_EQ(last.hi, last.lo);
-    bridge::put_number(beyond, sign * std::nextafter(1e15, 2e15), 1, 1, 7);
-    EXPECT_GT(beyond.lo, beyond.hi);
+    const Number last = put(sign * 1e15, 1), beyond = put(sign * std::nextafter(1e15, 2e15), 1);
+    EXPECT_EQ(last.at, sign * 1'000'000'000'000'000);
+    EXPECT_EQ(last.between, 0U);
+    EXPECT_EQ(beyond.at, bridge::off_grid);
   }
 }
 

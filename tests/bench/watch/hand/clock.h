@@ -11,11 +11,20 @@ enum { HAND_MISSED_MAX = 4 }; /* ticks that may be missed before the past is for
 
 #define HAND_INFINITE INT64_C(500000000000000000)
 
-/* Grid values below and above what was measured. */
-typedef struct hand_signal {
-  int64_t lo, hi, stamp_us;
+/* The samples that generated code has: steps of the grid, none of them above what was measured, and
+ * a bit for each number that lies strictly between its step and the next. */
+typedef struct hand_number {
+  int64_t stamp_us;
   int32_t valid;
-} hand_signal;
+  uint32_t between;
+  int64_t value;
+} hand_number;
+typedef struct hand_point {
+  int64_t stamp_us;
+  int32_t valid;
+  uint32_t between;
+  int64_t x, y;
+} hand_point;
 
 typedef struct hand_finding {
   int32_t verdict, reason, input, unit;
@@ -46,9 +55,9 @@ static inline int64_t hand_elapsed(hand_clock* c, int64_t now_us, int64_t period
 }
 
 /* Neither from the future nor before an earlier one, whether it has a value or not. */
-static inline int hand_good(const hand_signal* s, int64_t* last_us, int64_t now_us) {
-  if (s->stamp_us > now_us || s->stamp_us < *last_us) return 0;
-  *last_us = s->stamp_us;
+static inline int hand_good(int64_t stamp_us, int64_t* last_us, int64_t now_us) {
+  if (stamp_us > now_us || stamp_us < *last_us) return 0;
+  *last_us = stamp_us;
   return 1;
 }
 

@@ -22,10 +22,14 @@ static int64_t most(int64_t a, int64_t b) {
   return a > b ? a : b;
 }
 
-static int measured(const hand_signal* s, int64_t lo, int64_t hi, int64_t error, interval* out) {
-  out->lo = s->lo - error;
-  out->hi = s->hi + error;
-  return s->valid && s->lo <= s->hi && s->lo >= lo && s->hi <= hi;
+static int measured(int64_t at, uint32_t between, int64_t lo, int64_t hi, int64_t error,
+                    interval* out) {
+  out->lo = at - error;
+  out->hi = at + (int64_t)between + error;
+  return at >= lo && at <= hi - (int64_t)between;
+}
+static int placed(int64_t at, uint32_t between, interval* out) {
+  return measured(at, between, -POSITION_MAX_MM, POSITION_MAX_MM, POSITION_ERROR_MM, out);
 }
 
 static hand_margin unknown(int32_t input, int32_t unit) {
@@ -170,9 +174,10 @@ void hand_patrol_step(hand_patrol_state* s, const hand_patrol_in* in, int64_t no
     return;
   }
   out->tick = s->clock.tick;
-  if (hand_good(&in->battery, &s->battery_us, now_us) &&
-      now_us - in->battery.stamp_us <= BATTERY_AGE_US &&
-      measured(&in->battery, 0, BATTERY_MAX_PPM, BATTERY_ERROR_PPM, &battery)) {
+  if (hand_good(in->battery.stamp_us, &s->battery_us, now_us) &&
+      now_us - in->battery.stamp_us <= BATTERY_AGE_US && in->battery.valid &&
+      measured(in->battery.value, in->battery.between & 1, 0, BATTERY_MAX_PPM, BATTERY_ERROR_PPM,
+               &battery)) {
     charged_known(&s->charged, battery);
   } else {
     charged_tick(&s->charged, unknown(HAND_BATTERY, UNIT_PERCENT),
@@ -180,22 +185,18 @@ void hand_patrol_step(hand_patrol_state* s, const hand_patrol_in* in, int64_t no
   }
   tell(&s->charged, &out->monitors[HAND_CHARGED]);
 
-  first = hand_good(&in->first_x, &s->first_us, now_us) &&
-          now_us - in->first_x.stamp_us <= POSITION_AGE_US;
-  first_y = first && in->first_y.stamp_us == in->first_x.stamp_us &&
-            measured(&in->first_y, -POSITION_MAX_MM, POSITION_MAX_MM, POSITION_ERROR_MM, &ay);
-  first =
-      first && measured(&in->first_x, -POSITION_MAX_MM, POSITION_MAX_MM, POSITION_ERROR_MM, &ax);
+  first = hand_good(in->first.stamp_us, &s->first_us, now_us) &&
+          now_us - in->first.stamp_us <= POSITION_AGE_US && in->first.valid;
+  first_y = first && placed(in->first.y, in->first.between >> 1 & 1, &ay);
+  first = first && placed(in->first.x, in->first.between & 1, &ax);
   inside(first, ax, &fence);
   inside(first_y, ay, &fence);
   tell(&fence, &out->monitors[HAND_FENCE]);
 
-  second = hand_good(&in->second_x, &s->second_us, now_us) &&
-           now_us - in->second_x.stamp_us <= POSITION_AGE_US;
-  second_y = second && in->second_y.stamp_us == in->second_x.stamp_us &&
-             measured(&in->second_y, -POSITION_MAX_MM, POSITION_MAX_MM, POSITION_ERROR_MM, &by);
-  second =
-      second && measured(&in->second_x, -POSITION_MAX_MM, POSITION_MAX_MM, POSITION_ERROR_MM, &bx);
+  second = hand_good(in->second.stamp_us, &s->second_us, now_us) &&
+           now_us - in->second.stamp_us <= POSITION_AGE_US && in->second.valid;
+  second_y = second && placed(in->second.y, in->second.between >> 1 & 1, &by);
+  second = second && placed(in->second.x, in->second.between & 1, &bx);
   if (first && first_y && second && second_y) {
     pair = apart(ax, ay, bx, by);
   } else { /* the input that is named first, axis by axis */

@@ -12,8 +12,8 @@ enum { HAND_CHARGED, HAND_FENCE, HAND_APART, HAND_PATROL_MONITORS };
 enum { HAND_BATTERY = 2, HAND_FIRST, HAND_SECOND }; /* inputs, as a finding names them */
 
 typedef struct hand_patrol_in {
-  hand_signal battery;                              /* ppm */
-  hand_signal first_x, first_y, second_x, second_y; /* mm */
+  hand_number battery;      /* ppm */
+  hand_point first, second; /* mm */
 } hand_patrol_in;
 
 /* A margin, and which input is missing when it is unknown. */

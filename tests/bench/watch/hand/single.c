@@ -24,18 +24,22 @@ static int begin(hand_single_state* s, int64_t now_us, int64_t* since_us) {
   return 1;
 }
 
-static int measured(const hand_signal* s) {
-  return s->valid && s->lo <= s->hi && s->lo >= -POSITION_MAX_MM && s->hi <= POSITION_MAX_MM;
+static int measured(int64_t at, uint32_t between) {
+  return at >= -POSITION_MAX_MM && at <= POSITION_MAX_MM - (int64_t)between;
 }
 static int arrived(const hand_point* p, int64_t since_us, int64_t now_us) {
-  return p->x.stamp_us > since_us && p->x.stamp_us <= now_us;
+  return p->stamp_us > since_us && p->stamp_us <= now_us && p->valid;
+}
+static uint32_t x_between(const hand_point* p) {
+  return p->between & 1;
+}
+static uint32_t y_between(const hand_point* p) {
+  return p->between >> 1 & 1;
 }
 
-/* What lies between two steps of the grid is never one of them. */
-static int32_t in_box(const hand_signal* s) {
-  const int64_t open = s->lo < s->hi;
-  if (s->lo >= 0 && s->hi <= BOX_MM) return HAND_TRUE;
-  return s->hi - open >= 0 && s->lo + open <= BOX_MM ? HAND_UNKNOWN : HAND_FALSE;
+/* Of what lies between two steps neither limit is met by accident: both are steps. */
+static int32_t in_box(int64_t at, uint32_t between) {
+  return at >= 0 && at <= BOX_MM - (int64_t)between ? HAND_TRUE : HAND_FALSE;
 }
 static int32_t both(int32_t a, int32_t b) {
   return a < b ? a : b;
@@ -43,20 +47,24 @@ static int32_t both(int32_t a, int32_t b) {
 void hand_fence_step(hand_single_state* s, const hand_point* first, int64_t now_us,
                      int32_t verdict[1]) {
   int64_t since_us;
+  int32_t x, y;
   verdict[0] = HAND_UNKNOWN;
   if (!begin(s, now_us, &since_us) || !arrived(first, since_us, now_us)) return;
-  verdict[0] =
-      both(measured(&first->x) ? in_box(&first->x) : HAND_UNKNOWN,
-           first->y.stamp_us == first->x.stamp_us && measured(&first->y) ? in_box(&first->y)
-                                                                         : HAND_UNKNOWN);
+  x = measured(first->x, x_between(first)) ? in_box(first->x, x_between(first)) : HAND_UNKNOWN;
+  y = measured(first->y, y_between(first)) ? in_box(first->y, y_between(first)) : HAND_UNKNOWN;
+  verdict[0] = both(x, y);
 }
 
 /* Least and greatest square of a difference. */
-static void squared(const hand_signal* a, const hand_signal* b, int64_t* near, int64_t* far) {
-  const int64_t lo = a->lo - b->hi, hi = a->hi - b->lo;
+static void squared(int64_t a, uint32_t a_between, int64_t b, uint32_t b_between, int64_t* near,
+                    int64_t* far) {
+  const int64_t lo = a - b - (int64_t)b_between, hi = a + (int64_t)a_between - b;
   const int64_t least = lo > 0 ? lo : hi < 0 ? -hi : 0, most = -lo > hi ? -lo : hi;
   *near += least * least;
   *far += most * most;
+}
+static int placed(const hand_point* p) {
+  return measured(p->x, x_between(p)) && measured(p->y, y_between(p));
 }
 void hand_apart_step(hand_single_state* s, const hand_pair* in, int64_t now_us,
                      int32_t verdict[1]) {
@@ -64,15 +72,11 @@ void hand_apart_step(hand_single_state* s, const hand_pair* in, int64_t now_us,
   int64_t since_us, near = 0, far = 0;
   verdict[0] = HAND_UNKNOWN;
   if (!begin(s, now_us, &since_us) || !arrived(a, since_us, now_us) ||
-      !arrived(b, since_us, now_us)) {
+      !arrived(b, since_us, now_us) || !placed(a) || !placed(b)) {
     return;
   }
-  if (a->y.stamp_us != a->x.stamp_us || b->y.stamp_us != b->x.stamp_us || !measured(&a->x) ||
-      !measured(&a->y) || !measured(&b->x) || !measured(&b->y)) {
-    return;
-  }
-  squared(&a->x, &b->x, &near, &far);
-  squared(&a->y, &b->y, &near, &far);
+  squared(a->x, x_between(a), b->x, x_between(b), &near, &far);
+  squared(a->y, y_between(a), b->y, y_between(b), &near, &far);
   if (near >= (int64_t)APART_MM * APART_MM) {
     verdict[0] = HAND_TRUE;
   } else if (far <= (int64_t)(APART_MM - 1) * (APART_MM - 1)) {

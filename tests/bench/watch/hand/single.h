@@ -10,9 +10,6 @@
 extern "C" {
 #endif
 
-typedef struct hand_point {
-  hand_signal x, y; /* mm */
-} hand_point;
 typedef struct hand_pair {
   hand_point first, second;
 } hand_pair;

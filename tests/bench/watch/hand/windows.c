@@ -6,10 +6,10 @@ enum { PERIOD_US = 1000 };
 enum { NO = 0, MAYBE = 2, YES = 3 }; /* bit 0: surely, bit 1: perhaps */
 
 /* A new sample every tick, or the condition is unknown. */
-static int truth(const hand_signal* s, int64_t* last_us, int64_t since_us, int64_t now_us) {
-  if (!hand_good(s, last_us, now_us) || s->stamp_us <= since_us) return MAYBE;
-  if (!s->valid || s->lo != s->hi) return MAYBE;
-  return s->lo == 1 ? YES : s->lo == 0 ? NO : MAYBE;
+static int truth(const hand_number* s, int64_t* last_us, int64_t since_us, int64_t now_us) {
+  if (!hand_good(s->stamp_us, last_us, now_us) || s->stamp_us <= since_us) return MAYBE;
+  if (!s->valid || s->between) return MAYBE;
+  return s->value == 1 ? YES : s->value == 0 ? NO : MAYBE;
 }
 
 static void tell(int must, int may, int32_t missing, hand_finding* f) {
@@ -34,7 +34,7 @@ void hand_once_init(hand_once_state* s) {
   s->must = s->may = -1;
   s->why = HAND_CLOCK;
 }
-void hand_once_step(hand_once_state* s, const hand_signal* alarm, int64_t now_us,
+void hand_once_step(hand_once_state* s, const hand_number* alarm, int64_t now_us,
                     hand_window_out* out) {
   const int first = !s->clock.started;
   const int64_t before_us = s->judged_us;
@@ -92,7 +92,7 @@ static void since_missed(hand_since_state* s, int64_t elapsed) {
   }
   for (k = tick - elapsed + 1; k < tick; ++k) since_tick(s, k, MAYBE, MAYBE);
 }
-void hand_since_step(hand_since_state* s, const hand_signal* calm, const hand_signal* alarm,
+void hand_since_step(hand_since_state* s, const hand_number* calm, const hand_number* alarm,
                      int64_t now_us, hand_window_out* out) {
   const int first = !s->clock.started;
   const int64_t before_us = s->judged_us;

@@ -26,7 +26,7 @@ typedef struct hand_once_state {
 } hand_once_state;
 
 void hand_once_init(hand_once_state* s);
-void hand_once_step(hand_once_state* s, const hand_signal* alarm, int64_t now_us,
+void hand_once_step(hand_once_state* s, const hand_number* alarm, int64_t now_us,
                     hand_window_out* out);
 
 typedef struct hand_since_state {
@@ -41,7 +41,7 @@ typedef struct hand_since_state {
 } hand_since_state;
 
 void hand_since_init(hand_since_state* s);
-void hand_since_step(hand_since_state* s, const hand_signal* calm, const hand_signal* alarm,
+void hand_since_step(hand_since_state* s, const hand_number* calm, const hand_number* alarm,
                      int64_t now_us, hand_window_out* out);
 
 #ifdef __cplusplus

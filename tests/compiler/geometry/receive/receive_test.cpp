@@ -45,8 +45,10 @@ TEST(ReceiveZone, NamesTheVertexAndTheReason) {
   EXPECT_EQ(refused({polygon(square, {{{8, 8}, {12, 8}, {9, 9}}})}).substr(0, 21),
             "hole 1, vertex 1: doe");
   EXPECT_EQ(refused({polygon(square, {{{1, 1}, {3, 1}, {2, 3}}, {{2, 1}, {4, 1}, {3, 3}}})})
-                .substr(0, 31),
-            "hole 1: overlaps or touches hol");
+                .substr(0, 22),
+            "hole 1: overlaps hole ");
+  EXPECT_EQ(refused({polygon(square, {{{0, 5}, {5, 4}, {10, 5}, {5, 6}}})}),
+            "hole 1, vertex 2: touches the outer ring at (10 m, 5 m) and cuts the area in two");
 }
 
 TEST(ReceiveZone, RefusesWhatIsNoPlace) {

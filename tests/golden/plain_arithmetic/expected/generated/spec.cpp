@@ -32,22 +32,26 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::lifted(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.lifted, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.lifted, stamp_us);
+  in_.lifted.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::v(rtac::Speed value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.v, value.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.v, stamp_us);
+  in_.v.between |= rtac::bridge::put_number(in_.v.value, value.si(), 1000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::w(rtac::Speed value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.w, value.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.w, stamp_us);
+  in_.w.between |= rtac::bridge::put_number(in_.w.value, value.si(), 1000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::lever(rtac::Length value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.lever, value.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.lever, stamp_us);
+  in_.lever.between |= rtac::bridge::put_number(in_.lever.value, value.si(), 1000.0, 1);
   return *this;
 }
 

@@ -37,8 +37,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -63,22 +63,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -89,6 +79,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -388,27 +387,61 @@ static int64_t next_tick(arm_clock *clock, int64_t now_us, int64_t period_us,
   return gap_us > longest_us && elapsed < 2 ? 2 : elapsed;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const arm_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(arm_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const arm_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(arm_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(arm_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -424,79 +457,65 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const arm_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const arm_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const arm_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const arm_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const arm_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const arm_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -703,51 +722,44 @@ static inline margin side_now(const arm_view *v) {
 }
 
 static inline void arm_look_lifted(arm_view *v, const arm_monitors_in *in) {
-  const int32_t fresh_lifted = sample_arrived(&in->lifted, v->since_us, v->now_us);
-  v->lifted = truth_of(&in->lifted, fresh_lifted, ARM_MONITORS_INPUT_LIFTED);
+  const int32_t fresh_lifted = sample_arrived(in->lifted.stamp_us, v->since_us, v->now_us) &&
+      in->lifted.valid != 0;
+  v->lifted = truth_of(in->lifted.value, (in->lifted.between & 1U), fresh_lifted,
+      ARM_MONITORS_INPUT_LIFTED);
 }
 
 static inline void arm_look_v(arm_view *v, const arm_monitors_in *in) {
-  const int32_t fresh_v = sample_arrived(&in->v, v->since_us, v->now_us);
-  v->v = number_of(&in->v, fresh_v, -4000, 4000, 20, ARM_MONITORS_INPUT_V);
+  const int32_t fresh_v = sample_arrived(in->v.stamp_us, v->since_us, v->now_us) &&
+      in->v.valid != 0;
+  v->v = number_of(in->v.value, (in->v.between & 1U), fresh_v, -4000, 4000, 20,
+      ARM_MONITORS_INPUT_V);
 }
 
 static inline void arm_look_w(arm_view *v, const arm_monitors_in *in) {
-  const int32_t fresh_w = sample_arrived(&in->w, v->since_us, v->now_us);
-  v->w = number_of(&in->w, fresh_w, -4000, 4000, 20, ARM_MONITORS_INPUT_W);
+  const int32_t fresh_w = sample_arrived(in->w.stamp_us, v->since_us, v->now_us) &&
+      in->w.valid != 0;
+  v->w = number_of(in->w.value, (in->w.between & 1U), fresh_w, -4000, 4000, 20,
+      ARM_MONITORS_INPUT_W);
 }
 
 static inline void arm_look_lever(arm_view *v, const arm_monitors_in *in) {
-  const int32_t fresh_lever = sample_arrived(&in->lever, v->since_us, v->now_us);
-  v->lever = number_of(&in->lever, fresh_lever, 0, 2000, 0, ARM_MONITORS_INPUT_LEVER);
+  const int32_t fresh_lever = sample_arrived(in->lever.stamp_us, v->since_us, v->now_us) &&
+      in->lever.valid != 0;
+  v->lever = number_of(in->lever.value, (in->lever.between & 1U), fresh_lever, 0, 2000, 0,
+      ARM_MONITORS_INPUT_LEVER);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t arm_resume(arm_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t arm_resume(arm_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 10000);
-  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t arm_begin(arm_view *v, arm_monitors_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
-  if (begun == 0) {
-    begun = arm_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 10000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -760,17 +772,14 @@ void arm_monitors_init(arm_monitors_state *s) {
   s->judged_us = 0;
 }
 
-void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t now_us,
-                       arm_monitors_out *out) {
+/* The tick that has come. */
+static inline void arm_judge(arm_monitors_state *s, const arm_monitors_in *in, int64_t now_us,
+                             arm_monitors_out *out) {
   arm_view v;
-  int32_t k;
-  if (arm_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < ARM_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(ARM_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   arm_look_v(&v, in);
   arm_look_w(&v, in);
@@ -781,6 +790,29 @@ void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t
   arm_look_lever(&v, in);
   out->monitors[ARM_MONITORS_REACH] = finding_judged(reach_now(&v));
   out->monitors[ARM_MONITORS_SIDE] = finding_judged(side_now(&v));
+}
+
+static SELDOM void arm_late(arm_monitors_state *s, const arm_monitors_in *in, int64_t now_us,
+                            arm_monitors_out *out) {
+  int32_t k;
+  if (arm_resume(s, now_us) != 0) {
+    arm_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < ARM_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(ARM_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t now_us,
+                       arm_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 10000)) {
+    tick_counted(&s->clock, now_us);
+    arm_judge(s, in, now_us, out);
+  } else {
+    arm_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -875,53 +907,40 @@ static inline int32_t side_verdict(const arm_verdicts_view *v) {
 }
 
 static inline void arm_verdicts_look_lifted(arm_verdicts_view *v, const arm_monitors_in *in) {
-  const int32_t fresh_lifted = sample_arrived(&in->lifted, v->since_us, v->now_us);
-  v->lifted = bits_truth(&in->lifted, fresh_lifted);
+  const int32_t fresh_lifted = sample_arrived(in->lifted.stamp_us, v->since_us, v->now_us) &&
+      in->lifted.valid != 0;
+  v->lifted = bits_truth(in->lifted.value, (in->lifted.between & 1U), fresh_lifted);
 }
 
 static inline void arm_verdicts_look_v(arm_verdicts_view *v, const arm_monitors_in *in) {
-  const int32_t fresh_v = sample_arrived(&in->v, v->since_us, v->now_us);
-  v->v = bounds_number(&in->v, fresh_v, -4000, 4000, 20);
+  const int32_t fresh_v = sample_arrived(in->v.stamp_us, v->since_us, v->now_us) &&
+      in->v.valid != 0;
+  v->v = bounds_number(in->v.value, (in->v.between & 1U), fresh_v, -4000, 4000, 20);
 }
 
 static inline void arm_verdicts_look_w(arm_verdicts_view *v, const arm_monitors_in *in) {
-  const int32_t fresh_w = sample_arrived(&in->w, v->since_us, v->now_us);
-  v->w = bounds_number(&in->w, fresh_w, -4000, 4000, 20);
+  const int32_t fresh_w = sample_arrived(in->w.stamp_us, v->since_us, v->now_us) &&
+      in->w.valid != 0;
+  v->w = bounds_number(in->w.value, (in->w.between & 1U), fresh_w, -4000, 4000, 20);
 }
 
 static inline void arm_verdicts_look_lever(arm_verdicts_view *v, const arm_monitors_in *in) {
-  const int32_t fresh_lever = sample_arrived(&in->lever, v->since_us, v->now_us);
-  v->lever = bounds_number(&in->lever, fresh_lever, 0, 2000, 0);
+  const int32_t fresh_lever = sample_arrived(in->lever.stamp_us, v->since_us, v->now_us) &&
+      in->lever.valid != 0;
+  v->lever = bounds_number(in->lever.value, (in->lever.between & 1U), fresh_lever, 0, 2000, 0);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t arm_verdicts_resume(arm_monitors_verdicts_state *s, int64_t now_us,
-                                   int64_t *since_us) {
+static int32_t arm_verdicts_resume(arm_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 10000);
-  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t arm_verdicts_begin(arm_verdicts_view *v, arm_monitors_verdicts_state *s,
-                                         int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
-  if (begun == 0) {
-    begun = arm_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 10000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -931,19 +950,19 @@ void arm_monitors_verdicts_init(arm_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
+  s->judged_us = INT64_MAX;
 }
 
-void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in *in,
-                           int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
+/* The tick that has come. */
+static inline void arm_verdicts_judge(arm_monitors_verdicts_state *s, const arm_monitors_in *in,
+                                      int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
   arm_verdicts_view v;
-  int32_t k;
-  if (arm_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < ARM_MONITORS; ++k) {
-      verdicts[k] = ARM_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   arm_verdicts_look_v(&v, in);
   arm_verdicts_look_w(&v, in);
   verdicts[ARM_MONITORS_SLOW] = slow_verdict(&v);
@@ -953,4 +972,38 @@ void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in
   arm_verdicts_look_lever(&v, in);
   verdicts[ARM_MONITORS_REACH] = reach_verdict(&v);
   verdicts[ARM_MONITORS_SIDE] = side_verdict(&v);
+}
+
+static SELDOM void arm_verdicts_late(arm_monitors_verdicts_state *s, const arm_monitors_in *in,
+                                     int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 10000);
+    begun = tick_follows(&s->until_us, now_us, 10000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = arm_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 10000);
+    arm_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < ARM_MONITORS; ++k) {
+    verdicts[k] = ARM_VERDICT_UNKNOWN;
+  }
+}
+
+void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in *in,
+                           int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 10000;
+    arm_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    arm_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -48,15 +48,11 @@ enum {
   ARM_MONITORS_INPUT_LEVER = 5
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct arm_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} arm_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -70,10 +66,30 @@ typedef struct arm_clock {
 } arm_clock;
 
 typedef struct arm_monitors_in {
-  arm_signal lifted; /* 0 or 1; new every tick */
-  arm_signal v; /* steps of 1/1000 m/s, -4000 to 4000; new every tick */
-  arm_signal w; /* steps of 1/1000 m/s, -4000 to 4000; new every tick */
-  arm_signal lever; /* steps of mm, 0 to 2000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } lifted; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } v; /* steps of 1/1000 m/s, -4000 to 4000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } w; /* steps of 1/1000 m/s, -4000 to 4000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } lever; /* steps of mm, 0 to 2000; new every tick */
 } arm_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 48 bytes in all. */
@@ -87,6 +103,8 @@ typedef struct arm_monitors_state {
 typedef struct arm_monitors_verdicts_state {
   arm_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   int64_t judged_us;
 } arm_monitors_verdicts_state;
 

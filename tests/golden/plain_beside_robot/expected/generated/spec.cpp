@@ -323,18 +323,21 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::gate_open(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.gate_open, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.gate_open, stamp_us);
+  in_.gate_open.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::wind(rtac::Speed value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.wind, value.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.wind, stamp_us);
+  in_.wind.between |= rtac::bridge::put_number(in_.wind.value, value.si(), 1000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::d1_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.d1_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.d1_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.d1_position, stamp_us);
+  in_.d1_position.between |= rtac::bridge::put_number(in_.d1_position.x, value.x.si(), 1000.0, 1);
+  in_.d1_position.between |= rtac::bridge::put_number(in_.d1_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 

@@ -61,8 +61,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -87,22 +87,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -113,6 +103,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -574,14 +573,12 @@ static int64_t box_gap(vec a, vec b, vec c, vec d) {
 /* The smallest of several distances: of those known in mm, and of those known as squares. */
 typedef struct nearest {
   int64_t mm, square;
-  int64_t wide; /* 0: `mm` is at most 2 mm below that distance; else 3 */
 } nearest;
 
 static nearest nearest_none(void) {
   nearest n;
   n.mm = SPAN_MAX;
   n.square = INT64_MAX;
-  n.wide = 0;
   return n;
 }
 
@@ -595,37 +592,22 @@ static int64_t nearest_mm(const nearest *n) {
   return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
 }
 
-/* A root is less than 1 mm below. */
-static int64_t nearest_mm_hi(const nearest *n) {
-  const int64_t mm = nearest_mm(n);
-  return mm + (n->wide == 0 || mm < n->mm ? 2 : 3);
-}
-
-/* Whether the foot of the perpendicular lies on the edge is decided exactly. Its length comes from
- * the Q30 direction u, whose components are within 1/2 of their true values: of a difference v from
- * a place of the edge's line, the product is within (|vx| + |vy|) / 2 of the true one. That is taken
- * off; then, with the rounding of the quotient, the bound is less than 1 + (|vx| + |vy| + 1) / 2^30 mm
- * below the length: 2 mm for |vx| + |vy| < 2^30. From the nearer end that is so unless the edge is
- * more than 1,000 km long or p as far away; never more than 3 mm. */
+/* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
+ * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
 static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
-  const int64_t square = dot(d, d);
-  const vec r = minus(p, b);
   if (along <= 0) {
     n->square = min_of(n->square, dot(q, q));
-  } else if (along >= square) {
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
     n->square = min_of(n->square, dot(r, r));
   } else {
-    const vec v = along < square - along ? q : r;
-    const int64_t spread = magnitude(v.x) + magnitude(v.y);
-    const int64_t across = magnitude(v.y * e->ux_q30 - v.x * e->uy_q30) - (spread + 1) / 2;
-    const int64_t gap = max_of(across, 0) / Q30;
-    n->wide = gap < n->mm ? spread / Q30 : n->wide;
-    n->mm = min_of(n->mm, gap);
+    const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
 
@@ -676,9 +658,8 @@ static int32_t inside_zone(const zone *z, vec p) {
   return inside;
 }
 
-/* Bounds of the distance from `p` to the boundary: 2 mm apart, or 3 of edges or over distances of
- * hundreds of km. */
-static span boundary_gap(const zone *z, vec p) {
+/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
+static int64_t boundary_gap_lo(const zone *z, vec p) {
   nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
@@ -687,14 +668,18 @@ static span boundary_gap(const zone *z, vec p) {
       near_edge(e, p, &n);
     }
   }
-  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
+  return nearest_mm(&n);
+}
+
+static span boundary_gap(const zone *z, vec p) {
+  const int64_t gap = boundary_gap_lo(z, p);
+  return span_of(gap, gap + 3);
 }
 
 static place place_of(const zone *z, vec p) {
-  const span gap = boundary_gap(z, p);
   place at;
-  at.gap_mm = gap.lo;
-  at.gap_mm_hi = gap.hi;
+  at.gap_mm = boundary_gap_lo(z, p);
+  at.gap_mm_hi = at.gap_mm + 3;
   at.inside = inside_zone(z, p);
   return at;
 }
@@ -966,31 +951,52 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const yard_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(yard_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(yard_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(yard_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -1001,79 +1007,70 @@ static int64_t tick_until(const yard_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const yard_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const yard_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const yard_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const yard_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const yard_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const yard_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -1229,9 +1226,9 @@ static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
   const vec half = minus(vec_of(b->x1, b->y1), p);
   const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
-  const place at = place_of(z, p);
-  return at.inside ? span_of(at.gap_mm - room, at.gap_mm_hi + room)
-                   : span_of(-at.gap_mm_hi - room, -at.gap_mm + room);
+  const span gap = boundary_gap(z, p);
+  return inside_zone(z, p) ? span_of(gap.lo - room, gap.hi + room)
+                           : span_of(-gap.hi - room, -gap.lo + room);
 }
 
 /* The same of a place that was measured without error: it lies in one cell of the grid at most. What
@@ -1507,28 +1504,31 @@ static inline margin calm_now(const yard_view *v) {
 }
 
 static inline void yard_look_gate_open(yard_view *v, const yard_monitors_in *in) {
-  const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, v->now_us);
-  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us,
-      v->now_us) <= 500000;
-  v->gate_open = truth_of(&in->gate_open, fresh_gate_open, YARD_MONITORS_INPUT_GATE_OPEN);
+  const int32_t good_gate_open = sample_good(in->gate_open.stamp_us, &v->s->last_gate_open_us,
+      v->now_us);
+  const int32_t fresh_gate_open = good_gate_open && sample_young(in->gate_open.stamp_us,
+      v->now_us, 500000) && in->gate_open.valid != 0;
+  v->gate_open = truth_of(in->gate_open.value, (in->gate_open.between & 1U), fresh_gate_open,
+      YARD_MONITORS_INPUT_GATE_OPEN);
 }
 
 static inline void yard_look_wind(yard_view *v, const yard_monitors_in *in) {
-  const int32_t good_wind = sample_good(&in->wind, &v->s->last_wind_us, v->now_us);
-  const int32_t fresh_wind = good_wind && elapsed_us(in->wind.stamp_us, v->now_us) <= 1000000;
-  v->wind = number_of(&in->wind, fresh_wind, 0, 40000, 0, YARD_MONITORS_INPUT_WIND);
+  const int32_t good_wind = sample_good(in->wind.stamp_us, &v->s->last_wind_us, v->now_us);
+  const int32_t fresh_wind = good_wind && sample_young(in->wind.stamp_us, v->now_us, 1000000) &&
+      in->wind.valid != 0;
+  v->wind = number_of(in->wind.value, (in->wind.between & 1U), fresh_wind, 0, 40000, 0,
+      YARD_MONITORS_INPUT_WIND);
 }
 
 static inline void yard_look_d1_position(yard_view *v, const yard_monitors_in *in) {
-  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us,
-      v->now_us);
-  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us,
-      v->now_us) <= 50000;
-  v->d1_position_x = number_of(&in->d1_position_x, fresh_d1_position, -100000000, 100000000, 20,
-      YARD_MONITORS_INPUT_D1_POSITION);
-  v->d1_position_y = number_of(&in->d1_position_y, fresh_d1_position &&
-      in->d1_position_y.stamp_us == in->d1_position_x.stamp_us, -100000000, 100000000, 20,
-      YARD_MONITORS_INPUT_D1_POSITION);
+  const int32_t good_d1_position = sample_good(in->d1_position.stamp_us,
+      &v->s->last_d1_position_us, v->now_us);
+  const int32_t fresh_d1_position = good_d1_position && sample_young(in->d1_position.stamp_us,
+      v->now_us, 50000) && in->d1_position.valid != 0;
+  v->d1_position_x = number_of(in->d1_position.x, (in->d1_position.between & 1U),
+      fresh_d1_position, -100000000, 100000000, 20, YARD_MONITORS_INPUT_D1_POSITION);
+  v->d1_position_y = number_of(in->d1_position.y, (in->d1_position.between >> 1 & 1U),
+      fresh_d1_position, -100000000, 100000000, 20, YARD_MONITORS_INPUT_D1_POSITION);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
@@ -1538,20 +1538,6 @@ static int32_t yard_resume(yard_monitors_state *s, int64_t now_us) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 20000);
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t yard_begin(yard_view *v, yard_monitors_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
-  if (begun == 0) {
-    begun = yard_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
   return 1;
 }
 
@@ -1566,23 +1552,41 @@ void yard_monitors_init(yard_monitors_state *s) {
   s->last_d1_position_us = INT64_MIN;
 }
 
-void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
-                        yard_monitors_out *out) {
+/* The tick that has come. */
+static inline void yard_judge(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
+                              yard_monitors_out *out) {
   yard_view v;
-  int32_t k;
-  if (yard_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < YARD_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(YARD_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   out->tick = s->clock.tick;
   yard_look_d1_position(&v, in);
   out->monitors[YARD_MONITORS_FENCED] = finding_judged(fenced_now(&v));
   yard_look_gate_open(&v, in);
   yard_look_wind(&v, in);
   out->monitors[YARD_MONITORS_CALM] = finding_judged(calm_now(&v));
+}
+
+static SELDOM void yard_late(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
+                             yard_monitors_out *out) {
+  int32_t k;
+  if (yard_resume(s, now_us) != 0) {
+    yard_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < YARD_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(YARD_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void yard_monitors_step(yard_monitors_state *s, const yard_monitors_in *in, int64_t now_us,
+                        yard_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 20000)) {
+    tick_counted(&s->clock, now_us);
+    yard_judge(s, in, now_us, out);
+  } else {
+    yard_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1622,52 +1626,42 @@ static inline int32_t calm_verdict(const yard_verdicts_view *v) {
 
 static inline void yard_verdicts_look_gate_open(yard_verdicts_view *v,
                                                 const yard_monitors_in *in) {
-  const int32_t good_gate_open = sample_good(&in->gate_open, &v->s->last_gate_open_us, v->now_us);
-  const int32_t fresh_gate_open = good_gate_open && elapsed_us(in->gate_open.stamp_us,
-      v->now_us) <= 500000;
-  v->gate_open = bits_truth(&in->gate_open, fresh_gate_open);
+  const int32_t good_gate_open = sample_good(in->gate_open.stamp_us, &v->s->last_gate_open_us,
+      v->now_us);
+  const int32_t fresh_gate_open = good_gate_open && sample_young(in->gate_open.stamp_us,
+      v->now_us, 500000) && in->gate_open.valid != 0;
+  v->gate_open = bits_truth(in->gate_open.value, (in->gate_open.between & 1U), fresh_gate_open);
 }
 
 static inline void yard_verdicts_look_wind(yard_verdicts_view *v, const yard_monitors_in *in) {
-  const int32_t good_wind = sample_good(&in->wind, &v->s->last_wind_us, v->now_us);
-  const int32_t fresh_wind = good_wind && elapsed_us(in->wind.stamp_us, v->now_us) <= 1000000;
-  v->wind = bounds_number(&in->wind, fresh_wind, 0, 40000, 0);
+  const int32_t good_wind = sample_good(in->wind.stamp_us, &v->s->last_wind_us, v->now_us);
+  const int32_t fresh_wind = good_wind && sample_young(in->wind.stamp_us, v->now_us, 1000000) &&
+      in->wind.valid != 0;
+  v->wind = bounds_number(in->wind.value, (in->wind.between & 1U), fresh_wind, 0, 40000, 0);
 }
 
 static inline void yard_verdicts_look_d1_position(yard_verdicts_view *v,
                                                   const yard_monitors_in *in) {
-  const int32_t good_d1_position = sample_good(&in->d1_position_x, &v->s->last_d1_position_us,
-      v->now_us);
-  const int32_t fresh_d1_position = good_d1_position && elapsed_us(in->d1_position_x.stamp_us,
-      v->now_us) <= 50000;
-  v->d1_position_x = bounds_number(&in->d1_position_x, fresh_d1_position, -100000000, 100000000,
-      20);
-  v->d1_position_y = bounds_number(&in->d1_position_y, fresh_d1_position &&
-      in->d1_position_y.stamp_us == in->d1_position_x.stamp_us, -100000000, 100000000, 20);
+  const int32_t good_d1_position = sample_good(in->d1_position.stamp_us,
+      &v->s->last_d1_position_us, v->now_us);
+  const int32_t fresh_d1_position = good_d1_position && sample_young(in->d1_position.stamp_us,
+      v->now_us, 50000) && in->d1_position.valid != 0;
+  v->d1_position_x = bounds_number(in->d1_position.x, (in->d1_position.between & 1U),
+      fresh_d1_position, -100000000, 100000000, 20);
+  v->d1_position_y = bounds_number(in->d1_position.y, (in->d1_position.between >> 1 & 1U),
+      fresh_d1_position, -100000000, 100000000, 20);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
 static int32_t yard_verdicts_resume(yard_monitors_verdicts_state *s, int64_t now_us) {
+  if (tick_passed(&s->clock, s->until_us, now_us, 20000) == 0) {
+    return 0;
+  }
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 20000);
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t yard_verdicts_begin(yard_verdicts_view *v, yard_monitors_verdicts_state *s,
-                                          int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
-  if (begun == 0) {
-    begun = yard_verdicts_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
   return 1;
 }
 
@@ -1682,19 +1676,38 @@ void yard_monitors_verdicts_init(yard_monitors_verdicts_state *s) {
   s->last_d1_position_us = INT64_MIN;
 }
 
-void yard_monitors_verdicts(yard_monitors_verdicts_state *s, const yard_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[YARD_MONITORS]) {
+/* The tick that has come. */
+static inline void yard_verdicts_judge(yard_monitors_verdicts_state *s,
+                                       const yard_monitors_in *in, int64_t now_us,
+                                       int32_t verdicts[YARD_MONITORS]) {
   yard_verdicts_view v;
-  int32_t k;
-  if (yard_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < YARD_MONITORS; ++k) {
-      verdicts[k] = YARD_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   yard_verdicts_look_d1_position(&v, in);
   verdicts[YARD_MONITORS_FENCED] = fenced_verdict(&v);
   yard_verdicts_look_gate_open(&v, in);
   yard_verdicts_look_wind(&v, in);
   verdicts[YARD_MONITORS_CALM] = calm_verdict(&v);
+}
+
+static SELDOM void yard_verdicts_late(yard_monitors_verdicts_state *s,
+                                      const yard_monitors_in *in, int64_t now_us,
+                                      int32_t verdicts[YARD_MONITORS]) {
+  int32_t k;
+  if (yard_verdicts_resume(s, now_us) != 0) {
+    yard_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < YARD_MONITORS; ++k) {
+    verdicts[k] = YARD_VERDICT_UNKNOWN;
+  }
+}
+
+void yard_monitors_verdicts(yard_monitors_verdicts_state *s, const yard_monitors_in *in,
+                            int64_t now_us, int32_t verdicts[YARD_MONITORS]) {
+  if (tick_follows(&s->until_us, now_us, 20000)) {
+    yard_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    yard_verdicts_late(s, in, now_us, verdicts);
+  }
 }

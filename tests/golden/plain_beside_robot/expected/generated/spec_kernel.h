@@ -179,15 +179,11 @@ enum {
   YARD_MONITORS_INPUT_D1_POSITION = 10
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct yard_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} yard_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -196,10 +192,24 @@ typedef struct yard_ticks {
 } yard_ticks;
 
 typedef struct yard_monitors_in {
-  yard_signal gate_open; /* 0 or 1; for 500000 us */
-  yard_signal wind; /* steps of 1/1000 m/s, 0 to 40000; for 1000000 us */
-  yard_signal d1_position_x; /* steps of mm, -100000000 to 100000000; for 50000 us */
-  yard_signal d1_position_y; /* steps of mm, -100000000 to 100000000; for 50000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } gate_open; /* 0 or 1; for 500000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } wind; /* steps of 1/1000 m/s, 0 to 40000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } d1_position; /* steps of mm, -100000000 to 100000000; for 50000 us */
 } yard_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 64 bytes in all. */

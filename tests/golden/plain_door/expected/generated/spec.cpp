@@ -29,17 +29,20 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::open(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.open, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.open, stamp_us);
+  in_.open.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::moving(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.moving, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.moving, stamp_us);
+  in_.moving.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::speed(rtac::Speed value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.speed, value.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.speed, stamp_us);
+  in_.speed.between |= rtac::bridge::put_number(in_.speed.value, value.si(), 1000.0, 1);
   return *this;
 }
 

@@ -300,40 +300,74 @@ static inline margin historically_verdict(margin x, door_witness *s, uint8_t *ri
   return margin_bits(historically_within(bits_of(x), &s->sight, ring, from, to, t), x, &s->why);
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const door_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const door_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(door_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const door_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(door_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(door_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -349,79 +383,70 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const door_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const door_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const door_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const door_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const door_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const door_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -510,19 +535,25 @@ static inline margin one_at_a_time_now(const door_view *v) {
 }
 
 static inline void door_look_open(door_view *v, const door_monitors_in *in) {
-  const int32_t fresh_open = sample_arrived(&in->open, v->since_us, v->now_us);
-  v->open = truth_of(&in->open, fresh_open, DOOR_MONITORS_INPUT_OPEN);
+  const int32_t fresh_open = sample_arrived(in->open.stamp_us, v->since_us, v->now_us) &&
+      in->open.valid != 0;
+  v->open = truth_of(in->open.value, (in->open.between & 1U), fresh_open,
+      DOOR_MONITORS_INPUT_OPEN);
 }
 
 static inline void door_look_moving(door_view *v, const door_monitors_in *in) {
-  const int32_t fresh_moving = sample_arrived(&in->moving, v->since_us, v->now_us);
-  v->moving = truth_of(&in->moving, fresh_moving, DOOR_MONITORS_INPUT_MOVING);
+  const int32_t fresh_moving = sample_arrived(in->moving.stamp_us, v->since_us, v->now_us) &&
+      in->moving.valid != 0;
+  v->moving = truth_of(in->moving.value, (in->moving.between & 1U), fresh_moving,
+      DOOR_MONITORS_INPUT_MOVING);
 }
 
 static inline void door_look_speed(door_view *v, const door_monitors_in *in) {
-  const int32_t good_speed = sample_good(&in->speed, &v->s->last_speed_us, v->now_us);
-  const int32_t fresh_speed = good_speed && elapsed_us(in->speed.stamp_us, v->now_us) <= 100000;
-  v->speed = number_of(&in->speed, fresh_speed, 0, 3000, 10, DOOR_MONITORS_INPUT_SPEED);
+  const int32_t good_speed = sample_good(in->speed.stamp_us, &v->s->last_speed_us, v->now_us);
+  const int32_t fresh_speed = good_speed && sample_young(in->speed.stamp_us, v->now_us,
+      100000) && in->speed.valid != 0;
+  v->speed = number_of(in->speed.value, (in->speed.between & 1U), fresh_speed, 0, 3000, 10,
+      DOOR_MONITORS_INPUT_SPEED);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -549,7 +580,7 @@ static void door_catch_up(door_monitors_state *s, int64_t missed) {
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t door_resume(door_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t door_resume(door_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
@@ -559,24 +590,9 @@ static int32_t door_resume(door_monitors_state *s, int64_t now_us, int64_t *sinc
   if (elapsed > 1) {
     door_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t door_begin(door_view *v, door_monitors_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
-  if (begun == 0) {
-    begun = door_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 10000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -591,17 +607,14 @@ void door_monitors_init(door_monitors_state *s) {
   s->last_speed_us = INT64_MIN;
 }
 
-void door_monitors_step(door_monitors_state *s, const door_monitors_in *in, int64_t now_us,
-                        door_monitors_out *out) {
+/* The tick that has come. */
+static inline void door_judge(door_monitors_state *s, const door_monitors_in *in, int64_t now_us,
+                              door_monitors_out *out) {
   door_view v;
-  int32_t k;
-  if (door_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < DOOR_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(DOOR_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   door_look_open(&v, in);
   door_look_speed(&v, in);
@@ -609,6 +622,29 @@ void door_monitors_step(door_monitors_state *s, const door_monitors_in *in, int6
   door_look_moving(&v, in);
   out->monitors[DOOR_MONITORS_ONE_AT_A_TIME] = finding_judged(one_at_a_time_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void door_late(door_monitors_state *s, const door_monitors_in *in, int64_t now_us,
+                             door_monitors_out *out) {
+  int32_t k;
+  if (door_resume(s, now_us) != 0) {
+    door_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < DOOR_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(DOOR_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void door_monitors_step(door_monitors_state *s, const door_monitors_in *in, int64_t now_us,
+                        door_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 10000)) {
+    tick_counted(&s->clock, now_us);
+    door_judge(s, in, now_us, out);
+  } else {
+    door_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -646,19 +682,22 @@ static inline int32_t one_at_a_time_verdict(const door_verdicts_view *v) {
 }
 
 static inline void door_verdicts_look_open(door_verdicts_view *v, const door_monitors_in *in) {
-  const int32_t fresh_open = sample_arrived(&in->open, v->since_us, v->now_us);
-  v->open = bits_truth(&in->open, fresh_open);
+  const int32_t fresh_open = sample_arrived(in->open.stamp_us, v->since_us, v->now_us) &&
+      in->open.valid != 0;
+  v->open = bits_truth(in->open.value, (in->open.between & 1U), fresh_open);
 }
 
 static inline void door_verdicts_look_moving(door_verdicts_view *v, const door_monitors_in *in) {
-  const int32_t fresh_moving = sample_arrived(&in->moving, v->since_us, v->now_us);
-  v->moving = bits_truth(&in->moving, fresh_moving);
+  const int32_t fresh_moving = sample_arrived(in->moving.stamp_us, v->since_us, v->now_us) &&
+      in->moving.valid != 0;
+  v->moving = bits_truth(in->moving.value, (in->moving.between & 1U), fresh_moving);
 }
 
 static inline void door_verdicts_look_speed(door_verdicts_view *v, const door_monitors_in *in) {
-  const int32_t good_speed = sample_good(&in->speed, &v->s->last_speed_us, v->now_us);
-  const int32_t fresh_speed = good_speed && elapsed_us(in->speed.stamp_us, v->now_us) <= 100000;
-  v->speed = bounds_number(&in->speed, fresh_speed, 0, 3000, 10);
+  const int32_t good_speed = sample_good(in->speed.stamp_us, &v->s->last_speed_us, v->now_us);
+  const int32_t fresh_speed = good_speed && sample_young(in->speed.stamp_us, v->now_us,
+      100000) && in->speed.valid != 0;
+  v->speed = bounds_number(in->speed.value, (in->speed.between & 1U), fresh_speed, 0, 3000, 10);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -685,8 +724,7 @@ static void door_verdicts_catch_up(door_monitors_verdicts_state *s, int64_t miss
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t door_verdicts_resume(door_monitors_verdicts_state *s, int64_t now_us,
-                                    int64_t *since_us) {
+static int32_t door_verdicts_resume(door_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
@@ -696,25 +734,9 @@ static int32_t door_verdicts_resume(door_monitors_verdicts_state *s, int64_t now
   if (elapsed > 1) {
     door_verdicts_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t door_verdicts_begin(door_verdicts_view *v, door_monitors_verdicts_state *s,
-                                          int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
-  if (begun == 0) {
-    begun = door_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 10000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -724,25 +746,61 @@ void door_monitors_verdicts_init(door_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   ticks_start(&s->ticks);
   s->last_speed_us = INT64_MIN;
+  s->judged_us = INT64_MAX;
 }
 
-void door_monitors_verdicts(door_monitors_verdicts_state *s, const door_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[DOOR_MONITORS]) {
+/* The tick that has come. */
+static inline void door_verdicts_judge(door_monitors_verdicts_state *s,
+                                       const door_monitors_in *in, int64_t now_us,
+                                       int32_t verdicts[DOOR_MONITORS]) {
   door_verdicts_view v;
-  int32_t k;
-  if (door_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < DOOR_MONITORS; ++k) {
-      verdicts[k] = DOOR_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   door_verdicts_look_open(&v, in);
   door_verdicts_look_speed(&v, in);
   verdicts[DOOR_MONITORS_NO_RUN_WITH_OPEN_DOOR] = no_run_with_open_door_verdict(&v);
   door_verdicts_look_moving(&v, in);
   verdicts[DOOR_MONITORS_ONE_AT_A_TIME] = one_at_a_time_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void door_verdicts_late(door_monitors_verdicts_state *s,
+                                      const door_monitors_in *in, int64_t now_us,
+                                      int32_t verdicts[DOOR_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 10000);
+    begun = tick_follows(&s->until_us, now_us, 10000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = door_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 10000);
+    door_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < DOOR_MONITORS; ++k) {
+    verdicts[k] = DOOR_VERDICT_UNKNOWN;
+  }
+}
+
+void door_monitors_verdicts(door_monitors_verdicts_state *s, const door_monitors_in *in,
+                            int64_t now_us, int32_t verdicts[DOOR_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 10000;
+    door_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    door_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -44,15 +44,11 @@ enum {
   DOOR_MONITORS_INPUT_SPEED = 4
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct door_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} door_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -84,9 +80,24 @@ typedef struct door_clock {
 } door_clock;
 
 typedef struct door_monitors_in {
-  door_signal open; /* 0 or 1; new every tick */
-  door_signal moving; /* 0 or 1; new every tick */
-  door_signal speed; /* steps of 1/1000 m/s, 0 to 3000; for 100000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } open; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } moving; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } speed; /* steps of 1/1000 m/s, 0 to 3000; for 100000 us */
 } door_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 128 bytes in all. */
@@ -104,6 +115,8 @@ typedef struct door_monitors_state {
 typedef struct door_monitors_verdicts_state {
   door_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   door_ticks ticks;
   int64_t judged_us;
   int64_t last_speed_us;

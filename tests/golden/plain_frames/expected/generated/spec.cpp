@@ -37,51 +37,59 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::at(rtac::Pose value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.at_x, value.x.si(), 10000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.at_y, value.y.si(), 10000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.at_heading, value.heading.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.at, stamp_us);
+  in_.at.between |= rtac::bridge::put_number(in_.at.x, value.x.si(), 10000.0, 1);
+  in_.at.between |= rtac::bridge::put_number(in_.at.y, value.y.si(), 10000.0, 1) << 1U;
+  in_.at.between |= rtac::bridge::put_number(in_.at.heading, value.heading.si(), 1000.0, 1) << 2U;
   return *this;
 }
 
 Monitors& Monitors::move(rtac::BodyVelocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.move_linear, value.linear.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.move_angular, value.angular.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.move, stamp_us);
+  in_.move.between |= rtac::bridge::put_number(in_.move.linear, value.linear.si(), 1000.0, 1);
+  in_.move.between |= rtac::bridge::put_number(in_.move.angular, value.angular.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::hand(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.hand_x, value.x.si(), 10000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.hand_y, value.y.si(), 10000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.hand, stamp_us);
+  in_.hand.between |= rtac::bridge::put_number(in_.hand.x, value.x.si(), 10000.0, 1);
+  in_.hand.between |= rtac::bridge::put_number(in_.hand.y, value.y.si(), 10000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::goal(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.goal_x, value.x.si(), 10000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.goal_y, value.y.si(), 10000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.goal, stamp_us);
+  in_.goal.between |= rtac::bridge::put_number(in_.goal.x, value.x.si(), 10000.0, 1);
+  in_.goal.between |= rtac::bridge::put_number(in_.goal.y, value.y.si(), 10000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::load(const std::array<double, 3>& value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.load_x, value[0], 10000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.load_y, value[1], 10000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.load_z, value[2], 10000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.load, stamp_us);
+  in_.load.between |= rtac::bridge::put_number(in_.load.x, value[0], 10000.0, 1);
+  in_.load.between |= rtac::bridge::put_number(in_.load.y, value[1], 10000.0, 1) << 1U;
+  in_.load.between |= rtac::bridge::put_number(in_.load.z, value[2], 10000.0, 1) << 2U;
   return *this;
 }
 
 Monitors& Monitors::hook(const std::array<double, 3>& value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.hook_x, value[0], 10000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.hook_y, value[1], 10000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.hook_z, value[2], 10000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.hook, stamp_us);
+  in_.hook.between |= rtac::bridge::put_number(in_.hook.x, value[0], 10000.0, 1);
+  in_.hook.between |= rtac::bridge::put_number(in_.hook.y, value[1], 10000.0, 1) << 1U;
+  in_.hook.between |= rtac::bridge::put_number(in_.hook.z, value[2], 10000.0, 1) << 2U;
   return *this;
 }
 
 Monitors& Monitors::busy(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.busy, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.busy, stamp_us);
+  in_.busy.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::gear(Gear value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.gear, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.gear, stamp_us);
+  in_.gear.value = static_cast<std::int64_t>(value);
   return *this;
 }
 

@@ -42,8 +42,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -68,22 +68,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -94,6 +84,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -760,40 +759,74 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const gripper_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const gripper_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(gripper_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const gripper_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(gripper_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(gripper_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -809,79 +842,70 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const gripper_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const gripper_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const gripper_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const gripper_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const gripper_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const gripper_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -1169,67 +1193,78 @@ static inline margin rested_now(const gripper_view *v) {
 }
 
 static inline void gripper_look_at(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, v->now_us);
-  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, v->now_us) <= 500000;
-  v->at_x = number_of(&in->at_x, fresh_at, -200000, 200000, 100, GRIPPER_MONITORS_INPUT_AT);
-  v->at_y = number_of(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -200000,
-      200000, 100, GRIPPER_MONITORS_INPUT_AT);
-  v->at_heading = number_of(&in->at_heading, fresh_at &&
-      in->at_heading.stamp_us == in->at_x.stamp_us, -3142, 3142, 2, GRIPPER_MONITORS_INPUT_AT);
+  const int32_t good_at = sample_good(in->at.stamp_us, &v->s->last_at_us, v->now_us);
+  const int32_t fresh_at = good_at && sample_young(in->at.stamp_us, v->now_us, 500000) &&
+      in->at.valid != 0;
+  v->at_x = number_of(in->at.x, (in->at.between & 1U), fresh_at, -200000, 200000, 100,
+      GRIPPER_MONITORS_INPUT_AT);
+  v->at_y = number_of(in->at.y, (in->at.between >> 1 & 1U), fresh_at, -200000, 200000, 100,
+      GRIPPER_MONITORS_INPUT_AT);
+  v->at_heading = number_of(in->at.heading, (in->at.between >> 2 & 1U), fresh_at, -3142, 3142, 2,
+      GRIPPER_MONITORS_INPUT_AT);
 }
 
 static inline void gripper_look_move(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t fresh_move = sample_arrived(&in->move_linear, v->since_us, v->now_us);
-  v->move_linear = number_of(&in->move_linear, fresh_move, -1000, 1000, 0,
-      GRIPPER_MONITORS_INPUT_MOVE);
-  v->move_angular = number_of(&in->move_angular, fresh_move &&
-      in->move_angular.stamp_us == in->move_linear.stamp_us, -2000, 2000, 0,
-      GRIPPER_MONITORS_INPUT_MOVE);
+  const int32_t fresh_move = sample_arrived(in->move.stamp_us, v->since_us, v->now_us) &&
+      in->move.valid != 0;
+  v->move_linear = number_of(in->move.linear, (in->move.between & 1U), fresh_move, -1000, 1000,
+      0, GRIPPER_MONITORS_INPUT_MOVE);
+  v->move_angular = number_of(in->move.angular, (in->move.between >> 1 & 1U), fresh_move, -2000,
+      2000, 0, GRIPPER_MONITORS_INPUT_MOVE);
 }
 
 static inline void gripper_look_hand(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t fresh_hand = sample_arrived(&in->hand_x, v->since_us, v->now_us);
-  v->hand_x = number_of(&in->hand_x, fresh_hand, -20000, 20000, 0, GRIPPER_MONITORS_INPUT_HAND);
-  v->hand_y = number_of(&in->hand_y, fresh_hand && in->hand_y.stamp_us == in->hand_x.stamp_us,
-      -20000, 20000, 0, GRIPPER_MONITORS_INPUT_HAND);
+  const int32_t fresh_hand = sample_arrived(in->hand.stamp_us, v->since_us, v->now_us) &&
+      in->hand.valid != 0;
+  v->hand_x = number_of(in->hand.x, (in->hand.between & 1U), fresh_hand, -20000, 20000, 0,
+      GRIPPER_MONITORS_INPUT_HAND);
+  v->hand_y = number_of(in->hand.y, (in->hand.between >> 1 & 1U), fresh_hand, -20000, 20000, 0,
+      GRIPPER_MONITORS_INPUT_HAND);
 }
 
 static inline void gripper_look_goal(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t good_goal = sample_good(&in->goal_x, &v->s->last_goal_us, v->now_us);
-  const int32_t fresh_goal = good_goal;
-  v->goal_x = number_of(&in->goal_x, fresh_goal, -200000, 200000, 0, GRIPPER_MONITORS_INPUT_GOAL);
-  v->goal_y = number_of(&in->goal_y, fresh_goal && in->goal_y.stamp_us == in->goal_x.stamp_us,
-      -200000, 200000, 0, GRIPPER_MONITORS_INPUT_GOAL);
+  const int32_t good_goal = sample_good(in->goal.stamp_us, &v->s->last_goal_us, v->now_us);
+  const int32_t fresh_goal = good_goal && in->goal.valid != 0;
+  v->goal_x = number_of(in->goal.x, (in->goal.between & 1U), fresh_goal, -200000, 200000, 0,
+      GRIPPER_MONITORS_INPUT_GOAL);
+  v->goal_y = number_of(in->goal.y, (in->goal.between >> 1 & 1U), fresh_goal, -200000, 200000, 0,
+      GRIPPER_MONITORS_INPUT_GOAL);
 }
 
 static inline void gripper_look_load(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t good_load = sample_good(&in->load_x, &v->s->last_load_us, v->now_us);
-  const int32_t fresh_load = good_load;
-  v->load_x = number_of(&in->load_x, fresh_load, -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
-  v->load_y = number_of(&in->load_y, fresh_load && in->load_y.stamp_us == in->load_x.stamp_us,
-      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
-  v->load_z = number_of(&in->load_z, fresh_load && in->load_z.stamp_us == in->load_x.stamp_us,
-      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_LOAD);
+  const int32_t good_load = sample_good(in->load.stamp_us, &v->s->last_load_us, v->now_us);
+  const int32_t fresh_load = good_load && in->load.valid != 0;
+  v->load_x = number_of(in->load.x, (in->load.between & 1U), fresh_load, -50000, 50000, 0,
+      GRIPPER_MONITORS_INPUT_LOAD);
+  v->load_y = number_of(in->load.y, (in->load.between >> 1 & 1U), fresh_load, -50000, 50000, 0,
+      GRIPPER_MONITORS_INPUT_LOAD);
+  v->load_z = number_of(in->load.z, (in->load.between >> 2 & 1U), fresh_load, -50000, 50000, 0,
+      GRIPPER_MONITORS_INPUT_LOAD);
 }
 
 static inline void gripper_look_hook(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, v->now_us);
-  const int32_t fresh_hook = good_hook;
-  v->hook_x = number_of(&in->hook_x, fresh_hook, -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
-  v->hook_y = number_of(&in->hook_y, fresh_hook && in->hook_y.stamp_us == in->hook_x.stamp_us,
-      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
-  v->hook_z = number_of(&in->hook_z, fresh_hook && in->hook_z.stamp_us == in->hook_x.stamp_us,
-      -50000, 50000, 0, GRIPPER_MONITORS_INPUT_HOOK);
+  const int32_t good_hook = sample_good(in->hook.stamp_us, &v->s->last_hook_us, v->now_us);
+  const int32_t fresh_hook = good_hook && in->hook.valid != 0;
+  v->hook_x = number_of(in->hook.x, (in->hook.between & 1U), fresh_hook, -50000, 50000, 0,
+      GRIPPER_MONITORS_INPUT_HOOK);
+  v->hook_y = number_of(in->hook.y, (in->hook.between >> 1 & 1U), fresh_hook, -50000, 50000, 0,
+      GRIPPER_MONITORS_INPUT_HOOK);
+  v->hook_z = number_of(in->hook.z, (in->hook.between >> 2 & 1U), fresh_hook, -50000, 50000, 0,
+      GRIPPER_MONITORS_INPUT_HOOK);
 }
 
 static inline void gripper_look_busy(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t fresh_busy = sample_arrived(&in->busy, v->since_us, v->now_us);
-  v->busy = truth_of(&in->busy, fresh_busy, GRIPPER_MONITORS_INPUT_BUSY);
+  const int32_t fresh_busy = sample_arrived(in->busy.stamp_us, v->since_us, v->now_us) &&
+      in->busy.valid != 0;
+  v->busy = truth_of(in->busy.value, (in->busy.between & 1U), fresh_busy,
+      GRIPPER_MONITORS_INPUT_BUSY);
 }
 
 static inline void gripper_look_gear(gripper_view *v, const gripper_monitors_in *in) {
-  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
-  v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, GRIPPER_MONITORS_INPUT_GEAR);
+  const int32_t fresh_gear = sample_arrived(in->gear.stamp_us, v->since_us, v->now_us) &&
+      in->gear.valid != 0;
+  v->gear = number_of(in->gear.value, (in->gear.between & 1U), fresh_gear, 0, 1, 0,
+      GRIPPER_MONITORS_INPUT_GEAR);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1270,7 +1305,7 @@ static void gripper_catch_up(gripper_monitors_state *s, int64_t missed) {
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t gripper_resume(gripper_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t gripper_resume(gripper_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
@@ -1280,24 +1315,9 @@ static int32_t gripper_resume(gripper_monitors_state *s, int64_t now_us, int64_t
   if (elapsed > 1) {
     gripper_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t gripper_begin(gripper_view *v, gripper_monitors_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = gripper_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -1315,17 +1335,14 @@ void gripper_monitors_init(gripper_monitors_state *s) {
   s->last_hook_us = INT64_MIN;
 }
 
-void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in *in,
-                           int64_t now_us, gripper_monitors_out *out) {
+/* The tick that has come. */
+static inline void gripper_judge(gripper_monitors_state *s, const gripper_monitors_in *in,
+                                 int64_t now_us, gripper_monitors_out *out) {
   gripper_view v;
-  int32_t k;
-  if (gripper_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < GRIPPER_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(GRIPPER_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   gripper_look_at(&v, in);
   gripper_look_hand(&v, in);
@@ -1342,6 +1359,29 @@ void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in 
   out->monitors[GRIPPER_MONITORS_AHEAD] = finding_judged(ahead_now(&v));
   out->monitors[GRIPPER_MONITORS_RESTED] = finding_judged(rested_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void gripper_late(gripper_monitors_state *s, const gripper_monitors_in *in,
+                                int64_t now_us, gripper_monitors_out *out) {
+  int32_t k;
+  if (gripper_resume(s, now_us) != 0) {
+    gripper_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < GRIPPER_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(GRIPPER_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in *in,
+                           int64_t now_us, gripper_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    gripper_judge(s, in, now_us, out);
+  } else {
+    gripper_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1519,72 +1559,77 @@ static inline int32_t rested_verdict(const gripper_verdicts_view *v) {
 
 static inline void gripper_verdicts_look_at(gripper_verdicts_view *v,
                                             const gripper_monitors_in *in) {
-  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, v->now_us);
-  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, v->now_us) <= 500000;
-  v->at_x = bounds_number(&in->at_x, fresh_at, -200000, 200000, 100);
-  v->at_y = bounds_number(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -200000,
-      200000, 100);
-  v->at_heading = bounds_number(&in->at_heading, fresh_at &&
-      in->at_heading.stamp_us == in->at_x.stamp_us, -3142, 3142, 2);
+  const int32_t good_at = sample_good(in->at.stamp_us, &v->s->last_at_us, v->now_us);
+  const int32_t fresh_at = good_at && sample_young(in->at.stamp_us, v->now_us, 500000) &&
+      in->at.valid != 0;
+  v->at_x = bounds_number(in->at.x, (in->at.between & 1U), fresh_at, -200000, 200000, 100);
+  v->at_y = bounds_number(in->at.y, (in->at.between >> 1 & 1U), fresh_at, -200000, 200000, 100);
+  v->at_heading = bounds_number(in->at.heading, (in->at.between >> 2 & 1U), fresh_at, -3142,
+      3142, 2);
 }
 
 static inline void gripper_verdicts_look_move(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t fresh_move = sample_arrived(&in->move_linear, v->since_us, v->now_us);
-  v->move_linear = bounds_number(&in->move_linear, fresh_move, -1000, 1000, 0);
-  v->move_angular = bounds_number(&in->move_angular, fresh_move &&
-      in->move_angular.stamp_us == in->move_linear.stamp_us, -2000, 2000, 0);
+  const int32_t fresh_move = sample_arrived(in->move.stamp_us, v->since_us, v->now_us) &&
+      in->move.valid != 0;
+  v->move_linear = bounds_number(in->move.linear, (in->move.between & 1U), fresh_move, -1000,
+      1000, 0);
+  v->move_angular = bounds_number(in->move.angular, (in->move.between >> 1 & 1U), fresh_move,
+      -2000, 2000, 0);
 }
 
 static inline void gripper_verdicts_look_hand(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t fresh_hand = sample_arrived(&in->hand_x, v->since_us, v->now_us);
-  v->hand_x = bounds_number(&in->hand_x, fresh_hand, -20000, 20000, 0);
-  v->hand_y = bounds_number(&in->hand_y, fresh_hand &&
-      in->hand_y.stamp_us == in->hand_x.stamp_us, -20000, 20000, 0);
+  const int32_t fresh_hand = sample_arrived(in->hand.stamp_us, v->since_us, v->now_us) &&
+      in->hand.valid != 0;
+  v->hand_x = bounds_number(in->hand.x, (in->hand.between & 1U), fresh_hand, -20000, 20000, 0);
+  v->hand_y = bounds_number(in->hand.y, (in->hand.between >> 1 & 1U), fresh_hand, -20000, 20000,
+      0);
 }
 
 static inline void gripper_verdicts_look_goal(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t good_goal = sample_good(&in->goal_x, &v->s->last_goal_us, v->now_us);
-  const int32_t fresh_goal = good_goal;
-  v->goal_x = bounds_number(&in->goal_x, fresh_goal, -200000, 200000, 0);
-  v->goal_y = bounds_number(&in->goal_y, fresh_goal &&
-      in->goal_y.stamp_us == in->goal_x.stamp_us, -200000, 200000, 0);
+  const int32_t good_goal = sample_good(in->goal.stamp_us, &v->s->last_goal_us, v->now_us);
+  const int32_t fresh_goal = good_goal && in->goal.valid != 0;
+  v->goal_x = bounds_number(in->goal.x, (in->goal.between & 1U), fresh_goal, -200000, 200000, 0);
+  v->goal_y = bounds_number(in->goal.y, (in->goal.between >> 1 & 1U), fresh_goal, -200000,
+      200000, 0);
 }
 
 static inline void gripper_verdicts_look_load(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t good_load = sample_good(&in->load_x, &v->s->last_load_us, v->now_us);
-  const int32_t fresh_load = good_load;
-  v->load_x = bounds_number(&in->load_x, fresh_load, -50000, 50000, 0);
-  v->load_y = bounds_number(&in->load_y, fresh_load &&
-      in->load_y.stamp_us == in->load_x.stamp_us, -50000, 50000, 0);
-  v->load_z = bounds_number(&in->load_z, fresh_load &&
-      in->load_z.stamp_us == in->load_x.stamp_us, -50000, 50000, 0);
+  const int32_t good_load = sample_good(in->load.stamp_us, &v->s->last_load_us, v->now_us);
+  const int32_t fresh_load = good_load && in->load.valid != 0;
+  v->load_x = bounds_number(in->load.x, (in->load.between & 1U), fresh_load, -50000, 50000, 0);
+  v->load_y = bounds_number(in->load.y, (in->load.between >> 1 & 1U), fresh_load, -50000, 50000,
+      0);
+  v->load_z = bounds_number(in->load.z, (in->load.between >> 2 & 1U), fresh_load, -50000, 50000,
+      0);
 }
 
 static inline void gripper_verdicts_look_hook(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t good_hook = sample_good(&in->hook_x, &v->s->last_hook_us, v->now_us);
-  const int32_t fresh_hook = good_hook;
-  v->hook_x = bounds_number(&in->hook_x, fresh_hook, -50000, 50000, 0);
-  v->hook_y = bounds_number(&in->hook_y, fresh_hook &&
-      in->hook_y.stamp_us == in->hook_x.stamp_us, -50000, 50000, 0);
-  v->hook_z = bounds_number(&in->hook_z, fresh_hook &&
-      in->hook_z.stamp_us == in->hook_x.stamp_us, -50000, 50000, 0);
+  const int32_t good_hook = sample_good(in->hook.stamp_us, &v->s->last_hook_us, v->now_us);
+  const int32_t fresh_hook = good_hook && in->hook.valid != 0;
+  v->hook_x = bounds_number(in->hook.x, (in->hook.between & 1U), fresh_hook, -50000, 50000, 0);
+  v->hook_y = bounds_number(in->hook.y, (in->hook.between >> 1 & 1U), fresh_hook, -50000, 50000,
+      0);
+  v->hook_z = bounds_number(in->hook.z, (in->hook.between >> 2 & 1U), fresh_hook, -50000, 50000,
+      0);
 }
 
 static inline void gripper_verdicts_look_busy(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t fresh_busy = sample_arrived(&in->busy, v->since_us, v->now_us);
-  v->busy = bits_truth(&in->busy, fresh_busy);
+  const int32_t fresh_busy = sample_arrived(in->busy.stamp_us, v->since_us, v->now_us) &&
+      in->busy.valid != 0;
+  v->busy = bits_truth(in->busy.value, (in->busy.between & 1U), fresh_busy);
 }
 
 static inline void gripper_verdicts_look_gear(gripper_verdicts_view *v,
                                               const gripper_monitors_in *in) {
-  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
-  v->gear = bounds_number(&in->gear, fresh_gear, 0, 1, 0);
+  const int32_t fresh_gear = sample_arrived(in->gear.stamp_us, v->since_us, v->now_us) &&
+      in->gear.valid != 0;
+  v->gear = bounds_number(in->gear.value, (in->gear.between & 1U), fresh_gear, 0, 1, 0);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1625,8 +1670,7 @@ static void gripper_verdicts_catch_up(gripper_monitors_verdicts_state *s, int64_
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t gripper_verdicts_resume(gripper_monitors_verdicts_state *s, int64_t now_us,
-                                       int64_t *since_us) {
+static int32_t gripper_verdicts_resume(gripper_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
@@ -1636,25 +1680,9 @@ static int32_t gripper_verdicts_resume(gripper_monitors_verdicts_state *s, int64
   if (elapsed > 1) {
     gripper_verdicts_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t gripper_verdicts_begin(gripper_verdicts_view *v,
-                                             gripper_monitors_verdicts_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = gripper_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -1664,24 +1692,25 @@ void gripper_monitors_verdicts_init(gripper_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   ticks_start(&s->ticks);
   s->last_at_us = INT64_MIN;
   s->last_goal_us = INT64_MIN;
   s->last_load_us = INT64_MIN;
   s->last_hook_us = INT64_MIN;
+  s->judged_us = INT64_MAX;
 }
 
-void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s, const gripper_monitors_in *in,
-                               int64_t now_us, int32_t verdicts[GRIPPER_MONITORS]) {
+/* The tick that has come. */
+static inline void gripper_verdicts_judge(gripper_monitors_verdicts_state *s,
+                                          const gripper_monitors_in *in, int64_t now_us,
+                                          int32_t verdicts[GRIPPER_MONITORS]) {
   gripper_verdicts_view v;
-  int32_t k;
-  if (gripper_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < GRIPPER_MONITORS; ++k) {
-      verdicts[k] = GRIPPER_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   gripper_verdicts_look_at(&v, in);
   gripper_verdicts_look_hand(&v, in);
   gripper_verdicts_look_goal(&v, in);
@@ -1697,4 +1726,39 @@ void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s, const gripper
   verdicts[GRIPPER_MONITORS_AHEAD] = ahead_verdict(&v);
   verdicts[GRIPPER_MONITORS_RESTED] = rested_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void gripper_verdicts_late(gripper_monitors_verdicts_state *s,
+                                         const gripper_monitors_in *in, int64_t now_us,
+                                         int32_t verdicts[GRIPPER_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 100000);
+    begun = tick_follows(&s->until_us, now_us, 100000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = gripper_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 100000);
+    gripper_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < GRIPPER_MONITORS; ++k) {
+    verdicts[k] = GRIPPER_VERDICT_UNKNOWN;
+  }
+}
+
+void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s, const gripper_monitors_in *in,
+                               int64_t now_us, int32_t verdicts[GRIPPER_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 100000;
+    gripper_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    gripper_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -53,15 +53,11 @@ enum {
   GRIPPER_MONITORS_INPUT_GEAR = 9
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct gripper_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} gripper_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -96,23 +92,54 @@ typedef struct gripper_clock {
 } gripper_clock;
 
 typedef struct gripper_monitors_in {
-  gripper_signal at_x; /* steps of 1/10000 m, -200000 to 200000; for 500000 us */
-  gripper_signal at_y; /* steps of 1/10000 m, -200000 to 200000; for 500000 us */
-  gripper_signal at_heading; /* steps of 1/1000 rad, -3142 to 3142; for 500000 us */
-  gripper_signal move_linear; /* steps of 1/1000 m/s, -1000 to 1000; new every tick */
-  gripper_signal move_angular; /* steps of 1/1000 rad/s, -2000 to 2000; new every tick */
-  gripper_signal hand_x; /* steps of 1/10000 m, -20000 to 20000; new every tick */
-  gripper_signal hand_y; /* steps of 1/10000 m, -20000 to 20000; new every tick */
-  gripper_signal goal_x; /* steps of 1/10000 m, -200000 to 200000; the last one holds */
-  gripper_signal goal_y; /* steps of 1/10000 m, -200000 to 200000; the last one holds */
-  gripper_signal load_x; /* steps of 1/10000 m, -50000 to 50000; the last one holds */
-  gripper_signal load_y; /* steps of 1/10000 m, -50000 to 50000; the last one holds */
-  gripper_signal load_z; /* steps of 1/10000 m, -50000 to 50000; the last one holds */
-  gripper_signal hook_x; /* steps of 1/10000 m, -50000 to 50000; the last one holds */
-  gripper_signal hook_y; /* steps of 1/10000 m, -50000 to 50000; the last one holds */
-  gripper_signal hook_z; /* steps of 1/10000 m, -50000 to 50000; the last one holds */
-  gripper_signal busy; /* 0 or 1; new every tick */
-  gripper_signal gear; /* 0 park, 1 drive; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y, heading;
+  } at; /* steps of 1/10000 m, -200000 to 200000; of turning: steps of 1/1000 rad, -3142 to 3142; for 500000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t linear, angular;
+  } move; /* steps of 1/1000 m/s, -1000 to 1000; of turning: steps of 1/1000 rad/s, -2000 to 2000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } hand; /* steps of 1/10000 m, -20000 to 20000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } goal; /* steps of 1/10000 m, -200000 to 200000; the last one holds */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y, z;
+  } load; /* steps of 1/10000 m, -50000 to 50000; the last one holds */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y, z;
+  } hook; /* steps of 1/10000 m, -50000 to 50000; the last one holds */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } busy; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } gear; /* 0 park, 1 drive; new every tick */
 } gripper_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 96192 bytes in all. */
@@ -134,6 +161,8 @@ typedef struct gripper_monitors_state {
 typedef struct gripper_monitors_verdicts_state {
   gripper_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   gripper_ticks ticks;
   int64_t judged_us;
   int64_t last_at_us;

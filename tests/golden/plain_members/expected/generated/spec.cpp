@@ -70,109 +70,128 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::open(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.open, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.open, stamp_us);
+  in_.open.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::carts_0_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_0_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_0_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_0_position, stamp_us);
+  in_.carts_0_position.between |= rtac::bridge::put_number(in_.carts_0_position.x, value.x.si(), 1000.0, 1);
+  in_.carts_0_position.between |= rtac::bridge::put_number(in_.carts_0_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_1_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_1_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_1_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_1_position, stamp_us);
+  in_.carts_1_position.between |= rtac::bridge::put_number(in_.carts_1_position.x, value.x.si(), 1000.0, 1);
+  in_.carts_1_position.between |= rtac::bridge::put_number(in_.carts_1_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_2_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_2_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_2_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_2_position, stamp_us);
+  in_.carts_2_position.between |= rtac::bridge::put_number(in_.carts_2_position.x, value.x.si(), 1000.0, 1);
+  in_.carts_2_position.between |= rtac::bridge::put_number(in_.carts_2_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_3_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_3_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_3_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_3_position, stamp_us);
+  in_.carts_3_position.between |= rtac::bridge::put_number(in_.carts_3_position.x, value.x.si(), 1000.0, 1);
+  in_.carts_3_position.between |= rtac::bridge::put_number(in_.carts_3_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_4_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_4_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_4_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_4_position, stamp_us);
+  in_.carts_4_position.between |= rtac::bridge::put_number(in_.carts_4_position.x, value.x.si(), 1000.0, 1);
+  in_.carts_4_position.between |= rtac::bridge::put_number(in_.carts_4_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_5_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_5_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_5_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_5_position, stamp_us);
+  in_.carts_5_position.between |= rtac::bridge::put_number(in_.carts_5_position.x, value.x.si(), 1000.0, 1);
+  in_.carts_5_position.between |= rtac::bridge::put_number(in_.carts_5_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_0_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_0_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_0_battery, stamp_us);
+  in_.carts_0_battery.between |= rtac::bridge::put_number(in_.carts_0_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::carts_1_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_1_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_1_battery, stamp_us);
+  in_.carts_1_battery.between |= rtac::bridge::put_number(in_.carts_1_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::carts_2_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_2_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_2_battery, stamp_us);
+  in_.carts_2_battery.between |= rtac::bridge::put_number(in_.carts_2_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::carts_3_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_3_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_3_battery, stamp_us);
+  in_.carts_3_battery.between |= rtac::bridge::put_number(in_.carts_3_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::carts_4_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_4_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_4_battery, stamp_us);
+  in_.carts_4_battery.between |= rtac::bridge::put_number(in_.carts_4_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::carts_5_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_5_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_5_battery, stamp_us);
+  in_.carts_5_battery.between |= rtac::bridge::put_number(in_.carts_5_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::carts_0_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_0_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_0_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_0_velocity, stamp_us);
+  in_.carts_0_velocity.between |= rtac::bridge::put_number(in_.carts_0_velocity.x, value.x.si(), 1000.0, 1);
+  in_.carts_0_velocity.between |= rtac::bridge::put_number(in_.carts_0_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_1_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_1_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_1_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_1_velocity, stamp_us);
+  in_.carts_1_velocity.between |= rtac::bridge::put_number(in_.carts_1_velocity.x, value.x.si(), 1000.0, 1);
+  in_.carts_1_velocity.between |= rtac::bridge::put_number(in_.carts_1_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_2_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_2_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_2_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_2_velocity, stamp_us);
+  in_.carts_2_velocity.between |= rtac::bridge::put_number(in_.carts_2_velocity.x, value.x.si(), 1000.0, 1);
+  in_.carts_2_velocity.between |= rtac::bridge::put_number(in_.carts_2_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_3_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_3_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_3_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_3_velocity, stamp_us);
+  in_.carts_3_velocity.between |= rtac::bridge::put_number(in_.carts_3_velocity.x, value.x.si(), 1000.0, 1);
+  in_.carts_3_velocity.between |= rtac::bridge::put_number(in_.carts_3_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_4_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_4_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_4_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_4_velocity, stamp_us);
+  in_.carts_4_velocity.between |= rtac::bridge::put_number(in_.carts_4_velocity.x, value.x.si(), 1000.0, 1);
+  in_.carts_4_velocity.between |= rtac::bridge::put_number(in_.carts_4_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_5_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_5_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_5_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_5_velocity, stamp_us);
+  in_.carts_5_velocity.between |= rtac::bridge::put_number(in_.carts_5_velocity.x, value.x.si(), 1000.0, 1);
+  in_.carts_5_velocity.between |= rtac::bridge::put_number(in_.carts_5_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 

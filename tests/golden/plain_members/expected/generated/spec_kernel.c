@@ -33,8 +33,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -59,22 +59,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -85,6 +75,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -565,31 +564,52 @@ static margin once_margin(margin x, plain_members_slide *s, plain_members_kept *
                                  t));
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const plain_members_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(plain_members_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(plain_members_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(plain_members_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -600,79 +620,70 @@ static int64_t tick_until(const plain_members_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const plain_members_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const plain_members_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const plain_members_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const plain_members_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const plain_members_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const plain_members_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -1057,224 +1068,255 @@ static inline margin company_now(const plain_members_view *v) {
 
 static inline void plain_members_look_open(plain_members_view *v,
                                            const plain_members_monitors_in *in) {
-  const int32_t good_open = sample_good(&in->open, &v->s->last_open_us, v->now_us);
-  const int32_t fresh_open = good_open;
-  v->open = truth_of(&in->open, fresh_open, PLAIN_MEMBERS_MONITORS_INPUT_OPEN);
+  const int32_t good_open = sample_good(in->open.stamp_us, &v->s->last_open_us, v->now_us);
+  const int32_t fresh_open = good_open && in->open.valid != 0;
+  v->open = truth_of(in->open.value, (in->open.between & 1U), fresh_open,
+      PLAIN_MEMBERS_MONITORS_INPUT_OPEN);
 }
 
 static inline void plain_members_look_carts_0_position(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x,
+  const int32_t good_carts_0_position = sample_good(in->carts_0_position.stamp_us,
       &v->s->last_carts_0_position_us, v->now_us);
   const int32_t fresh_carts_0_position = good_carts_0_position &&
-      elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_0_position_x = number_of(&in->carts_0_position_x, fresh_carts_0_position, -100000000,
-      100000000, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_0_POSITION);
-  v->carts_0_position_y = number_of(&in->carts_0_position_y, fresh_carts_0_position &&
-      in->carts_0_position_y.stamp_us == in->carts_0_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_0_position.stamp_us, v->now_us, 200000) &&
+      in->carts_0_position.valid != 0;
+  v->carts_0_position_x = number_of(in->carts_0_position.x, (in->carts_0_position.between & 1U),
+      fresh_carts_0_position, -100000000, 100000000, 20,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_0_POSITION);
+  v->carts_0_position_y = number_of(in->carts_0_position.y,
+      (in->carts_0_position.between >> 1 & 1U), fresh_carts_0_position, -100000000, 100000000,
       20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_0_POSITION);
 }
 
 static inline void plain_members_look_carts_1_position(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x,
+  const int32_t good_carts_1_position = sample_good(in->carts_1_position.stamp_us,
       &v->s->last_carts_1_position_us, v->now_us);
   const int32_t fresh_carts_1_position = good_carts_1_position &&
-      elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_1_position_x = number_of(&in->carts_1_position_x, fresh_carts_1_position, -100000000,
-      100000000, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_1_POSITION);
-  v->carts_1_position_y = number_of(&in->carts_1_position_y, fresh_carts_1_position &&
-      in->carts_1_position_y.stamp_us == in->carts_1_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_1_position.stamp_us, v->now_us, 200000) &&
+      in->carts_1_position.valid != 0;
+  v->carts_1_position_x = number_of(in->carts_1_position.x, (in->carts_1_position.between & 1U),
+      fresh_carts_1_position, -100000000, 100000000, 20,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_1_POSITION);
+  v->carts_1_position_y = number_of(in->carts_1_position.y,
+      (in->carts_1_position.between >> 1 & 1U), fresh_carts_1_position, -100000000, 100000000,
       20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_1_POSITION);
 }
 
 static inline void plain_members_look_carts_2_position(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_2_position = sample_good(&in->carts_2_position_x,
+  const int32_t good_carts_2_position = sample_good(in->carts_2_position.stamp_us,
       &v->s->last_carts_2_position_us, v->now_us);
   const int32_t fresh_carts_2_position = good_carts_2_position &&
-      elapsed_us(in->carts_2_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_2_position_x = number_of(&in->carts_2_position_x, fresh_carts_2_position, -100000000,
-      100000000, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_2_POSITION);
-  v->carts_2_position_y = number_of(&in->carts_2_position_y, fresh_carts_2_position &&
-      in->carts_2_position_y.stamp_us == in->carts_2_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_2_position.stamp_us, v->now_us, 200000) &&
+      in->carts_2_position.valid != 0;
+  v->carts_2_position_x = number_of(in->carts_2_position.x, (in->carts_2_position.between & 1U),
+      fresh_carts_2_position, -100000000, 100000000, 20,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_2_POSITION);
+  v->carts_2_position_y = number_of(in->carts_2_position.y,
+      (in->carts_2_position.between >> 1 & 1U), fresh_carts_2_position, -100000000, 100000000,
       20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_2_POSITION);
 }
 
 static inline void plain_members_look_carts_3_position(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_3_position = sample_good(&in->carts_3_position_x,
+  const int32_t good_carts_3_position = sample_good(in->carts_3_position.stamp_us,
       &v->s->last_carts_3_position_us, v->now_us);
   const int32_t fresh_carts_3_position = good_carts_3_position &&
-      elapsed_us(in->carts_3_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_3_position_x = number_of(&in->carts_3_position_x, fresh_carts_3_position, -100000000,
-      100000000, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_3_POSITION);
-  v->carts_3_position_y = number_of(&in->carts_3_position_y, fresh_carts_3_position &&
-      in->carts_3_position_y.stamp_us == in->carts_3_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_3_position.stamp_us, v->now_us, 200000) &&
+      in->carts_3_position.valid != 0;
+  v->carts_3_position_x = number_of(in->carts_3_position.x, (in->carts_3_position.between & 1U),
+      fresh_carts_3_position, -100000000, 100000000, 20,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_3_POSITION);
+  v->carts_3_position_y = number_of(in->carts_3_position.y,
+      (in->carts_3_position.between >> 1 & 1U), fresh_carts_3_position, -100000000, 100000000,
       20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_3_POSITION);
 }
 
 static inline void plain_members_look_carts_4_position(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_4_position = sample_good(&in->carts_4_position_x,
+  const int32_t good_carts_4_position = sample_good(in->carts_4_position.stamp_us,
       &v->s->last_carts_4_position_us, v->now_us);
   const int32_t fresh_carts_4_position = good_carts_4_position &&
-      elapsed_us(in->carts_4_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_4_position_x = number_of(&in->carts_4_position_x, fresh_carts_4_position, -100000000,
-      100000000, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_4_POSITION);
-  v->carts_4_position_y = number_of(&in->carts_4_position_y, fresh_carts_4_position &&
-      in->carts_4_position_y.stamp_us == in->carts_4_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_4_position.stamp_us, v->now_us, 200000) &&
+      in->carts_4_position.valid != 0;
+  v->carts_4_position_x = number_of(in->carts_4_position.x, (in->carts_4_position.between & 1U),
+      fresh_carts_4_position, -100000000, 100000000, 20,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_4_POSITION);
+  v->carts_4_position_y = number_of(in->carts_4_position.y,
+      (in->carts_4_position.between >> 1 & 1U), fresh_carts_4_position, -100000000, 100000000,
       20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_4_POSITION);
 }
 
 static inline void plain_members_look_carts_5_position(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_5_position = sample_good(&in->carts_5_position_x,
+  const int32_t good_carts_5_position = sample_good(in->carts_5_position.stamp_us,
       &v->s->last_carts_5_position_us, v->now_us);
   const int32_t fresh_carts_5_position = good_carts_5_position &&
-      elapsed_us(in->carts_5_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_5_position_x = number_of(&in->carts_5_position_x, fresh_carts_5_position, -100000000,
-      100000000, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_POSITION);
-  v->carts_5_position_y = number_of(&in->carts_5_position_y, fresh_carts_5_position &&
-      in->carts_5_position_y.stamp_us == in->carts_5_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_5_position.stamp_us, v->now_us, 200000) &&
+      in->carts_5_position.valid != 0;
+  v->carts_5_position_x = number_of(in->carts_5_position.x, (in->carts_5_position.between & 1U),
+      fresh_carts_5_position, -100000000, 100000000, 20,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_POSITION);
+  v->carts_5_position_y = number_of(in->carts_5_position.y,
+      (in->carts_5_position.between >> 1 & 1U), fresh_carts_5_position, -100000000, 100000000,
       20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_POSITION);
 }
 
 static inline void plain_members_look_carts_0_battery(plain_members_view *v,
                                                       const plain_members_monitors_in *in) {
-  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery,
+  const int32_t good_carts_0_battery = sample_good(in->carts_0_battery.stamp_us,
       &v->s->last_carts_0_battery_us, v->now_us);
   const int32_t fresh_carts_0_battery = good_carts_0_battery &&
-      elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_0_battery = number_of(&in->carts_0_battery, fresh_carts_0_battery, -10000, 1010000,
-      10000, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_0_BATTERY);
+      sample_young(in->carts_0_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_0_battery.valid != 0;
+  v->carts_0_battery = number_of(in->carts_0_battery.value, (in->carts_0_battery.between & 1U),
+      fresh_carts_0_battery, -10000, 1010000, 10000,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_0_BATTERY);
 }
 
 static inline void plain_members_look_carts_1_battery(plain_members_view *v,
                                                       const plain_members_monitors_in *in) {
-  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery,
+  const int32_t good_carts_1_battery = sample_good(in->carts_1_battery.stamp_us,
       &v->s->last_carts_1_battery_us, v->now_us);
   const int32_t fresh_carts_1_battery = good_carts_1_battery &&
-      elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_1_battery = number_of(&in->carts_1_battery, fresh_carts_1_battery, -10000, 1010000,
-      10000, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_1_BATTERY);
+      sample_young(in->carts_1_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_1_battery.valid != 0;
+  v->carts_1_battery = number_of(in->carts_1_battery.value, (in->carts_1_battery.between & 1U),
+      fresh_carts_1_battery, -10000, 1010000, 10000,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_1_BATTERY);
 }
 
 static inline void plain_members_look_carts_2_battery(plain_members_view *v,
                                                       const plain_members_monitors_in *in) {
-  const int32_t good_carts_2_battery = sample_good(&in->carts_2_battery,
+  const int32_t good_carts_2_battery = sample_good(in->carts_2_battery.stamp_us,
       &v->s->last_carts_2_battery_us, v->now_us);
   const int32_t fresh_carts_2_battery = good_carts_2_battery &&
-      elapsed_us(in->carts_2_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_2_battery = number_of(&in->carts_2_battery, fresh_carts_2_battery, -10000, 1010000,
-      10000, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_2_BATTERY);
+      sample_young(in->carts_2_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_2_battery.valid != 0;
+  v->carts_2_battery = number_of(in->carts_2_battery.value, (in->carts_2_battery.between & 1U),
+      fresh_carts_2_battery, -10000, 1010000, 10000,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_2_BATTERY);
 }
 
 static inline void plain_members_look_carts_3_battery(plain_members_view *v,
                                                       const plain_members_monitors_in *in) {
-  const int32_t good_carts_3_battery = sample_good(&in->carts_3_battery,
+  const int32_t good_carts_3_battery = sample_good(in->carts_3_battery.stamp_us,
       &v->s->last_carts_3_battery_us, v->now_us);
   const int32_t fresh_carts_3_battery = good_carts_3_battery &&
-      elapsed_us(in->carts_3_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_3_battery = number_of(&in->carts_3_battery, fresh_carts_3_battery, -10000, 1010000,
-      10000, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_3_BATTERY);
+      sample_young(in->carts_3_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_3_battery.valid != 0;
+  v->carts_3_battery = number_of(in->carts_3_battery.value, (in->carts_3_battery.between & 1U),
+      fresh_carts_3_battery, -10000, 1010000, 10000,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_3_BATTERY);
 }
 
 static inline void plain_members_look_carts_4_battery(plain_members_view *v,
                                                       const plain_members_monitors_in *in) {
-  const int32_t good_carts_4_battery = sample_good(&in->carts_4_battery,
+  const int32_t good_carts_4_battery = sample_good(in->carts_4_battery.stamp_us,
       &v->s->last_carts_4_battery_us, v->now_us);
   const int32_t fresh_carts_4_battery = good_carts_4_battery &&
-      elapsed_us(in->carts_4_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_4_battery = number_of(&in->carts_4_battery, fresh_carts_4_battery, -10000, 1010000,
-      10000, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_4_BATTERY);
+      sample_young(in->carts_4_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_4_battery.valid != 0;
+  v->carts_4_battery = number_of(in->carts_4_battery.value, (in->carts_4_battery.between & 1U),
+      fresh_carts_4_battery, -10000, 1010000, 10000,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_4_BATTERY);
 }
 
 static inline void plain_members_look_carts_5_battery(plain_members_view *v,
                                                       const plain_members_monitors_in *in) {
-  const int32_t good_carts_5_battery = sample_good(&in->carts_5_battery,
+  const int32_t good_carts_5_battery = sample_good(in->carts_5_battery.stamp_us,
       &v->s->last_carts_5_battery_us, v->now_us);
   const int32_t fresh_carts_5_battery = good_carts_5_battery &&
-      elapsed_us(in->carts_5_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_5_battery = number_of(&in->carts_5_battery, fresh_carts_5_battery, -10000, 1010000,
-      10000, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_BATTERY);
+      sample_young(in->carts_5_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_5_battery.valid != 0;
+  v->carts_5_battery = number_of(in->carts_5_battery.value, (in->carts_5_battery.between & 1U),
+      fresh_carts_5_battery, -10000, 1010000, 10000,
+      PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_BATTERY);
 }
 
 static inline void plain_members_look_carts_0_velocity(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x,
+  const int32_t good_carts_0_velocity = sample_good(in->carts_0_velocity.stamp_us,
       &v->s->last_carts_0_velocity_us, v->now_us);
   const int32_t fresh_carts_0_velocity = good_carts_0_velocity &&
-      elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_0_velocity_x = number_of(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020, 1020,
-      20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_0_VELOCITY);
-  v->carts_0_velocity_y = number_of(&in->carts_0_velocity_y, fresh_carts_0_velocity &&
-      in->carts_0_velocity_y.stamp_us == in->carts_0_velocity_x.stamp_us, -1020, 1020, 20,
+      sample_young(in->carts_0_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_0_velocity.valid != 0;
+  v->carts_0_velocity_x = number_of(in->carts_0_velocity.x, (in->carts_0_velocity.between & 1U),
+      fresh_carts_0_velocity, -1020, 1020, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_0_VELOCITY);
+  v->carts_0_velocity_y = number_of(in->carts_0_velocity.y,
+      (in->carts_0_velocity.between >> 1 & 1U), fresh_carts_0_velocity, -1020, 1020, 20,
       PLAIN_MEMBERS_MONITORS_INPUT_CARTS_0_VELOCITY);
 }
 
 static inline void plain_members_look_carts_1_velocity(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x,
+  const int32_t good_carts_1_velocity = sample_good(in->carts_1_velocity.stamp_us,
       &v->s->last_carts_1_velocity_us, v->now_us);
   const int32_t fresh_carts_1_velocity = good_carts_1_velocity &&
-      elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_1_velocity_x = number_of(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020, 1020,
-      20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_1_VELOCITY);
-  v->carts_1_velocity_y = number_of(&in->carts_1_velocity_y, fresh_carts_1_velocity &&
-      in->carts_1_velocity_y.stamp_us == in->carts_1_velocity_x.stamp_us, -1020, 1020, 20,
+      sample_young(in->carts_1_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_1_velocity.valid != 0;
+  v->carts_1_velocity_x = number_of(in->carts_1_velocity.x, (in->carts_1_velocity.between & 1U),
+      fresh_carts_1_velocity, -1020, 1020, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_1_VELOCITY);
+  v->carts_1_velocity_y = number_of(in->carts_1_velocity.y,
+      (in->carts_1_velocity.between >> 1 & 1U), fresh_carts_1_velocity, -1020, 1020, 20,
       PLAIN_MEMBERS_MONITORS_INPUT_CARTS_1_VELOCITY);
 }
 
 static inline void plain_members_look_carts_2_velocity(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_2_velocity = sample_good(&in->carts_2_velocity_x,
+  const int32_t good_carts_2_velocity = sample_good(in->carts_2_velocity.stamp_us,
       &v->s->last_carts_2_velocity_us, v->now_us);
   const int32_t fresh_carts_2_velocity = good_carts_2_velocity &&
-      elapsed_us(in->carts_2_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_2_velocity_x = number_of(&in->carts_2_velocity_x, fresh_carts_2_velocity, -1020, 1020,
-      20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_2_VELOCITY);
-  v->carts_2_velocity_y = number_of(&in->carts_2_velocity_y, fresh_carts_2_velocity &&
-      in->carts_2_velocity_y.stamp_us == in->carts_2_velocity_x.stamp_us, -1020, 1020, 20,
+      sample_young(in->carts_2_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_2_velocity.valid != 0;
+  v->carts_2_velocity_x = number_of(in->carts_2_velocity.x, (in->carts_2_velocity.between & 1U),
+      fresh_carts_2_velocity, -1020, 1020, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_2_VELOCITY);
+  v->carts_2_velocity_y = number_of(in->carts_2_velocity.y,
+      (in->carts_2_velocity.between >> 1 & 1U), fresh_carts_2_velocity, -1020, 1020, 20,
       PLAIN_MEMBERS_MONITORS_INPUT_CARTS_2_VELOCITY);
 }
 
 static inline void plain_members_look_carts_3_velocity(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_3_velocity = sample_good(&in->carts_3_velocity_x,
+  const int32_t good_carts_3_velocity = sample_good(in->carts_3_velocity.stamp_us,
       &v->s->last_carts_3_velocity_us, v->now_us);
   const int32_t fresh_carts_3_velocity = good_carts_3_velocity &&
-      elapsed_us(in->carts_3_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_3_velocity_x = number_of(&in->carts_3_velocity_x, fresh_carts_3_velocity, -1020, 1020,
-      20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_3_VELOCITY);
-  v->carts_3_velocity_y = number_of(&in->carts_3_velocity_y, fresh_carts_3_velocity &&
-      in->carts_3_velocity_y.stamp_us == in->carts_3_velocity_x.stamp_us, -1020, 1020, 20,
+      sample_young(in->carts_3_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_3_velocity.valid != 0;
+  v->carts_3_velocity_x = number_of(in->carts_3_velocity.x, (in->carts_3_velocity.between & 1U),
+      fresh_carts_3_velocity, -1020, 1020, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_3_VELOCITY);
+  v->carts_3_velocity_y = number_of(in->carts_3_velocity.y,
+      (in->carts_3_velocity.between >> 1 & 1U), fresh_carts_3_velocity, -1020, 1020, 20,
       PLAIN_MEMBERS_MONITORS_INPUT_CARTS_3_VELOCITY);
 }
 
 static inline void plain_members_look_carts_4_velocity(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_4_velocity = sample_good(&in->carts_4_velocity_x,
+  const int32_t good_carts_4_velocity = sample_good(in->carts_4_velocity.stamp_us,
       &v->s->last_carts_4_velocity_us, v->now_us);
   const int32_t fresh_carts_4_velocity = good_carts_4_velocity &&
-      elapsed_us(in->carts_4_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_4_velocity_x = number_of(&in->carts_4_velocity_x, fresh_carts_4_velocity, -1020, 1020,
-      20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_4_VELOCITY);
-  v->carts_4_velocity_y = number_of(&in->carts_4_velocity_y, fresh_carts_4_velocity &&
-      in->carts_4_velocity_y.stamp_us == in->carts_4_velocity_x.stamp_us, -1020, 1020, 20,
+      sample_young(in->carts_4_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_4_velocity.valid != 0;
+  v->carts_4_velocity_x = number_of(in->carts_4_velocity.x, (in->carts_4_velocity.between & 1U),
+      fresh_carts_4_velocity, -1020, 1020, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_4_VELOCITY);
+  v->carts_4_velocity_y = number_of(in->carts_4_velocity.y,
+      (in->carts_4_velocity.between >> 1 & 1U), fresh_carts_4_velocity, -1020, 1020, 20,
       PLAIN_MEMBERS_MONITORS_INPUT_CARTS_4_VELOCITY);
 }
 
 static inline void plain_members_look_carts_5_velocity(plain_members_view *v,
                                                        const plain_members_monitors_in *in) {
-  const int32_t good_carts_5_velocity = sample_good(&in->carts_5_velocity_x,
+  const int32_t good_carts_5_velocity = sample_good(in->carts_5_velocity.stamp_us,
       &v->s->last_carts_5_velocity_us, v->now_us);
   const int32_t fresh_carts_5_velocity = good_carts_5_velocity &&
-      elapsed_us(in->carts_5_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_5_velocity_x = number_of(&in->carts_5_velocity_x, fresh_carts_5_velocity, -1020, 1020,
-      20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_VELOCITY);
-  v->carts_5_velocity_y = number_of(&in->carts_5_velocity_y, fresh_carts_5_velocity &&
-      in->carts_5_velocity_y.stamp_us == in->carts_5_velocity_x.stamp_us, -1020, 1020, 20,
+      sample_young(in->carts_5_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_5_velocity.valid != 0;
+  v->carts_5_velocity_x = number_of(in->carts_5_velocity.x, (in->carts_5_velocity.between & 1U),
+      fresh_carts_5_velocity, -1020, 1020, 20, PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_VELOCITY);
+  v->carts_5_velocity_y = number_of(in->carts_5_velocity.y,
+      (in->carts_5_velocity.between >> 1 & 1U), fresh_carts_5_velocity, -1020, 1020, 20,
       PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_VELOCITY);
 }
 
@@ -1342,22 +1384,6 @@ static int32_t plain_members_resume(plain_members_monitors_state *s, int64_t now
   return 1;
 }
 
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t plain_members_begin(plain_members_view *v, plain_members_monitors_state *s,
-                                          const plain_members_monitors_in *in, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = plain_members_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->s->tightest_gap = tighter(v->s->tightest_gap, in->gap, 0, 1000, 1);
-  return 1;
-}
-
 void plain_members_monitors_init(plain_members_monitors_state *s) {
   s->clock.started = 0;
   s->clock.origin_us = 0;
@@ -1387,18 +1413,14 @@ void plain_members_monitors_init(plain_members_monitors_state *s) {
   s->tightest_gap = 500;
 }
 
-void plain_members_monitors_step(plain_members_monitors_state *s,
-                                 const plain_members_monitors_in *in, int64_t now_us,
-                                 plain_members_monitors_out *out) {
+/* The tick that has come. */
+static inline void plain_members_judge(plain_members_monitors_state *s,
+                                       const plain_members_monitors_in *in, int64_t now_us,
+                                       plain_members_monitors_out *out) {
   plain_members_view v;
-  int32_t k;
-  if (plain_members_begin(&v, s, in, now_us) == 0) {
-    for (k = 0; k < PLAIN_MEMBERS_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(PLAIN_MEMBERS_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  s->tightest_gap = tighter(s->tightest_gap, in->gap, 0, 1000, 1);
   out->tick = s->clock.tick;
   plain_members_look_carts_0_position(&v, in);
   plain_members_look_carts_1_position(&v, in);
@@ -1424,6 +1446,31 @@ void plain_members_monitors_step(plain_members_monitors_state *s,
   out->monitors[PLAIN_MEMBERS_MONITORS_CALM] = finding_judged(calm_now(&v));
   out->monitors[PLAIN_MEMBERS_MONITORS_COMPANY] = finding_judged(company_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void plain_members_late(plain_members_monitors_state *s,
+                                      const plain_members_monitors_in *in, int64_t now_us,
+                                      plain_members_monitors_out *out) {
+  int32_t k;
+  if (plain_members_resume(s, now_us) != 0) {
+    plain_members_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < PLAIN_MEMBERS_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(PLAIN_MEMBERS_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void plain_members_monitors_step(plain_members_monitors_state *s,
+                                 const plain_members_monitors_in *in, int64_t now_us,
+                                 plain_members_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    plain_members_judge(s, in, now_us, out);
+  } else {
+    plain_members_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1667,219 +1714,237 @@ static inline int32_t company_verdict(const plain_members_verdicts_view *v) {
 
 static inline void plain_members_verdicts_look_open(plain_members_verdicts_view *v,
                                                     const plain_members_monitors_in *in) {
-  const int32_t good_open = sample_good(&in->open, &v->s->last_open_us, v->now_us);
-  const int32_t fresh_open = good_open;
-  v->open = bits_truth(&in->open, fresh_open);
+  const int32_t good_open = sample_good(in->open.stamp_us, &v->s->last_open_us, v->now_us);
+  const int32_t fresh_open = good_open && in->open.valid != 0;
+  v->open = bits_truth(in->open.value, (in->open.between & 1U), fresh_open);
 }
 
 static inline void plain_members_verdicts_look_carts_0_position(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x,
+  const int32_t good_carts_0_position = sample_good(in->carts_0_position.stamp_us,
       &v->s->last_carts_0_position_us, v->now_us);
   const int32_t fresh_carts_0_position = good_carts_0_position &&
-      elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_0_position_x = bounds_number(&in->carts_0_position_x, fresh_carts_0_position,
-      -100000000, 100000000, 20);
-  v->carts_0_position_y = bounds_number(&in->carts_0_position_y, fresh_carts_0_position &&
-      in->carts_0_position_y.stamp_us == in->carts_0_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_0_position.stamp_us, v->now_us, 200000) &&
+      in->carts_0_position.valid != 0;
+  v->carts_0_position_x = bounds_number(in->carts_0_position.x,
+      (in->carts_0_position.between & 1U), fresh_carts_0_position, -100000000, 100000000, 20);
+  v->carts_0_position_y = bounds_number(in->carts_0_position.y,
+      (in->carts_0_position.between >> 1 & 1U), fresh_carts_0_position, -100000000, 100000000,
       20);
 }
 
 static inline void plain_members_verdicts_look_carts_1_position(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x,
+  const int32_t good_carts_1_position = sample_good(in->carts_1_position.stamp_us,
       &v->s->last_carts_1_position_us, v->now_us);
   const int32_t fresh_carts_1_position = good_carts_1_position &&
-      elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_1_position_x = bounds_number(&in->carts_1_position_x, fresh_carts_1_position,
-      -100000000, 100000000, 20);
-  v->carts_1_position_y = bounds_number(&in->carts_1_position_y, fresh_carts_1_position &&
-      in->carts_1_position_y.stamp_us == in->carts_1_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_1_position.stamp_us, v->now_us, 200000) &&
+      in->carts_1_position.valid != 0;
+  v->carts_1_position_x = bounds_number(in->carts_1_position.x,
+      (in->carts_1_position.between & 1U), fresh_carts_1_position, -100000000, 100000000, 20);
+  v->carts_1_position_y = bounds_number(in->carts_1_position.y,
+      (in->carts_1_position.between >> 1 & 1U), fresh_carts_1_position, -100000000, 100000000,
       20);
 }
 
 static inline void plain_members_verdicts_look_carts_2_position(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_2_position = sample_good(&in->carts_2_position_x,
+  const int32_t good_carts_2_position = sample_good(in->carts_2_position.stamp_us,
       &v->s->last_carts_2_position_us, v->now_us);
   const int32_t fresh_carts_2_position = good_carts_2_position &&
-      elapsed_us(in->carts_2_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_2_position_x = bounds_number(&in->carts_2_position_x, fresh_carts_2_position,
-      -100000000, 100000000, 20);
-  v->carts_2_position_y = bounds_number(&in->carts_2_position_y, fresh_carts_2_position &&
-      in->carts_2_position_y.stamp_us == in->carts_2_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_2_position.stamp_us, v->now_us, 200000) &&
+      in->carts_2_position.valid != 0;
+  v->carts_2_position_x = bounds_number(in->carts_2_position.x,
+      (in->carts_2_position.between & 1U), fresh_carts_2_position, -100000000, 100000000, 20);
+  v->carts_2_position_y = bounds_number(in->carts_2_position.y,
+      (in->carts_2_position.between >> 1 & 1U), fresh_carts_2_position, -100000000, 100000000,
       20);
 }
 
 static inline void plain_members_verdicts_look_carts_3_position(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_3_position = sample_good(&in->carts_3_position_x,
+  const int32_t good_carts_3_position = sample_good(in->carts_3_position.stamp_us,
       &v->s->last_carts_3_position_us, v->now_us);
   const int32_t fresh_carts_3_position = good_carts_3_position &&
-      elapsed_us(in->carts_3_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_3_position_x = bounds_number(&in->carts_3_position_x, fresh_carts_3_position,
-      -100000000, 100000000, 20);
-  v->carts_3_position_y = bounds_number(&in->carts_3_position_y, fresh_carts_3_position &&
-      in->carts_3_position_y.stamp_us == in->carts_3_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_3_position.stamp_us, v->now_us, 200000) &&
+      in->carts_3_position.valid != 0;
+  v->carts_3_position_x = bounds_number(in->carts_3_position.x,
+      (in->carts_3_position.between & 1U), fresh_carts_3_position, -100000000, 100000000, 20);
+  v->carts_3_position_y = bounds_number(in->carts_3_position.y,
+      (in->carts_3_position.between >> 1 & 1U), fresh_carts_3_position, -100000000, 100000000,
       20);
 }
 
 static inline void plain_members_verdicts_look_carts_4_position(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_4_position = sample_good(&in->carts_4_position_x,
+  const int32_t good_carts_4_position = sample_good(in->carts_4_position.stamp_us,
       &v->s->last_carts_4_position_us, v->now_us);
   const int32_t fresh_carts_4_position = good_carts_4_position &&
-      elapsed_us(in->carts_4_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_4_position_x = bounds_number(&in->carts_4_position_x, fresh_carts_4_position,
-      -100000000, 100000000, 20);
-  v->carts_4_position_y = bounds_number(&in->carts_4_position_y, fresh_carts_4_position &&
-      in->carts_4_position_y.stamp_us == in->carts_4_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_4_position.stamp_us, v->now_us, 200000) &&
+      in->carts_4_position.valid != 0;
+  v->carts_4_position_x = bounds_number(in->carts_4_position.x,
+      (in->carts_4_position.between & 1U), fresh_carts_4_position, -100000000, 100000000, 20);
+  v->carts_4_position_y = bounds_number(in->carts_4_position.y,
+      (in->carts_4_position.between >> 1 & 1U), fresh_carts_4_position, -100000000, 100000000,
       20);
 }
 
 static inline void plain_members_verdicts_look_carts_5_position(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_5_position = sample_good(&in->carts_5_position_x,
+  const int32_t good_carts_5_position = sample_good(in->carts_5_position.stamp_us,
       &v->s->last_carts_5_position_us, v->now_us);
   const int32_t fresh_carts_5_position = good_carts_5_position &&
-      elapsed_us(in->carts_5_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_5_position_x = bounds_number(&in->carts_5_position_x, fresh_carts_5_position,
-      -100000000, 100000000, 20);
-  v->carts_5_position_y = bounds_number(&in->carts_5_position_y, fresh_carts_5_position &&
-      in->carts_5_position_y.stamp_us == in->carts_5_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_5_position.stamp_us, v->now_us, 200000) &&
+      in->carts_5_position.valid != 0;
+  v->carts_5_position_x = bounds_number(in->carts_5_position.x,
+      (in->carts_5_position.between & 1U), fresh_carts_5_position, -100000000, 100000000, 20);
+  v->carts_5_position_y = bounds_number(in->carts_5_position.y,
+      (in->carts_5_position.between >> 1 & 1U), fresh_carts_5_position, -100000000, 100000000,
       20);
 }
 
 static inline void plain_members_verdicts_look_carts_0_battery(plain_members_verdicts_view *v,
                                                                const plain_members_monitors_in *in) {
-  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery,
+  const int32_t good_carts_0_battery = sample_good(in->carts_0_battery.stamp_us,
       &v->s->last_carts_0_battery_us, v->now_us);
   const int32_t fresh_carts_0_battery = good_carts_0_battery &&
-      elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_0_battery = bounds_number(&in->carts_0_battery, fresh_carts_0_battery, -10000,
-      1010000, 10000);
+      sample_young(in->carts_0_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_0_battery.valid != 0;
+  v->carts_0_battery = bounds_number(in->carts_0_battery.value,
+      (in->carts_0_battery.between & 1U), fresh_carts_0_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_members_verdicts_look_carts_1_battery(plain_members_verdicts_view *v,
                                                                const plain_members_monitors_in *in) {
-  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery,
+  const int32_t good_carts_1_battery = sample_good(in->carts_1_battery.stamp_us,
       &v->s->last_carts_1_battery_us, v->now_us);
   const int32_t fresh_carts_1_battery = good_carts_1_battery &&
-      elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_1_battery = bounds_number(&in->carts_1_battery, fresh_carts_1_battery, -10000,
-      1010000, 10000);
+      sample_young(in->carts_1_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_1_battery.valid != 0;
+  v->carts_1_battery = bounds_number(in->carts_1_battery.value,
+      (in->carts_1_battery.between & 1U), fresh_carts_1_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_members_verdicts_look_carts_2_battery(plain_members_verdicts_view *v,
                                                                const plain_members_monitors_in *in) {
-  const int32_t good_carts_2_battery = sample_good(&in->carts_2_battery,
+  const int32_t good_carts_2_battery = sample_good(in->carts_2_battery.stamp_us,
       &v->s->last_carts_2_battery_us, v->now_us);
   const int32_t fresh_carts_2_battery = good_carts_2_battery &&
-      elapsed_us(in->carts_2_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_2_battery = bounds_number(&in->carts_2_battery, fresh_carts_2_battery, -10000,
-      1010000, 10000);
+      sample_young(in->carts_2_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_2_battery.valid != 0;
+  v->carts_2_battery = bounds_number(in->carts_2_battery.value,
+      (in->carts_2_battery.between & 1U), fresh_carts_2_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_members_verdicts_look_carts_3_battery(plain_members_verdicts_view *v,
                                                                const plain_members_monitors_in *in) {
-  const int32_t good_carts_3_battery = sample_good(&in->carts_3_battery,
+  const int32_t good_carts_3_battery = sample_good(in->carts_3_battery.stamp_us,
       &v->s->last_carts_3_battery_us, v->now_us);
   const int32_t fresh_carts_3_battery = good_carts_3_battery &&
-      elapsed_us(in->carts_3_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_3_battery = bounds_number(&in->carts_3_battery, fresh_carts_3_battery, -10000,
-      1010000, 10000);
+      sample_young(in->carts_3_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_3_battery.valid != 0;
+  v->carts_3_battery = bounds_number(in->carts_3_battery.value,
+      (in->carts_3_battery.between & 1U), fresh_carts_3_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_members_verdicts_look_carts_4_battery(plain_members_verdicts_view *v,
                                                                const plain_members_monitors_in *in) {
-  const int32_t good_carts_4_battery = sample_good(&in->carts_4_battery,
+  const int32_t good_carts_4_battery = sample_good(in->carts_4_battery.stamp_us,
       &v->s->last_carts_4_battery_us, v->now_us);
   const int32_t fresh_carts_4_battery = good_carts_4_battery &&
-      elapsed_us(in->carts_4_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_4_battery = bounds_number(&in->carts_4_battery, fresh_carts_4_battery, -10000,
-      1010000, 10000);
+      sample_young(in->carts_4_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_4_battery.valid != 0;
+  v->carts_4_battery = bounds_number(in->carts_4_battery.value,
+      (in->carts_4_battery.between & 1U), fresh_carts_4_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_members_verdicts_look_carts_5_battery(plain_members_verdicts_view *v,
                                                                const plain_members_monitors_in *in) {
-  const int32_t good_carts_5_battery = sample_good(&in->carts_5_battery,
+  const int32_t good_carts_5_battery = sample_good(in->carts_5_battery.stamp_us,
       &v->s->last_carts_5_battery_us, v->now_us);
   const int32_t fresh_carts_5_battery = good_carts_5_battery &&
-      elapsed_us(in->carts_5_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_5_battery = bounds_number(&in->carts_5_battery, fresh_carts_5_battery, -10000,
-      1010000, 10000);
+      sample_young(in->carts_5_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_5_battery.valid != 0;
+  v->carts_5_battery = bounds_number(in->carts_5_battery.value,
+      (in->carts_5_battery.between & 1U), fresh_carts_5_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_members_verdicts_look_carts_0_velocity(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x,
+  const int32_t good_carts_0_velocity = sample_good(in->carts_0_velocity.stamp_us,
       &v->s->last_carts_0_velocity_us, v->now_us);
   const int32_t fresh_carts_0_velocity = good_carts_0_velocity &&
-      elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_0_velocity_x = bounds_number(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020,
-      1020, 20);
-  v->carts_0_velocity_y = bounds_number(&in->carts_0_velocity_y, fresh_carts_0_velocity &&
-      in->carts_0_velocity_y.stamp_us == in->carts_0_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->carts_0_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_0_velocity.valid != 0;
+  v->carts_0_velocity_x = bounds_number(in->carts_0_velocity.x,
+      (in->carts_0_velocity.between & 1U), fresh_carts_0_velocity, -1020, 1020, 20);
+  v->carts_0_velocity_y = bounds_number(in->carts_0_velocity.y,
+      (in->carts_0_velocity.between >> 1 & 1U), fresh_carts_0_velocity, -1020, 1020, 20);
 }
 
 static inline void plain_members_verdicts_look_carts_1_velocity(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x,
+  const int32_t good_carts_1_velocity = sample_good(in->carts_1_velocity.stamp_us,
       &v->s->last_carts_1_velocity_us, v->now_us);
   const int32_t fresh_carts_1_velocity = good_carts_1_velocity &&
-      elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_1_velocity_x = bounds_number(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020,
-      1020, 20);
-  v->carts_1_velocity_y = bounds_number(&in->carts_1_velocity_y, fresh_carts_1_velocity &&
-      in->carts_1_velocity_y.stamp_us == in->carts_1_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->carts_1_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_1_velocity.valid != 0;
+  v->carts_1_velocity_x = bounds_number(in->carts_1_velocity.x,
+      (in->carts_1_velocity.between & 1U), fresh_carts_1_velocity, -1020, 1020, 20);
+  v->carts_1_velocity_y = bounds_number(in->carts_1_velocity.y,
+      (in->carts_1_velocity.between >> 1 & 1U), fresh_carts_1_velocity, -1020, 1020, 20);
 }
 
 static inline void plain_members_verdicts_look_carts_2_velocity(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_2_velocity = sample_good(&in->carts_2_velocity_x,
+  const int32_t good_carts_2_velocity = sample_good(in->carts_2_velocity.stamp_us,
       &v->s->last_carts_2_velocity_us, v->now_us);
   const int32_t fresh_carts_2_velocity = good_carts_2_velocity &&
-      elapsed_us(in->carts_2_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_2_velocity_x = bounds_number(&in->carts_2_velocity_x, fresh_carts_2_velocity, -1020,
-      1020, 20);
-  v->carts_2_velocity_y = bounds_number(&in->carts_2_velocity_y, fresh_carts_2_velocity &&
-      in->carts_2_velocity_y.stamp_us == in->carts_2_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->carts_2_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_2_velocity.valid != 0;
+  v->carts_2_velocity_x = bounds_number(in->carts_2_velocity.x,
+      (in->carts_2_velocity.between & 1U), fresh_carts_2_velocity, -1020, 1020, 20);
+  v->carts_2_velocity_y = bounds_number(in->carts_2_velocity.y,
+      (in->carts_2_velocity.between >> 1 & 1U), fresh_carts_2_velocity, -1020, 1020, 20);
 }
 
 static inline void plain_members_verdicts_look_carts_3_velocity(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_3_velocity = sample_good(&in->carts_3_velocity_x,
+  const int32_t good_carts_3_velocity = sample_good(in->carts_3_velocity.stamp_us,
       &v->s->last_carts_3_velocity_us, v->now_us);
   const int32_t fresh_carts_3_velocity = good_carts_3_velocity &&
-      elapsed_us(in->carts_3_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_3_velocity_x = bounds_number(&in->carts_3_velocity_x, fresh_carts_3_velocity, -1020,
-      1020, 20);
-  v->carts_3_velocity_y = bounds_number(&in->carts_3_velocity_y, fresh_carts_3_velocity &&
-      in->carts_3_velocity_y.stamp_us == in->carts_3_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->carts_3_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_3_velocity.valid != 0;
+  v->carts_3_velocity_x = bounds_number(in->carts_3_velocity.x,
+      (in->carts_3_velocity.between & 1U), fresh_carts_3_velocity, -1020, 1020, 20);
+  v->carts_3_velocity_y = bounds_number(in->carts_3_velocity.y,
+      (in->carts_3_velocity.between >> 1 & 1U), fresh_carts_3_velocity, -1020, 1020, 20);
 }
 
 static inline void plain_members_verdicts_look_carts_4_velocity(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_4_velocity = sample_good(&in->carts_4_velocity_x,
+  const int32_t good_carts_4_velocity = sample_good(in->carts_4_velocity.stamp_us,
       &v->s->last_carts_4_velocity_us, v->now_us);
   const int32_t fresh_carts_4_velocity = good_carts_4_velocity &&
-      elapsed_us(in->carts_4_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_4_velocity_x = bounds_number(&in->carts_4_velocity_x, fresh_carts_4_velocity, -1020,
-      1020, 20);
-  v->carts_4_velocity_y = bounds_number(&in->carts_4_velocity_y, fresh_carts_4_velocity &&
-      in->carts_4_velocity_y.stamp_us == in->carts_4_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->carts_4_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_4_velocity.valid != 0;
+  v->carts_4_velocity_x = bounds_number(in->carts_4_velocity.x,
+      (in->carts_4_velocity.between & 1U), fresh_carts_4_velocity, -1020, 1020, 20);
+  v->carts_4_velocity_y = bounds_number(in->carts_4_velocity.y,
+      (in->carts_4_velocity.between >> 1 & 1U), fresh_carts_4_velocity, -1020, 1020, 20);
 }
 
 static inline void plain_members_verdicts_look_carts_5_velocity(plain_members_verdicts_view *v,
                                                                 const plain_members_monitors_in *in) {
-  const int32_t good_carts_5_velocity = sample_good(&in->carts_5_velocity_x,
+  const int32_t good_carts_5_velocity = sample_good(in->carts_5_velocity.stamp_us,
       &v->s->last_carts_5_velocity_us, v->now_us);
   const int32_t fresh_carts_5_velocity = good_carts_5_velocity &&
-      elapsed_us(in->carts_5_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_5_velocity_x = bounds_number(&in->carts_5_velocity_x, fresh_carts_5_velocity, -1020,
-      1020, 20);
-  v->carts_5_velocity_y = bounds_number(&in->carts_5_velocity_y, fresh_carts_5_velocity &&
-      in->carts_5_velocity_y.stamp_us == in->carts_5_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->carts_5_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_5_velocity.valid != 0;
+  v->carts_5_velocity_x = bounds_number(in->carts_5_velocity.x,
+      (in->carts_5_velocity.between & 1U), fresh_carts_5_velocity, -1020, 1020, 20);
+  v->carts_5_velocity_y = bounds_number(in->carts_5_velocity.y,
+      (in->carts_5_velocity.between >> 1 & 1U), fresh_carts_5_velocity, -1020, 1020, 20);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1938,6 +2003,9 @@ static void plain_members_verdicts_catch_up(plain_members_monitors_verdicts_stat
 /* A tick that does not follow the last one; 0: there is none since then. */
 static int32_t plain_members_verdicts_resume(plain_members_monitors_verdicts_state *s,
                                              int64_t now_us) {
+  if (tick_passed(&s->clock, s->until_us, now_us, 100000) == 0) {
+    return 0;
+  }
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
@@ -1946,24 +2014,6 @@ static int32_t plain_members_verdicts_resume(plain_members_monitors_verdicts_sta
   if (elapsed > 1) {
     plain_members_verdicts_catch_up(s, elapsed - 1);
   }
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t plain_members_verdicts_begin(plain_members_verdicts_view *v,
-                                                   plain_members_monitors_verdicts_state *s,
-                                                   const plain_members_monitors_in *in,
-                                                   int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = plain_members_verdicts_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->s->tightest_gap = tighter(v->s->tightest_gap, in->gap, 0, 1000, 1);
   return 1;
 }
 
@@ -1996,17 +2046,15 @@ void plain_members_monitors_verdicts_init(plain_members_monitors_verdicts_state 
   s->tightest_gap = 500;
 }
 
-void plain_members_monitors_verdicts(plain_members_monitors_verdicts_state *s,
-                                     const plain_members_monitors_in *in, int64_t now_us,
-                                     int32_t verdicts[PLAIN_MEMBERS_MONITORS]) {
+/* The tick that has come. */
+static inline void plain_members_verdicts_judge(plain_members_monitors_verdicts_state *s,
+                                                const plain_members_monitors_in *in,
+                                                int64_t now_us,
+                                                int32_t verdicts[PLAIN_MEMBERS_MONITORS]) {
   plain_members_verdicts_view v;
-  int32_t k;
-  if (plain_members_verdicts_begin(&v, s, in, now_us) == 0) {
-    for (k = 0; k < PLAIN_MEMBERS_MONITORS; ++k) {
-      verdicts[k] = PLAIN_MEMBERS_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  s->tightest_gap = tighter(s->tightest_gap, in->gap, 0, 1000, 1);
   plain_members_verdicts_look_carts_0_position(&v, in);
   plain_members_verdicts_look_carts_1_position(&v, in);
   plain_members_verdicts_look_carts_2_position(&v, in);
@@ -2031,4 +2079,28 @@ void plain_members_monitors_verdicts(plain_members_monitors_verdicts_state *s,
   verdicts[PLAIN_MEMBERS_MONITORS_CALM] = calm_verdict(&v);
   verdicts[PLAIN_MEMBERS_MONITORS_COMPANY] = company_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void plain_members_verdicts_late(plain_members_monitors_verdicts_state *s,
+                                               const plain_members_monitors_in *in,
+                                               int64_t now_us,
+                                               int32_t verdicts[PLAIN_MEMBERS_MONITORS]) {
+  int32_t k;
+  if (plain_members_verdicts_resume(s, now_us) != 0) {
+    plain_members_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < PLAIN_MEMBERS_MONITORS; ++k) {
+    verdicts[k] = PLAIN_MEMBERS_VERDICT_UNKNOWN;
+  }
+}
+
+void plain_members_monitors_verdicts(plain_members_monitors_verdicts_state *s,
+                                     const plain_members_monitors_in *in, int64_t now_us,
+                                     int32_t verdicts[PLAIN_MEMBERS_MONITORS]) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    plain_members_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    plain_members_verdicts_late(s, in, now_us, verdicts);
+  }
 }

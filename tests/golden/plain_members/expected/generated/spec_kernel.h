@@ -62,15 +62,11 @@ enum {
   PLAIN_MEMBERS_MONITORS_INPUT_CARTS_5_VELOCITY = 20
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct plain_members_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} plain_members_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -105,37 +101,120 @@ typedef struct plain_members_clock {
 } plain_members_clock;
 
 typedef struct plain_members_monitors_in {
-  plain_members_signal open; /* 0 or 1; the last one holds */
-  plain_members_signal carts_0_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_0_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_1_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_1_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_2_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_2_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_3_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_3_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_4_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_4_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_5_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_5_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_members_signal carts_0_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_members_signal carts_1_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_members_signal carts_2_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_members_signal carts_3_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_members_signal carts_4_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_members_signal carts_5_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_members_signal carts_0_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_0_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_1_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_1_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_2_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_2_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_3_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_3_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_4_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_4_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_5_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_members_signal carts_5_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } open; /* 0 or 1; the last one holds */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_0_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_1_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_2_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_3_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_4_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_5_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } carts_0_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } carts_1_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } carts_2_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } carts_3_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } carts_4_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } carts_5_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_0_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_1_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_2_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_3_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_4_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_5_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
   int64_t gap; /* parameter in steps of mm, 0 to 1000, at first 500, only ever grows */
 } plain_members_monitors_in;
 

@@ -43,83 +43,99 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::s(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.s, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.s, stamp_us);
+  in_.s.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::v(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.v, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.v, stamp_us);
+  in_.v.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::k(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.k, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.k, stamp_us);
+  in_.k.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::in(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.in, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.in, stamp_us);
+  in_.in.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::out(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.out, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.out, stamp_us);
+  in_.out.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::a(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.a, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.a, stamp_us);
+  in_.a.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::age_of_a(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.age_of_a, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.age_of_a, stamp_us);
+  in_.age_of_a.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::Index_(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.Index, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.Index, stamp_us);
+  in_.Index.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::index(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.index, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.index, stamp_us);
+  in_.index.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::tick(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.tick, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.tick, stamp_us);
+  in_.tick.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::clock(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.clock, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.clock, stamp_us);
+  in_.clock.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::NULL_(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.NULL__, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.NULL__, stamp_us);
+  in_.NULL__.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::double_(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.double_, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.double_, stamp_us);
+  in_.double_.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::lo(rtac::Length value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.lo, value.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.lo, stamp_us);
+  in_.lo.between |= rtac::bridge::put_number(in_.lo.value, value.si(), 1000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::p(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.p_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.p_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.p, stamp_us);
+  in_.p.between |= rtac::bridge::put_number(in_.p.x, value.x.si(), 1000.0, 1);
+  in_.p.between |= rtac::bridge::put_number(in_.p.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::p_x(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.p_x_, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.p_x, stamp_us);
+  in_.p_x.value = static_cast<std::int64_t>(value);
   return *this;
 }
 

@@ -322,40 +322,74 @@ static margin previously_margin(margin x, signal_kept *s, const signal_ticks *t)
   return m;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const signal_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const signal_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(signal_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const signal_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(signal_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(signal_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -371,95 +405,86 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const signal_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const signal_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const signal_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const signal_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 
-/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
-static inline int64_t age_known(const signal_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+/* Time since the stamp of the newest sample; -1 when it has no value, or beyond 35 years. */
+static inline int64_t age_known(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = whole ? elapsed_us(stamp_us, now_us) : -1;
   return age_us > AGE_MAX_US ? -1 : age_us;
 }
 
-static inline bounds bounds_age(const signal_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline bounds bounds_age(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
 }
 
-static inline span age_span(const signal_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline span age_span(int64_t stamp_us, int32_t whole, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const signal_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const signal_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -602,87 +627,114 @@ static inline margin x_now(const signal_view *v) {
 }
 
 static inline void signal_look_s(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_s = sample_arrived(&in->s, v->since_us, v->now_us);
-  v->s_ = truth_of(&in->s, fresh_s, SIGNAL_MONITORS_INPUT_S);
+  const int32_t fresh_s = sample_arrived(in->s.stamp_us, v->since_us, v->now_us) &&
+      in->s.valid != 0;
+  v->s_ = truth_of(in->s.value, (in->s.between & 1U), fresh_s, SIGNAL_MONITORS_INPUT_S);
 }
 
 static inline void signal_look_v(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_v = sample_arrived(&in->v, v->since_us, v->now_us);
-  v->v = truth_of(&in->v, fresh_v, SIGNAL_MONITORS_INPUT_V);
+  const int32_t fresh_v = sample_arrived(in->v.stamp_us, v->since_us, v->now_us) &&
+      in->v.valid != 0;
+  v->v = truth_of(in->v.value, (in->v.between & 1U), fresh_v, SIGNAL_MONITORS_INPUT_V);
 }
 
 static inline void signal_look_k(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_k = sample_arrived(&in->k, v->since_us, v->now_us);
-  v->k = truth_of(&in->k, fresh_k, SIGNAL_MONITORS_INPUT_K);
+  const int32_t fresh_k = sample_arrived(in->k.stamp_us, v->since_us, v->now_us) &&
+      in->k.valid != 0;
+  v->k = truth_of(in->k.value, (in->k.between & 1U), fresh_k, SIGNAL_MONITORS_INPUT_K);
 }
 
 static inline void signal_look_in(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_in = sample_arrived(&in->in, v->since_us, v->now_us);
-  v->in = truth_of(&in->in, fresh_in, SIGNAL_MONITORS_INPUT_IN);
+  const int32_t fresh_in = sample_arrived(in->in.stamp_us, v->since_us, v->now_us) &&
+      in->in.valid != 0;
+  v->in = truth_of(in->in.value, (in->in.between & 1U), fresh_in, SIGNAL_MONITORS_INPUT_IN);
 }
 
 static inline void signal_look_out(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_out = sample_arrived(&in->out, v->since_us, v->now_us);
-  v->out = truth_of(&in->out, fresh_out, SIGNAL_MONITORS_INPUT_OUT);
+  const int32_t fresh_out = sample_arrived(in->out.stamp_us, v->since_us, v->now_us) &&
+      in->out.valid != 0;
+  v->out = truth_of(in->out.value, (in->out.between & 1U), fresh_out, SIGNAL_MONITORS_INPUT_OUT);
 }
 
 static inline void signal_look_a_(signal_view *v, const signal_monitors_in *in) {
-  const int32_t good_a_ = sample_good(&in->a, &v->s->last_a__us, v->now_us);
-  const int32_t fresh_a_ = good_a_ && elapsed_us(in->a.stamp_us, v->now_us) <= 1000000;
-  v->a = truth_of(&in->a, fresh_a_, SIGNAL_MONITORS_INPUT_A_);
-  v->age_of_a_ = age_span(&in->a, good_a_, v->now_us, SIGNAL_MONITORS_INPUT_A_);
+  const int32_t good_a_ = sample_good(in->a.stamp_us, &v->s->last_a__us, v->now_us);
+  const int32_t fresh_a_ = good_a_ && sample_young(in->a.stamp_us, v->now_us, 1000000) &&
+      in->a.valid != 0;
+  v->a = truth_of(in->a.value, (in->a.between & 1U), fresh_a_, SIGNAL_MONITORS_INPUT_A_);
+  int32_t whole_a_ = good_a_ && in->a.valid != 0;
+  whole_a_ = whole_a_ && in->a.value != INT64_MIN;
+  v->age_of_a_ = age_span(in->a.stamp_us, whole_a_, v->now_us, SIGNAL_MONITORS_INPUT_A_);
 }
 
 static inline void signal_look_age_of_a(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_age_of_a = sample_arrived(&in->age_of_a, v->since_us, v->now_us);
-  v->age_of_a = truth_of(&in->age_of_a, fresh_age_of_a, SIGNAL_MONITORS_INPUT_AGE_OF_A);
+  const int32_t fresh_age_of_a = sample_arrived(in->age_of_a.stamp_us, v->since_us, v->now_us) &&
+      in->age_of_a.valid != 0;
+  v->age_of_a = truth_of(in->age_of_a.value, (in->age_of_a.between & 1U), fresh_age_of_a,
+      SIGNAL_MONITORS_INPUT_AGE_OF_A);
 }
 
 static inline void signal_look_Index(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_Index = sample_arrived(&in->Index, v->since_us, v->now_us);
-  v->Index = truth_of(&in->Index, fresh_Index, SIGNAL_MONITORS_INPUT_INDEX);
+  const int32_t fresh_Index = sample_arrived(in->Index.stamp_us, v->since_us, v->now_us) &&
+      in->Index.valid != 0;
+  v->Index = truth_of(in->Index.value, (in->Index.between & 1U), fresh_Index,
+      SIGNAL_MONITORS_INPUT_INDEX);
 }
 
 static inline void signal_look_index_(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_index_ = sample_arrived(&in->index, v->since_us, v->now_us);
-  v->index = truth_of(&in->index, fresh_index_, SIGNAL_MONITORS_INPUT_INDEX_);
+  const int32_t fresh_index_ = sample_arrived(in->index.stamp_us, v->since_us, v->now_us) &&
+      in->index.valid != 0;
+  v->index = truth_of(in->index.value, (in->index.between & 1U), fresh_index_,
+      SIGNAL_MONITORS_INPUT_INDEX_);
 }
 
 static inline void signal_look_tick(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_tick = sample_arrived(&in->tick, v->since_us, v->now_us);
-  v->tick = truth_of(&in->tick, fresh_tick, SIGNAL_MONITORS_INPUT_TICK);
+  const int32_t fresh_tick = sample_arrived(in->tick.stamp_us, v->since_us, v->now_us) &&
+      in->tick.valid != 0;
+  v->tick = truth_of(in->tick.value, (in->tick.between & 1U), fresh_tick,
+      SIGNAL_MONITORS_INPUT_TICK);
 }
 
 static inline void signal_look_clock(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_clock = sample_arrived(&in->clock, v->since_us, v->now_us);
-  v->clock = truth_of(&in->clock, fresh_clock, SIGNAL_MONITORS_INPUT_CLOCK);
+  const int32_t fresh_clock = sample_arrived(in->clock.stamp_us, v->since_us, v->now_us) &&
+      in->clock.valid != 0;
+  v->clock = truth_of(in->clock.value, (in->clock.between & 1U), fresh_clock,
+      SIGNAL_MONITORS_INPUT_CLOCK);
 }
 
 static inline void signal_look_NULL_(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_NULL_ = sample_arrived(&in->NULL__, v->since_us, v->now_us);
-  v->NULL__ = truth_of(&in->NULL__, fresh_NULL_, SIGNAL_MONITORS_INPUT_NULL_);
+  const int32_t fresh_NULL_ = sample_arrived(in->NULL__.stamp_us, v->since_us, v->now_us) &&
+      in->NULL__.valid != 0;
+  v->NULL__ = truth_of(in->NULL__.value, (in->NULL__.between & 1U), fresh_NULL_,
+      SIGNAL_MONITORS_INPUT_NULL_);
 }
 
 static inline void signal_look_double_(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_double_ = sample_arrived(&in->double_, v->since_us, v->now_us);
-  v->double_ = truth_of(&in->double_, fresh_double_, SIGNAL_MONITORS_INPUT_DOUBLE_);
+  const int32_t fresh_double_ = sample_arrived(in->double_.stamp_us, v->since_us, v->now_us) &&
+      in->double_.valid != 0;
+  v->double_ = truth_of(in->double_.value, (in->double_.between & 1U), fresh_double_,
+      SIGNAL_MONITORS_INPUT_DOUBLE_);
 }
 
 static inline void signal_look_lo(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_lo = sample_arrived(&in->lo, v->since_us, v->now_us);
-  v->lo = number_of(&in->lo, fresh_lo, 0, 9000, 0, SIGNAL_MONITORS_INPUT_LO);
+  const int32_t fresh_lo = sample_arrived(in->lo.stamp_us, v->since_us, v->now_us) &&
+      in->lo.valid != 0;
+  v->lo = number_of(in->lo.value, (in->lo.between & 1U), fresh_lo, 0, 9000, 0,
+      SIGNAL_MONITORS_INPUT_LO);
 }
 
 static inline void signal_look_p(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_p = sample_arrived(&in->p_x, v->since_us, v->now_us);
-  v->p_x = number_of(&in->p_x, fresh_p, -1000, 1000, 0, SIGNAL_MONITORS_INPUT_P);
-  v->p_y = number_of(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -1000, 1000, 0,
+  const int32_t fresh_p = sample_arrived(in->p.stamp_us, v->since_us, v->now_us) &&
+      in->p.valid != 0;
+  v->p_x = number_of(in->p.x, (in->p.between & 1U), fresh_p, -1000, 1000, 0,
+      SIGNAL_MONITORS_INPUT_P);
+  v->p_y = number_of(in->p.y, (in->p.between >> 1 & 1U), fresh_p, -1000, 1000, 0,
       SIGNAL_MONITORS_INPUT_P);
 }
 
 static inline void signal_look_p_x(signal_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_p_x = sample_arrived(&in->p_x_, v->since_us, v->now_us);
-  v->p_x_ = truth_of(&in->p_x_, fresh_p_x, SIGNAL_MONITORS_INPUT_P_X);
+  const int32_t fresh_p_x = sample_arrived(in->p_x.stamp_us, v->since_us, v->now_us) &&
+      in->p_x.valid != 0;
+  v->p_x_ = truth_of(in->p_x.value, (in->p_x.between & 1U), fresh_p_x, SIGNAL_MONITORS_INPUT_P_X);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -725,7 +777,7 @@ static void signal_catch_up(signal_monitors_state *s, int64_t missed) {
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t signal_resume(signal_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t signal_resume(signal_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
@@ -735,24 +787,9 @@ static int32_t signal_resume(signal_monitors_state *s, int64_t now_us, int64_t *
   if (elapsed > 1) {
     signal_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t signal_begin(signal_view *v, signal_monitors_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
-  if (begun == 0) {
-    begun = signal_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 10000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -767,17 +804,14 @@ void signal_monitors_init(signal_monitors_state *s) {
   s->last_a__us = INT64_MIN;
 }
 
-void signal_monitors_step(signal_monitors_state *s, const signal_monitors_in *in, int64_t now_us,
-                          signal_monitors_out *out) {
+/* The tick that has come. */
+static inline void signal_judge(signal_monitors_state *s, const signal_monitors_in *in,
+                                int64_t now_us, signal_monitors_out *out) {
   signal_view v;
-  int32_t k;
-  if (signal_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < SIGNAL_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(SIGNAL_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   signal_look_s(&v, in);
   signal_look_v(&v, in);
@@ -801,6 +835,29 @@ void signal_monitors_step(signal_monitors_state *s, const signal_monitors_in *in
   signal_look_p_x(&v, in);
   out->monitors[SIGNAL_MONITORS_X] = finding_judged(x_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void signal_late(signal_monitors_state *s, const signal_monitors_in *in,
+                               int64_t now_us, signal_monitors_out *out) {
+  int32_t k;
+  if (signal_resume(s, now_us) != 0) {
+    signal_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < SIGNAL_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(SIGNAL_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void signal_monitors_step(signal_monitors_state *s, const signal_monitors_in *in, int64_t now_us,
+                          signal_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 10000)) {
+    tick_counted(&s->clock, now_us);
+    signal_judge(s, in, now_us, out);
+  } else {
+    signal_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -889,96 +946,113 @@ static inline int32_t x_verdict(const signal_verdicts_view *v) {
 }
 
 static inline void signal_verdicts_look_s(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_s = sample_arrived(&in->s, v->since_us, v->now_us);
-  v->s_ = bits_truth(&in->s, fresh_s);
+  const int32_t fresh_s = sample_arrived(in->s.stamp_us, v->since_us, v->now_us) &&
+      in->s.valid != 0;
+  v->s_ = bits_truth(in->s.value, (in->s.between & 1U), fresh_s);
 }
 
 static inline void signal_verdicts_look_v(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_v = sample_arrived(&in->v, v->since_us, v->now_us);
-  v->v = bits_truth(&in->v, fresh_v);
+  const int32_t fresh_v = sample_arrived(in->v.stamp_us, v->since_us, v->now_us) &&
+      in->v.valid != 0;
+  v->v = bits_truth(in->v.value, (in->v.between & 1U), fresh_v);
 }
 
 static inline void signal_verdicts_look_k(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_k = sample_arrived(&in->k, v->since_us, v->now_us);
-  v->k = bits_truth(&in->k, fresh_k);
+  const int32_t fresh_k = sample_arrived(in->k.stamp_us, v->since_us, v->now_us) &&
+      in->k.valid != 0;
+  v->k = bits_truth(in->k.value, (in->k.between & 1U), fresh_k);
 }
 
 static inline void signal_verdicts_look_in(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_in = sample_arrived(&in->in, v->since_us, v->now_us);
-  v->in = bits_truth(&in->in, fresh_in);
+  const int32_t fresh_in = sample_arrived(in->in.stamp_us, v->since_us, v->now_us) &&
+      in->in.valid != 0;
+  v->in = bits_truth(in->in.value, (in->in.between & 1U), fresh_in);
 }
 
 static inline void signal_verdicts_look_out(signal_verdicts_view *v,
                                             const signal_monitors_in *in) {
-  const int32_t fresh_out = sample_arrived(&in->out, v->since_us, v->now_us);
-  v->out = bits_truth(&in->out, fresh_out);
+  const int32_t fresh_out = sample_arrived(in->out.stamp_us, v->since_us, v->now_us) &&
+      in->out.valid != 0;
+  v->out = bits_truth(in->out.value, (in->out.between & 1U), fresh_out);
 }
 
 static inline void signal_verdicts_look_a_(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t good_a_ = sample_good(&in->a, &v->s->last_a__us, v->now_us);
-  const int32_t fresh_a_ = good_a_ && elapsed_us(in->a.stamp_us, v->now_us) <= 1000000;
-  v->a = bits_truth(&in->a, fresh_a_);
-  v->age_of_a_ = bounds_age(&in->a, good_a_, v->now_us);
+  const int32_t good_a_ = sample_good(in->a.stamp_us, &v->s->last_a__us, v->now_us);
+  const int32_t fresh_a_ = good_a_ && sample_young(in->a.stamp_us, v->now_us, 1000000) &&
+      in->a.valid != 0;
+  v->a = bits_truth(in->a.value, (in->a.between & 1U), fresh_a_);
+  int32_t whole_a_ = good_a_ && in->a.valid != 0;
+  whole_a_ = whole_a_ && in->a.value != INT64_MIN;
+  v->age_of_a_ = bounds_age(in->a.stamp_us, whole_a_, v->now_us);
 }
 
 static inline void signal_verdicts_look_age_of_a(signal_verdicts_view *v,
                                                  const signal_monitors_in *in) {
-  const int32_t fresh_age_of_a = sample_arrived(&in->age_of_a, v->since_us, v->now_us);
-  v->age_of_a = bits_truth(&in->age_of_a, fresh_age_of_a);
+  const int32_t fresh_age_of_a = sample_arrived(in->age_of_a.stamp_us, v->since_us, v->now_us) &&
+      in->age_of_a.valid != 0;
+  v->age_of_a = bits_truth(in->age_of_a.value, (in->age_of_a.between & 1U), fresh_age_of_a);
 }
 
 static inline void signal_verdicts_look_Index(signal_verdicts_view *v,
                                               const signal_monitors_in *in) {
-  const int32_t fresh_Index = sample_arrived(&in->Index, v->since_us, v->now_us);
-  v->Index = bits_truth(&in->Index, fresh_Index);
+  const int32_t fresh_Index = sample_arrived(in->Index.stamp_us, v->since_us, v->now_us) &&
+      in->Index.valid != 0;
+  v->Index = bits_truth(in->Index.value, (in->Index.between & 1U), fresh_Index);
 }
 
 static inline void signal_verdicts_look_index_(signal_verdicts_view *v,
                                                const signal_monitors_in *in) {
-  const int32_t fresh_index_ = sample_arrived(&in->index, v->since_us, v->now_us);
-  v->index = bits_truth(&in->index, fresh_index_);
+  const int32_t fresh_index_ = sample_arrived(in->index.stamp_us, v->since_us, v->now_us) &&
+      in->index.valid != 0;
+  v->index = bits_truth(in->index.value, (in->index.between & 1U), fresh_index_);
 }
 
 static inline void signal_verdicts_look_tick(signal_verdicts_view *v,
                                              const signal_monitors_in *in) {
-  const int32_t fresh_tick = sample_arrived(&in->tick, v->since_us, v->now_us);
-  v->tick = bits_truth(&in->tick, fresh_tick);
+  const int32_t fresh_tick = sample_arrived(in->tick.stamp_us, v->since_us, v->now_us) &&
+      in->tick.valid != 0;
+  v->tick = bits_truth(in->tick.value, (in->tick.between & 1U), fresh_tick);
 }
 
 static inline void signal_verdicts_look_clock(signal_verdicts_view *v,
                                               const signal_monitors_in *in) {
-  const int32_t fresh_clock = sample_arrived(&in->clock, v->since_us, v->now_us);
-  v->clock = bits_truth(&in->clock, fresh_clock);
+  const int32_t fresh_clock = sample_arrived(in->clock.stamp_us, v->since_us, v->now_us) &&
+      in->clock.valid != 0;
+  v->clock = bits_truth(in->clock.value, (in->clock.between & 1U), fresh_clock);
 }
 
 static inline void signal_verdicts_look_NULL_(signal_verdicts_view *v,
                                               const signal_monitors_in *in) {
-  const int32_t fresh_NULL_ = sample_arrived(&in->NULL__, v->since_us, v->now_us);
-  v->NULL__ = bits_truth(&in->NULL__, fresh_NULL_);
+  const int32_t fresh_NULL_ = sample_arrived(in->NULL__.stamp_us, v->since_us, v->now_us) &&
+      in->NULL__.valid != 0;
+  v->NULL__ = bits_truth(in->NULL__.value, (in->NULL__.between & 1U), fresh_NULL_);
 }
 
 static inline void signal_verdicts_look_double_(signal_verdicts_view *v,
                                                 const signal_monitors_in *in) {
-  const int32_t fresh_double_ = sample_arrived(&in->double_, v->since_us, v->now_us);
-  v->double_ = bits_truth(&in->double_, fresh_double_);
+  const int32_t fresh_double_ = sample_arrived(in->double_.stamp_us, v->since_us, v->now_us) &&
+      in->double_.valid != 0;
+  v->double_ = bits_truth(in->double_.value, (in->double_.between & 1U), fresh_double_);
 }
 
 static inline void signal_verdicts_look_lo(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_lo = sample_arrived(&in->lo, v->since_us, v->now_us);
-  v->lo = bounds_number(&in->lo, fresh_lo, 0, 9000, 0);
+  const int32_t fresh_lo = sample_arrived(in->lo.stamp_us, v->since_us, v->now_us) &&
+      in->lo.valid != 0;
+  v->lo = bounds_number(in->lo.value, (in->lo.between & 1U), fresh_lo, 0, 9000, 0);
 }
 
 static inline void signal_verdicts_look_p(signal_verdicts_view *v, const signal_monitors_in *in) {
-  const int32_t fresh_p = sample_arrived(&in->p_x, v->since_us, v->now_us);
-  v->p_x = bounds_number(&in->p_x, fresh_p, -1000, 1000, 0);
-  v->p_y = bounds_number(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, -1000, 1000,
-      0);
+  const int32_t fresh_p = sample_arrived(in->p.stamp_us, v->since_us, v->now_us) &&
+      in->p.valid != 0;
+  v->p_x = bounds_number(in->p.x, (in->p.between & 1U), fresh_p, -1000, 1000, 0);
+  v->p_y = bounds_number(in->p.y, (in->p.between >> 1 & 1U), fresh_p, -1000, 1000, 0);
 }
 
 static inline void signal_verdicts_look_p_x(signal_verdicts_view *v,
                                             const signal_monitors_in *in) {
-  const int32_t fresh_p_x = sample_arrived(&in->p_x_, v->since_us, v->now_us);
-  v->p_x_ = bits_truth(&in->p_x_, fresh_p_x);
+  const int32_t fresh_p_x = sample_arrived(in->p_x.stamp_us, v->since_us, v->now_us) &&
+      in->p_x.valid != 0;
+  v->p_x_ = bits_truth(in->p_x.value, (in->p_x.between & 1U), fresh_p_x);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1021,8 +1095,7 @@ static void signal_verdicts_catch_up(signal_monitors_verdicts_state *s, int64_t 
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t signal_verdicts_resume(signal_monitors_verdicts_state *s, int64_t now_us,
-                                      int64_t *since_us) {
+static int32_t signal_verdicts_resume(signal_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 10000, INT64_MAX);
   if (elapsed < 1) {
@@ -1032,25 +1105,9 @@ static int32_t signal_verdicts_resume(signal_monitors_verdicts_state *s, int64_t
   if (elapsed > 1) {
     signal_verdicts_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 10000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t signal_verdicts_begin(signal_verdicts_view *v,
-                                            signal_monitors_verdicts_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 10000);
-  if (begun == 0) {
-    begun = signal_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 10000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -1060,22 +1117,23 @@ void signal_monitors_verdicts_init(signal_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   s->last_a__us = INT64_MIN;
   s->previously_0 = BITS_FALSE;
   s->once_1 = BITS_FALSE;
+  s->judged_us = INT64_MAX;
 }
 
-void signal_monitors_verdicts(signal_monitors_verdicts_state *s, const signal_monitors_in *in,
-                              int64_t now_us, int32_t verdicts[SIGNAL_MONITORS]) {
+/* The tick that has come. */
+static inline void signal_verdicts_judge(signal_monitors_verdicts_state *s,
+                                         const signal_monitors_in *in, int64_t now_us,
+                                         int32_t verdicts[SIGNAL_MONITORS]) {
   signal_verdicts_view v;
-  int32_t k;
-  if (signal_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < SIGNAL_MONITORS; ++k) {
-      verdicts[k] = SIGNAL_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   signal_verdicts_look_s(&v, in);
   signal_verdicts_look_v(&v, in);
   signal_verdicts_look_k(&v, in);
@@ -1097,4 +1155,39 @@ void signal_monitors_verdicts(signal_monitors_verdicts_state *s, const signal_mo
   signal_verdicts_look_p(&v, in);
   signal_verdicts_look_p_x(&v, in);
   verdicts[SIGNAL_MONITORS_X] = x_verdict(&v);
+}
+
+static SELDOM void signal_verdicts_late(signal_monitors_verdicts_state *s,
+                                        const signal_monitors_in *in, int64_t now_us,
+                                        int32_t verdicts[SIGNAL_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 10000);
+    begun = tick_follows(&s->until_us, now_us, 10000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = signal_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 10000);
+    signal_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < SIGNAL_MONITORS; ++k) {
+    verdicts[k] = SIGNAL_VERDICT_UNKNOWN;
+  }
+}
+
+void signal_monitors_verdicts(signal_monitors_verdicts_state *s, const signal_monitors_in *in,
+                              int64_t now_us, int32_t verdicts[SIGNAL_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 10000;
+    signal_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    signal_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -60,15 +60,11 @@ enum {
   SIGNAL_MONITORS_INPUT_P_X = 17
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct signal_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} signal_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -100,23 +96,102 @@ typedef struct signal_clock {
 } signal_clock;
 
 typedef struct signal_monitors_in {
-  signal_signal s; /* 0 or 1; new every tick */
-  signal_signal v; /* 0 or 1; new every tick */
-  signal_signal k; /* 0 or 1; new every tick */
-  signal_signal in; /* 0 or 1; new every tick */
-  signal_signal out; /* 0 or 1; new every tick */
-  signal_signal a; /* 0 or 1; for 1000000 us */
-  signal_signal age_of_a; /* 0 or 1; new every tick */
-  signal_signal Index; /* 0 or 1; new every tick */
-  signal_signal index; /* 0 or 1; new every tick */
-  signal_signal tick; /* 0 or 1; new every tick */
-  signal_signal clock; /* 0 or 1; new every tick */
-  signal_signal NULL__; /* 0 or 1; new every tick */
-  signal_signal double_; /* 0 or 1; new every tick */
-  signal_signal lo; /* steps of mm, 0 to 9000; new every tick */
-  signal_signal p_x; /* steps of mm, -1000 to 1000; new every tick */
-  signal_signal p_y; /* steps of mm, -1000 to 1000; new every tick */
-  signal_signal p_x_; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } s; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } v; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } k; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } in; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } out; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } a; /* 0 or 1; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } age_of_a; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } Index; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } index; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } tick; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } clock; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } NULL__; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } double_; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } lo; /* steps of mm, 0 to 9000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } p; /* steps of mm, -1000 to 1000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } p_x; /* 0 or 1; new every tick */
 } signal_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 160 bytes in all. */
@@ -136,6 +211,8 @@ typedef struct signal_monitors_state {
 typedef struct signal_monitors_verdicts_state {
   signal_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   int64_t judged_us;
   int64_t last_a__us;
   /* Clock */

@@ -38,8 +38,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -64,22 +64,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -90,6 +80,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -304,14 +303,12 @@ typedef struct edge {
 /* The smallest of several distances: of those known in mm, and of those known as squares. */
 typedef struct nearest {
   int64_t mm, square;
-  int64_t wide; /* 0: `mm` is at most 2 mm below that distance; else 3 */
 } nearest;
 
 static nearest nearest_none(void) {
   nearest n;
   n.mm = SPAN_MAX;
   n.square = INT64_MAX;
-  n.wide = 0;
   return n;
 }
 
@@ -319,45 +316,24 @@ static int64_t nearest_mm(const nearest *n) {
   return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
 }
 
-/* A root is less than 1 mm below. */
-static int64_t nearest_mm_hi(const nearest *n) {
-  const int64_t mm = nearest_mm(n);
-  return mm + (n->wide == 0 || mm < n->mm ? 2 : 3);
-}
-
-/* Whether the foot of the perpendicular lies on the edge is decided exactly. Its length comes from
- * the Q30 direction u, whose components are within 1/2 of their true values: of a difference v from
- * a place of the edge's line, the product is within (|vx| + |vy|) / 2 of the true one. That is taken
- * off; then, with the rounding of the quotient, the bound is less than 1 + (|vx| + |vy| + 1) / 2^30 mm
- * below the length: 2 mm for |vx| + |vy| < 2^30. From the nearer end that is so unless the edge is
- * more than 1,000 km long or p as far away; never more than 3 mm. */
+/* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
+ * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
 static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
-  const int64_t square = dot(d, d);
-  const vec r = minus(p, b);
   if (along <= 0) {
     n->square = min_of(n->square, dot(q, q));
-  } else if (along >= square) {
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
     n->square = min_of(n->square, dot(r, r));
   } else {
-    const vec v = along < square - along ? q : r;
-    const int64_t spread = magnitude(v.x) + magnitude(v.y);
-    const int64_t across = magnitude(v.y * e->ux_q30 - v.x * e->uy_q30) - (spread + 1) / 2;
-    const int64_t gap = max_of(across, 0) / Q30;
-    n->wide = gap < n->mm ? spread / Q30 : n->wide;
-    n->mm = min_of(n->mm, gap);
+    const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
-
-/* Where a point is with respect to a zone. */
-typedef struct place {
-  int64_t gap_mm, gap_mm_hi; /* to the boundary: bounds */
-  int32_t inside;
-} place;
 
 /* A square of 2^32 mm, divided by 16 again and again; cells are closed to the south and west. A word
  * of `cells` tells of a cell, in its two highest bits, that it is
@@ -428,37 +404,26 @@ static int32_t crosses_way(const edge *e, int64_t x0, int64_t y0, int64_t x, int
   return (((ax > x0) ^ (bx > x0)) & (start ^ turn)) ^ (((ay > y) ^ (by > y)) & (turn ^ end));
 }
 
-/* 0: the ends of the edge lie on one side of both lines that the way runs along, so that it does not
- * cross it. */
-static int32_t may_cross_way(const edge *e, int64_t x0, int64_t y) {
-  return ((2 * (int64_t)e->ax > x0) ^ (2 * (int64_t)e->bx > x0)) |
-         ((2 * (int64_t)e->ay > y) ^ (2 * (int64_t)e->by > y));
-}
-
 /* Whether a place of the cell, coordinates doubled, is inside: its corner is, or not, and each edge
- * on the way from there changes it. Of places on the boundary it says nothing. Most edges are far
- * from crossing it: the few others are gathered first, without branches. */
+ * on the way from there changes it. Of places on the boundary it says nothing. */
 static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
   int32_t inside = (int32_t)(c->word >> 29 & 1);
-  const edge *met[16];
-  int32_t count = 0;
   int32_t i;
-  if ((c->word >> 28 & 1) == 0) {
-    return inside;
-  }
-  for (i = 0; i < cell_count(c->word); ++i) {
-    const edge *const e = cell_edge(z, c->word, i);
-    met[count] = e;
-    count += may_cross_way(e, 2 * c->x, y);
-  }
-  for (i = 0; i < count; ++i) {
-    inside ^= crosses_way(met[i], 2 * c->x, 2 * c->y, x, y);
+  if ((c->word >> 28 & 1) != 0) {
+    for (i = 0; i < cell_count(c->word); ++i) {
+      inside ^= crosses_way(cell_edge(z, c->word, i), 2 * c->x, 2 * c->y, x, y);
+    }
   }
   return inside;
 }
 
-/* Bounds of the distance from a place of the cell to the boundary: 2 mm apart, or 3 of edges or over
- * distances of hundreds of km; more in cells that are far from it. */
+static int32_t inside_zone(const zone *z, vec p) {
+  const cell c = cell_at(z, p);
+  return cell_inside(z, &c, 2 * p.x, 2 * p.y);
+}
+
+/* Bounds of the distance from a place of the cell to the boundary: 3 mm apart, but in cells that are
+ * far from it. */
 static span cell_gap(const zone *z, const cell *c, vec p) {
   nearest n = nearest_none();
   int32_t i;
@@ -469,17 +434,12 @@ static span cell_gap(const zone *z, const cell *c, vec p) {
   for (i = 0; i < cell_count(c->word); ++i) {
     near_edge(cell_edge(z, c->word, i), p, &n);
   }
-  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
+  return span_of(nearest_mm(&n), nearest_mm(&n) + 3);
 }
 
-static place place_of(const zone *z, vec p) {
+static span boundary_gap(const zone *z, vec p) {
   const cell c = cell_at(z, p);
-  const span gap = cell_gap(z, &c, p);
-  place at;
-  at.gap_mm = gap.lo;
-  at.gap_mm_hi = gap.hi;
-  at.inside = cell_inside(z, &c, 2 * p.x, 2 * p.y);
-  return at;
+  return cell_gap(z, &c, p);
 }
 
 /* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. Ticks are
@@ -731,31 +691,52 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const ground_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(ground_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(ground_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(ground_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -766,62 +747,53 @@ static int64_t tick_until(const ground_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const ground_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const ground_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const ground_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const ground_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
@@ -952,9 +924,9 @@ static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
   const vec half = minus(vec_of(b->x1, b->y1), p);
   const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
-  const place at = place_of(z, p);
-  return at.inside ? span_of(at.gap_mm - room, at.gap_mm_hi + room)
-                   : span_of(-at.gap_mm_hi - room, -at.gap_mm + room);
+  const span gap = boundary_gap(z, p);
+  return inside_zone(z, p) ? span_of(gap.lo - room, gap.hi + room)
+                           : span_of(-gap.hi - room, -gap.lo + room);
 }
 
 /* The same of a place that was measured without error: it lies in one cell of the grid at most. What
@@ -3156,10 +3128,12 @@ static inline margin late_now(const ground_view *v) {
 }
 
 static inline void ground_look_p(ground_view *v, const ground_monitors_in *in) {
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
-  const int32_t fresh_p = good_p && elapsed_us(in->p_x.stamp_us, v->now_us) <= 500000;
-  v->p_x = number_of(&in->p_x, fresh_p, 0, 99000, 50, GROUND_MONITORS_INPUT_P);
-  v->p_y = number_of(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, 0, 99000, 50,
+  const int32_t good_p = sample_good(in->p.stamp_us, &v->s->last_p_us, v->now_us);
+  const int32_t fresh_p = good_p && sample_young(in->p.stamp_us, v->now_us, 500000) &&
+      in->p.valid != 0;
+  v->p_x = number_of(in->p.x, (in->p.between & 1U), fresh_p, 0, 99000, 50,
+      GROUND_MONITORS_INPUT_P);
+  v->p_y = number_of(in->p.y, (in->p.between >> 1 & 1U), fresh_p, 0, 99000, 50,
       GROUND_MONITORS_INPUT_P);
 }
 
@@ -3200,22 +3174,6 @@ static int32_t ground_resume(ground_monitors_state *s, int64_t now_us) {
   return 1;
 }
 
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t ground_begin(ground_view *v, ground_monitors_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = ground_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->open_fair = is_open(&schedule_fair, v->now_us) ? margin_true() : margin_false();
-  v->open_school = is_open(&schedule_school, v->now_us) ? margin_true() : margin_false();
-  return 1;
-}
-
 void ground_monitors_init(ground_monitors_state *s) {
   s->clock.started = 0;
   s->clock.origin_us = 0;
@@ -3226,23 +3184,43 @@ void ground_monitors_init(ground_monitors_state *s) {
   s->last_p_us = INT64_MIN;
 }
 
-void ground_monitors_step(ground_monitors_state *s, const ground_monitors_in *in, int64_t now_us,
-                          ground_monitors_out *out) {
+/* The tick that has come. */
+static inline void ground_judge(ground_monitors_state *s, const ground_monitors_in *in,
+                                int64_t now_us, ground_monitors_out *out) {
   ground_view v;
-  int32_t k;
-  if (ground_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < GROUND_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(GROUND_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.open_fair = is_open(&schedule_fair, v.now_us) ? margin_true() : margin_false();
+  v.open_school = is_open(&schedule_school, v.now_us) ? margin_true() : margin_false();
   out->tick = s->clock.tick;
   ground_look_p(&v, in);
   out->monitors[GROUND_MONITORS_AWAY] = finding_judged(away_now(&v));
   out->monitors[GROUND_MONITORS_QUIET] = finding_judged(quiet_now(&v));
   out->monitors[GROUND_MONITORS_LATE] = finding_judged(late_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void ground_late(ground_monitors_state *s, const ground_monitors_in *in,
+                               int64_t now_us, ground_monitors_out *out) {
+  int32_t k;
+  if (ground_resume(s, now_us) != 0) {
+    ground_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < GROUND_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(GROUND_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void ground_monitors_step(ground_monitors_state *s, const ground_monitors_in *in, int64_t now_us,
+                          ground_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    ground_judge(s, in, now_us, out);
+  } else {
+    ground_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -3306,10 +3284,11 @@ static inline int32_t late_verdict(const ground_verdicts_view *v) {
 }
 
 static inline void ground_verdicts_look_p(ground_verdicts_view *v, const ground_monitors_in *in) {
-  const int32_t good_p = sample_good(&in->p_x, &v->s->last_p_us, v->now_us);
-  const int32_t fresh_p = good_p && elapsed_us(in->p_x.stamp_us, v->now_us) <= 500000;
-  v->p_x = bounds_number(&in->p_x, fresh_p, 0, 99000, 50);
-  v->p_y = bounds_number(&in->p_y, fresh_p && in->p_y.stamp_us == in->p_x.stamp_us, 0, 99000, 50);
+  const int32_t good_p = sample_good(in->p.stamp_us, &v->s->last_p_us, v->now_us);
+  const int32_t fresh_p = good_p && sample_young(in->p.stamp_us, v->now_us, 500000) &&
+      in->p.valid != 0;
+  v->p_x = bounds_number(in->p.x, (in->p.between & 1U), fresh_p, 0, 99000, 50);
+  v->p_y = bounds_number(in->p.y, (in->p.between >> 1 & 1U), fresh_p, 0, 99000, 50);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -3338,6 +3317,9 @@ static void ground_verdicts_catch_up(ground_monitors_verdicts_state *s, int64_t 
 
 /* A tick that does not follow the last one; 0: there is none since then. */
 static int32_t ground_verdicts_resume(ground_monitors_verdicts_state *s, int64_t now_us) {
+  if (tick_passed(&s->clock, s->until_us, now_us, 100000) == 0) {
+    return 0;
+  }
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
@@ -3346,23 +3328,6 @@ static int32_t ground_verdicts_resume(ground_monitors_verdicts_state *s, int64_t
   if (elapsed > 1) {
     ground_verdicts_catch_up(s, elapsed - 1);
   }
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t ground_verdicts_begin(ground_verdicts_view *v,
-                                            ground_monitors_verdicts_state *s, int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = ground_verdicts_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->open_fair = is_open(&schedule_fair, v->now_us) ? BITS_TRUE : BITS_FALSE;
-  v->open_school = is_open(&schedule_school, v->now_us) ? BITS_TRUE : BITS_FALSE;
   return 1;
 }
 
@@ -3376,19 +3341,40 @@ void ground_monitors_verdicts_init(ground_monitors_verdicts_state *s) {
   s->last_p_us = INT64_MIN;
 }
 
-void ground_monitors_verdicts(ground_monitors_verdicts_state *s, const ground_monitors_in *in,
-                              int64_t now_us, int32_t verdicts[GROUND_MONITORS]) {
+/* The tick that has come. */
+static inline void ground_verdicts_judge(ground_monitors_verdicts_state *s,
+                                         const ground_monitors_in *in, int64_t now_us,
+                                         int32_t verdicts[GROUND_MONITORS]) {
   ground_verdicts_view v;
-  int32_t k;
-  if (ground_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < GROUND_MONITORS; ++k) {
-      verdicts[k] = GROUND_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.open_fair = is_open(&schedule_fair, v.now_us) ? BITS_TRUE : BITS_FALSE;
+  v.open_school = is_open(&schedule_school, v.now_us) ? BITS_TRUE : BITS_FALSE;
   ground_verdicts_look_p(&v, in);
   verdicts[GROUND_MONITORS_AWAY] = away_verdict(&v);
   verdicts[GROUND_MONITORS_QUIET] = quiet_verdict(&v);
   verdicts[GROUND_MONITORS_LATE] = late_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void ground_verdicts_late(ground_monitors_verdicts_state *s,
+                                        const ground_monitors_in *in, int64_t now_us,
+                                        int32_t verdicts[GROUND_MONITORS]) {
+  int32_t k;
+  if (ground_verdicts_resume(s, now_us) != 0) {
+    ground_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < GROUND_MONITORS; ++k) {
+    verdicts[k] = GROUND_VERDICT_UNKNOWN;
+  }
+}
+
+void ground_monitors_verdicts(ground_monitors_verdicts_state *s, const ground_monitors_in *in,
+                              int64_t now_us, int32_t verdicts[GROUND_MONITORS]) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    ground_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    ground_verdicts_late(s, in, now_us, verdicts);
+  }
 }

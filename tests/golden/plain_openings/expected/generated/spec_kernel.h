@@ -43,15 +43,11 @@ enum {
   GROUND_MONITORS_INPUT_P = 2
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct ground_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} ground_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -86,8 +82,12 @@ typedef struct ground_clock {
 } ground_clock;
 
 typedef struct ground_monitors_in {
-  ground_signal p_x; /* steps of mm, 0 to 99000; for 500000 us */
-  ground_signal p_y; /* steps of mm, 0 to 99000; for 500000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } p; /* steps of mm, 0 to 99000; for 500000 us */
 } ground_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 800 bytes in all. */

@@ -31,17 +31,20 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::on(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.on, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.on, stamp_us);
+  in_.on.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::alarm(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.alarm, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.alarm, stamp_us);
+  in_.alarm.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::pressure(double value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.pressure, value, 1.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.pressure, stamp_us);
+  in_.pressure.between |= rtac::bridge::put_number(in_.pressure.value, value, 1.0, 1);
   return *this;
 }
 

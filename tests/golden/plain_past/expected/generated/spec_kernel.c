@@ -781,27 +781,61 @@ static span change_over(span x, span none, pump_change *s, pump_pair *ring, int6
                   span_negate(change_at(first, none, t->now - to, s->why, t)));
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const pump_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(pump_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const pump_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(pump_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(pump_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -817,79 +851,65 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const pump_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const pump_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const pump_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const pump_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const pump_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const pump_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -1087,19 +1107,23 @@ static inline margin smooth_now(const pump_view *v) {
 }
 
 static inline void pump_look_on(pump_view *v, const pump_monitors_in *in) {
-  const int32_t fresh_on = sample_arrived(&in->on, v->since_us, v->now_us);
-  v->on = truth_of(&in->on, fresh_on, PUMP_MONITORS_INPUT_ON);
+  const int32_t fresh_on = sample_arrived(in->on.stamp_us, v->since_us, v->now_us) &&
+      in->on.valid != 0;
+  v->on = truth_of(in->on.value, (in->on.between & 1U), fresh_on, PUMP_MONITORS_INPUT_ON);
 }
 
 static inline void pump_look_alarm(pump_view *v, const pump_monitors_in *in) {
-  const int32_t fresh_alarm = sample_arrived(&in->alarm, v->since_us, v->now_us);
-  v->alarm = truth_of(&in->alarm, fresh_alarm, PUMP_MONITORS_INPUT_ALARM);
+  const int32_t fresh_alarm = sample_arrived(in->alarm.stamp_us, v->since_us, v->now_us) &&
+      in->alarm.valid != 0;
+  v->alarm = truth_of(in->alarm.value, (in->alarm.between & 1U), fresh_alarm,
+      PUMP_MONITORS_INPUT_ALARM);
 }
 
 static inline void pump_look_pressure(pump_view *v, const pump_monitors_in *in) {
-  const int32_t fresh_pressure = sample_arrived(&in->pressure, v->since_us, v->now_us);
-  v->pressure = number_of(&in->pressure, fresh_pressure, 0, 100000, 10,
-      PUMP_MONITORS_INPUT_PRESSURE);
+  const int32_t fresh_pressure = sample_arrived(in->pressure.stamp_us, v->since_us, v->now_us) &&
+      in->pressure.valid != 0;
+  v->pressure = number_of(in->pressure.value, (in->pressure.between & 1U), fresh_pressure, 0,
+      100000, 10, PUMP_MONITORS_INPUT_PRESSURE);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1132,7 +1156,7 @@ static void pump_catch_up(pump_monitors_state *s, int64_t missed) {
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t pump_resume(pump_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t pump_resume(pump_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
@@ -1142,24 +1166,9 @@ static int32_t pump_resume(pump_monitors_state *s, int64_t now_us, int64_t *sinc
   if (elapsed > 1) {
     pump_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t pump_begin(pump_view *v, pump_monitors_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = pump_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -1173,17 +1182,14 @@ void pump_monitors_init(pump_monitors_state *s) {
   ticks_start(&s->ticks);
 }
 
-void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int64_t now_us,
-                        pump_monitors_out *out) {
+/* The tick that has come. */
+static inline void pump_judge(pump_monitors_state *s, const pump_monitors_in *in, int64_t now_us,
+                              pump_monitors_out *out) {
   pump_view v;
-  int32_t k;
-  if (pump_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < PUMP_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(PUMP_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   pump_look_on(&v, in);
   out->monitors[PUMP_MONITORS_STARTS_ONCE] = finding_judged(starts_once_now(&v));
@@ -1196,6 +1202,29 @@ void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int6
   out->monitors[PUMP_MONITORS_SELDOM] = finding_judged(seldom_now(&v));
   out->monitors[PUMP_MONITORS_SMOOTH] = finding_judged(smooth_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void pump_late(pump_monitors_state *s, const pump_monitors_in *in, int64_t now_us,
+                             pump_monitors_out *out) {
+  int32_t k;
+  if (pump_resume(s, now_us) != 0) {
+    pump_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < PUMP_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(PUMP_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int64_t now_us,
+                        pump_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    pump_judge(s, in, now_us, out);
+  } else {
+    pump_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1317,18 +1346,22 @@ static inline int32_t smooth_verdict(const pump_verdicts_view *v) {
 }
 
 static inline void pump_verdicts_look_on(pump_verdicts_view *v, const pump_monitors_in *in) {
-  const int32_t fresh_on = sample_arrived(&in->on, v->since_us, v->now_us);
-  v->on = bits_truth(&in->on, fresh_on);
+  const int32_t fresh_on = sample_arrived(in->on.stamp_us, v->since_us, v->now_us) &&
+      in->on.valid != 0;
+  v->on = bits_truth(in->on.value, (in->on.between & 1U), fresh_on);
 }
 
 static inline void pump_verdicts_look_alarm(pump_verdicts_view *v, const pump_monitors_in *in) {
-  const int32_t fresh_alarm = sample_arrived(&in->alarm, v->since_us, v->now_us);
-  v->alarm = bits_truth(&in->alarm, fresh_alarm);
+  const int32_t fresh_alarm = sample_arrived(in->alarm.stamp_us, v->since_us, v->now_us) &&
+      in->alarm.valid != 0;
+  v->alarm = bits_truth(in->alarm.value, (in->alarm.between & 1U), fresh_alarm);
 }
 
 static inline void pump_verdicts_look_pressure(pump_verdicts_view *v, const pump_monitors_in *in) {
-  const int32_t fresh_pressure = sample_arrived(&in->pressure, v->since_us, v->now_us);
-  v->pressure = bounds_number(&in->pressure, fresh_pressure, 0, 100000, 10);
+  const int32_t fresh_pressure = sample_arrived(in->pressure.stamp_us, v->since_us, v->now_us) &&
+      in->pressure.valid != 0;
+  v->pressure = bounds_number(in->pressure.value, (in->pressure.between & 1U), fresh_pressure, 0,
+      100000, 10);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1363,8 +1396,7 @@ static void pump_verdicts_catch_up(pump_monitors_verdicts_state *s, int64_t miss
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t pump_verdicts_resume(pump_monitors_verdicts_state *s, int64_t now_us,
-                                    int64_t *since_us) {
+static int32_t pump_verdicts_resume(pump_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
@@ -1374,25 +1406,9 @@ static int32_t pump_verdicts_resume(pump_monitors_verdicts_state *s, int64_t now
   if (elapsed > 1) {
     pump_verdicts_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t pump_verdicts_begin(pump_verdicts_view *v, pump_monitors_verdicts_state *s,
-                                          int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = pump_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -1402,22 +1418,23 @@ void pump_monitors_verdicts_init(pump_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   ticks_start(&s->ticks);
   s->previously_0 = BITS_FALSE;
   s->since_2 = BITS_FALSE;
+  s->judged_us = INT64_MAX;
 }
 
-void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
+/* The tick that has come. */
+static inline void pump_verdicts_judge(pump_monitors_verdicts_state *s,
+                                       const pump_monitors_in *in, int64_t now_us,
+                                       int32_t verdicts[PUMP_MONITORS]) {
   pump_verdicts_view v;
-  int32_t k;
-  if (pump_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < PUMP_MONITORS; ++k) {
-      verdicts[k] = PUMP_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   pump_verdicts_look_on(&v, in);
   verdicts[PUMP_MONITORS_STARTS_ONCE] = starts_once_verdict(&v);
   pump_verdicts_look_alarm(&v, in);
@@ -1429,4 +1446,39 @@ void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors
   verdicts[PUMP_MONITORS_SELDOM] = seldom_verdict(&v);
   verdicts[PUMP_MONITORS_SMOOTH] = smooth_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void pump_verdicts_late(pump_monitors_verdicts_state *s,
+                                      const pump_monitors_in *in, int64_t now_us,
+                                      int32_t verdicts[PUMP_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 100000);
+    begun = tick_follows(&s->until_us, now_us, 100000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = pump_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 100000);
+    pump_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < PUMP_MONITORS; ++k) {
+    verdicts[k] = PUMP_VERDICT_UNKNOWN;
+  }
+}
+
+void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors_in *in,
+                            int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 100000;
+    pump_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    pump_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -49,15 +49,11 @@ enum {
   PUMP_MONITORS_INPUT_PRESSURE = 4
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct pump_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} pump_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -133,9 +129,24 @@ typedef struct pump_clock {
 } pump_clock;
 
 typedef struct pump_monitors_in {
-  pump_signal on; /* 0 or 1; new every tick */
-  pump_signal alarm; /* 0 or 1; new every tick */
-  pump_signal pressure; /* steps of 1 kg/m/s^2, 0 to 100000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } on; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } alarm; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } pressure; /* steps of 1 kg/m/s^2, 0 to 100000; new every tick */
 } pump_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 3208 bytes in all. */
@@ -174,6 +185,8 @@ typedef struct pump_monitors_state {
 typedef struct pump_monitors_verdicts_state {
   pump_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   pump_ticks ticks;
   int64_t judged_us;
   /* starts_once */

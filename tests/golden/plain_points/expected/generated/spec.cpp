@@ -30,25 +30,29 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::hook(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.hook_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.hook_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.hook, stamp_us);
+  in_.hook.between |= rtac::bridge::put_number(in_.hook.x, value.x.si(), 1000.0, 1);
+  in_.hook.between |= rtac::bridge::put_number(in_.hook.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::swing(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.swing_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.swing_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.swing, stamp_us);
+  in_.swing.between |= rtac::bridge::put_number(in_.swing.x, value.x.si(), 1000.0, 1);
+  in_.swing.between |= rtac::bridge::put_number(in_.swing.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::loaded(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.loaded, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.loaded, stamp_us);
+  in_.loaded.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::mark(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.mark_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.mark_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.mark, stamp_us);
+  in_.mark.between |= rtac::bridge::put_number(in_.mark.x, value.x.si(), 1000.0, 1);
+  in_.mark.between |= rtac::bridge::put_number(in_.mark.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 

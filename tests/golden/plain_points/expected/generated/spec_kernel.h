@@ -50,15 +50,11 @@ enum {
   CRANE_MONITORS_INPUT_MARK = 5
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct crane_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} crane_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -87,13 +83,30 @@ typedef struct crane_clock {
 } crane_clock;
 
 typedef struct crane_monitors_in {
-  crane_signal hook_x; /* steps of mm, -5000 to 60000; for 500000 us */
-  crane_signal hook_y; /* steps of mm, -5000 to 60000; for 500000 us */
-  crane_signal swing_x; /* steps of mm, -2000 to 2000; for 500000 us */
-  crane_signal swing_y; /* steps of mm, -2000 to 2000; for 500000 us */
-  crane_signal loaded; /* 0 or 1; new every tick */
-  crane_signal mark_x; /* steps of mm, -9000 to 9000; new every tick */
-  crane_signal mark_y; /* steps of mm, -9000 to 9000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } hook; /* steps of mm, -5000 to 60000; for 500000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } swing; /* steps of mm, -2000 to 2000; for 500000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } loaded; /* 0 or 1; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } mark; /* steps of mm, -9000 to 9000; new every tick */
 } crane_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 496 bytes in all. */
@@ -113,6 +126,8 @@ typedef struct crane_monitors_state {
 typedef struct crane_monitors_verdicts_state {
   crane_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   crane_ticks ticks;
   int64_t judged_us;
   int64_t last_hook_us;

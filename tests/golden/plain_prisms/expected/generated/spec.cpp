@@ -29,23 +29,26 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::at(const std::array<double, 3>& value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.at_x, value[0], 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.at_y, value[1], 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.at_z, value[2], 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.at, stamp_us);
+  in_.at.between |= rtac::bridge::put_number(in_.at.x, value[0], 1000.0, 1);
+  in_.at.between |= rtac::bridge::put_number(in_.at.y, value[1], 1000.0, 1) << 1U;
+  in_.at.between |= rtac::bridge::put_number(in_.at.z, value[2], 1000.0, 1) << 2U;
   return *this;
 }
 
 Monitors& Monitors::other(const std::array<double, 3>& value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.other_x, value[0], 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.other_y, value[1], 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.other_z, value[2], 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.other, stamp_us);
+  in_.other.between |= rtac::bridge::put_number(in_.other.x, value[0], 1000.0, 1);
+  in_.other.between |= rtac::bridge::put_number(in_.other.y, value[1], 1000.0, 1) << 1U;
+  in_.other.between |= rtac::bridge::put_number(in_.other.z, value[2], 1000.0, 1) << 2U;
   return *this;
 }
 
 Monitors& Monitors::mark(const std::array<double, 3>& value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.mark_x, value[0], 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.mark_y, value[1], 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.mark_z, value[2], 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.mark, stamp_us);
+  in_.mark.between |= rtac::bridge::put_number(in_.mark.x, value[0], 1000.0, 1);
+  in_.mark.between |= rtac::bridge::put_number(in_.mark.y, value[1], 1000.0, 1) << 1U;
+  in_.mark.between |= rtac::bridge::put_number(in_.mark.z, value[2], 1000.0, 1) << 2U;
   return *this;
 }
 

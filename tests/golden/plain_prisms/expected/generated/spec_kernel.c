@@ -38,8 +38,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -64,22 +64,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -90,6 +80,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -306,14 +305,12 @@ typedef struct edge {
 /* The smallest of several distances: of those known in mm, and of those known as squares. */
 typedef struct nearest {
   int64_t mm, square;
-  int64_t wide; /* 0: `mm` is at most 2 mm below that distance; else 3 */
 } nearest;
 
 static nearest nearest_none(void) {
   nearest n;
   n.mm = SPAN_MAX;
   n.square = INT64_MAX;
-  n.wide = 0;
   return n;
 }
 
@@ -321,37 +318,22 @@ static int64_t nearest_mm(const nearest *n) {
   return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
 }
 
-/* A root is less than 1 mm below. */
-static int64_t nearest_mm_hi(const nearest *n) {
-  const int64_t mm = nearest_mm(n);
-  return mm + (n->wide == 0 || mm < n->mm ? 2 : 3);
-}
-
-/* Whether the foot of the perpendicular lies on the edge is decided exactly. Its length comes from
- * the Q30 direction u, whose components are within 1/2 of their true values: of a difference v from
- * a place of the edge's line, the product is within (|vx| + |vy|) / 2 of the true one. That is taken
- * off; then, with the rounding of the quotient, the bound is less than 1 + (|vx| + |vy| + 1) / 2^30 mm
- * below the length: 2 mm for |vx| + |vy| < 2^30. From the nearer end that is so unless the edge is
- * more than 1,000 km long or p as far away; never more than 3 mm. */
+/* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
+ * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
 static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
-  const int64_t square = dot(d, d);
-  const vec r = minus(p, b);
   if (along <= 0) {
     n->square = min_of(n->square, dot(q, q));
-  } else if (along >= square) {
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
     n->square = min_of(n->square, dot(r, r));
   } else {
-    const vec v = along < square - along ? q : r;
-    const int64_t spread = magnitude(v.x) + magnitude(v.y);
-    const int64_t across = magnitude(v.y * e->ux_q30 - v.x * e->uy_q30) - (spread + 1) / 2;
-    const int64_t gap = max_of(across, 0) / Q30;
-    n->wide = gap < n->mm ? spread / Q30 : n->wide;
-    n->mm = min_of(n->mm, gap);
+    const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
 
@@ -424,31 +406,15 @@ static int32_t crosses_way(const edge *e, int64_t x0, int64_t y0, int64_t x, int
   return (((ax > x0) ^ (bx > x0)) & (start ^ turn)) ^ (((ay > y) ^ (by > y)) & (turn ^ end));
 }
 
-/* 0: the ends of the edge lie on one side of both lines that the way runs along, so that it does not
- * cross it. */
-static int32_t may_cross_way(const edge *e, int64_t x0, int64_t y) {
-  return ((2 * (int64_t)e->ax > x0) ^ (2 * (int64_t)e->bx > x0)) |
-         ((2 * (int64_t)e->ay > y) ^ (2 * (int64_t)e->by > y));
-}
-
 /* Whether a place of the cell, coordinates doubled, is inside: its corner is, or not, and each edge
- * on the way from there changes it. Of places on the boundary it says nothing. Most edges are far
- * from crossing it: the few others are gathered first, without branches. */
+ * on the way from there changes it. Of places on the boundary it says nothing. */
 static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
   int32_t inside = (int32_t)(c->word >> 29 & 1);
-  const edge *met[16];
-  int32_t count = 0;
   int32_t i;
-  if ((c->word >> 28 & 1) == 0) {
-    return inside;
-  }
-  for (i = 0; i < cell_count(c->word); ++i) {
-    const edge *const e = cell_edge(z, c->word, i);
-    met[count] = e;
-    count += may_cross_way(e, 2 * c->x, y);
-  }
-  for (i = 0; i < count; ++i) {
-    inside ^= crosses_way(met[i], 2 * c->x, 2 * c->y, x, y);
+  if ((c->word >> 28 & 1) != 0) {
+    for (i = 0; i < cell_count(c->word); ++i) {
+      inside ^= crosses_way(cell_edge(z, c->word, i), 2 * c->x, 2 * c->y, x, y);
+    }
   }
   return inside;
 }
@@ -458,8 +424,8 @@ static int32_t inside_zone(const zone *z, vec p) {
   return cell_inside(z, &c, 2 * p.x, 2 * p.y);
 }
 
-/* Bounds of the distance from a place of the cell to the boundary: 2 mm apart, or 3 of edges or over
- * distances of hundreds of km; more in cells that are far from it. */
+/* Bounds of the distance from a place of the cell to the boundary: 3 mm apart, but in cells that are
+ * far from it. */
 static span cell_gap(const zone *z, const cell *c, vec p) {
   nearest n = nearest_none();
   int32_t i;
@@ -470,7 +436,7 @@ static span cell_gap(const zone *z, const cell *c, vec p) {
   for (i = 0; i < cell_count(c->word); ++i) {
     near_edge(cell_edge(z, c->word, i), p, &n);
   }
-  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
+  return span_of(nearest_mm(&n), nearest_mm(&n) + 3);
 }
 
 static span boundary_gap(const zone *z, vec p) {
@@ -526,40 +492,74 @@ static bounds bounds_span(span a) {
   return b;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const airfield_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const airfield_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(airfield_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const airfield_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(airfield_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(airfield_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -575,62 +575,53 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const airfield_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const airfield_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const airfield_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const airfield_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
@@ -3296,65 +3287,51 @@ static inline margin out_now(const airfield_view *v) {
 }
 
 static inline void airfield_look_at(airfield_view *v, const airfield_monitors_in *in) {
-  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, v->now_us);
-  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, v->now_us) <= 500000;
-  v->at_x = number_of(&in->at_x, fresh_at, -20000, 90000, 50, AIRFIELD_MONITORS_INPUT_AT);
-  v->at_y = number_of(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -20000,
-      90000, 50, AIRFIELD_MONITORS_INPUT_AT);
-  v->at_z = number_of(&in->at_z, fresh_at && in->at_z.stamp_us == in->at_x.stamp_us, -20000,
-      90000, 50, AIRFIELD_MONITORS_INPUT_AT);
+  const int32_t good_at = sample_good(in->at.stamp_us, &v->s->last_at_us, v->now_us);
+  const int32_t fresh_at = good_at && sample_young(in->at.stamp_us, v->now_us, 500000) &&
+      in->at.valid != 0;
+  v->at_x = number_of(in->at.x, (in->at.between & 1U), fresh_at, -20000, 90000, 50,
+      AIRFIELD_MONITORS_INPUT_AT);
+  v->at_y = number_of(in->at.y, (in->at.between >> 1 & 1U), fresh_at, -20000, 90000, 50,
+      AIRFIELD_MONITORS_INPUT_AT);
+  v->at_z = number_of(in->at.z, (in->at.between >> 2 & 1U), fresh_at, -20000, 90000, 50,
+      AIRFIELD_MONITORS_INPUT_AT);
 }
 
 static inline void airfield_look_other(airfield_view *v, const airfield_monitors_in *in) {
-  const int32_t good_other = sample_good(&in->other_x, &v->s->last_other_us, v->now_us);
-  const int32_t fresh_other = good_other && elapsed_us(in->other_x.stamp_us,
-      v->now_us) <= 1000000;
-  v->other_x = number_of(&in->other_x, fresh_other, -20000, 90000, 100,
+  const int32_t good_other = sample_good(in->other.stamp_us, &v->s->last_other_us, v->now_us);
+  const int32_t fresh_other = good_other && sample_young(in->other.stamp_us, v->now_us,
+      1000000) && in->other.valid != 0;
+  v->other_x = number_of(in->other.x, (in->other.between & 1U), fresh_other, -20000, 90000, 100,
       AIRFIELD_MONITORS_INPUT_OTHER);
-  v->other_y = number_of(&in->other_y, fresh_other &&
-      in->other_y.stamp_us == in->other_x.stamp_us, -20000, 90000, 100,
-      AIRFIELD_MONITORS_INPUT_OTHER);
-  v->other_z = number_of(&in->other_z, fresh_other &&
-      in->other_z.stamp_us == in->other_x.stamp_us, -20000, 90000, 100,
-      AIRFIELD_MONITORS_INPUT_OTHER);
+  v->other_y = number_of(in->other.y, (in->other.between >> 1 & 1U), fresh_other, -20000, 90000,
+      100, AIRFIELD_MONITORS_INPUT_OTHER);
+  v->other_z = number_of(in->other.z, (in->other.between >> 2 & 1U), fresh_other, -20000, 90000,
+      100, AIRFIELD_MONITORS_INPUT_OTHER);
 }
 
 static inline void airfield_look_mark(airfield_view *v, const airfield_monitors_in *in) {
-  const int32_t fresh_mark = sample_arrived(&in->mark_x, v->since_us, v->now_us);
-  v->mark_x = number_of(&in->mark_x, fresh_mark, -20000, 90000, 0, AIRFIELD_MONITORS_INPUT_MARK);
-  v->mark_y = number_of(&in->mark_y, fresh_mark && in->mark_y.stamp_us == in->mark_x.stamp_us,
-      -20000, 90000, 0, AIRFIELD_MONITORS_INPUT_MARK);
-  v->mark_z = number_of(&in->mark_z, fresh_mark && in->mark_z.stamp_us == in->mark_x.stamp_us,
-      -20000, 90000, 0, AIRFIELD_MONITORS_INPUT_MARK);
+  const int32_t fresh_mark = sample_arrived(in->mark.stamp_us, v->since_us, v->now_us) &&
+      in->mark.valid != 0;
+  v->mark_x = number_of(in->mark.x, (in->mark.between & 1U), fresh_mark, -20000, 90000, 0,
+      AIRFIELD_MONITORS_INPUT_MARK);
+  v->mark_y = number_of(in->mark.y, (in->mark.between >> 1 & 1U), fresh_mark, -20000, 90000, 0,
+      AIRFIELD_MONITORS_INPUT_MARK);
+  v->mark_z = number_of(in->mark.z, (in->mark.between >> 2 & 1U), fresh_mark, -20000, 90000, 0,
+      AIRFIELD_MONITORS_INPUT_MARK);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t airfield_resume(airfield_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t airfield_resume(airfield_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 100000);
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t airfield_begin(airfield_view *v, airfield_monitors_state *s,
-                                     int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = airfield_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -3369,17 +3346,14 @@ void airfield_monitors_init(airfield_monitors_state *s) {
   s->last_other_us = INT64_MIN;
 }
 
-void airfield_monitors_step(airfield_monitors_state *s, const airfield_monitors_in *in,
-                            int64_t now_us, airfield_monitors_out *out) {
+/* The tick that has come. */
+static inline void airfield_judge(airfield_monitors_state *s, const airfield_monitors_in *in,
+                                  int64_t now_us, airfield_monitors_out *out) {
   airfield_view v;
-  int32_t k;
-  if (airfield_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < AIRFIELD_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(AIRFIELD_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   airfield_look_at(&v, in);
   out->monitors[AIRFIELD_MONITORS_KEPT] = finding_judged(kept_now(&v));
@@ -3392,6 +3366,29 @@ void airfield_monitors_step(airfield_monitors_state *s, const airfield_monitors_
   out->monitors[AIRFIELD_MONITORS_STACKED] = finding_judged(stacked_now(&v));
   out->monitors[AIRFIELD_MONITORS_SPARE] = finding_judged(spare_now(&v));
   out->monitors[AIRFIELD_MONITORS_OUT] = finding_judged(out_now(&v));
+}
+
+static SELDOM void airfield_late(airfield_monitors_state *s, const airfield_monitors_in *in,
+                                 int64_t now_us, airfield_monitors_out *out) {
+  int32_t k;
+  if (airfield_resume(s, now_us) != 0) {
+    airfield_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < AIRFIELD_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(AIRFIELD_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void airfield_monitors_step(airfield_monitors_state *s, const airfield_monitors_in *in,
+                            int64_t now_us, airfield_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    airfield_judge(s, in, now_us, out);
+  } else {
+    airfield_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -3534,65 +3531,49 @@ static inline int32_t out_verdict(const airfield_verdicts_view *v) {
 
 static inline void airfield_verdicts_look_at(airfield_verdicts_view *v,
                                              const airfield_monitors_in *in) {
-  const int32_t good_at = sample_good(&in->at_x, &v->s->last_at_us, v->now_us);
-  const int32_t fresh_at = good_at && elapsed_us(in->at_x.stamp_us, v->now_us) <= 500000;
-  v->at_x = bounds_number(&in->at_x, fresh_at, -20000, 90000, 50);
-  v->at_y = bounds_number(&in->at_y, fresh_at && in->at_y.stamp_us == in->at_x.stamp_us, -20000,
-      90000, 50);
-  v->at_z = bounds_number(&in->at_z, fresh_at && in->at_z.stamp_us == in->at_x.stamp_us, -20000,
-      90000, 50);
+  const int32_t good_at = sample_good(in->at.stamp_us, &v->s->last_at_us, v->now_us);
+  const int32_t fresh_at = good_at && sample_young(in->at.stamp_us, v->now_us, 500000) &&
+      in->at.valid != 0;
+  v->at_x = bounds_number(in->at.x, (in->at.between & 1U), fresh_at, -20000, 90000, 50);
+  v->at_y = bounds_number(in->at.y, (in->at.between >> 1 & 1U), fresh_at, -20000, 90000, 50);
+  v->at_z = bounds_number(in->at.z, (in->at.between >> 2 & 1U), fresh_at, -20000, 90000, 50);
 }
 
 static inline void airfield_verdicts_look_other(airfield_verdicts_view *v,
                                                 const airfield_monitors_in *in) {
-  const int32_t good_other = sample_good(&in->other_x, &v->s->last_other_us, v->now_us);
-  const int32_t fresh_other = good_other && elapsed_us(in->other_x.stamp_us,
-      v->now_us) <= 1000000;
-  v->other_x = bounds_number(&in->other_x, fresh_other, -20000, 90000, 100);
-  v->other_y = bounds_number(&in->other_y, fresh_other &&
-      in->other_y.stamp_us == in->other_x.stamp_us, -20000, 90000, 100);
-  v->other_z = bounds_number(&in->other_z, fresh_other &&
-      in->other_z.stamp_us == in->other_x.stamp_us, -20000, 90000, 100);
+  const int32_t good_other = sample_good(in->other.stamp_us, &v->s->last_other_us, v->now_us);
+  const int32_t fresh_other = good_other && sample_young(in->other.stamp_us, v->now_us,
+      1000000) && in->other.valid != 0;
+  v->other_x = bounds_number(in->other.x, (in->other.between & 1U), fresh_other, -20000, 90000,
+      100);
+  v->other_y = bounds_number(in->other.y, (in->other.between >> 1 & 1U), fresh_other, -20000,
+      90000, 100);
+  v->other_z = bounds_number(in->other.z, (in->other.between >> 2 & 1U), fresh_other, -20000,
+      90000, 100);
 }
 
 static inline void airfield_verdicts_look_mark(airfield_verdicts_view *v,
                                                const airfield_monitors_in *in) {
-  const int32_t fresh_mark = sample_arrived(&in->mark_x, v->since_us, v->now_us);
-  v->mark_x = bounds_number(&in->mark_x, fresh_mark, -20000, 90000, 0);
-  v->mark_y = bounds_number(&in->mark_y, fresh_mark &&
-      in->mark_y.stamp_us == in->mark_x.stamp_us, -20000, 90000, 0);
-  v->mark_z = bounds_number(&in->mark_z, fresh_mark &&
-      in->mark_z.stamp_us == in->mark_x.stamp_us, -20000, 90000, 0);
+  const int32_t fresh_mark = sample_arrived(in->mark.stamp_us, v->since_us, v->now_us) &&
+      in->mark.valid != 0;
+  v->mark_x = bounds_number(in->mark.x, (in->mark.between & 1U), fresh_mark, -20000, 90000, 0);
+  v->mark_y = bounds_number(in->mark.y, (in->mark.between >> 1 & 1U), fresh_mark, -20000, 90000,
+      0);
+  v->mark_z = bounds_number(in->mark.z, (in->mark.between >> 2 & 1U), fresh_mark, -20000, 90000,
+      0);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t airfield_verdicts_resume(airfield_monitors_verdicts_state *s, int64_t now_us,
-                                        int64_t *since_us) {
+static int32_t airfield_verdicts_resume(airfield_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 100000);
-  *since_us = first || elapsed > 1 ? before(now_us, 100000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t airfield_verdicts_begin(airfield_verdicts_view *v,
-                                              airfield_monitors_verdicts_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = airfield_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 100000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -3602,22 +3583,22 @@ void airfield_monitors_verdicts_init(airfield_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   s->last_at_us = INT64_MIN;
   s->last_other_us = INT64_MIN;
+  s->judged_us = INT64_MAX;
 }
 
-void airfield_monitors_verdicts(airfield_monitors_verdicts_state *s,
-                                const airfield_monitors_in *in, int64_t now_us,
-                                int32_t verdicts[AIRFIELD_MONITORS]) {
+/* The tick that has come. */
+static inline void airfield_verdicts_judge(airfield_monitors_verdicts_state *s,
+                                           const airfield_monitors_in *in, int64_t now_us,
+                                           int32_t verdicts[AIRFIELD_MONITORS]) {
   airfield_verdicts_view v;
-  int32_t k;
-  if (airfield_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < AIRFIELD_MONITORS; ++k) {
-      verdicts[k] = AIRFIELD_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   airfield_verdicts_look_at(&v, in);
   verdicts[AIRFIELD_MONITORS_KEPT] = kept_verdict(&v);
   verdicts[AIRFIELD_MONITORS_OFF_TOWER] = off_tower_verdict(&v);
@@ -3629,4 +3610,40 @@ void airfield_monitors_verdicts(airfield_monitors_verdicts_state *s,
   verdicts[AIRFIELD_MONITORS_STACKED] = stacked_verdict(&v);
   verdicts[AIRFIELD_MONITORS_SPARE] = spare_verdict(&v);
   verdicts[AIRFIELD_MONITORS_OUT] = out_verdict(&v);
+}
+
+static SELDOM void airfield_verdicts_late(airfield_monitors_verdicts_state *s,
+                                          const airfield_monitors_in *in, int64_t now_us,
+                                          int32_t verdicts[AIRFIELD_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 100000);
+    begun = tick_follows(&s->until_us, now_us, 100000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = airfield_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 100000);
+    airfield_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < AIRFIELD_MONITORS; ++k) {
+    verdicts[k] = AIRFIELD_VERDICT_UNKNOWN;
+  }
+}
+
+void airfield_monitors_verdicts(airfield_monitors_verdicts_state *s,
+                                const airfield_monitors_in *in, int64_t now_us,
+                                int32_t verdicts[AIRFIELD_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 100000;
+    airfield_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    airfield_verdicts_late(s, in, now_us, verdicts);
+  }
 }

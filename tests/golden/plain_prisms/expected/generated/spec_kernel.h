@@ -50,15 +50,11 @@ enum {
   AIRFIELD_MONITORS_INPUT_MARK = 4
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct airfield_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} airfield_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -72,15 +68,24 @@ typedef struct airfield_clock {
 } airfield_clock;
 
 typedef struct airfield_monitors_in {
-  airfield_signal at_x; /* steps of mm, -20000 to 90000; for 500000 us */
-  airfield_signal at_y; /* steps of mm, -20000 to 90000; for 500000 us */
-  airfield_signal at_z; /* steps of mm, -20000 to 90000; for 500000 us */
-  airfield_signal other_x; /* steps of mm, -20000 to 90000; for 1000000 us */
-  airfield_signal other_y; /* steps of mm, -20000 to 90000; for 1000000 us */
-  airfield_signal other_z; /* steps of mm, -20000 to 90000; for 1000000 us */
-  airfield_signal mark_x; /* steps of mm, -20000 to 90000; new every tick */
-  airfield_signal mark_y; /* steps of mm, -20000 to 90000; new every tick */
-  airfield_signal mark_z; /* steps of mm, -20000 to 90000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y, z;
+  } at; /* steps of mm, -20000 to 90000; for 500000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y, z;
+  } other; /* steps of mm, -20000 to 90000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y, z;
+  } mark; /* steps of mm, -20000 to 90000; new every tick */
 } airfield_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 64 bytes in all. */
@@ -96,6 +101,8 @@ typedef struct airfield_monitors_state {
 typedef struct airfield_monitors_verdicts_state {
   airfield_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   int64_t judged_us;
   int64_t last_at_us;
   int64_t last_other_us;

@@ -38,8 +38,9 @@ bool Monitors::closed(const rtac::ZoneTable& table, rtac::TimeUs stamp_us) {
 }
 
 Monitors& Monitors::p(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.p_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.p_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.p, stamp_us);
+  in_.p.between |= rtac::bridge::put_number(in_.p.x, value.x.si(), 1000.0, 1);
+  in_.p.between |= rtac::bridge::put_number(in_.p.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 

@@ -45,15 +45,11 @@ enum {
   FIELD_MONITORS_INPUT_P = 4
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct field_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} field_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* One outline of a zone that was received: six numbers an edge, ax ay bx by in mm, the zone on
  * the left, and its direction in Q30; cells that tell which edges matter where. Whoever gives
@@ -85,10 +81,20 @@ typedef struct field_clock {
 } field_clock;
 
 typedef struct field_monitors_in {
-  field_signal fence; /* of its zone below, lo and hi mean nothing; for 60000000 us */
-  field_signal closed; /* of its zone below, lo and hi mean nothing; for 60000000 us */
-  field_signal p_x; /* steps of mm, -99000 to 99000; for 1000000 us */
-  field_signal p_y; /* steps of mm, -99000 to 99000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+  } fence; /* of its zone below; for 60000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+  } closed; /* of its zone below; for 60000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } p; /* steps of mm, -99000 to 99000; for 1000000 us */
   field_zone fence_zone; /* at most 64 edges a side */
   field_zone closed_zone; /* at most 64 edges a side */
 } field_monitors_in;

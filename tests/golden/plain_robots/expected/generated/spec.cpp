@@ -61,59 +61,69 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::gate(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.gate_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.gate_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.gate, stamp_us);
+  in_.gate.between |= rtac::bridge::put_number(in_.gate.x, value.x.si(), 1000.0, 1);
+  in_.gate.between |= rtac::bridge::put_number(in_.gate.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::lead_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.lead_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.lead_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.lead_position, stamp_us);
+  in_.lead_position.between |= rtac::bridge::put_number(in_.lead_position.x, value.x.si(), 1000.0, 1);
+  in_.lead_position.between |= rtac::bridge::put_number(in_.lead_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_0_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_0_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_0_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_0_position, stamp_us);
+  in_.carts_0_position.between |= rtac::bridge::put_number(in_.carts_0_position.x, value.x.si(), 1000.0, 1);
+  in_.carts_0_position.between |= rtac::bridge::put_number(in_.carts_0_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_1_position(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_1_position_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_1_position_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_1_position, stamp_us);
+  in_.carts_1_position.between |= rtac::bridge::put_number(in_.carts_1_position.x, value.x.si(), 1000.0, 1);
+  in_.carts_1_position.between |= rtac::bridge::put_number(in_.carts_1_position.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::lead_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.lead_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.lead_battery, stamp_us);
+  in_.lead_battery.between |= rtac::bridge::put_number(in_.lead_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::carts_0_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_0_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_0_battery, stamp_us);
+  in_.carts_0_battery.between |= rtac::bridge::put_number(in_.carts_0_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::carts_1_battery(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_1_battery, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_1_battery, stamp_us);
+  in_.carts_1_battery.between |= rtac::bridge::put_number(in_.carts_1_battery.value, value.si(), 1000000.0, 1);
   return *this;
 }
 
 Monitors& Monitors::lead_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.lead_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.lead_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.lead_velocity, stamp_us);
+  in_.lead_velocity.between |= rtac::bridge::put_number(in_.lead_velocity.x, value.x.si(), 1000.0, 1);
+  in_.lead_velocity.between |= rtac::bridge::put_number(in_.lead_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_0_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_0_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_0_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_0_velocity, stamp_us);
+  in_.carts_0_velocity.between |= rtac::bridge::put_number(in_.carts_0_velocity.x, value.x.si(), 1000.0, 1);
+  in_.carts_0_velocity.between |= rtac::bridge::put_number(in_.carts_0_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::carts_1_velocity(rtac::Velocity value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.carts_1_velocity_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.carts_1_velocity_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.carts_1_velocity, stamp_us);
+  in_.carts_1_velocity.between |= rtac::bridge::put_number(in_.carts_1_velocity.x, value.x.si(), 1000.0, 1);
+  in_.carts_1_velocity.between |= rtac::bridge::put_number(in_.carts_1_velocity.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 

@@ -33,8 +33,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -59,22 +59,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -85,6 +75,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -570,31 +569,52 @@ static margin historically_margin(margin x, plain_robots_slide *s, plain_robots_
                                  t));
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const plain_robots_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(plain_robots_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(plain_robots_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
+}
+
+/* Whether the last tick has passed, the number of which is not counted but found from its end. */
+static int32_t tick_passed(plain_robots_clock *clock, int64_t until_us, int64_t now_us,
+                           int64_t period_us) {
+  if (clock->started == 0 || until_us == INT64_MAX) {
+    return 1;
+  }
+  clock->tick = elapsed_us(clock->origin_us, until_us) / period_us;
+  return now_us > until_us;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -605,78 +625,69 @@ static int64_t tick_until(const plain_robots_clock *clock, int64_t period_us) {
   return later(clock->origin_us, clock->tick * period_us + period_us / 2);
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const plain_robots_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const plain_robots_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const plain_robots_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
-static inline int64_t age_known(const plain_robots_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+/* Time since the stamp of the newest sample; -1 when it has no value, or beyond 35 years. */
+static inline int64_t age_known(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = whole ? elapsed_us(stamp_us, now_us) : -1;
   return age_us > AGE_MAX_US ? -1 : age_us;
 }
 
-static inline bounds bounds_age(const plain_robots_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline bounds bounds_age(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
 }
 
-static inline span age_span(const plain_robots_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline span age_span(int64_t stamp_us, int32_t whole, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const plain_robots_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
@@ -886,122 +897,130 @@ static inline margin heard_now(const plain_robots_view *v) {
 
 static inline void plain_robots_look_gate(plain_robots_view *v,
                                           const plain_robots_monitors_in *in) {
-  const int32_t good_gate = sample_good(&in->gate_x, &v->s->last_gate_us, v->now_us);
-  const int32_t fresh_gate = good_gate;
-  v->gate_x = number_of(&in->gate_x, fresh_gate, -9000, 9000, 0,
+  const int32_t good_gate = sample_good(in->gate.stamp_us, &v->s->last_gate_us, v->now_us);
+  const int32_t fresh_gate = good_gate && in->gate.valid != 0;
+  v->gate_x = number_of(in->gate.x, (in->gate.between & 1U), fresh_gate, -9000, 9000, 0,
       PLAIN_ROBOTS_MONITORS_INPUT_GATE);
-  v->gate_y = number_of(&in->gate_y, fresh_gate && in->gate_y.stamp_us == in->gate_x.stamp_us,
-      -9000, 9000, 0, PLAIN_ROBOTS_MONITORS_INPUT_GATE);
+  v->gate_y = number_of(in->gate.y, (in->gate.between >> 1 & 1U), fresh_gate, -9000, 9000, 0,
+      PLAIN_ROBOTS_MONITORS_INPUT_GATE);
 }
 
 static inline void plain_robots_look_lead_position(plain_robots_view *v,
                                                    const plain_robots_monitors_in *in) {
-  const int32_t good_lead_position = sample_good(&in->lead_position_x,
+  const int32_t good_lead_position = sample_good(in->lead_position.stamp_us,
       &v->s->last_lead_position_us, v->now_us);
   const int32_t fresh_lead_position = good_lead_position &&
-      elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
-  v->lead_position_x = number_of(&in->lead_position_x, fresh_lead_position, -100000000,
-      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
-  v->lead_position_y = number_of(&in->lead_position_y, fresh_lead_position &&
-      in->lead_position_y.stamp_us == in->lead_position_x.stamp_us, -100000000, 100000000, 20,
-      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
+      sample_young(in->lead_position.stamp_us, v->now_us, 200000) && in->lead_position.valid != 0;
+  v->lead_position_x = number_of(in->lead_position.x, (in->lead_position.between & 1U),
+      fresh_lead_position, -100000000, 100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
+  v->lead_position_y = number_of(in->lead_position.y, (in->lead_position.between >> 1 & 1U),
+      fresh_lead_position, -100000000, 100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_POSITION);
 }
 
 static inline void plain_robots_look_carts_0_position(plain_robots_view *v,
                                                       const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x,
+  const int32_t good_carts_0_position = sample_good(in->carts_0_position.stamp_us,
       &v->s->last_carts_0_position_us, v->now_us);
   const int32_t fresh_carts_0_position = good_carts_0_position &&
-      elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_0_position_x = number_of(&in->carts_0_position_x, fresh_carts_0_position, -100000000,
-      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
-  v->carts_0_position_y = number_of(&in->carts_0_position_y, fresh_carts_0_position &&
-      in->carts_0_position_y.stamp_us == in->carts_0_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_0_position.stamp_us, v->now_us, 200000) &&
+      in->carts_0_position.valid != 0;
+  v->carts_0_position_x = number_of(in->carts_0_position.x, (in->carts_0_position.between & 1U),
+      fresh_carts_0_position, -100000000, 100000000, 20,
+      PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
+  v->carts_0_position_y = number_of(in->carts_0_position.y,
+      (in->carts_0_position.between >> 1 & 1U), fresh_carts_0_position, -100000000, 100000000,
       20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
-  int32_t whole_carts_0_position = good_carts_0_position;
-  whole_carts_0_position = whole_carts_0_position && in->carts_0_position_y.valid != 0;
-  v->age_of_carts_0_position = age_span(&in->carts_0_position_x, whole_carts_0_position, v->now_us, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
+  int32_t whole_carts_0_position = good_carts_0_position && in->carts_0_position.valid != 0;
+  whole_carts_0_position = whole_carts_0_position && in->carts_0_position.x != INT64_MIN;
+  whole_carts_0_position = whole_carts_0_position && in->carts_0_position.y != INT64_MIN;
+  v->age_of_carts_0_position = age_span(in->carts_0_position.stamp_us, whole_carts_0_position,
+      v->now_us, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_POSITION);
 }
 
 static inline void plain_robots_look_carts_1_position(plain_robots_view *v,
                                                       const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x,
+  const int32_t good_carts_1_position = sample_good(in->carts_1_position.stamp_us,
       &v->s->last_carts_1_position_us, v->now_us);
   const int32_t fresh_carts_1_position = good_carts_1_position &&
-      elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_1_position_x = number_of(&in->carts_1_position_x, fresh_carts_1_position, -100000000,
-      100000000, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_POSITION);
-  v->carts_1_position_y = number_of(&in->carts_1_position_y, fresh_carts_1_position &&
-      in->carts_1_position_y.stamp_us == in->carts_1_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_1_position.stamp_us, v->now_us, 200000) &&
+      in->carts_1_position.valid != 0;
+  v->carts_1_position_x = number_of(in->carts_1_position.x, (in->carts_1_position.between & 1U),
+      fresh_carts_1_position, -100000000, 100000000, 20,
+      PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_POSITION);
+  v->carts_1_position_y = number_of(in->carts_1_position.y,
+      (in->carts_1_position.between >> 1 & 1U), fresh_carts_1_position, -100000000, 100000000,
       20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_POSITION);
 }
 
 static inline void plain_robots_look_lead_battery(plain_robots_view *v,
                                                   const plain_robots_monitors_in *in) {
-  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us,
-      v->now_us);
-  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us,
-      v->now_us) <= 1000000;
-  v->lead_battery = number_of(&in->lead_battery, fresh_lead_battery, -10000, 1010000, 10000,
-      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_BATTERY);
+  const int32_t good_lead_battery = sample_good(in->lead_battery.stamp_us,
+      &v->s->last_lead_battery_us, v->now_us);
+  const int32_t fresh_lead_battery = good_lead_battery && sample_young(in->lead_battery.stamp_us,
+      v->now_us, 1000000) && in->lead_battery.valid != 0;
+  v->lead_battery = number_of(in->lead_battery.value, (in->lead_battery.between & 1U),
+      fresh_lead_battery, -10000, 1010000, 10000, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_BATTERY);
 }
 
 static inline void plain_robots_look_carts_0_battery(plain_robots_view *v,
                                                      const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery,
+  const int32_t good_carts_0_battery = sample_good(in->carts_0_battery.stamp_us,
       &v->s->last_carts_0_battery_us, v->now_us);
   const int32_t fresh_carts_0_battery = good_carts_0_battery &&
-      elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_0_battery = number_of(&in->carts_0_battery, fresh_carts_0_battery, -10000, 1010000,
-      10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_BATTERY);
+      sample_young(in->carts_0_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_0_battery.valid != 0;
+  v->carts_0_battery = number_of(in->carts_0_battery.value, (in->carts_0_battery.between & 1U),
+      fresh_carts_0_battery, -10000, 1010000, 10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_BATTERY);
 }
 
 static inline void plain_robots_look_carts_1_battery(plain_robots_view *v,
                                                      const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery,
+  const int32_t good_carts_1_battery = sample_good(in->carts_1_battery.stamp_us,
       &v->s->last_carts_1_battery_us, v->now_us);
   const int32_t fresh_carts_1_battery = good_carts_1_battery &&
-      elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_1_battery = number_of(&in->carts_1_battery, fresh_carts_1_battery, -10000, 1010000,
-      10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_BATTERY);
+      sample_young(in->carts_1_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_1_battery.valid != 0;
+  v->carts_1_battery = number_of(in->carts_1_battery.value, (in->carts_1_battery.between & 1U),
+      fresh_carts_1_battery, -10000, 1010000, 10000, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_BATTERY);
 }
 
 static inline void plain_robots_look_lead_velocity(plain_robots_view *v,
                                                    const plain_robots_monitors_in *in) {
-  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x,
+  const int32_t good_lead_velocity = sample_good(in->lead_velocity.stamp_us,
       &v->s->last_lead_velocity_us, v->now_us);
   const int32_t fresh_lead_velocity = good_lead_velocity &&
-      elapsed_us(in->lead_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->lead_velocity_x = number_of(&in->lead_velocity_x, fresh_lead_velocity, -1020, 1020, 20,
-      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
-  v->lead_velocity_y = number_of(&in->lead_velocity_y, fresh_lead_velocity &&
-      in->lead_velocity_y.stamp_us == in->lead_velocity_x.stamp_us, -1020, 1020, 20,
-      PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
+      sample_young(in->lead_velocity.stamp_us, v->now_us, 200000) && in->lead_velocity.valid != 0;
+  v->lead_velocity_x = number_of(in->lead_velocity.x, (in->lead_velocity.between & 1U),
+      fresh_lead_velocity, -1020, 1020, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
+  v->lead_velocity_y = number_of(in->lead_velocity.y, (in->lead_velocity.between >> 1 & 1U),
+      fresh_lead_velocity, -1020, 1020, 20, PLAIN_ROBOTS_MONITORS_INPUT_LEAD_VELOCITY);
 }
 
 static inline void plain_robots_look_carts_0_velocity(plain_robots_view *v,
                                                       const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x,
+  const int32_t good_carts_0_velocity = sample_good(in->carts_0_velocity.stamp_us,
       &v->s->last_carts_0_velocity_us, v->now_us);
   const int32_t fresh_carts_0_velocity = good_carts_0_velocity &&
-      elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_0_velocity_x = number_of(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020, 1020,
-      20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_VELOCITY);
-  v->carts_0_velocity_y = number_of(&in->carts_0_velocity_y, fresh_carts_0_velocity &&
-      in->carts_0_velocity_y.stamp_us == in->carts_0_velocity_x.stamp_us, -1020, 1020, 20,
+      sample_young(in->carts_0_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_0_velocity.valid != 0;
+  v->carts_0_velocity_x = number_of(in->carts_0_velocity.x, (in->carts_0_velocity.between & 1U),
+      fresh_carts_0_velocity, -1020, 1020, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_VELOCITY);
+  v->carts_0_velocity_y = number_of(in->carts_0_velocity.y,
+      (in->carts_0_velocity.between >> 1 & 1U), fresh_carts_0_velocity, -1020, 1020, 20,
       PLAIN_ROBOTS_MONITORS_INPUT_CARTS_0_VELOCITY);
 }
 
 static inline void plain_robots_look_carts_1_velocity(plain_robots_view *v,
                                                       const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x,
+  const int32_t good_carts_1_velocity = sample_good(in->carts_1_velocity.stamp_us,
       &v->s->last_carts_1_velocity_us, v->now_us);
   const int32_t fresh_carts_1_velocity = good_carts_1_velocity &&
-      elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_1_velocity_x = number_of(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020, 1020,
-      20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY);
-  v->carts_1_velocity_y = number_of(&in->carts_1_velocity_y, fresh_carts_1_velocity &&
-      in->carts_1_velocity_y.stamp_us == in->carts_1_velocity_x.stamp_us, -1020, 1020, 20,
+      sample_young(in->carts_1_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_1_velocity.valid != 0;
+  v->carts_1_velocity_x = number_of(in->carts_1_velocity.x, (in->carts_1_velocity.between & 1U),
+      fresh_carts_1_velocity, -1020, 1020, 20, PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY);
+  v->carts_1_velocity_y = number_of(in->carts_1_velocity.y,
+      (in->carts_1_velocity.between >> 1 & 1U), fresh_carts_1_velocity, -1020, 1020, 20,
       PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY);
 }
 
@@ -1056,21 +1075,6 @@ static int32_t plain_robots_resume(plain_robots_monitors_state *s, int64_t now_u
   return 1;
 }
 
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t plain_robots_begin(plain_robots_view *v, plain_robots_monitors_state *s,
-                                         int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = plain_robots_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  return 1;
-}
-
 void plain_robots_monitors_init(plain_robots_monitors_state *s) {
   s->clock.started = 0;
   s->clock.origin_us = 0;
@@ -1090,18 +1094,13 @@ void plain_robots_monitors_init(plain_robots_monitors_state *s) {
   s->last_carts_1_velocity_us = INT64_MIN;
 }
 
-void plain_robots_monitors_step(plain_robots_monitors_state *s,
-                                const plain_robots_monitors_in *in, int64_t now_us,
-                                plain_robots_monitors_out *out) {
+/* The tick that has come. */
+static inline void plain_robots_judge(plain_robots_monitors_state *s,
+                                      const plain_robots_monitors_in *in, int64_t now_us,
+                                      plain_robots_monitors_out *out) {
   plain_robots_view v;
-  int32_t k;
-  if (plain_robots_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(PLAIN_ROBOTS_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   out->tick = s->clock.tick;
   plain_robots_look_gate(&v, in);
   plain_robots_look_lead_position(&v, in);
@@ -1119,6 +1118,31 @@ void plain_robots_monitors_step(plain_robots_monitors_state *s,
   out->monitors[PLAIN_ROBOTS_MONITORS_CALM] = finding_judged(calm_now(&v));
   out->monitors[PLAIN_ROBOTS_MONITORS_HEARD] = finding_judged(heard_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void plain_robots_late(plain_robots_monitors_state *s,
+                                     const plain_robots_monitors_in *in, int64_t now_us,
+                                     plain_robots_monitors_out *out) {
+  int32_t k;
+  if (plain_robots_resume(s, now_us) != 0) {
+    plain_robots_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(PLAIN_ROBOTS_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void plain_robots_monitors_step(plain_robots_monitors_state *s,
+                                const plain_robots_monitors_in *in, int64_t now_us,
+                                plain_robots_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    tick_counted(&s->clock, now_us);
+    plain_robots_judge(s, in, now_us, out);
+  } else {
+    plain_robots_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -1261,140 +1285,144 @@ static inline int32_t heard_verdict(const plain_robots_verdicts_view *v) {
 
 static inline void plain_robots_verdicts_look_gate(plain_robots_verdicts_view *v,
                                                    const plain_robots_monitors_in *in) {
-  const int32_t good_gate = sample_good(&in->gate_x, &v->s->last_gate_us, v->now_us);
-  const int32_t fresh_gate = good_gate;
+  const int32_t good_gate = sample_good(in->gate.stamp_us, &v->s->last_gate_us, v->now_us);
+  const int32_t fresh_gate = good_gate && in->gate.valid != 0;
   if (fresh_gate &&
-      in->gate_y.stamp_us == in->gate_x.stamp_us &&
-      in->gate_x.valid != 0 &&
-      in->gate_y.valid != 0 &&
-      number_within(&in->gate_x, -9000, 9000) &&
-      number_within(&in->gate_y, -9000, 9000)) {
-    v->gate_x = bounds_measured(&in->gate_x, 0);
-    v->gate_y = bounds_measured(&in->gate_y, 0);
+      number_within(in->gate.x, (in->gate.between & 1U), -9000, 9000) &&
+      number_within(in->gate.y, (in->gate.between >> 1 & 1U), -9000, 9000)) {
+    v->gate_x = bounds_measured(in->gate.x, (in->gate.between & 1U), 0);
+    v->gate_y = bounds_measured(in->gate.y, (in->gate.between >> 1 & 1U), 0);
     v->has_gate = 1;
   } else {
-    v->gate_x = bounds_number(&in->gate_x, fresh_gate, -9000, 9000, 0);
-    v->gate_y = bounds_number(&in->gate_y, fresh_gate &&
-        in->gate_y.stamp_us == in->gate_x.stamp_us, -9000, 9000, 0);
+    v->gate_x = bounds_number(in->gate.x, (in->gate.between & 1U), fresh_gate, -9000, 9000, 0);
+    v->gate_y = bounds_number(in->gate.y, (in->gate.between >> 1 & 1U), fresh_gate, -9000, 9000, 0);
     v->has_gate = 0;
   }
 }
 
 static inline void plain_robots_verdicts_look_lead_position(plain_robots_verdicts_view *v,
                                                             const plain_robots_monitors_in *in) {
-  const int32_t good_lead_position = sample_good(&in->lead_position_x,
+  const int32_t good_lead_position = sample_good(in->lead_position.stamp_us,
       &v->s->last_lead_position_us, v->now_us);
   const int32_t fresh_lead_position = good_lead_position &&
-      elapsed_us(in->lead_position_x.stamp_us, v->now_us) <= 200000;
+      sample_young(in->lead_position.stamp_us, v->now_us, 200000) && in->lead_position.valid != 0;
   if (fresh_lead_position &&
-      in->lead_position_y.stamp_us == in->lead_position_x.stamp_us &&
-      in->lead_position_x.valid != 0 &&
-      in->lead_position_y.valid != 0 &&
-      number_within(&in->lead_position_x, -100000000, 100000000) &&
-      number_within(&in->lead_position_y, -100000000, 100000000)) {
-    v->lead_position_x = bounds_measured(&in->lead_position_x, 20);
-    v->lead_position_y = bounds_measured(&in->lead_position_y, 20);
+      number_within(in->lead_position.x, (in->lead_position.between & 1U), -100000000, 100000000) &&
+      number_within(in->lead_position.y, (in->lead_position.between >> 1 & 1U), -100000000, 100000000)) {
+    v->lead_position_x = bounds_measured(in->lead_position.x, (in->lead_position.between & 1U), 20);
+    v->lead_position_y = bounds_measured(in->lead_position.y,
+        (in->lead_position.between >> 1 & 1U), 20);
     v->has_lead_position = 1;
   } else {
-    v->lead_position_x = bounds_number(&in->lead_position_x, fresh_lead_position, -100000000,
-        100000000, 20);
-    v->lead_position_y = bounds_number(&in->lead_position_y, fresh_lead_position &&
-        in->lead_position_y.stamp_us == in->lead_position_x.stamp_us, -100000000, 100000000, 20);
+    v->lead_position_x = bounds_number(in->lead_position.x, (in->lead_position.between & 1U),
+        fresh_lead_position, -100000000, 100000000, 20);
+    v->lead_position_y = bounds_number(in->lead_position.y, (in->lead_position.between >> 1 & 1U),
+        fresh_lead_position, -100000000, 100000000, 20);
     v->has_lead_position = 0;
   }
 }
 
 static inline void plain_robots_verdicts_look_carts_0_position(plain_robots_verdicts_view *v,
                                                                const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_position = sample_good(&in->carts_0_position_x,
+  const int32_t good_carts_0_position = sample_good(in->carts_0_position.stamp_us,
       &v->s->last_carts_0_position_us, v->now_us);
   const int32_t fresh_carts_0_position = good_carts_0_position &&
-      elapsed_us(in->carts_0_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_0_position_x = bounds_number(&in->carts_0_position_x, fresh_carts_0_position,
-      -100000000, 100000000, 20);
-  v->carts_0_position_y = bounds_number(&in->carts_0_position_y, fresh_carts_0_position &&
-      in->carts_0_position_y.stamp_us == in->carts_0_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_0_position.stamp_us, v->now_us, 200000) &&
+      in->carts_0_position.valid != 0;
+  v->carts_0_position_x = bounds_number(in->carts_0_position.x,
+      (in->carts_0_position.between & 1U), fresh_carts_0_position, -100000000, 100000000, 20);
+  v->carts_0_position_y = bounds_number(in->carts_0_position.y,
+      (in->carts_0_position.between >> 1 & 1U), fresh_carts_0_position, -100000000, 100000000,
       20);
-  int32_t whole_carts_0_position = good_carts_0_position;
-  whole_carts_0_position = whole_carts_0_position && in->carts_0_position_y.valid != 0;
-  v->age_of_carts_0_position = bounds_age(&in->carts_0_position_x, whole_carts_0_position, v->now_us);
+  int32_t whole_carts_0_position = good_carts_0_position && in->carts_0_position.valid != 0;
+  whole_carts_0_position = whole_carts_0_position && in->carts_0_position.x != INT64_MIN;
+  whole_carts_0_position = whole_carts_0_position && in->carts_0_position.y != INT64_MIN;
+  v->age_of_carts_0_position = bounds_age(in->carts_0_position.stamp_us, whole_carts_0_position,
+      v->now_us);
 }
 
 static inline void plain_robots_verdicts_look_carts_1_position(plain_robots_verdicts_view *v,
                                                                const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_position = sample_good(&in->carts_1_position_x,
+  const int32_t good_carts_1_position = sample_good(in->carts_1_position.stamp_us,
       &v->s->last_carts_1_position_us, v->now_us);
   const int32_t fresh_carts_1_position = good_carts_1_position &&
-      elapsed_us(in->carts_1_position_x.stamp_us, v->now_us) <= 200000;
-  v->carts_1_position_x = bounds_number(&in->carts_1_position_x, fresh_carts_1_position,
-      -100000000, 100000000, 20);
-  v->carts_1_position_y = bounds_number(&in->carts_1_position_y, fresh_carts_1_position &&
-      in->carts_1_position_y.stamp_us == in->carts_1_position_x.stamp_us, -100000000, 100000000,
+      sample_young(in->carts_1_position.stamp_us, v->now_us, 200000) &&
+      in->carts_1_position.valid != 0;
+  v->carts_1_position_x = bounds_number(in->carts_1_position.x,
+      (in->carts_1_position.between & 1U), fresh_carts_1_position, -100000000, 100000000, 20);
+  v->carts_1_position_y = bounds_number(in->carts_1_position.y,
+      (in->carts_1_position.between >> 1 & 1U), fresh_carts_1_position, -100000000, 100000000,
       20);
 }
 
 static inline void plain_robots_verdicts_look_lead_battery(plain_robots_verdicts_view *v,
                                                            const plain_robots_monitors_in *in) {
-  const int32_t good_lead_battery = sample_good(&in->lead_battery, &v->s->last_lead_battery_us,
-      v->now_us);
-  const int32_t fresh_lead_battery = good_lead_battery && elapsed_us(in->lead_battery.stamp_us,
-      v->now_us) <= 1000000;
-  v->lead_battery = bounds_number(&in->lead_battery, fresh_lead_battery, -10000, 1010000, 10000);
+  const int32_t good_lead_battery = sample_good(in->lead_battery.stamp_us,
+      &v->s->last_lead_battery_us, v->now_us);
+  const int32_t fresh_lead_battery = good_lead_battery && sample_young(in->lead_battery.stamp_us,
+      v->now_us, 1000000) && in->lead_battery.valid != 0;
+  v->lead_battery = bounds_number(in->lead_battery.value, (in->lead_battery.between & 1U),
+      fresh_lead_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_robots_verdicts_look_carts_0_battery(plain_robots_verdicts_view *v,
                                                               const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_battery = sample_good(&in->carts_0_battery,
+  const int32_t good_carts_0_battery = sample_good(in->carts_0_battery.stamp_us,
       &v->s->last_carts_0_battery_us, v->now_us);
   const int32_t fresh_carts_0_battery = good_carts_0_battery &&
-      elapsed_us(in->carts_0_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_0_battery = bounds_number(&in->carts_0_battery, fresh_carts_0_battery, -10000,
-      1010000, 10000);
+      sample_young(in->carts_0_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_0_battery.valid != 0;
+  v->carts_0_battery = bounds_number(in->carts_0_battery.value,
+      (in->carts_0_battery.between & 1U), fresh_carts_0_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_robots_verdicts_look_carts_1_battery(plain_robots_verdicts_view *v,
                                                               const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_battery = sample_good(&in->carts_1_battery,
+  const int32_t good_carts_1_battery = sample_good(in->carts_1_battery.stamp_us,
       &v->s->last_carts_1_battery_us, v->now_us);
   const int32_t fresh_carts_1_battery = good_carts_1_battery &&
-      elapsed_us(in->carts_1_battery.stamp_us, v->now_us) <= 1000000;
-  v->carts_1_battery = bounds_number(&in->carts_1_battery, fresh_carts_1_battery, -10000,
-      1010000, 10000);
+      sample_young(in->carts_1_battery.stamp_us, v->now_us, 1000000) &&
+      in->carts_1_battery.valid != 0;
+  v->carts_1_battery = bounds_number(in->carts_1_battery.value,
+      (in->carts_1_battery.between & 1U), fresh_carts_1_battery, -10000, 1010000, 10000);
 }
 
 static inline void plain_robots_verdicts_look_lead_velocity(plain_robots_verdicts_view *v,
                                                             const plain_robots_monitors_in *in) {
-  const int32_t good_lead_velocity = sample_good(&in->lead_velocity_x,
+  const int32_t good_lead_velocity = sample_good(in->lead_velocity.stamp_us,
       &v->s->last_lead_velocity_us, v->now_us);
   const int32_t fresh_lead_velocity = good_lead_velocity &&
-      elapsed_us(in->lead_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->lead_velocity_x = bounds_number(&in->lead_velocity_x, fresh_lead_velocity, -1020, 1020, 20);
-  v->lead_velocity_y = bounds_number(&in->lead_velocity_y, fresh_lead_velocity &&
-      in->lead_velocity_y.stamp_us == in->lead_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->lead_velocity.stamp_us, v->now_us, 200000) && in->lead_velocity.valid != 0;
+  v->lead_velocity_x = bounds_number(in->lead_velocity.x, (in->lead_velocity.between & 1U),
+      fresh_lead_velocity, -1020, 1020, 20);
+  v->lead_velocity_y = bounds_number(in->lead_velocity.y, (in->lead_velocity.between >> 1 & 1U),
+      fresh_lead_velocity, -1020, 1020, 20);
 }
 
 static inline void plain_robots_verdicts_look_carts_0_velocity(plain_robots_verdicts_view *v,
                                                                const plain_robots_monitors_in *in) {
-  const int32_t good_carts_0_velocity = sample_good(&in->carts_0_velocity_x,
+  const int32_t good_carts_0_velocity = sample_good(in->carts_0_velocity.stamp_us,
       &v->s->last_carts_0_velocity_us, v->now_us);
   const int32_t fresh_carts_0_velocity = good_carts_0_velocity &&
-      elapsed_us(in->carts_0_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_0_velocity_x = bounds_number(&in->carts_0_velocity_x, fresh_carts_0_velocity, -1020,
-      1020, 20);
-  v->carts_0_velocity_y = bounds_number(&in->carts_0_velocity_y, fresh_carts_0_velocity &&
-      in->carts_0_velocity_y.stamp_us == in->carts_0_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->carts_0_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_0_velocity.valid != 0;
+  v->carts_0_velocity_x = bounds_number(in->carts_0_velocity.x,
+      (in->carts_0_velocity.between & 1U), fresh_carts_0_velocity, -1020, 1020, 20);
+  v->carts_0_velocity_y = bounds_number(in->carts_0_velocity.y,
+      (in->carts_0_velocity.between >> 1 & 1U), fresh_carts_0_velocity, -1020, 1020, 20);
 }
 
 static inline void plain_robots_verdicts_look_carts_1_velocity(plain_robots_verdicts_view *v,
                                                                const plain_robots_monitors_in *in) {
-  const int32_t good_carts_1_velocity = sample_good(&in->carts_1_velocity_x,
+  const int32_t good_carts_1_velocity = sample_good(in->carts_1_velocity.stamp_us,
       &v->s->last_carts_1_velocity_us, v->now_us);
   const int32_t fresh_carts_1_velocity = good_carts_1_velocity &&
-      elapsed_us(in->carts_1_velocity_x.stamp_us, v->now_us) <= 200000;
-  v->carts_1_velocity_x = bounds_number(&in->carts_1_velocity_x, fresh_carts_1_velocity, -1020,
-      1020, 20);
-  v->carts_1_velocity_y = bounds_number(&in->carts_1_velocity_y, fresh_carts_1_velocity &&
-      in->carts_1_velocity_y.stamp_us == in->carts_1_velocity_x.stamp_us, -1020, 1020, 20);
+      sample_young(in->carts_1_velocity.stamp_us, v->now_us, 200000) &&
+      in->carts_1_velocity.valid != 0;
+  v->carts_1_velocity_x = bounds_number(in->carts_1_velocity.x,
+      (in->carts_1_velocity.between & 1U), fresh_carts_1_velocity, -1020, 1020, 20);
+  v->carts_1_velocity_y = bounds_number(in->carts_1_velocity.y,
+      (in->carts_1_velocity.between >> 1 & 1U), fresh_carts_1_velocity, -1020, 1020, 20);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -1442,6 +1470,9 @@ static void plain_robots_verdicts_catch_up(plain_robots_monitors_verdicts_state 
 /* A tick that does not follow the last one; 0: there is none since then. */
 static int32_t plain_robots_verdicts_resume(plain_robots_monitors_verdicts_state *s,
                                             int64_t now_us) {
+  if (tick_passed(&s->clock, s->until_us, now_us, 100000) == 0) {
+    return 0;
+  }
   const int64_t elapsed = next_tick(&s->clock, now_us, 100000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
@@ -1450,22 +1481,6 @@ static int32_t plain_robots_verdicts_resume(plain_robots_monitors_verdicts_state
   if (elapsed > 1) {
     plain_robots_verdicts_catch_up(s, elapsed - 1);
   }
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t plain_robots_verdicts_begin(plain_robots_verdicts_view *v,
-                                                  plain_robots_monitors_verdicts_state *s,
-                                                  int64_t now_us) {
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 100000);
-  if (begun == 0) {
-    begun = plain_robots_verdicts_resume(s, now_us);
-  }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
   return 1;
 }
 
@@ -1488,17 +1503,13 @@ void plain_robots_monitors_verdicts_init(plain_robots_monitors_verdicts_state *s
   s->last_carts_1_velocity_us = INT64_MIN;
 }
 
-void plain_robots_monitors_verdicts(plain_robots_monitors_verdicts_state *s,
-                                    const plain_robots_monitors_in *in, int64_t now_us,
-                                    int32_t verdicts[PLAIN_ROBOTS_MONITORS]) {
+/* The tick that has come. */
+static inline void plain_robots_verdicts_judge(plain_robots_monitors_verdicts_state *s,
+                                               const plain_robots_monitors_in *in, int64_t now_us,
+                                               int32_t verdicts[PLAIN_ROBOTS_MONITORS]) {
   plain_robots_verdicts_view v;
-  int32_t k;
-  if (plain_robots_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
-      verdicts[k] = PLAIN_ROBOTS_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
   plain_robots_verdicts_look_gate(&v, in);
   plain_robots_verdicts_look_lead_position(&v, in);
   verdicts[PLAIN_ROBOTS_MONITORS_NEAR] = near_verdict(&v);
@@ -1515,4 +1526,27 @@ void plain_robots_monitors_verdicts(plain_robots_monitors_verdicts_state *s,
   verdicts[PLAIN_ROBOTS_MONITORS_CALM] = calm_verdict(&v);
   verdicts[PLAIN_ROBOTS_MONITORS_HEARD] = heard_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void plain_robots_verdicts_late(plain_robots_monitors_verdicts_state *s,
+                                              const plain_robots_monitors_in *in, int64_t now_us,
+                                              int32_t verdicts[PLAIN_ROBOTS_MONITORS]) {
+  int32_t k;
+  if (plain_robots_verdicts_resume(s, now_us) != 0) {
+    plain_robots_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < PLAIN_ROBOTS_MONITORS; ++k) {
+    verdicts[k] = PLAIN_ROBOTS_VERDICT_UNKNOWN;
+  }
+}
+
+void plain_robots_monitors_verdicts(plain_robots_monitors_verdicts_state *s,
+                                    const plain_robots_monitors_in *in, int64_t now_us,
+                                    int32_t verdicts[PLAIN_ROBOTS_MONITORS]) {
+  if (tick_follows(&s->until_us, now_us, 100000)) {
+    plain_robots_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    plain_robots_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -54,15 +54,11 @@ enum {
   PLAIN_ROBOTS_MONITORS_INPUT_CARTS_1_VELOCITY = 11
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct plain_robots_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} plain_robots_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -97,23 +93,66 @@ typedef struct plain_robots_clock {
 } plain_robots_clock;
 
 typedef struct plain_robots_monitors_in {
-  plain_robots_signal gate_x; /* steps of mm, -9000 to 9000; the last one holds */
-  plain_robots_signal gate_y; /* steps of mm, -9000 to 9000; the last one holds */
-  plain_robots_signal lead_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_robots_signal lead_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_robots_signal carts_0_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_robots_signal carts_0_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_robots_signal carts_1_position_x; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_robots_signal carts_1_position_y; /* steps of mm, -100000000 to 100000000; for 200000 us */
-  plain_robots_signal lead_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_robots_signal carts_0_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_robots_signal carts_1_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
-  plain_robots_signal lead_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_robots_signal lead_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_robots_signal carts_0_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_robots_signal carts_0_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_robots_signal carts_1_velocity_x; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
-  plain_robots_signal carts_1_velocity_y; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } gate; /* steps of mm, -9000 to 9000; the last one holds */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } lead_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_0_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_1_position; /* steps of mm, -100000000 to 100000000; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } lead_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } carts_0_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } carts_1_battery; /* steps of ppm, -10000 to 1010000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } lead_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_0_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } carts_1_velocity; /* steps of 1/1000 m/s, -1020 to 1020; for 200000 us */
 } plain_robots_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 552 bytes in all. */

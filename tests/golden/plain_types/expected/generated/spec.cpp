@@ -38,41 +38,48 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::gear(Gear value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.gear, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.gear, stamp_us);
+  in_.gear.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::wanted(Gear value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.wanted, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.wanted, stamp_us);
+  in_.wanted.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::wheel(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.wheel_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.wheel_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.wheel, stamp_us);
+  in_.wheel.between |= rtac::bridge::put_number(in_.wheel.x, value.x.si(), 1000.0, 1);
+  in_.wheel.between |= rtac::bridge::put_number(in_.wheel.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::target(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.target_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.target_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.target, stamp_us);
+  in_.target.between |= rtac::bridge::put_number(in_.target.x, value.x.si(), 1000.0, 1);
+  in_.target.between |= rtac::bridge::put_number(in_.target.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 
 Monitors& Monitors::cells(const std::array<double, 3>& value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.cells_0, value[0], 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.cells_1, value[1], 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.cells_2, value[2], 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.cells, stamp_us);
+  in_.cells.between |= rtac::bridge::put_number(in_.cells.at[0], value[0], 1000.0, 1);
+  in_.cells.between |= rtac::bridge::put_number(in_.cells.at[1], value[1], 1000.0, 1) << 1U;
+  in_.cells.between |= rtac::bridge::put_number(in_.cells.at[2], value[2], 1000.0, 1) << 2U;
   return *this;
 }
 
 Monitors& Monitors::errors(double value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.errors, value, 1.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.errors, stamp_us);
+  in_.errors.between |= rtac::bridge::put_number(in_.errors.value, value, 1.0, 1);
   return *this;
 }
 
 Monitors& Monitors::charge(rtac::Charge value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.charge, value.si(), 1000000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.charge, stamp_us);
+  in_.charge.between |= rtac::bridge::put_number(in_.charge.value, value.si(), 1000000.0, 1);
   return *this;
 }
 

@@ -33,8 +33,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -59,22 +59,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -85,6 +75,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -357,40 +356,74 @@ static int64_t next_tick(test_stand_clock *clock, int64_t now_us, int64_t period
   return gap_us > longest_us && elapsed < 2 ? 2 : elapsed;
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const test_stand_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const test_stand_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(test_stand_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const test_stand_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(test_stand_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(test_stand_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -406,78 +439,74 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const test_stand_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
+}
+
+/* The same at a glance: in the range, and not its last step, behind which there is none. */
+static inline int32_t number_inside(int64_t at, int64_t least, int64_t most) {
+  return (uint64_t)at - (uint64_t)least < (uint64_t)most - (uint64_t)least;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const test_stand_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const test_stand_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-/* Time since the stamp of the newest sample; -1 when there is none, or beyond 35 years. */
-static inline int64_t age_known(const test_stand_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = good && s->valid != 0 ? elapsed_us(s->stamp_us, now_us) : -1;
+/* Time since the stamp of the newest sample; -1 when it has no value, or beyond 35 years. */
+static inline int64_t age_known(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = whole ? elapsed_us(stamp_us, now_us) : -1;
   return age_us > AGE_MAX_US ? -1 : age_us;
 }
 
-static inline bounds bounds_age(const test_stand_signal *s, int32_t good, int64_t now_us) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline bounds bounds_age(int64_t stamp_us, int32_t whole, int64_t now_us) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? bounds_nothing() : bounds_of(age_us, age_us);
 }
 
-static inline span age_span(const test_stand_signal *s, int32_t good, int64_t now_us, int32_t input) {
-  const int64_t age_us = age_known(s, good, now_us);
+static inline span age_span(int64_t stamp_us, int32_t whole, int64_t now_us, int32_t input) {
+  const int64_t age_us = age_known(stamp_us, whole, now_us);
   return age_us < 0 ? span_unknown(input) : span_of(age_us, age_us);
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const test_stand_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
@@ -659,89 +688,78 @@ static inline margin alive_now(const test_stand_view *v) {
 }
 
 static inline void test_stand_look_gear(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
-  v->gear = number_of(&in->gear, fresh_gear, 0, 2, 0, TEST_STAND_MONITORS_INPUT_GEAR);
+  const int32_t fresh_gear = sample_arrived(in->gear.stamp_us, v->since_us, v->now_us) &&
+      in->gear.valid != 0;
+  v->gear = number_of(in->gear.value, (in->gear.between & 1U), fresh_gear, 0, 2, 0,
+      TEST_STAND_MONITORS_INPUT_GEAR);
 }
 
 static inline void test_stand_look_wanted(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t fresh_wanted = sample_arrived(&in->wanted, v->since_us, v->now_us);
-  v->wanted = number_of(&in->wanted, fresh_wanted, 0, 2, 0, TEST_STAND_MONITORS_INPUT_WANTED);
+  const int32_t fresh_wanted = sample_arrived(in->wanted.stamp_us, v->since_us, v->now_us) &&
+      in->wanted.valid != 0;
+  v->wanted = number_of(in->wanted.value, (in->wanted.between & 1U), fresh_wanted, 0, 2, 0,
+      TEST_STAND_MONITORS_INPUT_WANTED);
 }
 
 static inline void test_stand_look_wheel(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t good_wheel = sample_good(&in->wheel_x, &v->s->last_wheel_us, v->now_us);
-  const int32_t fresh_wheel = good_wheel;
-  v->wheel_x = number_of(&in->wheel_x, fresh_wheel, -536870912, 536870912, 0,
-      TEST_STAND_MONITORS_INPUT_WHEEL);
-  v->wheel_y = number_of(&in->wheel_y, fresh_wheel &&
-      in->wheel_y.stamp_us == in->wheel_x.stamp_us, -536870912, 536870912, 0,
-      TEST_STAND_MONITORS_INPUT_WHEEL);
+  const int32_t good_wheel = sample_good(in->wheel.stamp_us, &v->s->last_wheel_us, v->now_us);
+  const int32_t fresh_wheel = good_wheel && in->wheel.valid != 0;
+  v->wheel_x = number_of(in->wheel.x, (in->wheel.between & 1U), fresh_wheel, -536870912,
+      536870912, 0, TEST_STAND_MONITORS_INPUT_WHEEL);
+  v->wheel_y = number_of(in->wheel.y, (in->wheel.between >> 1 & 1U), fresh_wheel, -536870912,
+      536870912, 0, TEST_STAND_MONITORS_INPUT_WHEEL);
 }
 
 static inline void test_stand_look_target(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t good_target = sample_good(&in->target_x, &v->s->last_target_us, v->now_us);
-  const int32_t fresh_target = good_target;
-  v->target_x = number_of(&in->target_x, fresh_target, -536870912, 536870912, 0,
-      TEST_STAND_MONITORS_INPUT_TARGET);
-  v->target_y = number_of(&in->target_y, fresh_target &&
-      in->target_y.stamp_us == in->target_x.stamp_us, -536870912, 536870912, 0,
-      TEST_STAND_MONITORS_INPUT_TARGET);
+  const int32_t good_target = sample_good(in->target.stamp_us, &v->s->last_target_us, v->now_us);
+  const int32_t fresh_target = good_target && in->target.valid != 0;
+  v->target_x = number_of(in->target.x, (in->target.between & 1U), fresh_target, -536870912,
+      536870912, 0, TEST_STAND_MONITORS_INPUT_TARGET);
+  v->target_y = number_of(in->target.y, (in->target.between >> 1 & 1U), fresh_target, -536870912,
+      536870912, 0, TEST_STAND_MONITORS_INPUT_TARGET);
 }
 
 static inline void test_stand_look_cells(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t fresh_cells = sample_arrived(&in->cells_0, v->since_us, v->now_us);
-  v->cells_0 = number_of(&in->cells_0, fresh_cells, 250000, 350000, 0,
-      TEST_STAND_MONITORS_INPUT_CELLS);
-  v->cells_1 = number_of(&in->cells_1, fresh_cells &&
-      in->cells_1.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0,
-      TEST_STAND_MONITORS_INPUT_CELLS);
-  v->cells_2 = number_of(&in->cells_2, fresh_cells &&
-      in->cells_2.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0,
-      TEST_STAND_MONITORS_INPUT_CELLS);
+  const int32_t fresh_cells = sample_arrived(in->cells.stamp_us, v->since_us, v->now_us) &&
+      in->cells.valid != 0;
+  v->cells_0 = number_of(in->cells.at[0], (in->cells.between & 1U), fresh_cells, 250000, 350000,
+      0, TEST_STAND_MONITORS_INPUT_CELLS);
+  v->cells_1 = number_of(in->cells.at[1], (in->cells.between >> 1 & 1U), fresh_cells, 250000,
+      350000, 0, TEST_STAND_MONITORS_INPUT_CELLS);
+  v->cells_2 = number_of(in->cells.at[2], (in->cells.between >> 2 & 1U), fresh_cells, 250000,
+      350000, 0, TEST_STAND_MONITORS_INPUT_CELLS);
 }
 
 static inline void test_stand_look_errors(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t fresh_errors = sample_arrived(&in->errors, v->since_us, v->now_us);
-  v->errors = number_of(&in->errors, fresh_errors, 0, 100, 0, TEST_STAND_MONITORS_INPUT_ERRORS);
+  const int32_t fresh_errors = sample_arrived(in->errors.stamp_us, v->since_us, v->now_us) &&
+      in->errors.valid != 0;
+  v->errors = number_of(in->errors.value, (in->errors.between & 1U), fresh_errors, 0, 100, 0,
+      TEST_STAND_MONITORS_INPUT_ERRORS);
 }
 
 static inline void test_stand_look_charge(test_stand_view *v, const test_stand_monitors_in *in) {
-  const int32_t good_charge = sample_good(&in->charge, &v->s->last_charge_us, v->now_us);
-  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us,
-      v->now_us) <= 1000000;
-  v->charge = number_of(&in->charge, fresh_charge, 0, 1000000, 0,
+  const int32_t good_charge = sample_good(in->charge.stamp_us, &v->s->last_charge_us, v->now_us);
+  const int32_t fresh_charge = good_charge && sample_young(in->charge.stamp_us, v->now_us,
+      1000000) && in->charge.valid != 0;
+  v->charge = number_of(in->charge.value, (in->charge.between & 1U), fresh_charge, 0, 1000000, 0,
       TEST_STAND_MONITORS_INPUT_CHARGE);
-  v->age_of_charge = age_span(&in->charge, good_charge, v->now_us, TEST_STAND_MONITORS_INPUT_CHARGE);
+  int32_t whole_charge = good_charge && in->charge.valid != 0;
+  whole_charge = whole_charge && in->charge.value != INT64_MIN;
+  v->age_of_charge = age_span(in->charge.stamp_us, whole_charge, v->now_us,
+      TEST_STAND_MONITORS_INPUT_CHARGE);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t test_stand_resume(test_stand_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t test_stand_resume(test_stand_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 20000);
-  *since_us = first || elapsed > 1 ? before(now_us, 20000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t test_stand_begin(test_stand_view *v, test_stand_monitors_state *s,
-                                       const test_stand_monitors_in *in, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
-  if (begun == 0) {
-    begun = test_stand_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 20000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
-  v->s->tightest_gap = tighter(v->s->tightest_gap, in->gap, 100, 500, 1);
   return 1;
 }
 
@@ -758,17 +776,16 @@ void test_stand_monitors_init(test_stand_monitors_state *s) {
   s->tightest_gap = 200;
 }
 
-void test_stand_monitors_step(test_stand_monitors_state *s, const test_stand_monitors_in *in,
-                              int64_t now_us, test_stand_monitors_out *out) {
+/* The tick that has come. */
+static inline void test_stand_judge(test_stand_monitors_state *s,
+                                    const test_stand_monitors_in *in, int64_t now_us,
+                                    test_stand_monitors_out *out) {
   test_stand_view v;
-  int32_t k;
-  if (test_stand_begin(&v, s, in, now_us) == 0) {
-    for (k = 0; k < TEST_STAND_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(TEST_STAND_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
+  s->tightest_gap = tighter(s->tightest_gap, in->gap, 100, 500, 1);
   out->tick = s->clock.tick;
   test_stand_look_wheel(&v, in);
   test_stand_look_target(&v, in);
@@ -783,6 +800,30 @@ void test_stand_monitors_step(test_stand_monitors_state *s, const test_stand_mon
   test_stand_look_errors(&v, in);
   out->monitors[TEST_STAND_MONITORS_CLEAN] = finding_judged(clean_now(&v));
   out->monitors[TEST_STAND_MONITORS_ALIVE] = finding_judged(alive_now(&v));
+}
+
+static SELDOM void test_stand_late(test_stand_monitors_state *s,
+                                   const test_stand_monitors_in *in, int64_t now_us,
+                                   test_stand_monitors_out *out) {
+  int32_t k;
+  if (test_stand_resume(s, now_us) != 0) {
+    test_stand_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < TEST_STAND_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(TEST_STAND_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void test_stand_monitors_step(test_stand_monitors_state *s, const test_stand_monitors_in *in,
+                              int64_t now_us, test_stand_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 20000)) {
+    tick_counted(&s->clock, now_us);
+    test_stand_judge(s, in, now_us, out);
+  } else {
+    test_stand_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -804,6 +845,8 @@ typedef struct test_stand_verdicts_view {
   int32_t has_wheel; /* all of it */
   int32_t has_target; /* all of it */
   int32_t has_cells; /* all of it */
+  int32_t fresh_errors; /* whether its sample counts */
+  int32_t fresh_charge; /* whether its sample counts */
   bounds age_of_charge; /* us */
 } test_stand_verdicts_view;
 
@@ -887,129 +930,170 @@ static inline int32_t alive_verdict(const test_stand_verdicts_view *v) {
 
 static inline void test_stand_verdicts_look_gear(test_stand_verdicts_view *v,
                                                  const test_stand_monitors_in *in) {
-  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
-  v->gear = bounds_number(&in->gear, fresh_gear, 0, 2, 0);
+  const int32_t fresh_gear = sample_arrived(in->gear.stamp_us, v->since_us, v->now_us) &&
+      in->gear.valid != 0;
+  v->gear = bounds_number(in->gear.value, (in->gear.between & 1U), fresh_gear, 0, 2, 0);
 }
 
 static inline void test_stand_verdicts_look_wanted(test_stand_verdicts_view *v,
                                                    const test_stand_monitors_in *in) {
-  const int32_t fresh_wanted = sample_arrived(&in->wanted, v->since_us, v->now_us);
-  v->wanted = bounds_number(&in->wanted, fresh_wanted, 0, 2, 0);
+  const int32_t fresh_wanted = sample_arrived(in->wanted.stamp_us, v->since_us, v->now_us) &&
+      in->wanted.valid != 0;
+  v->wanted = bounds_number(in->wanted.value, (in->wanted.between & 1U), fresh_wanted, 0, 2, 0);
 }
 
 static inline void test_stand_verdicts_look_wheel(test_stand_verdicts_view *v,
                                                   const test_stand_monitors_in *in) {
-  const int32_t good_wheel = sample_good(&in->wheel_x, &v->s->last_wheel_us, v->now_us);
-  const int32_t fresh_wheel = good_wheel;
+  const int32_t good_wheel = sample_good(in->wheel.stamp_us, &v->s->last_wheel_us, v->now_us);
+  const int32_t fresh_wheel = good_wheel && in->wheel.valid != 0;
   if (fresh_wheel &&
-      in->wheel_y.stamp_us == in->wheel_x.stamp_us &&
-      in->wheel_x.valid != 0 &&
-      in->wheel_y.valid != 0 &&
-      number_within(&in->wheel_x, -536870912, 536870912) &&
-      number_within(&in->wheel_y, -536870912, 536870912)) {
-    v->wheel_x = bounds_measured(&in->wheel_x, 0);
-    v->wheel_y = bounds_measured(&in->wheel_y, 0);
+      number_within(in->wheel.x, (in->wheel.between & 1U), -536870912, 536870912) &&
+      number_within(in->wheel.y, (in->wheel.between >> 1 & 1U), -536870912, 536870912)) {
+    v->wheel_x = bounds_measured(in->wheel.x, (in->wheel.between & 1U), 0);
+    v->wheel_y = bounds_measured(in->wheel.y, (in->wheel.between >> 1 & 1U), 0);
     v->has_wheel = 1;
   } else {
-    v->wheel_x = bounds_number(&in->wheel_x, fresh_wheel, -536870912, 536870912, 0);
-    v->wheel_y = bounds_number(&in->wheel_y, fresh_wheel &&
-        in->wheel_y.stamp_us == in->wheel_x.stamp_us, -536870912, 536870912, 0);
+    v->wheel_x = bounds_number(in->wheel.x, (in->wheel.between & 1U), fresh_wheel, -536870912,
+        536870912, 0);
+    v->wheel_y = bounds_number(in->wheel.y, (in->wheel.between >> 1 & 1U), fresh_wheel, -536870912,
+        536870912, 0);
     v->has_wheel = 0;
   }
 }
 
 static inline void test_stand_verdicts_look_target(test_stand_verdicts_view *v,
                                                    const test_stand_monitors_in *in) {
-  const int32_t good_target = sample_good(&in->target_x, &v->s->last_target_us, v->now_us);
-  const int32_t fresh_target = good_target;
+  const int32_t good_target = sample_good(in->target.stamp_us, &v->s->last_target_us, v->now_us);
+  const int32_t fresh_target = good_target && in->target.valid != 0;
   if (fresh_target &&
-      in->target_y.stamp_us == in->target_x.stamp_us &&
-      in->target_x.valid != 0 &&
-      in->target_y.valid != 0 &&
-      number_within(&in->target_x, -536870912, 536870912) &&
-      number_within(&in->target_y, -536870912, 536870912)) {
-    v->target_x = bounds_measured(&in->target_x, 0);
-    v->target_y = bounds_measured(&in->target_y, 0);
+      number_within(in->target.x, (in->target.between & 1U), -536870912, 536870912) &&
+      number_within(in->target.y, (in->target.between >> 1 & 1U), -536870912, 536870912)) {
+    v->target_x = bounds_measured(in->target.x, (in->target.between & 1U), 0);
+    v->target_y = bounds_measured(in->target.y, (in->target.between >> 1 & 1U), 0);
     v->has_target = 1;
   } else {
-    v->target_x = bounds_number(&in->target_x, fresh_target, -536870912, 536870912, 0);
-    v->target_y = bounds_number(&in->target_y, fresh_target &&
-        in->target_y.stamp_us == in->target_x.stamp_us, -536870912, 536870912, 0);
+    v->target_x = bounds_number(in->target.x, (in->target.between & 1U), fresh_target, -536870912,
+        536870912, 0);
+    v->target_y = bounds_number(in->target.y, (in->target.between >> 1 & 1U), fresh_target,
+        -536870912, 536870912, 0);
     v->has_target = 0;
   }
 }
 
 static inline void test_stand_verdicts_look_cells(test_stand_verdicts_view *v,
                                                   const test_stand_monitors_in *in) {
-  const int32_t fresh_cells = sample_arrived(&in->cells_0, v->since_us, v->now_us);
+  const int32_t fresh_cells = sample_arrived(in->cells.stamp_us, v->since_us, v->now_us) &&
+      in->cells.valid != 0;
   if (fresh_cells &&
-      in->cells_1.stamp_us == in->cells_0.stamp_us &&
-      in->cells_2.stamp_us == in->cells_0.stamp_us &&
-      in->cells_0.valid != 0 &&
-      in->cells_1.valid != 0 &&
-      in->cells_2.valid != 0 &&
-      number_within(&in->cells_0, 250000, 350000) &&
-      number_within(&in->cells_1, 250000, 350000) &&
-      number_within(&in->cells_2, 250000, 350000)) {
-    v->cells_0 = bounds_measured(&in->cells_0, 0);
-    v->cells_1 = bounds_measured(&in->cells_1, 0);
-    v->cells_2 = bounds_measured(&in->cells_2, 0);
+      number_within(in->cells.at[0], (in->cells.between & 1U), 250000, 350000) &&
+      number_within(in->cells.at[1], (in->cells.between >> 1 & 1U), 250000, 350000) &&
+      number_within(in->cells.at[2], (in->cells.between >> 2 & 1U), 250000, 350000)) {
+    v->cells_0 = bounds_measured(in->cells.at[0], (in->cells.between & 1U), 0);
+    v->cells_1 = bounds_measured(in->cells.at[1], (in->cells.between >> 1 & 1U), 0);
+    v->cells_2 = bounds_measured(in->cells.at[2], (in->cells.between >> 2 & 1U), 0);
     v->has_cells = 1;
   } else {
-    v->cells_0 = bounds_number(&in->cells_0, fresh_cells, 250000, 350000, 0);
-    v->cells_1 = bounds_number(&in->cells_1, fresh_cells &&
-        in->cells_1.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
-    v->cells_2 = bounds_number(&in->cells_2, fresh_cells &&
-        in->cells_2.stamp_us == in->cells_0.stamp_us, 250000, 350000, 0);
+    v->cells_0 = bounds_number(in->cells.at[0], (in->cells.between & 1U), fresh_cells, 250000,
+        350000, 0);
+    v->cells_1 = bounds_number(in->cells.at[1], (in->cells.between >> 1 & 1U), fresh_cells, 250000,
+        350000, 0);
+    v->cells_2 = bounds_number(in->cells.at[2], (in->cells.between >> 2 & 1U), fresh_cells, 250000,
+        350000, 0);
     v->has_cells = 0;
   }
 }
 
+static inline void test_stand_verdicts_see_errors(test_stand_verdicts_view *v,
+                                                  const test_stand_monitors_in *in,
+                                                  int32_t fresh_errors) {
+  v->errors = bounds_number(in->errors.value, (in->errors.between & 1U), fresh_errors, 0, 100, 0);
+}
+
 static inline void test_stand_verdicts_look_errors(test_stand_verdicts_view *v,
                                                    const test_stand_monitors_in *in) {
-  const int32_t fresh_errors = sample_arrived(&in->errors, v->since_us, v->now_us);
-  v->errors = bounds_number(&in->errors, fresh_errors, 0, 100, 0);
+  v->fresh_errors = sample_arrived(in->errors.stamp_us, v->since_us, v->now_us) &&
+      in->errors.valid != 0;
+}
+
+static inline void test_stand_verdicts_see_charge(test_stand_verdicts_view *v,
+                                                  const test_stand_monitors_in *in,
+                                                  int32_t fresh_charge) {
+  v->charge = bounds_number(in->charge.value, (in->charge.between & 1U), fresh_charge, 0,
+      1000000, 0);
 }
 
 static inline void test_stand_verdicts_look_charge(test_stand_verdicts_view *v,
                                                    const test_stand_monitors_in *in) {
-  const int32_t good_charge = sample_good(&in->charge, &v->s->last_charge_us, v->now_us);
-  const int32_t fresh_charge = good_charge && elapsed_us(in->charge.stamp_us,
-      v->now_us) <= 1000000;
-  v->charge = bounds_number(&in->charge, fresh_charge, 0, 1000000, 0);
-  v->age_of_charge = bounds_age(&in->charge, good_charge, v->now_us);
+  const int32_t good_charge = sample_good(in->charge.stamp_us, &v->s->last_charge_us, v->now_us);
+  v->fresh_charge = good_charge && sample_young(in->charge.stamp_us, v->now_us, 1000000) &&
+      in->charge.valid != 0;
+  test_stand_verdicts_see_charge(v, in, v->fresh_charge);
+  int32_t whole_charge = good_charge && in->charge.valid != 0;
+  whole_charge = whole_charge && in->charge.value != INT64_MIN;
+  v->age_of_charge = bounds_age(in->charge.stamp_us, whole_charge, v->now_us);
+}
+
+static SELDOM int32_t clean_closely(test_stand_monitors_verdicts_state *s,
+                                    const test_stand_monitors_in *in) {
+  test_stand_verdicts_view v;
+  v.s = s;
+  test_stand_verdicts_see_errors(&v, in, 1);
+  return clean_verdict(&v);
+}
+
+/* Far from where it turns, that is told at a glance. */
+static inline int32_t clean_told(const test_stand_verdicts_view *v,
+                                 const test_stand_monitors_in *in) {
+  if (v->fresh_errors == 0) {
+    return TEST_STAND_VERDICT_UNKNOWN;
+  }
+  if (number_inside(in->errors.value, 0, 100)) {
+    if (in->errors.value <= 2) {
+      return TEST_STAND_VERDICT_TRUE;
+    }
+    if (in->errors.value >= 4) {
+      return TEST_STAND_VERDICT_FALSE;
+    }
+  }
+  return clean_closely(v->s, in);
+}
+
+static SELDOM int32_t alive_closely(test_stand_monitors_verdicts_state *s,
+                                    const test_stand_monitors_in *in) {
+  test_stand_verdicts_view v;
+  v.s = s;
+  test_stand_verdicts_see_charge(&v, in, 1);
+  return alive_verdict(&v);
+}
+
+/* Far from where it turns, that is told at a glance. */
+static inline int32_t alive_told(const test_stand_verdicts_view *v,
+                                 const test_stand_monitors_in *in) {
+  if (v->fresh_charge == 0) {
+    return TEST_STAND_VERDICT_UNKNOWN;
+  }
+  if (number_inside(in->charge.value, 0, 1000000)) {
+    if (in->charge.value >= 10000) {
+      return TEST_STAND_VERDICT_TRUE;
+    }
+    if (in->charge.value <= 9998) {
+      return TEST_STAND_VERDICT_FALSE;
+    }
+  }
+  return alive_closely(v->s, in);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t test_stand_verdicts_resume(test_stand_monitors_verdicts_state *s, int64_t now_us,
-                                          int64_t *since_us) {
+static int32_t test_stand_verdicts_resume(test_stand_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 20000, INT64_MAX);
   if (elapsed < 1) {
     return 0;
   }
   s->until_us = tick_until(&s->clock, 20000);
-  *since_us = first || elapsed > 1 ? before(now_us, 20000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t test_stand_verdicts_begin(test_stand_verdicts_view *v,
-                                                test_stand_monitors_verdicts_state *s,
-                                                const test_stand_monitors_in *in, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 20000);
-  if (begun == 0) {
-    begun = test_stand_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 20000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
-  v->s->tightest_gap = tighter(v->s->tightest_gap, in->gap, 100, 500, 1);
   return 1;
 }
 
@@ -1019,24 +1103,25 @@ void test_stand_monitors_verdicts_init(test_stand_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   s->last_wheel_us = INT64_MIN;
   s->last_target_us = INT64_MIN;
   s->last_charge_us = INT64_MIN;
   s->tightest_gap = 200;
+  s->judged_us = INT64_MAX;
 }
 
-void test_stand_monitors_verdicts(test_stand_monitors_verdicts_state *s,
-                                  const test_stand_monitors_in *in, int64_t now_us,
-                                  int32_t verdicts[TEST_STAND_MONITORS]) {
+/* The tick that has come. */
+static inline void test_stand_verdicts_judge(test_stand_monitors_verdicts_state *s,
+                                             const test_stand_monitors_in *in, int64_t now_us,
+                                             int32_t verdicts[TEST_STAND_MONITORS]) {
   test_stand_verdicts_view v;
-  int32_t k;
-  if (test_stand_verdicts_begin(&v, s, in, now_us) == 0) {
-    for (k = 0; k < TEST_STAND_MONITORS; ++k) {
-      verdicts[k] = TEST_STAND_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
+  s->tightest_gap = tighter(s->tightest_gap, in->gap, 100, 500, 1);
   test_stand_verdicts_look_wheel(&v, in);
   test_stand_verdicts_look_target(&v, in);
   verdicts[TEST_STAND_MONITORS_APART] = apart_verdict(&v);
@@ -1048,6 +1133,42 @@ void test_stand_monitors_verdicts(test_stand_monitors_verdicts_state *s,
   test_stand_verdicts_look_charge(&v, in);
   verdicts[TEST_STAND_MONITORS_FED] = fed_verdict(&v);
   test_stand_verdicts_look_errors(&v, in);
-  verdicts[TEST_STAND_MONITORS_CLEAN] = clean_verdict(&v);
-  verdicts[TEST_STAND_MONITORS_ALIVE] = alive_verdict(&v);
+  verdicts[TEST_STAND_MONITORS_CLEAN] = clean_told(&v, in);
+  verdicts[TEST_STAND_MONITORS_ALIVE] = alive_told(&v, in);
+}
+
+static SELDOM void test_stand_verdicts_late(test_stand_monitors_verdicts_state *s,
+                                            const test_stand_monitors_in *in, int64_t now_us,
+                                            int32_t verdicts[TEST_STAND_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 20000);
+    begun = tick_follows(&s->until_us, now_us, 20000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = test_stand_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 20000);
+    test_stand_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < TEST_STAND_MONITORS; ++k) {
+    verdicts[k] = TEST_STAND_VERDICT_UNKNOWN;
+  }
+}
+
+void test_stand_monitors_verdicts(test_stand_monitors_verdicts_state *s,
+                                  const test_stand_monitors_in *in, int64_t now_us,
+                                  int32_t verdicts[TEST_STAND_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 20000;
+    test_stand_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    test_stand_verdicts_late(s, in, now_us, verdicts);
+  }
 }

@@ -52,15 +52,11 @@ enum {
   TEST_STAND_MONITORS_INPUT_CHARGE = 8
 };
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct test_stand_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} test_stand_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -74,17 +70,48 @@ typedef struct test_stand_clock {
 } test_stand_clock;
 
 typedef struct test_stand_monitors_in {
-  test_stand_signal gear; /* 0 park, 1 drive, 2 reverse; new every tick */
-  test_stand_signal wanted; /* 0 park, 1 drive, 2 reverse; new every tick */
-  test_stand_signal wheel_x; /* steps of 1/1000 m by 1/2; the last one holds */
-  test_stand_signal wheel_y; /* steps of 1/1000 m by 1/2; the last one holds */
-  test_stand_signal target_x; /* steps of 1/1000 m by 1/2; the last one holds */
-  test_stand_signal target_y; /* steps of 1/1000 m by 1/2; the last one holds */
-  test_stand_signal cells_0; /* steps of 1/1000 K, 250000 to 350000; new every tick */
-  test_stand_signal cells_1; /* steps of 1/1000 K, 250000 to 350000; new every tick */
-  test_stand_signal cells_2; /* steps of 1/1000 K, 250000 to 350000; new every tick */
-  test_stand_signal errors; /* steps of 1, 0 to 100; new every tick */
-  test_stand_signal charge; /* steps of ppm, 0 to 1000000; for 1000000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } gear; /* 0 park, 1 drive, 2 reverse; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } wanted; /* 0 park, 1 drive, 2 reverse; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } wheel; /* steps of 1/1000 m by 1/2; the last one holds */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t x, y;
+  } target; /* steps of 1/1000 m by 1/2; the last one holds */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t at[3];
+  } cells; /* steps of 1/1000 K, 250000 to 350000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } errors; /* steps of 1, 0 to 100; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } charge; /* steps of ppm, 0 to 1000000; for 1000000 us */
   int64_t gap; /* parameter in steps of 1/1000 m by 1/2, 100 to 500, at first 200, only ever grows */
 } test_stand_monitors_in;
 
@@ -103,6 +130,8 @@ typedef struct test_stand_monitors_state {
 typedef struct test_stand_monitors_verdicts_state {
   test_stand_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   int64_t judged_us;
   int64_t last_wheel_us;
   int64_t last_target_us;

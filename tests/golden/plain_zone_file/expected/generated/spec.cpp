@@ -27,8 +27,9 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::walker(rtac::Position value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.walker_x, value.x.si(), 1000.0, 1, stamp_us);
-  rtac::bridge::put_number(in_.walker_y, value.y.si(), 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.walker, stamp_us);
+  in_.walker.between |= rtac::bridge::put_number(in_.walker.x, value.x.si(), 1000.0, 1);
+  in_.walker.between |= rtac::bridge::put_number(in_.walker.y, value.y.si(), 1000.0, 1) << 1U;
   return *this;
 }
 

@@ -58,8 +58,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -84,22 +84,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -110,6 +100,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -485,14 +484,12 @@ static int64_t box_gap(vec a, vec b, vec c, vec d) {
 /* The smallest of several distances: of those known in mm, and of those known as squares. */
 typedef struct nearest {
   int64_t mm, square;
-  int64_t wide; /* 0: `mm` is at most 2 mm below that distance; else 3 */
 } nearest;
 
 static nearest nearest_none(void) {
   nearest n;
   n.mm = SPAN_MAX;
   n.square = INT64_MAX;
-  n.wide = 0;
   return n;
 }
 
@@ -506,37 +503,22 @@ static int64_t nearest_mm(const nearest *n) {
   return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
 }
 
-/* A root is less than 1 mm below. */
-static int64_t nearest_mm_hi(const nearest *n) {
-  const int64_t mm = nearest_mm(n);
-  return mm + (n->wide == 0 || mm < n->mm ? 2 : 3);
-}
-
-/* Whether the foot of the perpendicular lies on the edge is decided exactly. Its length comes from
- * the Q30 direction u, whose components are within 1/2 of their true values: of a difference v from
- * a place of the edge's line, the product is within (|vx| + |vy|) / 2 of the true one. That is taken
- * off; then, with the rounding of the quotient, the bound is less than 1 + (|vx| + |vy| + 1) / 2^30 mm
- * below the length: 2 mm for |vx| + |vy| < 2^30. From the nearer end that is so unless the edge is
- * more than 1,000 km long or p as far away; never more than 3 mm. */
+/* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
+ * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
 static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
-  const int64_t square = dot(d, d);
-  const vec r = minus(p, b);
   if (along <= 0) {
     n->square = min_of(n->square, dot(q, q));
-  } else if (along >= square) {
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
     n->square = min_of(n->square, dot(r, r));
   } else {
-    const vec v = along < square - along ? q : r;
-    const int64_t spread = magnitude(v.x) + magnitude(v.y);
-    const int64_t across = magnitude(v.y * e->ux_q30 - v.x * e->uy_q30) - (spread + 1) / 2;
-    const int64_t gap = max_of(across, 0) / Q30;
-    n->wide = gap < n->mm ? spread / Q30 : n->wide;
-    n->mm = min_of(n->mm, gap);
+    const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
 
@@ -587,9 +569,8 @@ static int32_t inside_zone(const zone *z, vec p) {
   return inside;
 }
 
-/* Bounds of the distance from `p` to the boundary: 2 mm apart, or 3 of edges or over distances of
- * hundreds of km. */
-static span boundary_gap(const zone *z, vec p) {
+/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
+static int64_t boundary_gap_lo(const zone *z, vec p) {
   nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
@@ -598,18 +579,13 @@ static span boundary_gap(const zone *z, vec p) {
       near_edge(e, p, &n);
     }
   }
-  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
-}
-
-static int64_t boundary_gap_lo(const zone *z, vec p) {
-  return boundary_gap(z, p).lo;
+  return nearest_mm(&n);
 }
 
 static place place_of(const zone *z, vec p) {
-  const span gap = boundary_gap(z, p);
   place at;
-  at.gap_mm = gap.lo;
-  at.gap_mm_hi = gap.hi;
+  at.gap_mm = boundary_gap_lo(z, p);
+  at.gap_mm_hi = at.gap_mm + 3;
   at.inside = inside_zone(z, p);
   return at;
 }

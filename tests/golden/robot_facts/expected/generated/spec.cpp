@@ -390,17 +390,20 @@ Fly& Fly::heard(int robot, const rtac::Announcement& value, bool goes_first) {
 }
 
 Fly& Fly::permit(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.facts.permit, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.facts.permit, stamp_us);
+  in_.facts.permit.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Fly& Fly::gear(Gear value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.facts.gear, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.facts.gear, stamp_us);
+  in_.facts.gear.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Fly& Fly::heat(double value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.facts.heat, value, 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.facts.heat, stamp_us);
+  in_.facts.heat.between |= rtac::bridge::put_number(in_.facts.heat.value, value, 1000.0, 1);
   return *this;
 }
 
@@ -475,17 +478,20 @@ Monitors::Monitors()
 }
 
 Monitors& Monitors::permit(bool value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.permit, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.permit, stamp_us);
+  in_.permit.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::gear(Gear value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_whole(in_.gear, static_cast<std::int64_t>(value), stamp_us);
+  rtac::bridge::start_sample(in_.gear, stamp_us);
+  in_.gear.value = static_cast<std::int64_t>(value);
   return *this;
 }
 
 Monitors& Monitors::heat(double value, rtac::TimeUs stamp_us) {
-  rtac::bridge::put_number(in_.heat, value, 1000.0, 1, stamp_us);
+  rtac::bridge::start_sample(in_.heat, stamp_us);
+  in_.heat.between |= rtac::bridge::put_number(in_.heat.value, value, 1000.0, 1);
   return *this;
 }
 

@@ -61,8 +61,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -87,22 +87,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -113,6 +103,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
@@ -584,14 +583,12 @@ static int64_t box_gap(vec a, vec b, vec c, vec d) {
 /* The smallest of several distances: of those known in mm, and of those known as squares. */
 typedef struct nearest {
   int64_t mm, square;
-  int64_t wide; /* 0: `mm` is at most 2 mm below that distance; else 3 */
 } nearest;
 
 static nearest nearest_none(void) {
   nearest n;
   n.mm = SPAN_MAX;
   n.square = INT64_MAX;
-  n.wide = 0;
   return n;
 }
 
@@ -605,37 +602,22 @@ static int64_t nearest_mm(const nearest *n) {
   return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
 }
 
-/* A root is less than 1 mm below. */
-static int64_t nearest_mm_hi(const nearest *n) {
-  const int64_t mm = nearest_mm(n);
-  return mm + (n->wide == 0 || mm < n->mm ? 2 : 3);
-}
-
-/* Whether the foot of the perpendicular lies on the edge is decided exactly. Its length comes from
- * the Q30 direction u, whose components are within 1/2 of their true values: of a difference v from
- * a place of the edge's line, the product is within (|vx| + |vy|) / 2 of the true one. That is taken
- * off; then, with the rounding of the quotient, the bound is less than 1 + (|vx| + |vy| + 1) / 2^30 mm
- * below the length: 2 mm for |vx| + |vy| < 2^30. From the nearer end that is so unless the edge is
- * more than 1,000 km long or p as far away; never more than 3 mm. */
+/* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
+ * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
 static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
-  const int64_t square = dot(d, d);
-  const vec r = minus(p, b);
   if (along <= 0) {
     n->square = min_of(n->square, dot(q, q));
-  } else if (along >= square) {
+  } else if (along >= dot(d, d)) {
+    const vec r = minus(p, b);
     n->square = min_of(n->square, dot(r, r));
   } else {
-    const vec v = along < square - along ? q : r;
-    const int64_t spread = magnitude(v.x) + magnitude(v.y);
-    const int64_t across = magnitude(v.y * e->ux_q30 - v.x * e->uy_q30) - (spread + 1) / 2;
-    const int64_t gap = max_of(across, 0) / Q30;
-    n->wide = gap < n->mm ? spread / Q30 : n->wide;
-    n->mm = min_of(n->mm, gap);
+    const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
+    n->mm = min_of(n->mm, max_of(gap - 1, 0));
   }
 }
 
@@ -686,9 +668,8 @@ static int32_t inside_zone(const zone *z, vec p) {
   return inside;
 }
 
-/* Bounds of the distance from `p` to the boundary: 2 mm apart, or 3 of edges or over distances of
- * hundreds of km. */
-static span boundary_gap(const zone *z, vec p) {
+/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
+static int64_t boundary_gap_lo(const zone *z, vec p) {
   nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
@@ -697,14 +678,13 @@ static span boundary_gap(const zone *z, vec p) {
       near_edge(e, p, &n);
     }
   }
-  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
+  return nearest_mm(&n);
 }
 
 static place place_of(const zone *z, vec p) {
-  const span gap = boundary_gap(z, p);
   place at;
-  at.gap_mm = gap.lo;
-  at.gap_mm_hi = gap.hi;
+  at.gap_mm = boundary_gap_lo(z, p);
+  at.gap_mm_hi = at.gap_mm + 3;
   at.inside = inside_zone(z, p);
   return at;
 }
@@ -1301,40 +1281,74 @@ static span mean_over(span x, span none, facts_total *s, facts_pair *ring, int64
   return ticks > 0 ? span_scale(sum, 1, ticks) : span_unknown(FACTS_INPUT_CLOCK);
 }
 
+/* What is called in unusual ticks only stays apart from what every tick does, which then keeps no
+ * registers for it. */
+#if defined(__GNUC__)
+#define SELDOM __attribute__((cold, noinline))
+#else
+#define SELDOM
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
-static int32_t sample_good(const facts_signal *s, int64_t *last_us, int64_t now_us) {
-  if (s->stamp_us > now_us) {
+static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
+  if (stamp_us > now_us) {
     return 0;
   }
-  if (s->stamp_us < *last_us) {
+  if (stamp_us < *last_us) {
     return 0;
   }
-  *last_us = s->stamp_us;
+  *last_us = stamp_us;
   return 1;
 }
 
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
- * from the future. */
-static inline int32_t sample_arrived(const facts_signal *s, int64_t since_us, int64_t now_us) {
-  if (s->stamp_us <= since_us) {
-    return 0;
-  }
-  return s->stamp_us <= now_us;
+ * from the future. One that is has an age that wraps around, and is more than any period. */
+static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us < (uint64_t)now_us - (uint64_t)since_us;
 }
 
 /* Whether this is the tick after the last one, which ended at `*until_us`: the usual case, without a
- * division. Beyond INT64_MAX - period_us there is no such tick. */
-static inline int32_t tick_follows(facts_clock *clock, int64_t *until_us, int64_t now_us,
-                                   int64_t period_us) {
-  if (*until_us > INT64_MAX - period_us ||
+ * division. From INT64_MAX - period_us on there is no such tick. */
+static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t period_us) {
+  if (*until_us >= INT64_MAX - period_us ||
       (uint64_t)now_us - (uint64_t)*until_us - 1 >= (uint64_t)period_us) {
     return 0;
   }
-  clock->last_us = now_us;
-  clock->tick += 1;
   *until_us += period_us;
   return 1;
+}
+
+/* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
+ * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
+static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > judged_us;
+}
+
+/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
+ * years. */
+static uint64_t due_after(const facts_clock *clock, int64_t now_us, int64_t period_us) {
+  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return (uint64_t)INT64_MIN;
+  }
+  return (uint64_t)now_us + (uint64_t)period_us;
+}
+
+/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
+ * that was at `*synced_us`. */
+static void tick_synced(facts_clock *clock, int64_t *until_us, int64_t *synced_us,
+                        int64_t judged_us, int64_t period_us) {
+  const int64_t passed_us = judged_us - *synced_us;
+  clock->tick += passed_us / period_us;
+  clock->last_us = judged_us;
+  *until_us = later(*until_us, passed_us);
+  *synced_us = judged_us;
+}
+
+/* The tick that follows the last one has a number. */
+static inline void tick_counted(facts_clock *clock, int64_t now_us) {
+  clock->last_us = now_us;
+  clock->tick += 1;
 }
 
 /* The last time that counts as the present tick: as next_tick counts, to the nearest. */
@@ -1350,79 +1364,70 @@ static int64_t before(int64_t time_us, int64_t us) {
   return time_us < INT64_MIN + us ? INT64_MIN : time_us - us;
 }
 
-/* Whether a number was measured that makes sense, within the declared range. Each question is a
- * branch of its own, hardly ever taken: that is less work than their conjunction. */
-static inline int32_t number_within(const facts_signal *s, int64_t least, int64_t most) {
-  if (s->lo < least) {
-    return 0;
-  }
-  if (s->hi > most) {
-    return 0;
-  }
-  if (s->lo > s->hi) {
-    return 0;
-  }
-  return 1;
+/* Whether a sample that is not from the future is no older than that, however long ago it was. */
+static inline int32_t sample_young(int64_t stamp_us, int64_t now_us, int64_t max_age_us) {
+  return (uint64_t)now_us - (uint64_t)stamp_us <= (uint64_t)max_age_us;
+}
+
+/* Whether a number was measured that makes sense, within the declared range: `at` or, between 1,
+ * behind it before the next step. From below the range the difference wraps around, and is more than
+ * any range. */
+static inline int32_t number_within(int64_t at, int64_t between, int64_t least, int64_t most) {
+  const uint64_t steps = (uint64_t)most - (uint64_t)least + 1;
+  return (uint64_t)at - (uint64_t)least < steps - (uint64_t)between;
 }
 
 /* What is measured, widened by the declared error. */
-static inline bounds bounds_measured(const facts_signal *s, int64_t error) {
-  bounds seen = bounds_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {
+  bounds seen = bounds_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline bounds bounds_number(const facts_signal *s, int32_t fresh, int64_t least,
+static inline bounds bounds_number(int64_t at, int64_t between, int32_t fresh, int64_t least,
                                    int64_t most, int64_t error) {
   if (fresh == 0) {
     return bounds_nothing();
   }
-  if (s->valid == 0) {
-    return bounds_nothing();
-  }
-  return number_within(s, least, most) ? bounds_measured(s, error) : bounds_nothing();
+  return number_within(at, between, least, most) ? bounds_measured(at, between, error)
+                                                 : bounds_nothing();
 }
 
-static inline int32_t bits_truth(const facts_signal *s, int32_t fresh) {
-  if (fresh != 0 && s->valid != 0 && s->lo == s->hi) {
-    if (s->lo == 0) {
+static inline int32_t bits_truth(int64_t at, int64_t between, int32_t fresh) {
+  if (fresh != 0 && between == 0) {
+    if (at == 0) {
       return BITS_FALSE;
     }
-    if (s->lo == 1) {
+    if (at == 1) {
       return BITS_TRUE;
     }
   }
   return BITS_UNKNOWN;
 }
 
-/* The same for margins: unknown for the lack of `input`. */
-static inline span number_of(const facts_signal *s, int32_t fresh, int64_t least, int64_t most,
-                             int64_t error, int32_t input) {
+/* The same for margins: unknown for the lack of `input`. Each question is a branch of its own,
+ * hardly ever taken: beside all that follows, that is less work than one comparison of all. */
+static inline span number_of(int64_t at, int64_t between, int32_t fresh, int64_t least,
+                             int64_t most, int64_t error, int32_t input) {
   span seen;
   if (fresh == 0) {
     return span_unknown(input);
   }
-  if (s->valid == 0) {
+  if (at < least) {
     return span_unknown(input);
   }
-  if (s->lo < least) {
+  if (at > most - between) {
     return span_unknown(input);
   }
-  if (s->hi > most) {
-    return span_unknown(input);
-  }
-  if (s->lo > s->hi) {
-    return span_unknown(input);
-  }
-  seen = span_of(s->lo - error, s->hi + error);
-  seen.lo_open = s->lo < s->hi;
-  seen.hi_open = s->lo < s->hi;
+  seen = span_of(at - error, at + between + error);
+  seen.lo_open = (int32_t)between;
+  seen.hi_open = (int32_t)between;
   return seen;
 }
 
-static inline margin truth_of(const facts_signal *s, int32_t fresh, int32_t input) {
-  const int32_t bits = bits_truth(s, fresh);
+static inline margin truth_of(int64_t at, int64_t between, int32_t fresh, int32_t input) {
+  const int32_t bits = bits_truth(at, between, fresh);
   if (bits == BITS_UNKNOWN) {
     return margin_unknown(input);
   }
@@ -1574,20 +1579,23 @@ static void fly_facts_blind(fly_facts_view *v, facts_fly_facts_state *s) {
 }
 
 static inline void fly_facts_look_permit(fly_facts_view *v, const facts_fly_facts_in *in) {
-  const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
-  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us,
-      v->now_us) <= 100000;
-  v->permit = truth_of(&in->permit, fresh_permit, 8);
+  const int32_t good_permit = sample_good(in->permit.stamp_us, &v->s->last_permit_us, v->now_us);
+  const int32_t fresh_permit = good_permit && sample_young(in->permit.stamp_us, v->now_us,
+      100000) && in->permit.valid != 0;
+  v->permit = truth_of(in->permit.value, (in->permit.between & 1U), fresh_permit, 8);
 }
 
 static inline void fly_facts_look_gear(fly_facts_view *v, const facts_fly_facts_in *in) {
-  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
-  v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, 9);
+  const int32_t fresh_gear = sample_arrived(in->gear.stamp_us, v->since_us, v->now_us) &&
+      in->gear.valid != 0;
+  v->gear = number_of(in->gear.value, (in->gear.between & 1U), fresh_gear, 0, 1, 0, 9);
 }
 
 static inline void fly_facts_look_heat(fly_facts_view *v, const facts_fly_facts_in *in) {
-  const int32_t fresh_heat = sample_arrived(&in->heat, v->since_us, v->now_us);
-  v->heat = number_of(&in->heat, fresh_heat, 250000, 400000, 1000, 10);
+  const int32_t fresh_heat = sample_arrived(in->heat.stamp_us, v->since_us, v->now_us) &&
+      in->heat.valid != 0;
+  v->heat = number_of(in->heat.value, (in->heat.between & 1U), fresh_heat, 250000, 400000, 1000,
+      10);
 }
 
 /* What is judged now, whatever the look-ahead: by the functions below. */
@@ -1988,20 +1996,25 @@ static inline margin twin_now(const facts_view *v) {
 }
 
 static inline void facts_look_permit(facts_view *v, const facts_monitors_in *in) {
-  const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
-  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us,
-      v->now_us) <= 100000;
-  v->permit = truth_of(&in->permit, fresh_permit, FACTS_MONITORS_INPUT_PERMIT);
+  const int32_t good_permit = sample_good(in->permit.stamp_us, &v->s->last_permit_us, v->now_us);
+  const int32_t fresh_permit = good_permit && sample_young(in->permit.stamp_us, v->now_us,
+      100000) && in->permit.valid != 0;
+  v->permit = truth_of(in->permit.value, (in->permit.between & 1U), fresh_permit,
+      FACTS_MONITORS_INPUT_PERMIT);
 }
 
 static inline void facts_look_gear(facts_view *v, const facts_monitors_in *in) {
-  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
-  v->gear = number_of(&in->gear, fresh_gear, 0, 1, 0, FACTS_MONITORS_INPUT_GEAR);
+  const int32_t fresh_gear = sample_arrived(in->gear.stamp_us, v->since_us, v->now_us) &&
+      in->gear.valid != 0;
+  v->gear = number_of(in->gear.value, (in->gear.between & 1U), fresh_gear, 0, 1, 0,
+      FACTS_MONITORS_INPUT_GEAR);
 }
 
 static inline void facts_look_heat(facts_view *v, const facts_monitors_in *in) {
-  const int32_t fresh_heat = sample_arrived(&in->heat, v->since_us, v->now_us);
-  v->heat = number_of(&in->heat, fresh_heat, 250000, 400000, 1000, FACTS_MONITORS_INPUT_HEAT);
+  const int32_t fresh_heat = sample_arrived(in->heat.stamp_us, v->since_us, v->now_us) &&
+      in->heat.valid != 0;
+  v->heat = number_of(in->heat.value, (in->heat.between & 1U), fresh_heat, 250000, 400000, 1000,
+      FACTS_MONITORS_INPUT_HEAT);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -2028,7 +2041,7 @@ static void facts_catch_up(facts_monitors_state *s, int64_t missed) {
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t facts_resume(facts_monitors_state *s, int64_t now_us, int64_t *since_us) {
+static int32_t facts_resume(facts_monitors_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, INT64_MAX);
   if (elapsed < 1) {
@@ -2038,24 +2051,9 @@ static int32_t facts_resume(facts_monitors_state *s, int64_t now_us, int64_t *si
   if (elapsed > 1) {
     facts_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 50000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t facts_begin(facts_view *v, facts_monitors_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 50000);
-  if (begun == 0) {
-    begun = facts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 50000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -2070,23 +2068,43 @@ void facts_monitors_init(facts_monitors_state *s) {
   s->last_permit_us = INT64_MIN;
 }
 
-void facts_monitors_step(facts_monitors_state *s, const facts_monitors_in *in, int64_t now_us,
-                         facts_monitors_out *out) {
+/* The tick that has come. */
+static inline void facts_judge(facts_monitors_state *s, const facts_monitors_in *in,
+                               int64_t now_us, facts_monitors_out *out) {
   facts_view v;
-  int32_t k;
-  if (facts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < FACTS_MONITORS; ++k) {
-      out->monitors[k] = finding_judged(margin_unknown(FACTS_INPUT_CLOCK));
-    }
-    out->tick = s->clock.tick;
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   out->tick = s->clock.tick;
   facts_look_permit(&v, in);
   facts_look_gear(&v, in);
   facts_look_heat(&v, in);
   out->monitors[FACTS_MONITORS_TWIN] = finding_judged(twin_now(&v));
   s->ticks.now += 1;
+}
+
+static SELDOM void facts_late(facts_monitors_state *s, const facts_monitors_in *in,
+                              int64_t now_us, facts_monitors_out *out) {
+  int32_t k;
+  if (facts_resume(s, now_us) != 0) {
+    facts_judge(s, in, now_us, out);
+    return;
+  }
+  for (k = 0; k < FACTS_MONITORS; ++k) {
+    out->monitors[k] = finding_judged(margin_unknown(FACTS_INPUT_CLOCK));
+  }
+  out->tick = s->clock.tick;
+}
+
+void facts_monitors_step(facts_monitors_state *s, const facts_monitors_in *in, int64_t now_us,
+                         facts_monitors_out *out) {
+  if (tick_follows(&s->until_us, now_us, 50000)) {
+    tick_counted(&s->clock, now_us);
+    facts_judge(s, in, now_us, out);
+  } else {
+    facts_late(s, in, now_us, out);
+  }
 }
 
 /* ---- verdicts without margins ---- */
@@ -2116,20 +2134,23 @@ static inline int32_t twin_verdict(const facts_verdicts_view *v) {
 
 static inline void facts_verdicts_look_permit(facts_verdicts_view *v,
                                               const facts_monitors_in *in) {
-  const int32_t good_permit = sample_good(&in->permit, &v->s->last_permit_us, v->now_us);
-  const int32_t fresh_permit = good_permit && elapsed_us(in->permit.stamp_us,
-      v->now_us) <= 100000;
-  v->permit = bits_truth(&in->permit, fresh_permit);
+  const int32_t good_permit = sample_good(in->permit.stamp_us, &v->s->last_permit_us, v->now_us);
+  const int32_t fresh_permit = good_permit && sample_young(in->permit.stamp_us, v->now_us,
+      100000) && in->permit.valid != 0;
+  v->permit = bits_truth(in->permit.value, (in->permit.between & 1U), fresh_permit);
 }
 
 static inline void facts_verdicts_look_gear(facts_verdicts_view *v, const facts_monitors_in *in) {
-  const int32_t fresh_gear = sample_arrived(&in->gear, v->since_us, v->now_us);
-  v->gear = bounds_number(&in->gear, fresh_gear, 0, 1, 0);
+  const int32_t fresh_gear = sample_arrived(in->gear.stamp_us, v->since_us, v->now_us) &&
+      in->gear.valid != 0;
+  v->gear = bounds_number(in->gear.value, (in->gear.between & 1U), fresh_gear, 0, 1, 0);
 }
 
 static inline void facts_verdicts_look_heat(facts_verdicts_view *v, const facts_monitors_in *in) {
-  const int32_t fresh_heat = sample_arrived(&in->heat, v->since_us, v->now_us);
-  v->heat = bounds_number(&in->heat, fresh_heat, 250000, 400000, 1000);
+  const int32_t fresh_heat = sample_arrived(in->heat.stamp_us, v->since_us, v->now_us) &&
+      in->heat.valid != 0;
+  v->heat = bounds_number(in->heat.value, (in->heat.between & 1U), fresh_heat, 250000, 400000,
+      1000);
 }
 
 /* A tick that sees nothing: it was missed. */
@@ -2156,8 +2177,7 @@ static void facts_verdicts_catch_up(facts_monitors_verdicts_state *s, int64_t mi
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
-static int32_t facts_verdicts_resume(facts_monitors_verdicts_state *s, int64_t now_us,
-                                     int64_t *since_us) {
+static int32_t facts_verdicts_resume(facts_monitors_verdicts_state *s, int64_t now_us) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, INT64_MAX);
   if (elapsed < 1) {
@@ -2167,25 +2187,9 @@ static int32_t facts_verdicts_resume(facts_monitors_verdicts_state *s, int64_t n
   if (elapsed > 1) {
     facts_verdicts_catch_up(s, elapsed - 1);
   }
-  *since_us = first || elapsed > 1 ? before(now_us, 50000) : s->judged_us;
-  return 1;
-}
-
-/* Which tick has come; 0: there is none since the last step. */
-static inline int32_t facts_verdicts_begin(facts_verdicts_view *v,
-                                           facts_monitors_verdicts_state *s, int64_t now_us) {
-  int64_t since_us = s->judged_us;
-  int32_t begun = tick_follows(&s->clock, &s->until_us, now_us, 50000);
-  if (begun == 0) {
-    begun = facts_verdicts_resume(s, now_us, &since_us);
+  if (first || elapsed > 1) {
+    s->judged_us = before(now_us, 50000);
   }
-  if (begun == 0) {
-    return 0;
-  }
-  v->s = s;
-  v->now_us = now_us;
-  v->since_us = since_us;
-  s->judged_us = now_us;
   return 1;
 }
 
@@ -2195,24 +2199,60 @@ void facts_monitors_verdicts_init(facts_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->judged_us = 0;
+  s->synced_us = 0;
+  s->due_us = 0;
   ticks_start(&s->ticks);
   s->last_permit_us = INT64_MIN;
+  s->judged_us = INT64_MAX;
 }
 
-void facts_monitors_verdicts(facts_monitors_verdicts_state *s, const facts_monitors_in *in,
-                             int64_t now_us, int32_t verdicts[FACTS_MONITORS]) {
+/* The tick that has come. */
+static inline void facts_verdicts_judge(facts_monitors_verdicts_state *s,
+                                        const facts_monitors_in *in, int64_t now_us,
+                                        int32_t verdicts[FACTS_MONITORS]) {
   facts_verdicts_view v;
-  int32_t k;
-  if (facts_verdicts_begin(&v, s, now_us) == 0) {
-    for (k = 0; k < FACTS_MONITORS; ++k) {
-      verdicts[k] = FACTS_VERDICT_UNKNOWN;
-    }
-    return;
-  }
+  v.s = s;
+  v.now_us = now_us;
+  v.since_us = s->judged_us;
+  s->judged_us = now_us;
   facts_verdicts_look_permit(&v, in);
   facts_verdicts_look_gear(&v, in);
   facts_verdicts_look_heat(&v, in);
   verdicts[FACTS_MONITORS_TWIN] = twin_verdict(&v);
   s->ticks.now += 1;
+}
+
+static SELDOM void facts_verdicts_late(facts_monitors_verdicts_state *s,
+                                       const facts_monitors_in *in, int64_t now_us,
+                                       int32_t verdicts[FACTS_MONITORS]) {
+  int32_t k;
+  int32_t begun = 0;
+  if (s->clock.started != 0) {
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 50000);
+    begun = tick_follows(&s->until_us, now_us, 50000);
+  }
+  if (begun != 0) {
+    tick_counted(&s->clock, now_us);
+  } else {
+    begun = facts_verdicts_resume(s, now_us);
+  }
+  if (begun != 0) {
+    s->synced_us = now_us;
+    s->due_us = due_after(&s->clock, now_us, 50000);
+    facts_verdicts_judge(s, in, now_us, verdicts);
+    return;
+  }
+  for (k = 0; k < FACTS_MONITORS; ++k) {
+    verdicts[k] = FACTS_VERDICT_UNKNOWN;
+  }
+}
+
+void facts_monitors_verdicts(facts_monitors_verdicts_state *s, const facts_monitors_in *in,
+                             int64_t now_us, int32_t verdicts[FACTS_MONITORS]) {
+  if (tick_due(s->due_us, s->judged_us, now_us)) {
+    s->due_us = (uint64_t)now_us + 50000;
+    facts_verdicts_judge(s, in, now_us, verdicts);
+  } else {
+    facts_verdicts_late(s, in, now_us, verdicts);
+  }
 }

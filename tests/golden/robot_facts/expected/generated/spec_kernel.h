@@ -127,15 +127,11 @@ typedef struct facts_result {
   int32_t returns;
 } facts_result;
 
-/* One number of an input: the grid values below and above what was measured, so that it is never
- * rounded the wrong way; when they differ, it lies strictly between them. 0 or 1 of a condition,
- * the index of a value of a choice. stamp_us: when it was measured; valid 0: never received, or
- * not finite. */
-typedef struct facts_signal {
-  int64_t lo, hi;
-  int64_t stamp_us;
-  int32_t valid;
-} facts_signal;
+/* An input has its newest sample. stamp_us: when it was measured; valid 0: never received. Its
+ * numbers are steps of their grid: the last one that is not above what was measured. A bit of
+ * between, the lowest one for the first number: it lies strictly between that step and the next,
+ * so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX finite and off
+ * every grid. 0 or 1 of a condition, the index of a value of a choice. */
 
 /* Of a watch, counted from its first step: the present tick, and the first one of those that are
  * remembered. */
@@ -194,9 +190,24 @@ enum {
 /* Plain inputs and parameters of fly. In findings the inputs have the numbers 8 permit, 9 gear,
  * 10 heat. */
 typedef struct facts_fly_facts_in {
-  facts_signal permit; /* 0 or 1; for 100000 us */
-  facts_signal gear; /* 0 parked, 1 moving; new every tick */
-  facts_signal heat; /* steps of 1/1000 K, 250000 to 400000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } permit; /* 0 or 1; for 100000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } gear; /* 0 parked, 1 moving; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } heat; /* steps of 1/1000 K, 250000 to 400000; new every tick */
   int64_t h; /* parameter in steps of mm, 100 to 500, at first 100, only ever grows */
 } facts_fly_facts_in;
 
@@ -281,9 +292,24 @@ enum {
 };
 
 typedef struct facts_monitors_in {
-  facts_signal permit; /* 0 or 1; for 100000 us */
-  facts_signal gear; /* 0 parked, 1 moving; new every tick */
-  facts_signal heat; /* steps of 1/1000 K, 250000 to 400000; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } permit; /* 0 or 1; for 100000 us */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } gear; /* 0 parked, 1 moving; new every tick */
+  struct {
+    int64_t stamp_us;
+    int32_t valid;
+    uint32_t between;
+    int64_t value;
+  } heat; /* steps of 1/1000 K, 250000 to 400000; new every tick */
 } facts_monitors_in;
 
 /* Opaque; start with _init. What each monitor remembers, 216 bytes in all. */
@@ -303,6 +329,8 @@ typedef struct facts_monitors_state {
 typedef struct facts_monitors_verdicts_state {
   facts_clock clock;
   int64_t until_us;
+  int64_t synced_us;
+  uint64_t due_us;
   facts_ticks ticks;
   int64_t judged_us;
   int64_t last_permit_us;

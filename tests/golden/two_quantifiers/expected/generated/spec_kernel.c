@@ -58,8 +58,8 @@ static uint32_t root_seed(uint32_t top) {
   return (uint32_t)(16987 + ((uint64_t)top * 68966 >> 16) - (square * 20750 >> 16));
 }
 
-/* As root_down, for 0 < a < 2^30, in half the time: lengths are mostly below 30 m. */
-static uint32_t root_small(uint32_t a) {
+/* As root_down, for 0 <= a < 2^30, in half the time: lengths are mostly below 30 m. */
+static inline uint32_t root_small(uint32_t a) {
   uint32_t n = a;
   uint32_t half = 1;
   uint32_t root;
@@ -84,22 +84,12 @@ static uint32_t root_small(uint32_t a) {
   return root * root > a ? root - 1 : root;
 }
 
-/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
- * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
- * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
- * up to 2^15, two above all of them. */
-static int64_t root_down(int64_t a) {
-  const uint64_t square = (uint64_t)a;
+/* The same of any other. */
+static int64_t root_large(uint64_t square) {
   uint64_t n = square;
   uint64_t root;
   int32_t half = 0;
   int32_t i;
-  if (a == 0) {
-    return 0;
-  }
-  if (square >> 30 == 0) {
-    return root_small((uint32_t)square);
-  }
   for (i = 16; i > 1; i /= 2) {
     if (n >> (62 - i) == 0) {
       n <<= i;
@@ -110,6 +100,15 @@ static int64_t root_down(int64_t a) {
   root = (root + square / root) / 2;
   root = (root + square / root) / 2;
   return (int64_t)(root * root > square ? root - 1 : root);
+}
+
+/* Largest r with r * r <= a, for 0 <= a < 2^62. a = n / 4^half, with n in [2^60, 2^62) or, of small
+ * ones, in [2^28, 2^30); what the leading digits of n give is within 0.6 %. Newton's step makes
+ * e^2 / 2 of a relative error e, and is never below the root: one step is less than 1 above roots
+ * up to 2^15, two above all of them. */
+static inline int64_t root_down(int64_t a) {
+  const uint64_t square = (uint64_t)a;
+  return square >> 30 == 0 ? (int64_t)root_small((uint32_t)square) : root_large(square);
 }
 
 static int64_t root_up(int64_t a) {
