@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "compiler/analysis/combine.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/geometry/united.h"
 
 namespace rtac::analysis {
 
@@ -32,30 +34,34 @@ std::optional<geometry::Solid> SolidEvaluator::zone(sema::ZoneId id, Side side) 
 }
 
 SolidEvaluator::Result SolidEvaluator::expr(const sema::ZoneExpr& e, Side side) {
-  return std::visit([&](const auto& node) { return eval(node, side); }, e.node);
+  return std::visit([&](const auto& node) { return eval(node, e.range, side); }, e.node);
 }
 
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZonePrism& prism, Side side) {
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZonePrism& prism, const SourceRange&,
+                                            Side side) {
   auto base = base_(*prism.base, side);
   if (!base) return std::nullopt;
   return geometry::Solid::prism(std::move(*base), prism.floor, prism.ceiling);
 }
 
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneRef& reference, Side side) {
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneRef& reference, const SourceRange&,
+                                            Side side) {
   return zone(reference.zone, side);
 }
 
 // As of zones of the plane: the boundary is moved sideways by the error of the file, and its areas
 // are combined before.
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneImport& node, Side side) {
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneImport& node, const SourceRange& range,
+                                            Side side) {
   std::vector<geometry::Slab> groups;
   for (const auto& group : node.inclusions) {
     Result all;
     for (const auto& area : group) {
       std::vector<geometry::Slab> slabs;
-      if (!add(area, side, slabs)) return std::nullopt;
+      if (!add(area, side, slabs) || !is_simple(slabs, range)) return std::nullopt;
       geometry::Solid one = geometry::Solid::of_slabs(slabs);
-      all = all ? all->intersect(one) : std::move(one);
+      all = all ? combined(sema::ZoneOp::intersect, *all, one, range) : std::move(one);
+      if (!all) return std::nullopt;
     }
     if (all) std::ranges::copy(all->slabs(), std::back_inserter(groups));
   }
@@ -63,9 +69,11 @@ SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneImport& node, Side s
   for (const auto& area : node.exclusions) {
     if (!add(area, other(side), exclusions)) return std::nullopt;
   }
-  const geometry::Solid zone =
-      geometry::Solid::of_slabs(groups).subtract(geometry::Solid::of_slabs(exclusions));
-  return side == Side::inner ? zone.shrink(node.error, 0) : zone.grow(node.error, 0);
+  if (!is_simple(groups, range) || !is_simple(exclusions, range)) return std::nullopt;
+  const Result zone = combined(sema::ZoneOp::subtract, geometry::Solid::of_slabs(groups),
+                               geometry::Solid::of_slabs(exclusions), range);
+  if (!zone) return std::nullopt;
+  return side == Side::inner ? zone->shrink(node.error, 0) : zone->grow(node.error, 0);
 }
 
 bool SolidEvaluator::add(const sema::ZoneImport::Area& area, Side side,
@@ -83,28 +91,41 @@ bool SolidEvaluator::add(const sema::ZoneImport::Area& area, Side side,
   return true;
 }
 
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneComplement& complement, Side side) {
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneComplement& complement,
+                                            const SourceRange&, Side side) {
   const Result of = zone(complement.zone, other(side));
   return of ? Result(geometry::Solid::everywhere().subtract(*of)) : std::nullopt;
 }
 
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneBinary& node, Side side) {
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneBinary& node, const SourceRange& range,
+                                            Side side) {
   const Result left = expr(*node.left, side);
   const Result right = expr(*node.right, node.op == sema::ZoneOp::subtract ? other(side) : side);
   if (!left || !right) return std::nullopt;
-  switch (node.op) {
-    case sema::ZoneOp::unite:
-      return left->unite(*right);
-    case sema::ZoneOp::intersect:
-      return left->intersect(*right);
-    case sema::ZoneOp::subtract:
-      return left->subtract(*right);
-  }
-  return std::nullopt;
+  return combined(node.op, *left, *right, range);
+}
+
+// Whatever lies above one another may meet in a combination.
+bool SolidEvaluator::is_simple(const std::vector<geometry::Slab>& slabs, const SourceRange& range) {
+  std::vector<geometry::Region> regions;
+  for (const geometry::Slab& slab : slabs) regions.push_back(slab.region);
+  if (!geometry::cross_too_often(regions)) return true;
+  diagnostics_.report(too_intricate(range));
+  return false;
+}
+
+SolidEvaluator::Result SolidEvaluator::combined(sema::ZoneOp op, const geometry::Solid& left,
+                                                const geometry::Solid& right,
+                                                const SourceRange& range) {
+  std::vector<geometry::Slab> all = left.slabs();
+  std::ranges::copy(right.slabs(), std::back_inserter(all));
+  if (!is_simple(all, range)) return std::nullopt;
+  return combine(op, left, right);
 }
 
 // Sideways as the offsets of zones of the plane, which are exact within 2 mm; up and down exact.
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneOffset& node, Side side) {
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneOffset& node, const SourceRange&,
+                                            Side side) {
   static const Rational slack_m(1, 500);
   const Result operand = expr(*node.operand, side);
   if (!operand) return std::nullopt;

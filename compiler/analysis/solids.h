@@ -46,18 +46,23 @@ class SolidEvaluator {
  private:
   using Result = std::optional<geometry::Solid>;
   Result expr(const sema::ZoneExpr& e, Side side);
-  Result eval(const sema::ZonePrism& prism, Side side);
-  Result eval(const sema::ZoneRef& reference, Side side);
-  Result eval(const sema::ZoneImport& node, Side side);
+  Result eval(const sema::ZonePrism& prism, const SourceRange& range, Side side);
+  Result eval(const sema::ZoneRef& reference, const SourceRange& range, Side side);
+  Result eval(const sema::ZoneImport& node, const SourceRange& range, Side side);
   bool add(const sema::ZoneImport::Area& area, Side side, std::vector<geometry::Slab>& slabs);
-  Result eval(const sema::ZoneComplement& complement, Side side);
-  Result eval(const sema::ZoneBinary& node, Side side);
-  Result eval(const sema::ZoneOffset& node, Side side);
+  Result eval(const sema::ZoneComplement& complement, const SourceRange& range, Side side);
+  Result eval(const sema::ZoneBinary& node, const SourceRange& range, Side side);
+  Result eval(const sema::ZoneOffset& node, const SourceRange& range, Side side);
   // Zones of the plane stand under a prism.
   template <class Flat>
-  Result eval(const Flat&, Side) {
+  Result eval(const Flat&, const SourceRange&, Side) {
     return std::nullopt;
   }
+  // False: reported.
+  bool is_simple(const std::vector<geometry::Slab>& slabs, const SourceRange& range);
+  // nullopt: reported.
+  Result combined(sema::ZoneOp op, const geometry::Solid& left, const geometry::Solid& right,
+                  const SourceRange& range);
   void report(diag::Code code, const sema::Zone& zone, std::string message, std::string help);
   void report_empty(const sema::Zone& zone);
   std::optional<std::vector<BakedSlab>> baked(const sema::Zone& zone,

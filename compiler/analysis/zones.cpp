@@ -4,10 +4,12 @@
 #include <iterator>
 #include <string>
 
+#include "compiler/analysis/combine.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/ring_problems.h"
 #include "compiler/analysis/sites.h"
+#include "compiler/geometry/united.h"
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/visit.h"
 
@@ -84,18 +86,19 @@ class Evaluator {
     return geometry::Region::circle({circle.centre.x, circle.centre.y}, circle.radius,
                                     side == Side::inner);
   }
-  Result eval(const sema::ZoneBinary& node, const SourceRange&, Side side) {
+  Result eval(const sema::ZoneBinary& node, const SourceRange& range, Side side) {
     const Result left = expr(*node.left, side);
     const Result right = expr(*node.right, node.op == sema::ZoneOp::subtract ? other(side) : side);
     if (!left || !right) return std::nullopt;
-    switch (node.op) {
-      case sema::ZoneOp::unite:
-        return left->unite(*right);
-      case sema::ZoneOp::intersect:
-        return left->intersect(*right);
-      case sema::ZoneOp::subtract:
-        return left->subtract(*right);
-    }
+    return combined(node.op, *left, *right, range);
+  }
+  Result combined(sema::ZoneOp op, const geometry::Region& left, const geometry::Region& right,
+                  const SourceRange& range) {
+    if (geometry::cross_too_often({left, right})) return intricate(range);
+    return combine(op, left, right);
+  }
+  std::nullopt_t intricate(const SourceRange& range) {
+    diagnostics_.report(too_intricate(range));
     return std::nullopt;
   }
   // Offsets are exact within 2 mm, and err to the side that `shrink` and `grow` are usually wanted
@@ -116,22 +119,38 @@ class Evaluator {
   Result eval(const sema::ZoneImport& node, const SourceRange& range, Side side) {
     std::vector<geometry::Region> groups, exclusions;
     for (const auto& group : node.inclusions) {
-      std::optional<geometry::Region> all;
-      for (const auto& each : group) {
-        auto region = area(each, range, side);
-        if (!region) return std::nullopt;
-        all = all ? all->intersect(*region) : std::move(*region);
-      }
-      if (all) groups.push_back(std::move(*all));
+      if (group.empty()) continue;
+      Result all = common(group, range, side);
+      if (!all) return std::nullopt;
+      groups.push_back(std::move(*all));
     }
     for (const auto& each : node.exclusions) {
       auto region = area(each, range, other(side));
       if (!region) return std::nullopt;
       exclusions.push_back(std::move(*region));
     }
-    geometry::Region zone = united(std::move(groups));
-    if (!exclusions.empty()) zone = zone.subtract(united(std::move(exclusions)));
-    return side == Side::inner ? zone.shrink(node.error) : zone.grow(node.error);
+    Result zone = united(std::move(groups), range);
+    if (!zone) return std::nullopt;
+    if (!exclusions.empty()) {
+      const Result without = united(std::move(exclusions), range);
+      if (!without) return std::nullopt;
+      zone = combined(sema::ZoneOp::subtract, *zone, *without, range);
+      if (!zone) return std::nullopt;
+    }
+    return side == Side::inner ? zone->shrink(node.error) : zone->grow(node.error);
+  }
+  // What all areas of a group have in common.
+  Result common(const std::vector<sema::ZoneImport::Area>& group, const SourceRange& range,
+                Side side) {
+    Result all;
+    for (const auto& each : group) {
+      Result next = area(each, range, side);
+      if (!next) return std::nullopt;
+      if (all) next = combined(sema::ZoneOp::intersect, *all, *next, range);
+      if (!next) return std::nullopt;
+      all = std::move(next);
+    }
+    return all;
   }
   Result area(const sema::ZoneImport::Area& area, const SourceRange& range, Side side) {
     std::vector<geometry::Region> parts;
@@ -140,19 +159,11 @@ class Evaluator {
       if (!region) return std::nullopt;
       parts.push_back(std::move(*region));
     }
-    return united(std::move(parts));
+    return united(std::move(parts), range);
   }
-  // In one sweep, however many they are.
-  static geometry::Region united(std::vector<geometry::Region> regions) {
-    if (regions.size() == 1) return std::move(regions[0]);
-    std::vector<geometry::Ring> rings;
-    for (const geometry::Region& region : regions) {
-      for (geometry::PolygonWithHoles& polygon : region.polygons()) {
-        rings.push_back(std::move(polygon.outer));
-        std::move(polygon.holes.begin(), polygon.holes.end(), std::back_inserter(rings));
-      }
-    }
-    return geometry::Region::of_rings(rings);
+  Result united(std::vector<geometry::Region> regions, const SourceRange& range) {
+    Result all = geometry::united(std::move(regions));
+    return all ? std::move(all) : intricate(range);
   }
   // What it is nobody knows before it is received.
   static Result eval(const sema::ZoneReceived&, const SourceRange&, Side) { return std::nullopt; }
@@ -211,6 +222,17 @@ class Evaluator {
 };
 
 }  // namespace
+
+diag::Diagnostic too_intricate(const SourceRange& range) {
+  return {Code::zone_file_unusable,
+          range,
+          "boundaries cross one another at more than " + std::to_string(geometry::crossings_max) +
+              " places",
+          "too many crossings",
+          {},
+          "take fewer areas of a file with `feature`, or unite them in the program that drew them",
+          {}};
+}
 
 bool fits_grid(const geometry::Region& region) {
   const Rational limit(536'870'911, 1000);  // 2^29 mm

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compiler/geometry/ring.h"
+#include "compiler/geometry/runs.h"
 #include "compiler/geometry/sweep.h"
 #include "compiler/geometry/touches.h"
 
@@ -93,76 +94,12 @@ std::optional<Problem> find_degenerate(const Edges& edges, const Rings& rings) {
   return flat;
 }
 
-// Runs of edges that follow each other, with the box around each run.
-class Runs {
- public:
-  Runs(const Edges& edges, std::size_t ring) : edges_(edges) {
-    const std::size_t to = edges.first(ring) + edges.size(ring);
-    for (std::size_t from = edges.first(ring); from < to; from += run_size) {
-      Run run{from, std::min(from + run_size, to), edges[from].x, edges[from].y};
-      for (std::size_t i = from; i < run.to; ++i) {
-        run.x = around(run.x, edges[i].x);
-        run.y = around(run.y, edges[i].y);
-      }
-      runs_.push_back(run);
-      x_ = runs_.size() == 1 ? run.x : around(x_, run.x);
-      y_ = runs_.size() == 1 ? run.y : around(y_, run.y);
-    }
-  }
-
-  [[nodiscard]] bool apart(const Runs& other) const {
-    return disjoint(x_, other.x_) || disjoint(y_, other.y_);
-  }
-  // Calls `visit` with the edges that meet `e`, and where, until it returns false.
-  template <typename Visit>
-  bool for_each_meeting(const Edge& e, Visit visit) const {
-    for (const Run& run : runs_) {
-      if (disjoint(e.x, run.x) || disjoint(e.y, run.y)) continue;
-      for (std::size_t i = run.from; i < run.to; ++i) {
-        const auto where = edges_.meeting(e, edges_[i]);
-        if (where && !visit(edges_[i], *where)) return false;
-      }
-    }
-    return true;
-  }
-  // The start of `v` lies inside the ring; not on it.
-  [[nodiscard]] bool enclose(const Edge& v) const {
-    bool inside = false;
-    for (const Run& run : runs_) {
-      if (disjoint(v.y, run.y) || run.x.hi < v.x.lo) continue;
-      for (std::size_t i = run.from; i < run.to; ++i) {
-        inside ^= is_crossed(edges_[i], v);
-      }
-    }
-    return inside;
-  }
-
- private:
-  static constexpr std::size_t run_size = 64;
-  struct Run {
-    std::size_t from, to;
-    Bounds x, y;
-  };
-  static Bounds around(const Bounds& a, const Bounds& b) {
-    return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)};
-  }
-  // By the ray from the start of `v` to the right. An edge owns its lower end only.
-  [[nodiscard]] bool is_crossed(const Edge& e, const Edge& v) const {
-    const bool a_below = e.a->y <= v.a->y;
-    return a_below != (e.b->y <= v.a->y) && edges_.side(e, v, false) == (a_below ? 1 : -1);
-  }
-
-  const Edges& edges_;
-  std::vector<Run> runs_;
-  Bounds x_{0, 0}, y_{0, 0};
-};
-
 // How the rings of a polygon lie to one another, each of them being simple.
 class Neighbours {
  public:
   Neighbours(const Edges& edges, const Rings& rings) : edges_(edges) {
     for (std::size_t r = 0; r < rings.size(); ++r) {
-      runs_.emplace_back(edges, r);
+      runs_.emplace_back(edges, edges.first(r), edges.first(r) + edges.size(r));
       counter_clockwise_.push_back(twice_area(*rings[r]) > 0);
     }
   }

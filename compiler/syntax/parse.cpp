@@ -221,6 +221,18 @@ class ProgramParser {
     return (base / written).lexically_normal().string();
   }
 
+  // A pipe that nobody writes to would be waited for without end, and none can be read again.
+  static bool is_stored(const std::string& path, std::string& why) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status) ||
+        std::filesystem::is_directory(status)) {
+      return true;  // what is not there, or not to be read, is told by reading it
+    }
+    why = "it is a pipe or a device, not a stored file";
+    return false;
+  }
+
   // A file is read once, however many zones are taken from it.
   void read_zones(const Text& import, FileId importer) {
     const std::string path = path_from(importer, import.text);
@@ -231,7 +243,7 @@ class ProgramParser {
     }
     if (!text) {
       std::string why;
-      std::optional<std::string> read = read_file(path, why);
+      std::optional<std::string> read = is_stored(path, why) ? read_file(path, why) : std::nullopt;
       if (!read) {
         report_unreadable(import, path, why);
         return;
@@ -265,7 +277,8 @@ class ProgramParser {
     }
     if (!known_.insert(id).second) return;
     std::string why;
-    const std::optional<FileId> loaded = sources_.load(path, why);
+    const std::optional<FileId> loaded =
+        is_stored(path, why) ? sources_.load(path, why) : std::nullopt;
     if (!loaded) {
       program_.import_failed = true;
       report_unreadable(import, path, why);

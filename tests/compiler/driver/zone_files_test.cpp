@@ -1,5 +1,7 @@
 // Zones of files on the command line: dependencies, mistakes by their place in the file, what is
 // derived, and that nothing depends on where the files lie.
+#include <sstream>
+
 #include "tests/compiler/driver/testing.h"
 
 namespace rtac::driver::test {
@@ -84,6 +86,38 @@ TEST_F(ZoneFiles, FaultsOfRingsAreNamedByTheirPlace) {
   expect_said(
       "import \"a.geojson\"",
       "error[4006]: a.geojson: coordinates[1] and a.geojson: coordinates[2] overlap, see");
+}
+
+// Strips that cross one another `count` squared times, at four places each.
+std::string crossing_strips(int count) {
+  std::string text;
+  const std::string end = std::to_string(2 * count + 1);
+  for (int i = 0; i < count; ++i) {
+    const std::string from = std::to_string(2 * i + 1), to = std::to_string(2 * i + 2);
+    text += "POLYGON((0 " + from + "," + end + " " + from + "," + end + " " + to + ",0 " + to +
+            ",0 " + from + "))\n";
+    text += "POLYGON((" + from + " 0," + to + " 0," + to + " " + end + "," + from + " " + end +
+            "," + from + " 0))\n";
+  }
+  return text;
+}
+
+TEST_F(ZoneFiles, CrossingTooOftenIsRefusedInBoundedTime) {
+  write("a.wkt", crossing_strips(200));
+  const std::string text = "error[4020]: boundaries cross one another at more than 30000 places";
+  expect_said("import \"a.wkt\" in m", text);
+  // Zones of two files that are simple by themselves.
+  std::string level, upright;
+  std::istringstream lines(crossing_strips(100));
+  for (std::string line; std::getline(lines, line);) {
+    level += line + "\n";
+    if (std::getline(lines, line)) upright += line + "\n";
+  }
+  write("level.wkt", level);
+  write("upright.wkt", upright);
+  for (const std::string op : {" | ", " & ", " - "}) {
+    expect_said("import \"level.wkt\" in m" + op + "import \"upright.wkt\" in m", text);
+  }
 }
 
 TEST_F(ZoneFiles, ThinnerThanTheirErrorAreEmpty) {

@@ -1,5 +1,6 @@
 // Imports: relative to their file, each file once, importers after what they import.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -113,6 +114,15 @@ help: the path is relative to the directory of the importing file
 
 2 errors
 )");
+}
+
+// Nobody writes to the pipe: opening it would never end.
+TEST_F(Imports, OfPipesAreRefused) {
+  ASSERT_EQ(mkfifo((directory_ / "pipe").c_str(), 0600), 0);
+  write("root.rta", "spec r;\nimport \"pipe\";\nzone a = import \"pipe\";\n");
+  parse("root.rta");
+  EXPECT_EQ(engine_.error_count(), 2);
+  EXPECT_NE(messages().find("it is a pipe or a device, not a stored file"), std::string::npos);
 }
 
 TEST_F(Imports, ReportMistakesOfAllFiles) {

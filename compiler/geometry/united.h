@@ -1,0 +1,23 @@
+// Many regions as one.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "compiler/geometry/region.h"
+
+namespace rtac::geometry {
+
+// What a combination may cost. A place where two edges cross takes about 0.3 ms and 10 kB, one where
+// they touch or lie on one another a thirtieth of it.
+inline constexpr std::size_t crossings_max = 30'000;
+
+// The boundaries of different regions do so, more often than that. Equal regions count as one.
+bool cross_too_often(const std::vector<Region>& regions);
+
+// The union, in one sweep, however many they are; of equal ones one is taken. nullopt: they cross
+// too often.
+std::optional<Region> united(std::vector<Region> regions);
+
+}  // namespace rtac::geometry

@@ -1,0 +1,72 @@
+// Many regions at once: equal ones count once, and what would cross too often is refused before it
+// is computed.
+#include "compiler/geometry/united.h"
+
+#include <gtest/gtest.h>
+
+#include "testing.h"
+
+namespace rtac::geometry {
+namespace {
+
+// `count` strips of 1 m, 2 m apart, across a square; `upright` or not.
+std::vector<Region> strips(long count, bool upright) {
+  std::vector<Region> all;
+  for (long i = 0; i < count; ++i) {
+    const long from = 1000 + 2000 * i, to = from + 1000, end = 2000 * count + 1000;
+    all.push_back(upright ? box(from, 0, to, end) : box(0, from, end, to));
+  }
+  return all;
+}
+std::vector<Region> operator+(std::vector<Region> a, const std::vector<Region>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(United, IsWhatTheUnionOneByOneIs) {
+  const std::vector<Region> all = strips(5, false) + strips(5, true) + strips(3, true);
+  Region one_by_one;
+  for (const Region& region : all) one_by_one = one_by_one.unite(region);
+  const auto at_once = united(all);
+  ASSERT_TRUE(at_once.has_value());
+  EXPECT_EQ(text(*at_once), text(one_by_one));
+}
+
+TEST(United, EqualRegionsCountOnce) {
+  // 4,000 times the same: every two of them would lie on one another.
+  const std::vector<Region> same(4000, box(0, 0, 1000, 1000));
+  EXPECT_FALSE(cross_too_often(same));
+  const auto one = united(same);
+  ASSERT_TRUE(one.has_value());
+  EXPECT_EQ(text(*one), text(same.front()));
+  EXPECT_EQ(text(*united({box(0, 0, 1000, 1000)})), text(same.front()));
+}
+
+TEST(United, CrossingsAreCounted) {
+  // Every two strips cross at 4 places: 86 and 87 do at 29,928, 87 and 87 at 30,276.
+  EXPECT_FALSE(cross_too_often(strips(86, false) + strips(87, true)));
+  EXPECT_TRUE(cross_too_often(strips(87, false) + strips(87, true)));
+  EXPECT_FALSE(united(strips(87, false) + strips(87, true)).has_value());
+  // Of two regions of many parts as well, and of what is nested nothing is.
+  const auto across = united(strips(200, false)), upright = united(strips(200, true));
+  ASSERT_TRUE(across && upright);
+  EXPECT_TRUE(cross_too_often({*across, *upright}));
+  std::vector<Region> nested;
+  for (long i = 0; i < 400; ++i) nested.push_back(box(i, i, 1000 - i, 1000 - i));
+  EXPECT_FALSE(cross_too_often(nested));
+}
+
+TEST(United, RegionsSideBySideCostLittle) {
+  // 100 by 100 squares that share their edges and corners.
+  std::vector<Region> tiles;
+  for (long i = 0; i < 10'000; ++i) {
+    const long x = i % 100 * 10, y = i / 100 * 10;
+    tiles.push_back(box(x, y, x + 10, y + 10));
+  }
+  const auto all = united(std::move(tiles));
+  ASSERT_TRUE(all.has_value());
+  EXPECT_EQ(text(*all), text(box(0, 0, 1000, 1000)));
+}
+
+}  // namespace
+}  // namespace rtac::geometry
