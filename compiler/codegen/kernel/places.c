@@ -93,16 +93,16 @@ static int32_t box_in_zone(const zone *z, const box *b) {
   }
   return cell_inside(z, &c, b->x0 + b->x1, b->y0 + b->y1) ? 1 : (touched ? 0 : -1);
 }
-/*= middle_clearance : zone_type box_type vec_of minus dot span_of inside_zone boundary_gap root_up */
+/*= middle_clearance : zone_type box_type vec_of minus dot span_of place_of root_up */
 /* Signed distance from the boundary of every place of the box: that of its middle, and how far the
  * box reaches from there; 1 mm for a middle that had to be taken down to the grid. */
 static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
   const vec half = minus(vec_of(b->x1, b->y1), p);
   const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
-  const span gap = boundary_gap(z, p);
-  return inside_zone(z, p) ? span_of(gap.lo - room, gap.hi + room)
-                           : span_of(-gap.hi - room, -gap.lo + room);
+  const place at = place_of(z, p);
+  return at.inside ? span_of(at.gap_mm - room, at.gap_mm_hi + room)
+                   : span_of(-at.gap_mm_hi - room, -at.gap_mm + room);
 }
 /*= cell_in_zone : box_in_zone */
 /* The same of a place that was measured without error: it lies in one cell of the grid at most. What

@@ -68,16 +68,32 @@ static int32_t crosses_way(const edge *e, int64_t x0, int64_t y0, int64_t x, int
   const int32_t end = dx * (y - ay) - dy * (x - ax) >= left;
   return (((ax > x0) ^ (bx > x0)) & (start ^ turn)) ^ (((ay > y) ^ (by > y)) & (turn ^ end));
 }
-/*= cell_inside @cells : cell_type cell_count cell_edge crosses_way */
+/*= may_cross_way @cells : edge_type */
+/* 0: the ends of the edge lie on one side of both lines that the way runs along, so that it does not
+ * cross it. */
+static int32_t may_cross_way(const edge *e, int64_t x0, int64_t y) {
+  return ((2 * (int64_t)e->ax > x0) ^ (2 * (int64_t)e->bx > x0)) |
+         ((2 * (int64_t)e->ay > y) ^ (2 * (int64_t)e->by > y));
+}
+/*= cell_inside @cells : cell_type cell_count cell_edge may_cross_way crosses_way */
 /* Whether a place of the cell, coordinates doubled, is inside: its corner is, or not, and each edge
- * on the way from there changes it. Of places on the boundary it says nothing. */
+ * on the way from there changes it. Of places on the boundary it says nothing. Most edges are far
+ * from crossing it: the few others are gathered first, without branches. */
 static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
   int32_t inside = (int32_t)(c->word >> 29 & 1);
+  const edge *met[16];
+  int32_t count = 0;
   int32_t i;
-  if ((c->word >> 28 & 1) != 0) {
-    for (i = 0; i < cell_count(c->word); ++i) {
-      inside ^= crosses_way(cell_edge(z, c->word, i), 2 * c->x, 2 * c->y, x, y);
-    }
+  if ((c->word >> 28 & 1) == 0) {
+    return inside;
+  }
+  for (i = 0; i < cell_count(c->word); ++i) {
+    const edge *const e = cell_edge(z, c->word, i);
+    met[count] = e;
+    count += may_cross_way(e, 2 * c->x, y);
+  }
+  for (i = 0; i < count; ++i) {
+    inside ^= crosses_way(met[i], 2 * c->x, 2 * c->y, x, y);
   }
   return inside;
 }
@@ -86,9 +102,9 @@ static int32_t inside_zone(const zone *z, vec p) {
   const cell c = cell_at(z, p);
   return cell_inside(z, &c, 2 * p.x, 2 * p.y);
 }
-/*= cell_gap @cells : cell_type cell_count cell_edge nearest_none near_edge nearest_mm span_of */
-/* Bounds of the distance from a place of the cell to the boundary: 3 mm apart, but in cells that are
- * far from it. */
+/*= cell_gap @cells : cell_type cell_count cell_edge nearest_none near_edge nearest_mm nearest_mm_hi span_of */
+/* Bounds of the distance from a place of the cell to the boundary: 2 mm apart, or 3 of edges or over
+ * distances of hundreds of km; more in cells that are far from it. */
 static span cell_gap(const zone *z, const cell *c, vec p) {
   nearest n = nearest_none();
   int32_t i;
@@ -99,7 +115,7 @@ static span cell_gap(const zone *z, const cell *c, vec p) {
   for (i = 0; i < cell_count(c->word); ++i) {
     near_edge(cell_edge(z, c->word, i), p, &n);
   }
-  return span_of(nearest_mm(&n), nearest_mm(&n) + 3);
+  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
 }
 /*= boundary_gap @cells : cell_at cell_gap */
 static span boundary_gap(const zone *z, vec p) {

@@ -20,9 +20,10 @@ static int32_t inside_zone(const zone *z, vec p) {
   }
   return inside;
 }
-/*= boundary_gap_lo @edges : zone_type vec_of box_gap near_edge nearer nearest_none nearest_mm */
-/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
-static int64_t boundary_gap_lo(const zone *z, vec p) {
+/*= boundary_gap @edges : zone_type span_of vec_of box_gap near_edge nearer nearest_none nearest_mm nearest_mm_hi */
+/* Bounds of the distance from `p` to the boundary: 2 mm apart, or 3 of edges or over distances of
+ * hundreds of km. */
+static span boundary_gap(const zone *z, vec p) {
   nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
@@ -31,18 +32,18 @@ static int64_t boundary_gap_lo(const zone *z, vec p) {
       near_edge(e, p, &n);
     }
   }
-  return nearest_mm(&n);
+  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
 }
-/*= boundary_gap @edges : span_of boundary_gap_lo */
-static span boundary_gap(const zone *z, vec p) {
-  const int64_t gap = boundary_gap_lo(z, p);
-  return span_of(gap, gap + 3);
+/*= boundary_gap_lo @edges : boundary_gap */
+static int64_t boundary_gap_lo(const zone *z, vec p) {
+  return boundary_gap(z, p).lo;
 }
-/*= place_of @edges : place_type zone_type vec_type inside_zone boundary_gap_lo */
+/*= place_of @edges : place_type zone_type vec_type inside_zone boundary_gap */
 static place place_of(const zone *z, vec p) {
+  const span gap = boundary_gap(z, p);
   place at;
-  at.gap_mm = boundary_gap_lo(z, p);
-  at.gap_mm_hi = at.gap_mm + 3;
+  at.gap_mm = gap.lo;
+  at.gap_mm_hi = gap.hi;
   at.inside = inside_zone(z, p);
   return at;
 }

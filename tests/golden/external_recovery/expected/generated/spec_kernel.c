@@ -491,12 +491,14 @@ static int64_t box_gap(vec a, vec b, vec c, vec d) {
 /* The smallest of several distances: of those known in mm, and of those known as squares. */
 typedef struct nearest {
   int64_t mm, square;
+  int64_t wide; /* 0: `mm` is at most 2 mm below that distance; else 3 */
 } nearest;
 
 static nearest nearest_none(void) {
   nearest n;
   n.mm = SPAN_MAX;
   n.square = INT64_MAX;
+  n.wide = 0;
   return n;
 }
 
@@ -510,22 +512,37 @@ static int64_t nearest_mm(const nearest *n) {
   return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
 }
 
-/* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
- * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
+/* A root is less than 1 mm below. */
+static int64_t nearest_mm_hi(const nearest *n) {
+  const int64_t mm = nearest_mm(n);
+  return mm + (n->wide == 0 || mm < n->mm ? 2 : 3);
+}
+
+/* Whether the foot of the perpendicular lies on the edge is decided exactly. Its length comes from
+ * the Q30 direction u, whose components are within 1/2 of their true values: of a difference v from
+ * a place of the edge's line, the product is within (|vx| + |vy|) / 2 of the true one. That is taken
+ * off; then, with the rounding of the quotient, the bound is less than 1 + (|vx| + |vy| + 1) / 2^30 mm
+ * below the length: 2 mm for |vx| + |vy| < 2^30. From the nearer end that is so unless the edge is
+ * more than 1,000 km long or p as far away; never more than 3 mm. */
 static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
+  const int64_t square = dot(d, d);
+  const vec r = minus(p, b);
   if (along <= 0) {
     n->square = min_of(n->square, dot(q, q));
-  } else if (along >= dot(d, d)) {
-    const vec r = minus(p, b);
+  } else if (along >= square) {
     n->square = min_of(n->square, dot(r, r));
   } else {
-    const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
-    n->mm = min_of(n->mm, max_of(gap - 1, 0));
+    const vec v = along < square - along ? q : r;
+    const int64_t spread = magnitude(v.x) + magnitude(v.y);
+    const int64_t across = magnitude(v.y * e->ux_q30 - v.x * e->uy_q30) - (spread + 1) / 2;
+    const int64_t gap = max_of(across, 0) / Q30;
+    n->wide = gap < n->mm ? spread / Q30 : n->wide;
+    n->mm = min_of(n->mm, gap);
   }
 }
 
@@ -576,8 +593,9 @@ static int32_t inside_zone(const zone *z, vec p) {
   return inside;
 }
 
-/* Lower bound of the distance from `p` to the boundary, within 2 mm of it. */
-static int64_t boundary_gap_lo(const zone *z, vec p) {
+/* Bounds of the distance from `p` to the boundary: 2 mm apart, or 3 of edges or over distances of
+ * hundreds of km. */
+static span boundary_gap(const zone *z, vec p) {
   nearest n = nearest_none();
   int32_t i;
   for (i = 0; i < z->count; ++i) {
@@ -586,13 +604,14 @@ static int64_t boundary_gap_lo(const zone *z, vec p) {
       near_edge(e, p, &n);
     }
   }
-  return nearest_mm(&n);
+  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
 }
 
 static place place_of(const zone *z, vec p) {
+  const span gap = boundary_gap(z, p);
   place at;
-  at.gap_mm = boundary_gap_lo(z, p);
-  at.gap_mm_hi = at.gap_mm + 3;
+  at.gap_mm = gap.lo;
+  at.gap_mm_hi = gap.hi;
   at.inside = inside_zone(z, p);
   return at;
 }

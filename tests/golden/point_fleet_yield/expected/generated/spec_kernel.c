@@ -517,12 +517,14 @@ static int64_t box_gap(vec a, vec b, vec c, vec d) {
 /* The smallest of several distances: of those known in mm, and of those known as squares. */
 typedef struct nearest {
   int64_t mm, square;
+  int64_t wide; /* 0: `mm` is at most 2 mm below that distance; else 3 */
 } nearest;
 
 static nearest nearest_none(void) {
   nearest n;
   n.mm = SPAN_MAX;
   n.square = INT64_MAX;
+  n.wide = 0;
   return n;
 }
 
@@ -536,22 +538,37 @@ static int64_t nearest_mm(const nearest *n) {
   return n->square < INT64_MAX ? root_below(n->square, n->mm) : n->mm;
 }
 
-/* Whether the foot of the perpendicular lies on the edge is decided exactly; the length of the
- * perpendicular comes from the Q30 direction, whose error is below 1 mm within the extent. */
+/* A root is less than 1 mm below. */
+static int64_t nearest_mm_hi(const nearest *n) {
+  const int64_t mm = nearest_mm(n);
+  return mm + (n->wide == 0 || mm < n->mm ? 2 : 3);
+}
+
+/* Whether the foot of the perpendicular lies on the edge is decided exactly. Its length comes from
+ * the Q30 direction u, whose components are within 1/2 of their true values: of a difference v from
+ * a place of the edge's line, the product is within (|vx| + |vy|) / 2 of the true one. That is taken
+ * off; then, with the rounding of the quotient, the bound is less than 1 + (|vx| + |vy| + 1) / 2^30 mm
+ * below the length: 2 mm for |vx| + |vy| < 2^30. From the nearer end that is so unless the edge is
+ * more than 1,000 km long or p as far away; never more than 3 mm. */
 static void near_edge(const edge *e, vec p, nearest *n) {
   const vec a = vec_of(e->ax, e->ay);
   const vec b = vec_of(e->bx, e->by);
   const vec d = minus(b, a);
   const vec q = minus(p, a);
   const int64_t along = dot(q, d);
+  const int64_t square = dot(d, d);
+  const vec r = minus(p, b);
   if (along <= 0) {
     n->square = min_of(n->square, dot(q, q));
-  } else if (along >= dot(d, d)) {
-    const vec r = minus(p, b);
+  } else if (along >= square) {
     n->square = min_of(n->square, dot(r, r));
   } else {
-    const int64_t gap = magnitude(q.y * e->ux_q30 - q.x * e->uy_q30) / Q30;
-    n->mm = min_of(n->mm, max_of(gap - 1, 0));
+    const vec v = along < square - along ? q : r;
+    const int64_t spread = magnitude(v.x) + magnitude(v.y);
+    const int64_t across = magnitude(v.y * e->ux_q30 - v.x * e->uy_q30) - (spread + 1) / 2;
+    const int64_t gap = max_of(across, 0) / Q30;
+    n->wide = gap < n->mm ? spread / Q30 : n->wide;
+    n->mm = min_of(n->mm, gap);
   }
 }
 
@@ -644,15 +661,31 @@ static int32_t crosses_way(const edge *e, int64_t x0, int64_t y0, int64_t x, int
   return (((ax > x0) ^ (bx > x0)) & (start ^ turn)) ^ (((ay > y) ^ (by > y)) & (turn ^ end));
 }
 
+/* 0: the ends of the edge lie on one side of both lines that the way runs along, so that it does not
+ * cross it. */
+static int32_t may_cross_way(const edge *e, int64_t x0, int64_t y) {
+  return ((2 * (int64_t)e->ax > x0) ^ (2 * (int64_t)e->bx > x0)) |
+         ((2 * (int64_t)e->ay > y) ^ (2 * (int64_t)e->by > y));
+}
+
 /* Whether a place of the cell, coordinates doubled, is inside: its corner is, or not, and each edge
- * on the way from there changes it. Of places on the boundary it says nothing. */
+ * on the way from there changes it. Of places on the boundary it says nothing. Most edges are far
+ * from crossing it: the few others are gathered first, without branches. */
 static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
   int32_t inside = (int32_t)(c->word >> 29 & 1);
+  const edge *met[16];
+  int32_t count = 0;
   int32_t i;
-  if ((c->word >> 28 & 1) != 0) {
-    for (i = 0; i < cell_count(c->word); ++i) {
-      inside ^= crosses_way(cell_edge(z, c->word, i), 2 * c->x, 2 * c->y, x, y);
-    }
+  if ((c->word >> 28 & 1) == 0) {
+    return inside;
+  }
+  for (i = 0; i < cell_count(c->word); ++i) {
+    const edge *const e = cell_edge(z, c->word, i);
+    met[count] = e;
+    count += may_cross_way(e, 2 * c->x, y);
+  }
+  for (i = 0; i < count; ++i) {
+    inside ^= crosses_way(met[i], 2 * c->x, 2 * c->y, x, y);
   }
   return inside;
 }
@@ -662,8 +695,8 @@ static int32_t inside_zone(const zone *z, vec p) {
   return cell_inside(z, &c, 2 * p.x, 2 * p.y);
 }
 
-/* Bounds of the distance from a place of the cell to the boundary: 3 mm apart, but in cells that are
- * far from it. */
+/* Bounds of the distance from a place of the cell to the boundary: 2 mm apart, or 3 of edges or over
+ * distances of hundreds of km; more in cells that are far from it. */
 static span cell_gap(const zone *z, const cell *c, vec p) {
   nearest n = nearest_none();
   int32_t i;
@@ -674,7 +707,7 @@ static span cell_gap(const zone *z, const cell *c, vec p) {
   for (i = 0; i < cell_count(c->word); ++i) {
     near_edge(cell_edge(z, c->word, i), p, &n);
   }
-  return span_of(nearest_mm(&n), nearest_mm(&n) + 3);
+  return span_of(nearest_mm(&n), nearest_mm_hi(&n));
 }
 
 static span boundary_gap(const zone *z, vec p) {
