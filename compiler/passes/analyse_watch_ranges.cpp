@@ -264,7 +264,7 @@ class WatchRanges {
     }
     const std::int64_t height =
         std::int64_t{solid.slabs.back().ceiling_mm} - solid.slabs.front().floor_mm;
-    return std::min(deepest({"", false, std::move(edges)}), (height + 1) / 2);
+    return std::min(deepest({"", false, std::move(edges), {}}), (height + 1) / 2);
   }
   static bool fits(const Wide& w) { return fits_below(w, quantity_max); }
 
