@@ -44,7 +44,8 @@ namespace {
 constexpr int trace_ticks = 512;
 constexpr Faults none{.samples = false, .ticks = false};
 
-// Of both: the ticks of the first trace at which the property is false.
+// Of both: the ticks of the first trace at which the property is false. Either side stores what its
+// property asks for where its monitor reads it, once a tick.
 struct Count {
   std::function<double()> pass;
   int violations;
@@ -65,9 +66,11 @@ Count generated(void (*init)(State*),
     fill(replay->in.emplace_back(), replay->patrol.kernel[i], replay->patrol.now_us[i]);
   }
   const auto pass = [replay, verdicts, fill] {
+    static In now;
     const double ns = pass_ns(trace_ticks, [&](std::size_t i) {
       std::int32_t found[1];
-      verdicts(&replay->state, &replay->in[i], replay->patrol.now_us[i], found);
+      now = replay->in[i];
+      verdicts(&replay->state, &now, replay->patrol.now_us[i], found);
       keep(found);
     });
     next_round(replay->patrol);
@@ -101,16 +104,12 @@ void copy(To& to, const From& from, std::int64_t now_us) {
   }
 }
 
-Count peer(void (*step)()) {
+template <class Fill>
+Count peer(void (*step)(), const Fill& fill) {
   auto trace = std::make_shared<PatrolTrace>(patrol_trace(7, trace_ticks, none));
-  const auto pass = [trace, step] {
+  const auto pass = [trace, step, fill] {
     return pass_ns(trace_ticks, [&](std::size_t i) {
-      const naive_patrol_in& in = trace->naive[i];
-      peer_battery_percent = in.battery_percent;
-      peer_first_x_m = in.first_x_m;
-      peer_first_y_m = in.first_y_m;
-      peer_second_x_m = in.second_x_m;
-      peer_second_y_m = in.second_y_m;
+      fill(trace->naive[i]);
       step();
     });
   };
@@ -134,6 +133,19 @@ std::function<double()> peer_windows(void (*step)()) {
   };
 }
 
+void put_battery(const naive_patrol_in& in) {
+  peer_battery_percent = in.battery_percent;
+}
+void put_first(const naive_patrol_in& in) {
+  peer_first_x_m = in.first_x_m;
+  peer_first_y_m = in.first_y_m;
+}
+void put_both(const naive_patrol_in& in) {
+  put_first(in);
+  peer_second_x_m = in.second_x_m;
+  peer_second_y_m = in.second_y_m;
+}
+
 }  // namespace
 
 void measure_peer(int rounds, Report& report) {
@@ -149,13 +161,14 @@ void measure_peer(int rounds, Report& report) {
                              [](auto& to, const patrol_monitors_in& from, std::int64_t now_us) {
                                copy(to.battery, from.battery, now_us);
                              }),
-                   peer(peer_charged_step), std::nullopt});
+                   peer(peer_charged_step, [](const naive_patrol_in& in) { put_battery(in); }),
+                   std::nullopt});
   pairs.push_back({"fence", "box (target: below 1)",
                    generated(peer_fence_monitors_verdicts_init, peer_fence_monitors_verdicts,
                              [](auto& to, const patrol_monitors_in& from, std::int64_t now_us) {
                                copy(to.first, from.first, now_us);
                              }),
-                   peer(peer_fence_step),
+                   peer(peer_fence_step, [](const naive_patrol_in& in) { put_first(in); }),
                    generated(hand_single_init, hand_fence_step,
                              [](hand_point& to, const patrol_monitors_in& from, std::int64_t now) {
                                copy(to, from.first, now);
@@ -166,7 +179,7 @@ void measure_peer(int rounds, Report& report) {
                                copy(to.first, from.first, now_us);
                                copy(to.second, from.second, now_us);
                              }),
-                   peer(peer_apart_step),
+                   peer(peer_apart_step, [](const naive_patrol_in& in) { put_both(in); }),
                    generated(hand_single_init, hand_apart_step,
                              [](hand_pair& to, const patrol_monitors_in& from, std::int64_t now) {
                                copy(to.first, from.first, now);
