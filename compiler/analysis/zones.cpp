@@ -192,8 +192,9 @@ class Evaluator {
       const Result operand = expr(*offset->operand, Side::inner);
       if (operand) d.help = largest_shrink(*operand);
     } else if (const auto* imported = std::get_if<sema::ZoneImport>(&zone.value->node)) {
-      d.help = "the boundary may be off by " + metres(imported->error) +
-               ": nothing of the areas of the file is farther within them";
+      d.help = empty_import(*imported);
+    } else if (std::holds_alternative<sema::ZoneComplement>(zone.value->node)) {
+      d.help = "the zone covers all that a map holds: nothing is outside it";
     } else {
       const auto* binary = std::get_if<sema::ZoneBinary>(&zone.value->node);
       d.help = binary && binary->op == sema::ZoneOp::subtract
@@ -201,6 +202,18 @@ class Evaluator {
                    : "the operands of `&` must overlap";
     }
     diagnostics_.report(std::move(d));
+  }
+  static std::string empty_import(const sema::ZoneImport& imported) {
+    const auto& groups = imported.inclusions;
+    if (std::ranges::any_of(groups, [](const auto& group) { return group.size() > 1; })) {
+      return "areas that a place has to be inside of at once must overlap; with `inclusions any` "
+             "it "
+             "has to be inside of one of them";
+    }
+    const std::string error = "the boundary may be off by " + metres(imported.error) + ": ";
+    return error + (imported.exclusions.empty()
+                        ? "nothing of the areas of the file is farther within them"
+                        : "what the file excludes leaves nothing that is farther within the rest");
   }
   static std::string largest_shrink(const geometry::Region& region) {
     const auto snapped = geometry::snap_inside(region);

@@ -184,6 +184,8 @@ class Importer {
 
   bool select() {
     const ImportOption* const feature = option(ImportWord::feature);
+    // Areas without a name go by none.
+    if (feature != nullptr && feature->text->text.empty()) return unknown_feature(*feature);
     for (const Area& area : areas_->areas) {
       if (feature == nullptr || goes_by(area, feature->text->text)) selected_.push_back(&area);
     }

@@ -40,7 +40,7 @@ class OriginChecker {
     const auto longitude = angle(*values[1], "the longitude of the origin", longitude_max);
     std::optional<Quantity> altitude;
     if (values.size() == 3) {
-      altitude = quantity(context_, *values[2], {dims::length, "the altitude of the origin"});
+      altitude = height(*values[2]);
       if (!altitude) return;
     }
     if (latitude && longitude) context_.spec.origin = Origin{*latitude, *longitude, altitude};
@@ -49,6 +49,20 @@ class OriginChecker {
  private:
   static constexpr int latitude_max = static_cast<int>(geometry::latitude_deg_max);
   static constexpr int longitude_max = 180;
+  // Of ground in m, with room: the shore of the Dead Sea lies at -440 m, Mount Everest at 8,849 m.
+  static constexpr int altitude_min = -500, altitude_max = 10'000;
+
+  std::optional<Quantity> height(const syntax::Expr& expr) {
+    const auto value = quantity(context_, expr, {dims::length, "the altitude of the origin"});
+    if (!value || (value->value >= altitude_min && value->value <= altitude_max)) return value;
+    context_.report(
+        Finding(Code::quantity_out_of_range, expr.range,
+                "the altitude of the origin cannot be " + to_decimal(value->value) + " m")
+            .label("above mean sea level")
+            .help(std::to_string(altitude_min) + " m to " + std::to_string(altitude_max) +
+                  " m work"));
+    return std::nullopt;
+  }
 
   std::optional<Quantity> angle(const syntax::Expr& expr, const std::string& what, int limit) {
     const auto value = quantity(context_, expr, {dims::angle, what});

@@ -83,9 +83,8 @@ TEST_F(ZoneFiles, FaultsOfRingsAreNamedByTheirPlace) {
       "import \"a.geojson\"",
       "error[4005]: a.geojson: coordinates[1] does not lie inside a.geojson: coordinates[0]");
   write_polygon("a.geojson", std::string(square) + "," + inner + "," + inner);
-  expect_said(
-      "import \"a.geojson\"",
-      "error[4006]: a.geojson: coordinates[1] and a.geojson: coordinates[2] overlap, see");
+  expect_said("import \"a.geojson\"",
+              "error[4006]: a.geojson: coordinates[1] and a.geojson: coordinates[2] overlap, see");
 }
 
 // Strips that cross one another `count` squared times, at four places each.
@@ -123,6 +122,18 @@ TEST_F(ZoneFiles, CrossingTooOftenIsRefusedInBoundedTime) {
 TEST_F(ZoneFiles, ThinnerThanTheirErrorAreEmpty) {
   write_polygon("a.geojson", "[[8.545,47.397],[8.547,47.397],[8.547,47.39700001],[8.545,47.397]]");
   expect_said("import \"a.geojson\"", "error[4007]: zone `z` is empty");
+}
+
+TEST_F(ZoneFiles, WhyTheyAreEmptyIsSaid) {
+  const auto circle = [](const char* latitude) {
+    return std::string(R"({"inclusion":true,"version":1,"circle":{"center":[)") + latitude +
+           R"(,8.5456],"radius":50}})";
+  };
+  write("a.plan", R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"circles":[)" +
+                      circle("47.3977") + "," + circle("47.3997") + R"(],"polygons":[]}})");
+  expect_said("import \"a.plan\" inclusions all", "must overlap; with `inclusions any`");
+  expect_said("complement(all);\nzone all = rectangle (-536 km, -536 km) to (536 km, 536 km)",
+              "nothing is outside it");
 }
 
 TEST_F(ZoneFiles, AreExplained) {

@@ -298,6 +298,10 @@ TEST_F(ZoneFiles, WordsThatAreNotKnownAreReported) {
   expect("zone z = import \"hall.wkt\" in m in m;", Code::duplicate_clause, "in m", "`in`", "");
   expect(std::string(origin) + "zone z = import \"city.geojson\" feature \"hospitl\";",
          Code::unknown_feature, "\"hospitl\"", "has no feature `hospitl`", "hospital");
+  // Areas without a name are not meant by an empty one.
+  write_plan({true}, {false});
+  expect(std::string(origin) + "zone z = import \"m.plan\" feature \"\";", Code::unknown_feature,
+         "\"\"", "has no feature ``", "leave `feature` out");
 }
 
 TEST_F(ZoneFiles, SwappedAxesAreSuspected) {
@@ -346,6 +350,10 @@ TEST_F(ZoneFiles, TheOriginIsOneLatitudeAndOneLongitude) {
   expect("origin 91 deg, 8 deg;", Code::quantity_out_of_range, "91 deg", "cannot be 91 deg",
          "the latitude comes first");
   expect("origin 47.3977, 8 deg;", Code::unit_missing, "47.3977", "", "");
+  expect("origin 47 deg, 8 deg, 12 km;", Code::quantity_out_of_range, "12 km", "cannot be 12000 m",
+         "-500 m to 10000 m");
+  expect("origin 47 deg, 8 deg, -501 m;", Code::quantity_out_of_range, "-501 m", "cannot be -501 m",
+         "-500 m to 10000 m");
   expect("origin 47 deg, 8 deg;\norigin 47 deg, 8 deg;", Code::duplicate_clause,
          "origin 47 deg, 8 deg;", "`origin`", "");
   const auto checked = check("origin 47.3977 deg, -8.5456 deg, 432 m;");
