@@ -30,6 +30,7 @@ class AreaPlacer {
     result_.path = job_.written.path.text;
     result_.degrees = job_.reading.degrees;
     result_.remarks = job_.remarks;
+    result_.openings = job_.openings;
     for (const auto& group : job_.inclusions) {
       if (!add(group, result_.inclusions.emplace_back())) return std::nullopt;
     }

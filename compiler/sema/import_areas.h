@@ -25,6 +25,7 @@ struct ImportJob {
   // Heights count: from here, in m, by their reference.
   bool with_heights = false;
   std::map<geometry::import::AltitudeReference, Rational> levels{};
+  std::vector<Opening> openings{};  // when all areas apply
 };
 
 // nullopt: some position has no place, which is reported.

@@ -8,6 +8,7 @@
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/frames.h"
 #include "compiler/sema/import_areas.h"
+#include "compiler/sema/import_schedule.h"
 #include "compiler/sema/origin.h"
 #include "compiler/sema/quantity.h"
 #include "compiler/sema/suggest.h"
@@ -383,8 +384,40 @@ class Importer {
                 ? settle_heights()
                 : settle_limit(ImportWord::flat, band, "applies between certain heights only",
                                "for all heights")) &&
-           settle_limit(ImportWord::timeless, time, "applies at certain times only",
-                        "for all times");
+           (option(ImportWord::scheduled) != nullptr
+                ? settle_schedule(*option(ImportWord::scheduled), time)
+                : settle_limit(ImportWord::timeless, time, "applies at certain times only",
+                               "for all times"));
+  }
+  // All selected areas apply at the same times, which are those of the zone.
+  bool settle_schedule(const ImportOption& given, const Area* limited) {
+    if (const ImportOption* const timeless = option(ImportWord::timeless)) {
+      return without_effect(*timeless, "`scheduled` takes the schedule as the file has it",
+                            "leave out `timeless`, or `scheduled`");
+    }
+    if (limited == nullptr) {
+      return without_effect(given, "no area of `" + job_.path + "` has a schedule",
+                            "leave it out: the zone is always there");
+    }
+    for (const Area* area : selected_) {
+      auto windows = openings_of(area->schedule);
+      if (const auto* failure = std::get_if<Failure>(&windows)) return unusable(*failure);
+      auto& openings = std::get<std::vector<Opening>>(windows);
+      if (area == selected_.front())
+        job_.openings = std::move(openings);
+      else if (openings != job_.openings)
+        return times_differ(*selected_.front(), *area);
+    }
+    job_.remarks.push_back("scheduled: there " + summary_of(job_.openings));
+    return true;
+  }
+  bool times_differ(const Area& first, const Area& other) {
+    return ambiguous(
+        written_.path.range,
+        "`" + job_.path + "`, " + first.where + " and " + other.where + " apply at different times",
+        "at which times is the zone there?",
+        "declare a zone of each by `feature \"name\"`, and say of places what holds of "
+        "all of them: `not p inside a and not p inside b`");
   }
   // Every reference of the selected areas has its level, and no level is without one.
   bool settle_heights() {
@@ -442,9 +475,10 @@ class Importer {
                        "limits",
                        "write `" + name + " \"why\"` behind it to take the area " + instead +
                            ": safe of one to keep out of, and a promise of one to stay in" +
-                           (word == ImportWord::flat ? "; or `heights agl at 0 m`, with the level "
-                                                       "from which its heights count"
-                                                     : ""));
+                           (word == ImportWord::flat
+                                ? "; or `heights agl at 0 m`, with the level from which its "
+                                  "heights count"
+                                : "; or `scheduled`, and the zone is there at these times"));
     }
     if (given != nullptr) job_.remarks.push_back(name + ": " + given->text->text);
     return true;
@@ -453,11 +487,11 @@ class Importer {
   Context& context_;
   const syntax::ImportLit& written_;
   FrameId frame_;
-  std::array<const ImportOption*, 8> options_{};
+  std::array<const ImportOption*, 9> options_{};
   std::map<AltitudeReference, const ImportOption*> levels_;
   const Areas* areas_ = nullptr;
   std::vector<const Area*> selected_;
-  ImportJob job_{written_, {}, {}, {}, {}, false, {}, {}, {}, false, {}};
+  ImportJob job_{written_, {}, {}, {}, {}, false, {}, {}, {}, false, {}, {}};
 };
 
 }  // namespace

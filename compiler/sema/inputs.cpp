@@ -1,5 +1,6 @@
 #include "compiler/sema/inputs.h"
 
+#include "compiler/sema/import_schedule.h"
 #include "compiler/sema/limits.h"
 #include "compiler/sema/quantity.h"
 #include "compiler/sema/types.h"
@@ -452,13 +453,16 @@ class SettingsChecker {
   void finish() {
     if (clock_written_ || context_.broken_tree()) return;
     for (const Declared<syntax::ZoneItem>& zone : context_.zones) {
-      if (zone.node->during.empty()) continue;
-      context_.report(Finding(Code::clock_missing, zone.node->during.front().range,
-                              "windows of time need a clock in UTC")
-                          .label("which time is it?")
-                          .help("write `clock utc;`: time and stamps then count from "
-                                "1970-01-01T00:00Z")
-                          .insert_after(context_.spec.name_range, ";\nclock utc"));
+      const syntax::ImportOption* const scheduled = scheduled_in(*zone.node->value);
+      if (zone.node->during.empty() && scheduled == nullptr) continue;
+      context_.report(
+          Finding(Code::clock_missing,
+                  scheduled != nullptr ? scheduled->range : zone.node->during.front().range,
+                  "windows of time need a clock in UTC")
+              .label("which time is it?")
+              .help("write `clock utc;`: time and stamps then count from "
+                    "1970-01-01T00:00Z")
+              .insert_after(context_.spec.name_range, ";\nclock utc"));
       return;
     }
   }

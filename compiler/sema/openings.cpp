@@ -187,11 +187,13 @@ std::string time_text(std::int64_t of_day_s) {
   return text.data();
 }
 std::string moment_text(std::int64_t s) {
-  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(s / day_s))};
+  const std::int64_t of_day_s = (s % day_s + day_s) % day_s;
+  const std::chrono::year_month_day date{
+      std::chrono::sys_days(std::chrono::days((s - of_day_s) / day_s))};
   std::array<char, 24> text{};
   std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT", static_cast<int>(date.year()),
                 static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
-  return text.data() + time_text(s % day_s) + "Z";
+  return text.data() + time_text(of_day_s) + "Z";
 }
 
 }  // namespace
@@ -214,7 +216,11 @@ std::vector<Opening> check_openings(Context& context, const std::vector<syntax::
 }
 
 std::string text_of(const Opening& opening) {
-  if (opening.days == 0) return moment_text(opening.from_s) + " .. " + moment_text(opening.until_s);
+  if (opening.days == 0) {
+    const bool begins = opening.from_s > since_ever_s, ends = opening.until_s < for_ever_s;
+    return (begins ? moment_text(opening.from_s) + " .." : "..") +
+           (ends ? " " + moment_text(opening.until_s) : "");
+  }
   std::string text;
   for (std::size_t day = 0; day < day_names.size(); ++day) {
     if ((opening.days >> day & 1U) != 0)

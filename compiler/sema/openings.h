@@ -11,7 +11,8 @@ namespace rtac::sema {
 // Windows without mistakes; the others are reported.
 std::vector<Opening> check_openings(Context& context, const std::vector<syntax::Opening>& written);
 
-// "2026-05-01T08:00:00Z .. 2026-05-01T18:00:00Z", "monday, friday 07:30:00 .. 16:00:00".
+// "2026-05-01T08:00:00Z .. 2026-05-01T18:00:00Z", ".. 2026-05-01T08:00:00Z" without a first moment,
+// "monday, friday 07:30:00 .. 16:00:00".
 std::string text_of(const Opening& opening);
 
 // Most windows of one zone: they become a table, which is looked up in every tick.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,6 +95,14 @@ struct ZoneOffset {  // grow when positive, shrink when negative
   ZoneExprPtr operand;
   Rational distance;
 };
+// From one moment on, before another: once, or on certain days of every week. In UTC.
+struct Opening {
+  std::uint8_t days = 0;                 // bit 0: Monday, ...; 0: once
+  std::int64_t from_s = 0, until_s = 0;  // since 1970-01-01T00:00Z; of days: since their midnight
+  auto operator<=>(const Opening&) const = default;
+};
+// Ends of windows that have none: as far as the clock counts microseconds, 292,000 years away.
+inline constexpr std::int64_t for_ever_s = 9'223'372'036'854, since_ever_s = -for_ever_s;
 // The areas of a file: inside any of the inclusions, which is inside all of its areas, and outside
 // of every exclusion.
 struct ZoneImport {
@@ -112,6 +121,7 @@ struct ZoneImport {
   std::size_t vertices = 0, points = 0;  // in the file; with those within long edges
   Rational farthest;                     // m, rounded up: from (0 m, 0 m)
   std::vector<std::string> remarks;      // what is left out, with the author's reasons
+  std::vector<Opening> openings{};       // when its areas apply, of an import `scheduled`
 };
 struct ZoneReceived {  // while the monitors run
   InputId input;
@@ -129,11 +139,6 @@ struct ZoneExpr {
   std::variant<ZonePolygon, ZoneCircle, ZoneRef, ZoneBinary, ZoneOffset, ZoneImport, ZonePrism,
                ZoneReceived, ZoneComplement>
       node;
-};
-// From one moment on, before another: once, or on certain days of every week. In UTC.
-struct Opening {
-  std::uint8_t days = 0;                 // bit 0: Monday, ...; 0: once
-  std::int64_t from_s = 0, until_s = 0;  // since 1970-01-01T00:00Z; of days: since their midnight
 };
 struct Zone {
   std::string name;  // empty: written inside a property (shrink(free, 15 cm)); named by its place

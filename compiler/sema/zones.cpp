@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/sema/frames.h"
+#include "compiler/sema/import_schedule.h"
 #include "compiler/sema/imports.h"
 #include "compiler/sema/openings.h"
 #include "compiler/sema/quantity.h"
@@ -20,8 +21,10 @@ ZoneExprPtr make(const SourceRange& range, decltype(ZoneExpr::node) node) {
 
 class ZoneChecker {
  public:
-  // `frame`: of the whole zone.
-  ZoneChecker(Context& context, FrameId frame) : context_(context), frame_(frame) {}
+  // `frame`: of the whole zone. `declared`: the value of a declaration, which may have windows of
+  // time; what is within it, or within a property, has none.
+  ZoneChecker(Context& context, FrameId frame, const syntax::Expr* declared = nullptr)
+      : context_(context), frame_(frame), declared_(declared) {}
 
   ZoneExprPtr check(const syntax::Expr& expr) {
     return std::visit([&](const auto& node) { return zone(expr, node); }, expr.node);
@@ -107,8 +110,22 @@ class ZoneChecker {
   }
 
   ZoneExprPtr zone(const syntax::Expr& expr, const syntax::ImportLit& written) {
+    if (!is_alone(expr)) return nullptr;
     auto imported = import_zone(context_, written, frame_);
     return imported ? make(expr.range, std::move(*imported)) : nullptr;
+  }
+
+  bool is_alone(const syntax::Expr& expr) {
+    const syntax::ImportOption* const scheduled = scheduled_in(expr);
+    if (scheduled == nullptr || &expr == declared_) return true;
+    context_.report(
+        Finding(Code::zone_not_fixed, scheduled->range,
+                "a zone with a schedule is there at certain times only")
+            .label("a zone that stays as it is is due here")
+            .help("declare it by itself, `zone closed = import \"...\" scheduled;`, and "
+                  "judge places against it by its name: `p inside base and not p "
+                  "inside closed`"));
+    return false;
   }
 
   ZoneExprPtr zone(const syntax::Expr& expr, const syntax::Binary& binary) {
@@ -219,7 +236,25 @@ class ZoneChecker {
 
   Context& context_;
   FrameId frame_;
+  const syntax::Expr* declared_;
 };
+
+// When a declared zone is there: its windows, or those of its file.
+std::vector<Opening> openings_of_zone(Context& context, const syntax::ZoneItem& written,
+                                      const ZoneExprPtr& value) {
+  const syntax::ImportOption* const scheduled = scheduled_in(*written.value);
+  if (scheduled == nullptr) return check_openings(context, written.during);
+  if (!written.during.empty()) {
+    context.report(Finding(Code::duplicate_clause, written.during.front().range,
+                           "the schedule of the file says when the zone is there")
+                       .label("windows of time for a second time")
+                       .note(scheduled->range, "the schedule is taken here")
+                       .help("keep `scheduled`; or `during`, with `timeless \"why\"` behind the "
+                             "file"));
+  }
+  const auto* const import = value ? std::get_if<ZoneImport>(&value->node) : nullptr;
+  return import != nullptr ? import->openings : std::vector<Opening>{};
+}
 
 // The zone that an expression names, or is the complement of.
 std::optional<ZoneId> referred(const ZoneExpr& expr) {
@@ -319,12 +354,13 @@ void check_zones(Context& context) {
     context.spec.zones[i].frame = frame.value_or(map_frame);
   }
   for (std::size_t i = 0; i < context.zones.size(); ++i) {
-    ZoneChecker checker(context, context.spec.zones[i].frame);
+    const syntax::Expr& written = *context.zones[i].node->value;
+    ZoneChecker checker(context, context.spec.zones[i].frame, &written);
     // operands without a name join the zones meanwhile
-    ZoneExprPtr value = checker.check(*context.zones[i].node->value);
+    ZoneExprPtr value = checker.check(written);
+    context.spec.zones[i].openings = openings_of_zone(context, *context.zones[i].node, value);
     context.spec.zones[i].value = std::move(value);
-    context.spec.zones[i].has_height = has_height(context, *context.zones[i].node->value);
-    context.spec.zones[i].openings = check_openings(context, context.zones[i].node->during);
+    context.spec.zones[i].has_height = has_height(context, written);
   }
   CycleSearch search(context);
   for (std::uint32_t i = 0; i < context.spec.zones.size(); ++i) search.visit(i);
@@ -408,7 +444,8 @@ bool stays(Context& context, const syntax::Name& name, ZoneId id) {
   const std::uint32_t index = index_of(id);
   if (index >= context.zones.size()) return true;
   const syntax::ZoneItem& written = *context.zones[index].node;
-  if (!written.around && written.during.empty()) return true;
+  const bool at_times = !written.during.empty() || scheduled_in(*written.value) != nullptr;
+  if (!written.around && !at_times) return true;
   context.report(Finding(Code::zone_not_fixed, name.range,
                          "the zone `" + name.text + "` " +
                              (written.around ? "moves with `" + written.around->name.text + "`"

@@ -163,8 +163,19 @@ struct PrismLit {  // prism (field - pond) from 10 m to 50 m
   ExprPtr base, floor, ceiling;
 };
 // What a file leaves open, or what of it is meant: feature "hospital", in m, axes latitude
-// longitude, inclusions all, exclusions, flat "why", timeless "why", heights sea at -432 m.
-enum class ImportWord { feature, unit, axes, inclusions, exclusions, flat, timeless, heights };
+// longitude, inclusions all, exclusions, flat "why", timeless "why", heights sea at -432 m,
+// scheduled.
+enum class ImportWord {
+  feature,
+  unit,
+  axes,
+  inclusions,
+  exclusions,
+  flat,
+  timeless,
+  heights,
+  scheduled
+};
 struct ImportOption {
   ImportWord word = ImportWord::feature;
   std::optional<Text> text;

@@ -20,6 +20,7 @@ std::optional<BreakClass> class_of_word(const Piece& piece) {
     case T::EXCLUSIONS:
     case T::FLAT:
     case T::TIMELESS:
+    case T::SCHEDULED:
       return BreakClass::part;
     case T::FOR:
     case T::SINCE:

@@ -25,6 +25,7 @@ bool ends_operand(const Piece& piece) {
     case T::TRUE:
     case T::FALSE:
     case T::EXCLUSIONS:  // the end of `import "file" exclusions`, or a name
+    case T::SCHEDULED:   // as well
       return true;
     default:
       return piece.is_name;

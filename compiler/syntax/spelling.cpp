@@ -82,6 +82,8 @@ std::string_view spell(ImportWord word) {
       return "timeless";
     case ImportWord::heights:
       return "heights";
+    case ImportWord::scheduled:
+      return "scheduled";
   }
   return {};
 }

@@ -54,6 +54,8 @@ struct Period {
   std::optional<std::int64_t> from_us, until_us;  // since 1970-01-01T00:00Z; nullopt: for ever
   std::uint8_t weekdays = 0x7f;
   std::int32_t from_s = 0, until_s = 86'400;  // of the day
+  std::string where{};                        // in the file, for messages
+  std::string rounded{};  // the moment or time that is no whole second, as the file has it, if any
 };
 
 enum class Role { unstated, keep_in, keep_out };

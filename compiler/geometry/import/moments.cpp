@@ -104,6 +104,13 @@ std::optional<std::int64_t> parse_moment_us(std::string_view text) {
   return (days * day_s + clock.second - clock.offset_s) * 1'000'000 + clock.microsecond;
 }
 
+bool has_fraction_of_second(std::string_view text) {
+  const std::size_t point = text.find('.');
+  if (point == std::string_view::npos) return false;
+  const std::size_t other = text.find_first_not_of('0', point + 1);
+  return other != std::string_view::npos && text[other] > '0' && text[other] <= '9';
+}
+
 std::optional<TimeOfDay> parse_time_of_day(std::string_view text) {
   Scanner scanner(text);
   const Clock clock = scan_clock(scanner);

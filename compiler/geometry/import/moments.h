@@ -14,6 +14,9 @@ namespace rtac::geometry::import {
 // not exist, or no zone of time, which nobody may guess.
 std::optional<std::int64_t> parse_moment_us(std::string_view text);
 
+// Whether a fraction of a second is written in a moment or time, and is not 0.
+bool has_fraction_of_second(std::string_view text);
+
 // On the clocks of a zone of time that is `offset_s` ahead of UTC.
 struct TimeOfDay {
   std::int32_t earliest_s = 0, latest_s = 0;  // whole seconds around a fraction of one

@@ -10,11 +10,17 @@ namespace {
 
 constexpr double foot_m = 0.3048;  // the international foot, exactly
 
-bool read_moment(JsonReader& json, Json period, std::string_view name,
+// What is no whole second is kept as it is written: who needs it exactly can tell.
+void note_fraction(Json value, Period& of) {
+  if (value.string() && has_fraction_of_second(*value.string())) of.rounded = value.described();
+}
+
+bool read_moment(JsonReader& json, Json period, std::string_view name, Period& of,
                  std::optional<std::int64_t>& moment_us) {
   const auto value = JsonReader::optional_member(period, name);
   if (!value) return true;
   if (value->string()) moment_us = parse_moment_us(*value->string());
+  note_fraction(*value, of);
   return moment_us || json.findings().fail(value->where(), "is " + value->described(),
                                            "a date and time with its zone, such as "
                                            "\"2026-03-31T22:00:00Z\"");
@@ -36,11 +42,12 @@ bool read_days(JsonReader& json, Json daily, std::uint8_t& days) {
   return days != 0 || json.wrong_kind(*list, "at least one day");
 }
 
-bool read_time(JsonReader& json, Json daily, std::string_view name,
+bool read_time(JsonReader& json, Json daily, std::string_view name, Period& of,
                std::optional<TimeOfDay>& time) {
   const auto value = JsonReader::optional_member(daily, name);
   if (!value) return true;
   if (value->string()) time = parse_time_of_day(*value->string());
+  note_fraction(*value, of);
   return time || json.findings().fail(value->where(), "is " + value->described(),
                                       "a time of day with its zone, such as \"22:00:00Z\"");
 }
@@ -65,8 +72,10 @@ bool add_daily(JsonReader& json, Json daily, Period base, Area& area) {
       return true;
     }
   }
+  base.where = daily.where();
   std::optional<TimeOfDay> from, until;
-  if (!read_time(json, daily, "startTime", from) || !read_time(json, daily, "endTime", until)) {
+  if (!read_time(json, daily, "startTime", base, from) ||
+      !read_time(json, daily, "endTime", base, until)) {
     return false;
   }
   if (!from && !until && base.weekdays == 0x7f) {
@@ -108,8 +117,9 @@ bool read_limit(JsonReader& json, Json object, LimitNames names, double metres,
 bool add_periods(JsonReader& json, Json period, Area& area) {
   if (!json.expect_object(period)) return false;
   Period base;
-  if (!read_moment(json, period, "startDateTime", base.from_us) ||
-      !read_moment(json, period, "endDateTime", base.until_us)) {
+  base.where = period.where();
+  if (!read_moment(json, period, "startDateTime", base, base.from_us) ||
+      !read_moment(json, period, "endDateTime", base, base.until_us)) {
     return false;
   }
   if (base.from_us && base.until_us && *base.from_us >= *base.until_us) {

@@ -93,6 +93,11 @@ TEST(Format, ZonesOfFiles) {
                       "zone a=import \"a.plan\"exclusions-import \"b.wkt\"in m-c;\n"),
             "origin 47.3977 deg, 8.5456 deg;\n"
             "zone   a = import \"a.plan\" exclusions - import \"b.wkt\" in m - c;\n");
+  EXPECT_EQ(
+      formatted("zone a=import \"a.json\"scheduled-c;\nzone b=import \"a.json\"scheduled during "
+                "08:00..09:00;\n"),
+      "zone a = import \"a.json\" scheduled - c;\n"
+      "zone b = import \"a.json\" scheduled during 08:00 .. 09:00;\n");
   EXPECT_EQ(formatted("zone long_name = import \"a_folder/and_a_long_name.json\" feature \"one of "
                       "many\" flat \"everything here stays on the ground\";\n"),
             "zone long_name = import \"a_folder/and_a_long_name.json\"\n"

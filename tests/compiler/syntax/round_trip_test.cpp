@@ -64,9 +64,9 @@ TEST(RoundTrip, HoldsForZonesOfFiles) {
       "origin 47.3977 deg, -8.5456 deg, 432 m;\n"
       "zone a = import \"x \\\"y.geojson\" feature \"one\" flat \"why\" timeless \"why\";\n"
       "zone b = (import \"w.wkt\" in deg axes latitude longitude | import \"w.wkt\" in m) - "
-      "import \"m.plan\" exclusions;\n"
+      "import \"m.plan\" exclusions scheduled;\n"
       "zone c = shrink(import \"m.plan\" inclusions all exclusions, 1 m) & c;\n"
-      "input origin, feature, axes, inclusions, exclusions, flat, timeless : bool;\n"
+      "input origin, feature, axes, inclusions, exclusions, flat, timeless, scheduled : bool;\n"
       "monitor m { \"R\" always origin and not exclusions or p inside import \"x\" in m; }\n");
 }
 
