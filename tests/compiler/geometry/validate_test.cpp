@@ -98,10 +98,10 @@ TEST(Validate, HoleMustLieInside) {
   EXPECT_EQ(problem(box_ring(4000, 4000, 5000, 5000), {kBig}).kind, Kind::hole_outside_ring);
   EXPECT_EQ(problem({pt(0, 5), pt(5, 4), pt(5, 6)}, {kBig}).kind, Kind::hole_outside_ring);
   // Outside although all vertices touch: across a notch.
-  EXPECT_EQ(problem({pt(0, 0), pt(8, 0), pt(8, 8), pt(4, 1), pt(0, 8)},
-                    {{pt(8, 8), pt(4, 1), pt(0, 8)}})
-                .kind,
-            Kind::hole_outside_ring);
+  EXPECT_EQ(
+      problem({pt(0, 0), pt(8, 0), pt(8, 8), pt(4, 1), pt(0, 8)}, {{pt(8, 8), pt(4, 1), pt(0, 8)}})
+          .kind,
+      Kind::hole_outside_ring);
 }
 
 TEST(Validate, HolesMustNotOverlap) {
@@ -151,9 +151,7 @@ TEST(Validate, TouchesMustNotCutTheArea) {
   const Ring lid{pt(2, 6), pt(6, 6), pt(4, 8)};
   EXPECT_EQ(problem(kBig, {cup, lid}).kind, Kind::cuts_area);
   // A chain of holes from edge to edge; without its last link it cuts nothing.
-  const auto link = [](long x) {
-    return Ring{pt(x, 5), pt(x + 1, 4), pt(x + 2, 5), pt(x + 1, 6)};
-  };
+  const auto link = [](long x) { return Ring{pt(x, 5), pt(x + 1, 4), pt(x + 2, 5), pt(x + 1, 6)}; };
   std::vector<Ring> chain{link(0), link(2), link(4), link(6)};
   EXPECT_TRUE(std::holds_alternative<Region>(Region::polygon(kBig, chain)));
   chain.push_back(link(8));
