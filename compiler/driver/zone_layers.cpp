@@ -19,11 +19,11 @@ std::string base_name(const std::string& path) {
 }
 
 // `yard.rta:3: rectangle (0 m, 0 m) to (6 m, 6 m)`, on one line and not too long.
-std::string origin_of(const Compilation& c, const sema::Zone& zone) {
+// What is written, in one line of the legend.
+std::string one_line(std::string_view written) {
   constexpr std::size_t text_max = 44;
-  const SourceRange& range = zone.value->range;
   std::string text;
-  for (const char ch : c.sources.text(range)) {
+  for (const char ch : written) {
     const bool blank = ch == ' ' || ch == '\n' || ch == '\t' || ch == '\r';
     if (!blank) {
       text += ch;
@@ -38,9 +38,23 @@ std::string origin_of(const Compilation& c, const sema::Zone& zone) {
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
     text = text.substr(0, end) + "...";
   }
+  return text;
+}
+
+std::string origin_of(const Compilation& c, const sema::Zone& zone) {
   const auto at = c.sources.position(zone.name_range.file, zone.name_range.begin);
   return base_name(c.sources.path(zone.name_range.file)) + ":" + std::to_string(at.line) + ": " +
-         text;
+         one_line(c.sources.text(zone.value->range));
+}
+
+// What it moves with and when it is there: `around carrier during monday 07:30 .. 16:00`. A picture
+// shows it where it is written, as if it were always there.
+std::string conditions_of(const Compilation& c, const sema::Zone& zone) {
+  const SourceRange& value = zone.value->range;
+  const std::string_view rest = c.sources.text(value.file).substr(value.end);
+  const std::string_view written = rest.substr(0, rest.find(';'));
+  const std::size_t from = std::min(written.find("around"), written.find("during"));
+  return from == std::string_view::npos ? "" : one_line(written.substr(from));
 }
 
 std::size_t vertices_of(const geometry::Region& region) {
@@ -127,13 +141,13 @@ std::vector<SiteMark> site_marks(const sema::Spec& spec) {
 }
 
 // Seen from above: what overlaps may be apart in height.
-void add_slabs(const sema::Zone& zone, const std::string& origin,
+void add_slabs(const sema::Zone& zone, const std::string& origin, const std::string& conditions,
                const std::vector<analysis::ShownSlab>& slabs, ZoneSheet& sheet) {
   for (const analysis::ShownSlab& slab : slabs) {
     const auto& [floor, ceiling] = *slab.heights;
     const std::string heights =
         " from " + to_decimal(floor) + " m to " + to_decimal(ceiling) + " m";
-    sheet.layers.push_back({zone.name + heights, origin, slab.region, {}, ""});
+    sheet.layers.push_back({zone.name + heights, origin, conditions, slab.region, {}, ""});
   }
 }
 
@@ -149,10 +163,12 @@ std::vector<ZoneSheet> zone_sheets(const Compilation& c) {
     const sema::Zone& zone = spec.zones[i];
     if (zone.name.empty() || regions[i].empty()) continue;
     if (zone.has_height) {
-      add_slabs(zone, origin_of(c, zone), regions[i], sheets[static_cast<std::size_t>(zone.frame)]);
+      add_slabs(zone, origin_of(c, zone), conditions_of(c, zone), regions[i],
+                sheets[static_cast<std::size_t>(zone.frame)]);
       continue;
     }
-    ZoneLayer layer{zone.name, origin_of(c, zone), regions[i].front().region, {}, ""};
+    ZoneLayer layer{
+        zone.name, origin_of(c, zone), conditions_of(c, zone), regions[i].front().region, {}, ""};
     const auto asked = distances.find(zone.name);
     if (asked != distances.end()) erode(layer, asked->second);
     sheets[static_cast<std::size_t>(zone.frame)].layers.push_back(std::move(layer));

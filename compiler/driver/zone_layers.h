@@ -18,7 +18,8 @@ struct ZoneErosion {
 };
 struct ZoneLayer {
   std::string name;
-  std::string origin;  // file and line, and what is written there
+  std::string origin;      // file and line, and what is written there
+  std::string conditions;  // what it moves with and when it is there; may be empty
   geometry::Region region;
   std::vector<ZoneErosion> erosions;  // by distance
   std::string remark;                 // what is not shown, and why; may be empty

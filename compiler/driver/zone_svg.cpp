@@ -233,6 +233,7 @@ class Sheet {
               outline(i) + "/>\n";
       text(x + 36, y, layer.name, " class=\"name\"");
       text(x + 36, y += line_height, layer.origin, " class=\"origin\"");
+      if (!layer.conditions.empty()) text(x + 36, y += line_height, layer.conditions, "");
       text(x + 36, y += line_height, size_of(layer.region), " class=\"origin\"");
       for (std::size_t e = 0; e < layer.erosions.size(); ++e) erosion(i, e, x, y += line_height);
       if (!layer.remark.empty()) text(x + 36, y += line_height, layer.remark, "");

@@ -198,5 +198,18 @@ TEST_F(ZoneFiles, NeighboursWithACommonBorderStayJoined) {
   EXPECT_EQ(o.out.find("unknown"), std::string::npos) << o.out << o.err;
 }
 
+// A picture shows zones that move, or come and go, where they are written: it says so.
+TEST_F(ZoneFiles, PicturesSayWhenZonesAreThere) {
+  write("s.rta",
+        "spec s;\nclock utc;\nperiod 1 s;\ninput p : point in -9 .. 9 m;\n"
+        "zone a = circle (0 m, 0 m) radius 3 m\n  around p during monday  07:30 .. 16:00;\n"
+        "zone b = rectangle (0 m, 0 m) to (1 m, 1 m);\n"
+        "monitor m { \"R1: out\" always not p inside b; }\n");
+  const Outcome o = rtac({"zones", "s.rta", "-o", "-"});
+  ASSERT_EQ(o.status, 0) << o.err;
+  EXPECT_NE(o.out.find(">around p during monday 07:30 .. 16:00<"), std::string::npos) << o.out;
+  EXPECT_EQ(o.out.find("around"), o.out.rfind("around"));
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
