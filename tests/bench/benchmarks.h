@@ -1,4 +1,4 @@
-// The five groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
+// The six groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
 // on the error stream.
 #pragma once
 
@@ -13,7 +13,8 @@ struct Effort {
   int compile_repetitions = 5;
   int zone_rounds = 5;
   std::size_t zone_places = 10'000;  // of either kind
-  int zone_cold_questions = 25;
+  double zone_pass_ms = 10;          // about so long at most
+  int zone_cold_questions = 15;
   std::size_t zone_shapes = 3;  // of outlines
 };
 
@@ -21,7 +22,8 @@ bool measure_steps(const Effort& effort, Report& report);
 bool measure_simulation(const Effort& effort, Report& report);
 bool measure_watch(const Effort& effort, Report& report);
 bool measure_compiler(const Effort& effort, Report& report);
+bool measure_geometry(const Effort& effort, Report& report);
+bool measure_zone_kernels(const Effort& effort, Report& report);  // a part of it
 bool measure_zones(const Effort& effort, Report& report);
-bool measure_zone_queries(const Effort& effort, Report& report);  // a part of it
 
 }  // namespace rtac::bench

@@ -17,12 +17,15 @@ Spread spread_of(std::vector<double> values) {
 }
 
 void Report::section(const std::string& title) {
+  if (title != section_) std::fprintf(stderr, "%s\n", title.c_str());
   section_ = title;
 }
 
 void Report::add(const std::string& key, const std::string& what, const Spread& value,
                  const std::string& unit, int decimals) {
   rows_.push_back({section_, key, what, unit, value, decimals});
+  std::fprintf(stderr, "  %s: %s %s\n", what.c_str(), sim::fixed(value.median, decimals).c_str(),
+               unit.c_str());
 }
 
 void Report::add(const std::string& key, const std::string& what, double value,

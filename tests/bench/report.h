@@ -1,4 +1,6 @@
-// What was measured, as a table for people and as JSON for machines.
+// What was measured, as a table for people and as JSON for machines. Each row goes to the error
+// stream as soon as it is known: a run takes minutes, and what it has found is kept when it ends
+// early.
 #pragma once
 
 #include <string>

@@ -42,7 +42,9 @@ bool add(Report& report, const std::string& key, const std::string& what, Work w
   return true;
 }
 
-bool measure_exact_geometry(const Effort& effort, Report& report) {
+}  // namespace
+
+bool measure_geometry(const Effort& effort, Report& report) {
   report.section("Exact geometry");
   using Make = Fence (*)(std::size_t, Vertices, std::uint64_t);
   struct Shape {
@@ -70,15 +72,7 @@ bool measure_exact_geometry(const Effort& effort, Report& report) {
              good;
     }
   }
-  return good;
-}
-
-}  // namespace
-
-bool measure_zones(const Effort& effort, Report& report) {
-  // First: children start with the memory that is in use.
-  const bool good = measure_exact_geometry(effort, report);
-  return measure_zone_queries(effort, report) && good;
+  return measure_zone_kernels(effort, report) && good;
 }
 
 }  // namespace rtac::bench

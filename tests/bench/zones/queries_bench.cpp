@@ -3,10 +3,10 @@
 // many questions, over outlines of 10 to 100,000 vertices.
 //
 // How. Places lie anywhere about the zone, or within some metres of its boundary. They are in the
-// form that the asked one takes before the clock starts. A pass asks about all of them; passes are
-// taken in turns. So tables stay in the caches as far as they fit: rows `cold` are of single
-// questions, each after memory as large as the last cache has been walked through, less what the
-// clock takes.
+// form that the asked one takes before the clock starts. A pass asks about all of them or, of
+// whoever takes longer than a pass may, about the next ones; passes are taken in turns. So tables
+// stay in the caches as far as they fit: rows `cold` are of single questions, each after memory as
+// large as the last cache has been walked through, less what the clock takes.
 #include <unistd.h>
 
 #include <algorithm>
@@ -78,6 +78,7 @@ class QueryBench {
  public:
   QueryBench(const Effort& effort, Report& report) : effort_(effort), report_(report) {}
 
+  // Once for each question and zone: what the peers prepare is made here.
   bool ask(Question question, const Subject& subject) {
     const std::size_t count = effort_.zone_places;
     std::vector<GridPlace> places = uniform_places(subject.outline, count, 7);
@@ -137,20 +138,34 @@ class QueryBench {
     return good;
   }
 
+  // A pass asks about all places, or about the next ones that it has the time for.
+  [[nodiscard]] std::function<double()> pass_of(const Contender& c, std::size_t first,
+                                                std::size_t count) const {
+    c.ask(first, first + 1);  // some prepare when they are asked for the first time
+    const std::size_t few = std::min<std::size_t>(count, 100);
+    const double fit = effort_.zone_pass_ms * 1e6 / std::max(ask_ns(c, first, first + few), 1.0);
+    const std::size_t share = std::clamp(static_cast<std::size_t>(fit), few, count);
+    return [&c, first, count, share, next = std::size_t{0}]() mutable {
+      const std::size_t from = first + next;
+      next = next + 2 * share <= count ? next + share : 0;
+      return ask_ns(c, from, from + share);
+    };
+  }
+
+  static double ask_ns(const Contender& c, std::size_t first, std::size_t end) {
+    const auto from = std::chrono::steady_clock::now();
+    const double sum = c.ask(first, end);
+    const auto to = std::chrono::steady_clock::now();
+    keep(&sum);
+    return std::chrono::duration<double, std::nano>(to - from).count() /
+           static_cast<double>(end - first);
+  }
+
   // Returns the best peer that answers the same; those that answer less have rows of their own.
   std::size_t time(Question question, std::size_t kind, const Subject& subject,
                    const std::vector<Contender>& all, std::size_t first, std::size_t count) {
     Contest contest;
-    for (const Contender& c : all) {
-      contest.add([&c, first, count] {
-        const auto from = std::chrono::steady_clock::now();
-        const double sum = c.ask(first, first + count);
-        const auto to = std::chrono::steady_clock::now();
-        keep(&sum);
-        return std::chrono::duration<double, std::nano>(to - from).count() /
-               static_cast<double>(count);
-      });
-    }
+    for (const Contender& c : all) contest.add(pass_of(c, first, count));
     contest.run(effort_.zone_rounds, 3);
     const std::size_t peers = subject.generated ? 1 : 0;
     std::size_t best = all.size();
@@ -187,12 +202,12 @@ class QueryBench {
 
   void cold(Question question, std::size_t kind, const Subject& subject,
             const std::array<Contender, 2>& two, std::size_t first) {
+    if (clock_ns_ == 0) clock_ns_ = clock_alone();
     for (const Contender& c : two) {
       std::vector<double> times;
       for (int i = 0; i < effort_.zone_cold_questions; ++i) {
-        const double nothing = once([] { return 0.0; });
         const std::size_t at = first + static_cast<std::size_t>(i);
-        times.push_back(once([&] { return c.ask(at, at + 1); }) - nothing);
+        times.push_back(once([&] { return c.ask(at, at + 1); }) - clock_ns_);
       }
       const bool ours = &c == two.data();
       report_.add(std::string("zone_cold_") + (ours ? "" : "peer_") +
@@ -202,6 +217,11 @@ class QueryBench {
     }
   }
 
+  double clock_alone() {
+    std::vector<double> times;
+    for (int i = 0; i < 9; ++i) times.push_back(once([] { return 0.0; }));
+    return spread_of(times).median;
+  }
   // One question with cold caches, with the clock.
   template <class Ask>
   double once(const Ask& ask) {
@@ -222,48 +242,32 @@ class QueryBench {
   Report& report_;
   std::vector<Kept> kept_;
   std::vector<std::uint64_t> walked_;
+  double clock_ns_ = 0;  // with cold caches
 };
-
-void add_compile(const Subject& subject, Report& report) {
-  const Generated& g = *subject.generated;
-  const std::string key = subject.key(), what = subject.title();
-  report.add("zone_build_" + key, what + ": rtac build", g.rtac.seconds, "s", 2);
-  report.add("zone_build_memory_" + key, "  its peak memory", g.rtac.megabytes, "MB", 0);
-  report.add("zone_cc_" + key, "  compiling its kernel", g.c_compiler.seconds, "s", 2);
-  const auto vertices = static_cast<double>(subject.outline.vertices());
-  report.add("zone_tables_" + key, "  tables, all", g.table_bytes / 1024, "KiB", 1);
-  report.add("zone_tables_per_vertex_" + key, "  tables, beyond 64 KiB, for each vertex",
-             std::max(0.0, g.table_bytes - 65'536) / vertices, "bytes", 1);
-}
 
 }  // namespace
 
-bool measure_zone_queries(const Effort& effort, Report& report) {
-  struct Shape {
-    const char* name;
-    Fence (*make)(std::size_t, Vertices, std::uint64_t);
-  };
-  std::vector<Shape> shapes{{"coast", coast}, {"circle", circle_fence}, {"star", mild_star}};
-  shapes.resize(std::min(shapes.size(), effort.zone_shapes));
-  bool good = true;
-  std::vector<Subject> subjects;
-  report.section("Zones: from a file to a kernel");
-  for (const Shape& shape : shapes) {
-    for (const std::size_t vertices : {10, 100, 1'000, 10'000, 100'000}) {
-      Subject subject{shape.name, vertices, {}, nullptr};
-      subject.outline = outline_of(shape.name, shape.make(vertices, Vertices::on_grid, 1));
-      std::string problem;
-      subject.generated = generate(subject.outline, problem);
-      if (subject.generated) {
-        add_compile(subject, report);
-      } else {
-        std::fprintf(stderr, "rtac_bench: %s: %s\n", subject.title().c_str(), problem.c_str());
-        good = false;
-      }
-      subjects.push_back(std::move(subject));
-    }
-  }
+bool measure_zones(const Effort& effort, Report& report) {
   QueryBench bench(effort, report);
+  std::vector<Subject> subjects;
+  bool good = true;
+  const auto add = [&](const char* shape, Fence (*make)(std::size_t, Vertices, std::uint64_t),
+                       std::size_t vertices) {
+    Subject subject{shape, vertices, outline_of(shape, make(vertices, Vertices::on_grid, 1)),
+                    nullptr};
+    std::string problem;
+    subject.generated = generate(subject.outline, problem);
+    if (!subject.generated) {
+      std::fprintf(stderr, "rtac_bench: %s: %s\n", subject.title().c_str(), problem.c_str());
+      good = false;
+    }
+    subjects.push_back(std::move(subject));
+  };
+  for (const std::size_t vertices : {10, 100, 1'000, 10'000, 100'000}) {
+    add("coast", coast, vertices);
+  }
+  if (effort.zone_shapes > 1) add("circle", circle_fence, 1'000);
+  if (effort.zone_shapes > 2) add("star", mild_star, 1'000);
   for (const Question question : {Question::inside, Question::clearance, Question::leg}) {
     for (const Subject& subject : subjects) good = bench.ask(question, subject) && good;
   }
