@@ -12,9 +12,19 @@ namespace {
 
 constexpr std::size_t edges_most = 64;  // as uploaded_fence.rta declares
 
+// A fence in metres as well-known text, or a plan as QGroundControl saves it.
+rtac::MadeZone zone_of(const std::string& text) {
+  if (text.front() != '{') return rtac::make_zone_of_wkt(text, edges_most);
+  rtac::ZoneFile plan;
+  plan.format = rtac::ZoneFormat::qgc_plan;
+  plan.origin_latitude_deg = 47.3977;  // as uploaded_fence.rta declares
+  plan.origin_longitude_deg = 8.5456;
+  return rtac::make_zone_of_file(text, plan, edges_most);
+}
+
 // What the thread that listens to the operator does.
-void upload(const std::string& wkt, rtac::TimeUs received_us, rtac::ZoneSlot& slot) {
-  rtac::MadeZone made = rtac::make_zone_of_wkt(wkt, edges_most);
+void upload(const std::string& text, rtac::TimeUs received_us, rtac::ZoneSlot& slot) {
+  rtac::MadeZone made = zone_of(text);
   if (const auto* why = std::get_if<rtac::ZoneRefusal>(&made)) {
     std::printf("refused: %s %s; %s\n", why->where.c_str(), why->message.c_str(),
                 why->help.c_str());
@@ -25,12 +35,15 @@ void upload(const std::string& wkt, rtac::TimeUs received_us, rtac::ZoneSlot& sl
 
 struct Upload {
   int tick;
-  const char* wkt;
+  const char* text;
 };
 constexpr Upload uploads[] = {
     {5, "POLYGON ((0 0, 100 0, 100 60, 0 60, 0 0))"},
     {40, "POLYGON ((0 0, 50 50, 50 0, 0 50, 0 0))"},  // crosses itself
     {60, "POLYGON ((0 0, 70 0, 70 60, 0 60, 0 0))"},
+    {80, R"({"fileType": "Plan", "version": 1, "geoFence": {"version": 2, "circles": [],
+           "polygons": [{"inclusion": true, "version": 1, "polygon":
+             [[47.3977, 8.5456], [47.3977, 8.5470], [47.3983, 8.5470], [47.3983, 8.5456]]}]}})"},
 };
 
 }  // namespace
@@ -44,7 +57,7 @@ int main() {
     const rtac::TimeUs now_us = tick * rtac::TimeUs{100'000};
     for (const Upload& each : uploads) {
       // A robot would not wait for it; this run is the same each time.
-      if (each.tick == tick) std::thread([&] { upload(each.wkt, now_us, fences); }).join();
+      if (each.tick == tick) std::thread([&] { upload(each.text, now_us, fences); }).join();
     }
     fences.offer([&](const rtac::ZoneTable& table, rtac::TimeUs stamp_us) {
       return monitors.fence(table, stamp_us);

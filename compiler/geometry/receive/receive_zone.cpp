@@ -2,69 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "compiler/geometry/place/placer.h"
+#include "compiler/geometry/receive/problem_text.h"
+#include "compiler/geometry/united.h"
 #include "compiler/support/rational.h"
 
 namespace rtac::geometry {
 namespace {
-
-using Kind = Problem::Kind;
-
-std::string place(const Point& p) {
-  return "(" + to_decimal(p.x) + " m, " + to_decimal(p.y) + " m)";
-}
-std::string ring_text(std::size_t polygon, std::size_t count, std::size_t ring) {
-  const std::string name = ring == 0 ? "the outer ring" : "hole " + std::to_string(ring);
-  return count == 1 ? name : name + " of polygon " + std::to_string(polygon + 1);
-}
-std::string vertex_text(std::size_t vertex) {
-  return "vertex " + std::to_string(vertex + 1);
-}
-
-std::string message_of(const Problem& problem) {
-  switch (problem.kind) {
-    case Kind::too_short:
-      return "has fewer than three different vertices";
-    case Kind::repeats_vertex:
-      return "repeats " + vertex_text(problem.other);
-    case Kind::self_intersects:
-      return "starts an edge that meets the one from " + vertex_text(problem.other) + " at " +
-             place(problem.where);
-    case Kind::no_area:
-      return "encloses no area";
-    case Kind::hole_outside_ring:
-      return "does not lie inside the outer ring, see " + place(problem.where);
-    case Kind::holes_overlap:
-      return "overlaps hole " + std::to_string(problem.other) + " at " + place(problem.where);
-    case Kind::cuts_area:
-      return "touches " + ring_text(0, 1, problem.other) + " at " + place(problem.where) +
-             " and cuts the area in two";
-  }
-  return "";
-}
-std::string help_of(Kind kind) {
-  switch (kind) {
-    case Kind::too_short:
-      return "a ring needs at least three vertices that do not lie on one line";
-    case Kind::repeats_vertex:
-      return "remove one of the two; rings are closed by themselves";
-    case Kind::self_intersects:
-      return "order the vertices along the boundary, or send two polygons";
-    case Kind::no_area:
-      return "move at least one vertex off the line through the others";
-    case Kind::hole_outside_ring:
-      return "a notch in the edge is part of the outer ring, not a hole";
-    case Kind::holes_overlap:
-      return "make one hole of them";
-    case Kind::cuts_area:
-      return "send two polygons, or move the hole";
-  }
-  return "";
-}
 
 class Receiver {
  public:
@@ -76,9 +23,14 @@ class Receiver {
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
       if (!take(i)) return std::move(*refused_);
     }
-    Region all = regions_.size() == 1 ? std::move(regions_[0]) : Region::of_rings(rings_);
-    if (sgn(placer_.error()) == 0) return ReceivedRegions{all, all};
-    ReceivedRegions regions{all.shrink(placer_.error()), all.grow(placer_.error())};
+    const auto all = united(std::move(regions_));
+    if (!all) {
+      refuse("the zone", "has polygons that cross one another too often",
+             "unite them in the program that drew them");
+      return std::move(*refused_);
+    }
+    if (sgn(placer_.error()) == 0) return ReceivedRegions{*all, *all};
+    ReceivedRegions regions{all->shrink(placer_.error()), all->grow(placer_.error())};
     if (regions.within.empty()) {
       refuse("the zone", "is nowhere wider than its coordinates are exact",
              "a zone of more than 2 mm in both directions works");
@@ -139,27 +91,17 @@ class Receiver {
     }
     auto made = Region::polygon(*outer, holes);
     if (const auto* problem = std::get_if<Problem>(&made)) {
-      const bool whole = problem->kind == Kind::too_short || problem->kind == Kind::no_area ||
-                         problem->kind == Kind::holes_overlap;
+      const bool whole = is_of_whole_ring(problem->kind);
       return refuse(where(problem->ring) + (whole ? "" : ", " + vertex_text(problem->vertex)),
                     message_of(*problem), help_of(problem->kind));
     }
-    add(std::get<Region>(std::move(made)));
+    regions_.push_back(std::get<Region>(std::move(made)));
     return true;
   }
-  void add(Region region) {
-    for (PolygonWithHoles& part : region.polygons()) {
-      rings_.push_back(std::move(part.outer));
-      std::move(part.holes.begin(), part.holes.end(), std::back_inserter(rings_));
-    }
-    regions_.push_back(std::move(region));
-  }
-
   const std::vector<import::Polygon>& polygons_;
   const std::size_t edges_most_;
   Placer placer_;
   std::vector<Region> regions_;
-  std::vector<Ring> rings_;
   std::optional<RefusedZone> refused_;
 };
 
@@ -183,7 +125,7 @@ std::variant<OutlineTable, RefusedZone> outline_table(const SnappedZone& zone,
   auto grown = grow_cell_tree(zone, exact_mm_wanted);
   if (const auto* dense = std::get_if<TooDense>(&grown)) {
     const Point at{Rational(dense->at.x_mm, 1000), Rational(dense->at.y_mm, 1000)};
-    return RefusedZone{"the zone, at " + place(at),
+    return RefusedZone{"the zone, at " + place_text(at),
                        "has " + std::to_string(dense->edges) + " edges within " +
                            to_decimal(Rational(dense->within_mm, 1000)) + " m, " +
                            std::to_string(cell_edges_max) + " can be checked there",

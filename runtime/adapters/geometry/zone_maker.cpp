@@ -2,20 +2,49 @@
 
 #include <utility>
 
+#include "compiler/geometry/receive/receive_file.h"
 #include "compiler/geometry/receive/receive_zone.h"
 
 namespace rtac {
 namespace {
 
-namespace import = geometry::import;
+using geometry::import::Format;
+using geometry::import::Polygon;
+using geometry::import::Ring;
 
-import::Ring ring_of(const std::vector<Vec2>& from){import::Ring to;
-for (const Vec2& p : from) to.positions.push_back({p.x, p.y});
-const auto& all = to.positions;
-to.closed = all.size() > 1 && all.front().x == all.back().x&& all.front().y == all.back().y;
-if (to.closed) to.positions.pop_back();
-return to;
-}  // namespace
+Ring ring_of(const std::vector<Vec2>& from) {
+  Ring to;
+  for (const Vec2& p : from) to.positions.push_back({p.x, p.y});
+  const auto& all = to.positions;
+  to.closed = all.size() > 1 && all.front().x == all.back().x && all.front().y == all.back().y;
+  if (to.closed) to.positions.pop_back();
+  return to;
+}
+
+Format format_of(ZoneFormat format) {
+  switch (format) {
+    case ZoneFormat::geojson:
+      return Format::geojson;
+    case ZoneFormat::kml:
+      return Format::kml;
+    case ZoneFormat::qgc_plan:
+      return Format::qgc_plan;
+  }
+  return Format::wkt;  // none of them, which is refused
+}
+geometry::FileAreas areas_of(ZoneAreas areas) {
+  switch (areas) {
+    case ZoneAreas::unstated:
+      return geometry::FileAreas::unstated;
+    case ZoneAreas::all:
+      return geometry::FileAreas::all;
+    case ZoneAreas::any:
+      return geometry::FileAreas::any;
+    case ZoneAreas::exclusions:
+      return geometry::FileAreas::exclusions;
+  }
+  return geometry::FileAreas::unstated;
+}
 
 ZoneRefusal refusal(const geometry::RefusedZone& why) {
   return {why.where, why.message, why.help};
@@ -58,12 +87,12 @@ MadeZone made(std::variant<geometry::ReceivedRegions, geometry::RefusedZone> rec
                                     around ? arrays_of(std::move(*around)) : HeldZone::Arrays{});
 }
 
-}  // namespace rtac
+}  // namespace
 
 MadeZone make_zone(const std::vector<ZonePolygon>& polygons, std::size_t edges_most) {
-  std::vector<import::Polygon> to;
+  std::vector<Polygon> to;
   for (const ZonePolygon& from : polygons) {
-    import::Polygon& polygon = to.emplace_back();
+    Polygon& polygon = to.emplace_back();
     polygon.outer = ring_of(from.outer);
     for (const auto& hole : from.holes) polygon.holes.push_back(ring_of(hole));
   }
@@ -72,6 +101,12 @@ MadeZone make_zone(const std::vector<ZonePolygon>& polygons, std::size_t edges_m
 
 MadeZone make_zone_of_wkt(const std::string& text, std::size_t edges_most) {
   return made(geometry::receive_wkt(text, edges_most), edges_most);
+}
+
+MadeZone make_zone_of_file(const std::string& text, const ZoneFile& as, std::size_t edges_most) {
+  const geometry::ReceivedFile file{
+      format_of(as.format), {as.origin_latitude_deg, as.origin_longitude_deg}, areas_of(as.areas)};
+  return made(geometry::receive_file(text, file, edges_most), edges_most);
 }
 
 }  // namespace rtac

@@ -122,6 +122,42 @@ TEST(ZoneMaker, ClosingVerticesAndDirectionsDoNotMatter) {
   EXPECT_LE(one->bytes(), 64U * 8 + 65536);
 }
 
+// Of about 83 m by 50 m from the origin on; the text of a file, with its axes.
+std::string fence_of(ZoneFormat format) {
+  if (format == ZoneFormat::geojson) {
+    return R"({"type":"Polygon","coordinates":[[[8.5456,47.3977],[8.5467,47.3977],)"
+           R"([8.5467,47.39815],[8.5456,47.39815],[8.5456,47.3977]]]})";
+  }
+  return R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"circles":[],"polygons":[)"
+         R"({"polygon":[[47.3977,8.5456],[47.3977,8.5467],[47.39815,8.5467],[47.39815,8.5456]],)"
+         R"("inclusion":true,"version":1}]},"mission":{"items":[],"version":2}})";
+}
+ZoneFile file_of(ZoneFormat format) {
+  return {format, 47.3977, 8.5456, ZoneAreas::unstated};
+}
+
+// An uploaded file is judged in metres of the map; a wrong one is refused, and the old one stays.
+TEST_F(ReceivedZones, FilesAreProjectedAndWrongOnesRefused) {
+  TimeUs now_us = 0;
+  for (const ZoneFormat format : {ZoneFormat::geojson, ZoneFormat::qgc_plan}) {
+    const auto zone = good(make_zone_of_file(fence_of(format), file_of(format), 8));
+    ASSERT_NE(zone, nullptr);
+    ASSERT_TRUE(monitors_.fence(zone->table(), now_us));
+    EXPECT_EQ(stays(80, 45, now_us), Verdict::is_true);
+    EXPECT_EQ(stays(84, 45, now_us += 100'000), Verdict::is_false);
+    EXPECT_EQ(stays(80, 51, now_us += 100'000), Verdict::is_false);
+    ZoneFile other = file_of(format);
+    other.format = ZoneFormat::kml;
+    EXPECT_NE(refused(make_zone_of_file(fence_of(format), other, 8)), "taken");
+    other = file_of(format);
+    other.areas = ZoneAreas::exclusions;
+    EXPECT_NE(refused(make_zone_of_file(fence_of(format), other, 8)), "taken");
+    EXPECT_NE(refused(make_zone_of_file("{", file_of(format), 8)), "taken");
+    EXPECT_EQ(stays(80, 45, now_us += 100'000), Verdict::is_true);
+    now_us += 100'000;
+  }
+}
+
 TEST(ZoneMaker, BothSidesOfAZoneThatIsNotOnTheGridAreKept) {
   const auto zone = good(make_zone({{{{0, 0}, {10.0004, 0}, {5, 7}}, {}}}, 8));
   EXPECT_NE(zone->table().within.edges, zone->table().around.edges);

@@ -36,4 +36,24 @@ MadeZone make_zone(const std::vector<ZonePolygon>& polygons, std::size_t edges_m
 // The same of well-known text in m: POLYGON, MULTIPOLYGON.
 MadeZone make_zone_of_wkt(const std::string& text, std::size_t edges_most);
 
+// The formats of files in degrees; each states its axes and how rings end.
+enum class ZoneFormat { geojson, kml, qgc_plan };
+// Which areas of a plan are the zone, for who uploads cannot be asked. `all`, `any`: inside all of
+// its inclusions, or inside any, less its exclusions. `exclusions`: those are the zone.
+// `unstated`: its only inclusion, less its exclusions; of GeoJSON and KML all areas.
+enum class ZoneAreas { unstated, all, any, exclusions };
+
+struct ZoneFile {
+  ZoneFormat format = ZoneFormat::geojson;
+  // Where (0 m, 0 m) of the map is, as the specification declares it by `origin`.
+  double origin_latitude_deg = 0, origin_longitude_deg = 0;
+  ZoneAreas areas = ZoneAreas::unstated;
+};
+
+// The same of the text of a file, for zones of the frame `map`: projected as a file of the
+// specification is, by whose error the zone is smaller for who has to stay in it, and larger for
+// who has to keep out. An area with limits of height or time is refused, and so is a text of
+// another format: nothing that limits an area is left out. `where` is a place in the file.
+MadeZone make_zone_of_file(const std::string& text, const ZoneFile& as, std::size_t edges_most);
+
 }  // namespace rtac
