@@ -19,6 +19,10 @@ using Edges = std::vector<PreparedEdge>;
 struct Terms {
   std::size_t edges_max, bytes_max;
 };
+// Whether a place is inside takes a look at every edge of its cell, if the boundary meets that:
+// such cells are divided down to so many, with what is left as soon as distances are exact as far
+// as wanted.
+constexpr std::size_t met_edges_max = 3;
 
 // The cells of the square that overlap the grid, down to those of the grid; and their neighbours.
 struct Part {
@@ -56,11 +60,13 @@ struct Bud {
   Candidates near;
   bool inside;         // its corner
   std::int32_t depth;  // divisions above it
+  // The next one to be divided is that which is nearest to the boundary; one that is a leaf already
+  // counts as this far away.
+  double turn_mm = near.least_nearest;
+  bool is_leaf = false;
 
-  // The next one to be divided is that which is nearest to the boundary.
   friend bool operator<(const Bud& a, const Bud& b) {
-    const double of_a = a.near.least_nearest, of_b = b.near.least_nearest;
-    return of_a != of_b ? of_a > of_b : a.slot > b.slot;
+    return a.turn_mm != b.turn_mm ? a.turn_mm > b.turn_mm : a.slot > b.slot;
   }
 };
 
@@ -69,8 +75,8 @@ struct Bud {
 // that of the whole square.
 class Growth {
  public:
-  Growth(const Edges& edges, const Grid& grid, const Terms& terms)
-      : edges_(edges), grid_(grid), terms_(terms) {
+  Growth(const Edges& edges, const Grid& grid, const Terms& terms, std::int64_t wanted_mm)
+      : edges_(edges), grid_(grid), terms_(terms), wanted_mm_(wanted_mm) {
     tree_.words.resize(grid.cells() + 1);
   }
 
@@ -85,7 +91,7 @@ class Growth {
       const bool divisible = bud.square.side_mm >= 4;  // else a part has less than 1 mm
       if (divisible && tree_.bytes() + most_a_division <= terms_.bytes_max) {
         divide(bud);
-      } else {
+      } else if (!bud.is_leaf) {
         far(bud);
       }
     }
@@ -101,6 +107,9 @@ class Growth {
     tree_.row = static_cast<std::int32_t>(grid_.row);
     tree_.columns = static_cast<std::int32_t>(grid_.columns);
     tree_.rows = static_cast<std::int32_t>(grid_.rows);
+    for (const std::uint32_t word : tree_.words) {
+      tree_.edges_most = std::max(tree_.edges_most, edges_of(word));
+    }
     return std::move(tree_);
   }
 
@@ -128,10 +137,17 @@ class Growth {
   void start(Bud bud) {
     if (bud.near.edges.size() <= terms_.edges_max) {
       tree_.words[bud.slot] = leaf(bud);
-    } else {
-      buds_.push_back(std::move(bud));
-      std::push_heap(buds_.begin(), buds_.end());
+      bud.is_leaf = true;
+      bud.turn_mm = static_cast<double>(wanted_mm_);
+      if (!is_coarse(bud)) return;
     }
+    buds_.push_back(std::move(bud));
+    std::push_heap(buds_.begin(), buds_.end());
+  }
+  // A zone with no more edges than a cell may have needs no cells.
+  [[nodiscard]] bool is_coarse(const Bud& bud) const {
+    return bud.near.edges.size() > met_edges_max && bud.near.meets_boundary() &&
+           !outside(bud.square) && edges_.size() > cell_edges_max;
   }
   std::size_t split(std::size_t slot, std::int32_t depth) {
     const std::size_t at = tree_.words.size();
@@ -142,6 +158,7 @@ class Growth {
   }
   void divide(const Bud& bud) {
     const std::size_t at = split(bud.slot, bud.depth);
+    tree_.leaves -= bud.is_leaf ? 1 : 0;
     const Corner from{bud.square.x_mm, bud.square.y_mm};
     std::vector<Part> parts = parts_of(bud.square, bud.near, edges_);
     for (std::size_t i = 0; i < 16; ++i) {
@@ -182,8 +199,6 @@ class Growth {
     // Edges that lie between them in number do no harm, and need no list.
     const std::size_t run = near.back() - near.front() + 1;
     const bool is_run = run <= terms_.edges_max;
-    const std::size_t checked = is_run ? run : near.size();
-    tree_.edges_most = std::max(tree_.edges_most, static_cast<std::int32_t>(checked));
     return is_run ? run_word(near.front(), run, bud.inside, crossed)
                   : list_word(list(near), near.size(), bud.inside, crossed);
   }
@@ -206,6 +221,7 @@ class Growth {
   const Edges& edges_;
   const Grid& grid_;
   const Terms terms_;
+  const std::int64_t wanted_mm_;
   CellTree tree_;
   std::vector<Bud> buds_;  // a heap
   std::unordered_map<std::u32string, std::size_t> lists_;
@@ -237,7 +253,7 @@ class Grower {
     attempts.push_back({cell_edges_max, most});
     std::optional<TooDense> refusal;
     for (std::size_t i = 0; i < attempts.size(); ++i) {
-      Growth growth(edges_, grid_, attempts[i]);
+      Growth growth(edges_, grid_, attempts[i], wanted_mm);
       growth.grow(whole_, corners_);
       refusal = growth.refusal();
       if (refusal) continue;

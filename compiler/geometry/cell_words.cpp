@@ -44,6 +44,10 @@ std::uint32_t list_word(std::size_t at, std::size_t edges, bool inside, bool cro
 std::uint32_t split_word(std::size_t at) {
   return kind(3) | static_cast<std::uint32_t>(at);
 }
+std::int32_t edges_of(std::uint32_t word) {
+  const bool has_edges = word >> 30 == 1 || word >> 30 == 2;
+  return has_edges ? static_cast<std::int32_t>(word >> 24 & 15) + 1 : 0;
+}
 
 double Grid::diameter_mm() const {
   return std::hypot(static_cast<double>(columns), static_cast<double>(rows)) *

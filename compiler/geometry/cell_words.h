@@ -18,6 +18,8 @@ std::uint32_t far_word(std::int32_t distance_mm, bool inside);
 std::uint32_t run_word(std::size_t first, std::size_t edges, bool inside, bool crossed);
 std::uint32_t list_word(std::size_t at, std::size_t edges, bool inside, bool crossed);
 std::uint32_t split_word(std::size_t at);
+// How many edges a cell has; 0 of what has none.
+std::int32_t edges_of(std::uint32_t word);
 
 // The whole boundary lies within its cells, none of it on the outer border.
 struct Grid {

@@ -193,6 +193,17 @@ TEST(CellTree, OfARoundZoneIsExactUpToADistance) {
 TEST(CellTree, CellsHoldFewerEdgesWhereBytesAreLeft) {
   EXPECT_LE(Trees({{star(300, 90'000, 95'000)}}, 1000).tree().edges_most, 8);
 }
+TEST(CellTree, CellsThatTheBoundaryMeetsHoldThreeEdgesWhereBytesAreLeft) {
+  const Trees t({{star(300, 90'000, 95'000)}}, 1000);
+  std::size_t met = 0, few = 0;
+  for (const std::uint32_t word : t.tree().words) {
+    if (word >> 30 == 0 || word >> 30 == 3 || (word >> 28 & 1) == 0) continue;
+    ++met;
+    few += (word >> 24 & 15) + 1 <= 3 ? 1 : 0;
+  }
+  EXPECT_GT(met, 300U);
+  EXPECT_GE(few, met * 4 / 5) << few << " of " << met;
+}
 // Teeth of 1 mm side by side over 5 m.
 TEST(CellTree, RefusesWhatNeedsTooManyCellsAndSaysWhere) {
   std::vector<GridPoint> comb;
