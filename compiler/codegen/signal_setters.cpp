@@ -1,6 +1,9 @@
 #include "compiler/codegen/signal_setters.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
 
 #include "compiler/sema/dimension.h"
 
@@ -20,6 +23,13 @@ std::string number_type(const Channel& c) {
 }
 std::string grid(const Unit& unit) {
   return real(Rational(unit.step.get_den())) + ", " + unit.step.get_num().get_str();
+}
+
+// The shortest number that is read as the same.
+std::string shortest(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
 }
 
 bool in_space(const Watch& watch) {
@@ -55,6 +65,15 @@ SignalSetters::SignalSetters(const Watch& watch, const Names& names, Places plac
       taken_(std::move(taken)) {
   for (std::size_t c = 0; c < watch_.inputs.size(); ++c) setters_.push_back(setter(c));
   for (const Param& p : watch_.params) params_.push_back(method(p.name));
+  bool receives = false;
+  for (std::size_t c = 0; c < watch_.inputs.size(); ++c) {
+    if (watch_.inputs[c].kind != ChannelKind::zone) continue;
+    setters_[c].edges_most = method(signal_word(watch_.inputs[c].name) + "_edges_most");
+    receives = true;
+  }
+  if (!receives || !watch_.origin) return;
+  latitude_ = method("origin_latitude_deg");
+  longitude_ = method("origin_longitude_deg");
 }
 
 std::string SignalSetters::method(const std::string& name) {
@@ -92,7 +111,25 @@ SignalSetters::Setter SignalSetters::setter(std::size_t channel) {
   return s;
 }
 
+// What those who make the tables of a received zone have to know.
+void SignalSetters::declare_constants(Code& body) const {
+  if (!latitude_.empty()) {
+    body.comment(
+        "Where (0 m, 0 m) is on the globe, WGS 84: for zones that are received in degrees.");
+    for (const auto& [name, degrees] : {std::pair(latitude_, watch_.origin->latitude_deg),
+                                        std::pair(longitude_, watch_.origin->longitude_deg)}) {
+      body.line("static constexpr double " + name + " = " + shortest(degrees) + ";");
+    }
+  }
+  for (std::size_t c = 0; c < setters_.size(); ++c) {
+    if (setters_[c].edges_most.empty()) continue;
+    body.line("static constexpr std::size_t " + setters_[c].edges_most + " = " +
+              num(std::int64_t{watch_.inputs[c].edges_most}) + ";");
+  }
+}
+
 void SignalSetters::declare(Code& body) const {
+  declare_constants(body);
   if (!watch_.inputs.empty()) {
     body.comment(
         "Inputs, in SI units, with the time at which they were measured (us). An array "

@@ -36,10 +36,12 @@ class SignalSetters {
   struct Setter {
     std::string name, type;
     std::vector<std::string> values;  // by component
+    std::string edges_most;           // constant of a zone that is received
   };
   // Names of methods differ from each other and from those that every class has.
   std::string method(const std::string& name);
   Setter setter(std::size_t channel);
+  void declare_constants(Code& body) const;
   void define_input(std::size_t index, Code& out) const;
   void define_param(std::size_t k, Code& out) const;
 
@@ -50,6 +52,7 @@ class SignalSetters {
   std::set<std::string> taken_;
   std::vector<Setter> setters_;
   std::vector<std::string> params_;
+  std::string latitude_, longitude_;  // constants, where zones are received
 };
 
 // The enumerations that inputs of the module have, each once.

@@ -428,9 +428,14 @@ struct Schedule {
   std::string name;  // of the zone
   std::vector<Opening> once, weekly;
 };
+// Where (0 m, 0 m) of the map is on the globe.
+struct Origin {
+  double latitude_deg = 0, longitude_deg = 0;
+};
 struct Watch {
   std::int64_t period_us = 0;
   bool in_utc = false;  // the clock counts from 1970-01-01T00:00Z
+  std::optional<Origin> origin;
   std::vector<Channel> inputs;
   std::vector<Param> params;
   std::vector<Region> regions;

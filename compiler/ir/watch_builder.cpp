@@ -5,6 +5,7 @@
 #include "compiler/ir/source_text.h"
 #include "compiler/ir/watch_blocks.h"
 #include "compiler/sema/dimension.h"
+#include "compiler/sema/origin.h"
 
 namespace rtac::ir {
 namespace {
@@ -20,6 +21,10 @@ class WatchBuilder {
     watch_.solids = std::move(solids);
     watch_.period_us = spec_.period ? floor_to_int(spec_.period->value * 1'000'000) : 1;
     watch_.in_utc = spec_.utc_clock.has_value();
+    if (spec_.origin) {
+      const geometry::Origin origin = sema::in_degrees(*spec_.origin);
+      watch_.origin = Origin{origin.latitude_deg, origin.longitude_deg};
+    }
     add_signals(signals);
     for (Region& region : watch_.regions) {
       if (region.channel) region.channel = channel_of(watch_, region.name);

@@ -10,15 +10,17 @@
 
 namespace {
 
-constexpr std::size_t edges_most = 64;  // as uploaded_fence.rta declares
+using Monitors = uploaded_fence::Monitors;
+constexpr std::size_t edges_most = Monitors::fence_edges_most;
+static_assert(edges_most == Monitors::closed_edges_most);
 
 // A fence in metres as well-known text, or a plan as QGroundControl saves it.
 rtac::MadeZone zone_of(const std::string& text) {
   if (text.front() != '{') return rtac::make_zone_of_wkt(text, edges_most);
   rtac::ZoneFile plan;
   plan.format = rtac::ZoneFormat::qgc_plan;
-  plan.origin_latitude_deg = 47.3977;  // as uploaded_fence.rta declares
-  plan.origin_longitude_deg = 8.5456;
+  plan.origin_latitude_deg = Monitors::origin_latitude_deg;
+  plan.origin_longitude_deg = Monitors::origin_longitude_deg;
   return rtac::make_zone_of_file(text, plan, edges_most);
 }
 
@@ -51,7 +53,7 @@ constexpr Upload uploads[] = {
 int main() {
   rtac::ZoneSlot fences, closures;
   upload("POLYGON ((20 40, 30 40, 30 50, 20 50, 20 40))", 0, closures);
-  uploaded_fence::Monitors monitors;
+  Monitors monitors;
   rtac::Verdict before = rtac::Verdict::is_true;
   for (int tick = 0; tick < 100; ++tick) {
     const rtac::TimeUs now_us = tick * rtac::TimeUs{100'000};
@@ -67,7 +69,7 @@ int main() {
     });
     const double x = 10 + 0.8 * tick;  // eastwards, at 8 m/s
     monitors.p({rtac::Length(x), rtac::Length(30)}, now_us);
-    const rtac::Finding& stays = monitors.step(now_us)[uploaded_fence::Monitors::stays_index];
+    const rtac::Finding& stays = monitors.step(now_us)[Monitors::stays_index];
     if (stays.verdict == before) continue;
     before = stays.verdict;
     const char* const words[] = {"false", "unknown", "true"};

@@ -45,7 +45,8 @@ enum class ZoneAreas { unstated, all, any, exclusions };
 
 struct ZoneFile {
   ZoneFormat format = ZoneFormat::geojson;
-  // Where (0 m, 0 m) of the map is, as the specification declares it by `origin`.
+  // Where (0 m, 0 m) of the map is, as the specification declares it by `origin`: generated classes
+  // name it `origin_latitude_deg` and `origin_longitude_deg`.
   double origin_latitude_deg = 0, origin_longitude_deg = 0;
   ZoneAreas areas = ZoneAreas::unstated;
 };

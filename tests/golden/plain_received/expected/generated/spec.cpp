@@ -71,13 +71,13 @@ const std::array<rtac::PlainMonitorInfo, Monitors::count>& Monitors::info() {
   static const std::array<rtac::PlainMonitorInfo, count> all = { {
     {"stays", "R1",
      "in the newest fence, or at the base",
-     "spec.rta", 7},
+     "spec.rta", 8},
     {"away", "R2",
      "2 m from what was closed",
-     "spec.rta", 8},
+     "spec.rta", 9},
     {"known", "R3",
      "somebody said lately what is closed",
-     "spec.rta", 9},
+     "spec.rta", 10},
   }};
   return all;
 }

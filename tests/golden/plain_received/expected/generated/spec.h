@@ -30,6 +30,11 @@ class Monitors {
   };
   Monitors();
 
+  // Where (0 m, 0 m) is on the globe, WGS 84: for zones that are received in degrees.
+  static constexpr double origin_latitude_deg = 47.3977;
+  static constexpr double origin_longitude_deg = 8.5456;
+  static constexpr std::size_t fence_edges_most = 64;
+  static constexpr std::size_t closed_edges_most = 64;
   // Inputs, in SI units, with the time at which they were measured (us). An array has the
   // elements of the input in order, of points x before y.
   // A zone that was received, of at most 64 edges a side. False: it is none that can be checked

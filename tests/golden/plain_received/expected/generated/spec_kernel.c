@@ -893,7 +893,7 @@ typedef struct field_view {
   span age_of_closed; /* us */
 } field_view;
 
-/* R1: in the newest fence, or at the base (spec.rta:7). p inside fence or p inside base */
+/* R1: in the newest fence, or at the base (spec.rta:8). p inside fence or p inside base */
 static inline margin stays_now(const field_view *v) {
   /* p inside fence */
   const span v2 = received_clearance(v->fence, FIELD_MONITORS_INPUT_FENCE, v->p_x, v->p_y,
@@ -908,7 +908,7 @@ static inline margin stays_now(const field_view *v) {
   return either(v5, v8);
 }
 
-/* R2: 2 m from what was closed (spec.rta:8). distance(p, closed) >= 2 m */
+/* R2: 2 m from what was closed (spec.rta:9). distance(p, closed) >= 2 m */
 static inline margin away_now(const field_view *v) {
   /* distance(p, closed) */
   const span v2 = received_clearance(v->closed, FIELD_MONITORS_INPUT_CLOSED, v->p_x, v->p_y,
@@ -918,7 +918,7 @@ static inline margin away_now(const field_view *v) {
   return at_least(v5, span_of(2000, 2000), 1000, 0, 1);
 }
 
-/* R3: somebody said lately what is closed (spec.rta:9). age(closed) <= 30 s */
+/* R3: somebody said lately what is closed (spec.rta:10). age(closed) <= 30 s */
 static inline margin known_now(const field_view *v) {
   return at_least(span_of(30000000, 30000000), v->age_of_closed, 1, 0, 2);
 }
