@@ -240,7 +240,7 @@ diag::Diagnostic too_intricate(const SourceRange& range) {
   return {Code::zone_file_unusable,
           range,
           "boundaries cross one another at more than " + std::to_string(geometry::crossings_max) +
-              " places",
+              " places, or touch at more than " + std::to_string(geometry::touches_max),
           "too many crossings",
           {},
           "take fewer areas of a file with `feature`, or unite them in the program that drew them",

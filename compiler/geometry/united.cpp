@@ -69,13 +69,13 @@ class Boundaries {
   }
   // False: too often by now.
   bool count(std::size_t r, std::size_t s) {
-    constexpr std::size_t crossing = 30;  // touches
+    constexpr std::size_t crossing = touches_max / crossings_max;
     for (std::size_t i = starts_[r]; i < starts_[r + 1]; ++i) {
       const Edge& e = edges_[i];
       if (runs_[s].apart(e)) continue;
       const bool few = runs_[s].for_each_meeting(e, [&](const Edge& f, const Point& at) {
         cost_ += is_end(at, e) || is_end(at, f) ? 1 : crossing;
-        return cost_ <= crossing * crossings_max;
+        return cost_ <= touches_max;
       });
       if (!few) return false;
     }

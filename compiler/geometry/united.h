@@ -11,7 +11,7 @@ namespace rtac::geometry {
 
 // What a combination may cost. A place where two edges cross takes about 0.3 ms and 10 kB, one
 // where they touch or lie on one another a thirtieth of it.
-inline constexpr std::size_t crossings_max = 30'000;
+inline constexpr std::size_t crossings_max = 30'000, touches_max = 30 * crossings_max;
 
 // The boundaries of different regions do so, more often than that. Equal regions count as one.
 bool cross_too_often(const std::vector<Region>& regions);

@@ -303,8 +303,8 @@ std::optional<std::string> verify_signals(const Watch& watch) {
 }
 
 // What looks them up relies on it.
-bool in_order(const std::vector<Opening>& openings, std::int64_t end_us) {
-  std::int64_t last_us = -1;
+bool in_order(const std::vector<Opening>& openings, std::int64_t before_us, std::int64_t end_us) {
+  std::int64_t last_us = before_us;
   for (const Opening& each : openings) {
     if (each.from_us <= last_us || each.until_us <= each.from_us) return false;
     last_us = each.until_us;
@@ -342,7 +342,7 @@ std::optional<std::string> verify_watch(const Module& module, const Watch& watch
     if (!leads_to_edges(r.tree, r.edges.size())) return r.name + ": no such edges";
   }
   for (const Schedule& s : watch.schedules) {
-    if (!in_order(s.once, INT64_MAX) || !in_order(s.weekly, us_per_week)) {
+    if (!in_order(s.once, INT64_MIN, INT64_MAX) || !in_order(s.weekly, -1, us_per_week)) {
       return s.name + ": openings out of order";
     }
   }

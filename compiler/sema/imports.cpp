@@ -396,7 +396,7 @@ class Importer {
                             "leave out `timeless`, or `scheduled`");
     }
     if (limited == nullptr) {
-      return without_effect(given, "no area of `" + job_.path + "` has a schedule",
+      return without_effect(given, "no schedule of `" + job_.path + "` limits when it applies",
                             "leave it out: the zone is always there");
     }
     for (const Area* area : selected_) {

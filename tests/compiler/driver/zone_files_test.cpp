@@ -211,5 +211,32 @@ TEST_F(ZoneFiles, PicturesSayWhenZonesAreThere) {
   EXPECT_EQ(o.out.find("around"), o.out.rfind("around"));
 }
 
+// A schedule without a beginning, or with one before 1970, is one that has always been there.
+TEST_F(ZoneFiles, SchedulesMayHaveBegunLongAgo) {
+  for (const std::string from : {"", R"("startDateTime":"1969-12-31T23:00:00Z",)"}) {
+    write("z.json", R"({"features":[{"identifier":"Z","country":"CHE","type":"COMMON",)"
+                    R"("restriction":"PROHIBITED","applicability":[{"permanent":"NO",)" +
+                        from +
+                        R"("endDateTime":"2026-05-23T08:33:17Z"}],"zoneAuthority":[],"geometry":[{)"
+                        R"("uomDimensions":"M","horizontalProjection":{"type":"Circle",)"
+                        R"("center":[8.5456,47.3977],"radius":60}}]}]})");
+    write("s.rta",
+          spec("import \"z.json\" exclusions scheduled", "clock utc;\n" + std::string(origin)));
+    write("t.csv", "time,p.x,p.y\n1779525195,0,0\n1779525196,0,0\n1779525197,0,0\n");
+    for (const std::string engine : {"interp", "kernel"}) {
+      const Outcome o = rtac({"replay", "s.rta", "t.csv", "--engine", engine});
+      ASSERT_EQ(o.status, 3) << o.err;  // a monitor is violated
+      std::string verdicts;
+      std::istringstream rows(o.out);
+      for (std::string row; std::getline(rows, row);) {
+        for (const char* const word : {"true", "false", "unknown"}) {
+          if (row.find(std::string(",") + word) != std::string::npos) verdicts += word[0];
+        }
+      }
+      EXPECT_EQ(verdicts, "ttf") << engine << "\n" << o.out;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -43,6 +43,10 @@ TEST(Verifier, OpeningsAreInOrder) {
   EXPECT_EQ(verify(b.module), std::nullopt);
   b.module.watch->schedules.front().once = {{5, 7}, {7, 9}};
   EXPECT_NE(verify(b.module).value_or("").find("out of order"), std::string::npos);
+  b.module.watch->schedules.front().once = {{-9, -5}, {-4, 9}};  // before 1970
+  EXPECT_EQ(verify(b.module), std::nullopt);
+  b.module.watch->schedules.front() = {"z", {}, {{-1, 5}}};
+  EXPECT_NE(verify(b.module).value_or("").find("out of order"), std::string::npos);
   b.module.watch->schedules.front() = {"z", {}, {{0, us_per_week + 1}}};
   EXPECT_NE(verify(b.module).value_or("").find("out of order"), std::string::npos);
 }

@@ -273,7 +273,7 @@ TEST_F(Scheduled, AreasApplyAtTheSameTimes) {
 TEST_F(Scheduled, NeedsAScheduleThatWindowsHold) {
   const std::string zones = "zone z = import \"uas.json\" exclusions feature ";
   expect(check(zones + "\"ALWAYS\" scheduled;"), Code::clause_without_effect, "scheduled",
-         "has a schedule", "leave it out");
+         "limits when it applies", "leave it out");
   expect(check(zones + "\"ODD\" scheduled;"), Code::zone_file_unusable, "\"uas.json\"",
          "no whole second", "begin and end with a second");
   expect(check(zones + "\"ONE\" scheduled timeless \"why\";"), Code::clause_without_effect,
