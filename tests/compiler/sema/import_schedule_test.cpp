@@ -82,6 +82,24 @@ TEST(ImportSchedule, BetweenDatesMayHaveOneEnd) {
   EXPECT_TRUE(is_open(windows({until})[0], std::int64_t{-9'000'000'000'000'000'000}));
 }
 
+// A day from midnight to midnight, two hours to the east: the whole day all the same.
+TEST(ImportSchedule, PartsOfDaysThatMeetAreOne) {
+  Period late, early;
+  late.from_us = early.from_us = thursday_s * us_per_s;
+  late.from_s = 22 * 3600;
+  early.until_s = 22 * 3600;
+  EXPECT_EQ(windows({late, early}), (std::vector<Opening>{{0, thursday_s, for_ever_s}}));
+  late.until_us = early.until_us = (thursday_s + 4000 * day_s) * us_per_s;
+  EXPECT_EQ(windows({late, early}),
+            (std::vector<Opening>{{0, thursday_s, thursday_s + 4000 * day_s}}));
+  // Of other days or dates they stay apart.
+  late.until_us = *late.until_us + us_per_s;
+  EXPECT_EQ(failure_of({late, early}).message.substr(0, 21), "is more than the 512 ");
+  Period monday{std::nullopt, std::nullopt, 1, 0, 3600},
+      tuesday{std::nullopt, std::nullopt, 2, 3600, 7200};
+  EXPECT_EQ(windows({monday, tuesday}), (std::vector<Opening>{{1, 0, 3600}, {2, 3600, 7200}}));
+}
+
 // Days between two dates count one by one, and what lasts over midnight is one window.
 TEST(ImportSchedule, DaysBetweenDatesAreWindowsOfTheirOwn) {
   Period mornings = between(thursday_s + 9 * 3600, thursday_s + 8 * day_s);
