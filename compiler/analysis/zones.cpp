@@ -207,8 +207,7 @@ class Evaluator {
     const auto& groups = imported.inclusions;
     if (std::ranges::any_of(groups, [](const auto& group) { return group.size() > 1; })) {
       return "areas that a place has to be inside of at once must overlap; with `inclusions any` "
-             "it "
-             "has to be inside of one of them";
+             "it has to be inside of one of them";
     }
     const std::string error = "the boundary may be off by " + metres(imported.error) + ": ";
     return error + (imported.exclusions.empty()

@@ -142,6 +142,10 @@ Rational Region::area() const {
   return twice / 2;
 }
 
+std::vector<Ring> Region::rings() const {
+  return impl_->rings();
+}
+
 std::vector<PolygonWithHoles> Region::polygons() const {
   return impl_->parts;
 }

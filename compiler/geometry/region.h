@@ -94,6 +94,8 @@ class Region {
   // vertices. Every ring is simple; where a region touches itself, rings share a point: the same
   // region always gives the same list.
   [[nodiscard]] std::vector<PolygonWithHoles> polygons() const;
+  // The rings of all of them.
+  [[nodiscard]] std::vector<Ring> rings() const;
 
  private:
   explicit Region(std::vector<PolygonWithHoles> canonical_parts);

@@ -66,10 +66,7 @@ Region any(const Within& part) {
   if (part.regions.size() == 1) return *part.regions.front();
   std::vector<Ring> rings;
   for (const Region* region : part.regions) {
-    for (PolygonWithHoles& polygon : region->polygons()) {
-      rings.push_back(std::move(polygon.outer));
-      std::ranges::move(polygon.holes, std::back_inserter(rings));
-    }
+    std::ranges::move(region->rings(), std::back_inserter(rings));
   }
   return Region::of_rings(rings);
 }

@@ -13,15 +13,6 @@ namespace {
 
 using Rings = std::vector<Ring>;
 
-Rings rings_of(const Region& region) {
-  Rings rings;
-  for (PolygonWithHoles& polygon : region.polygons()) {
-    rings.push_back(std::move(polygon.outer));
-    std::move(polygon.holes.begin(), polygon.holes.end(), std::back_inserter(rings));
-  }
-  return rings;
-}
-
 // Lists of rings in any order that tells equal ones.
 bool before(const Rings& a, const Rings& b) {
   return std::lexicographical_compare(
@@ -90,7 +81,7 @@ class Boundaries {
 
 std::vector<Rings> different(const std::vector<Region>& regions) {
   std::vector<Rings> all;
-  for (const Region& region : regions) all.push_back(rings_of(region));
+  for (const Region& region : regions) all.push_back(region.rings());
   std::sort(all.begin(), all.end(), before);
   const auto equal = [](const Rings& a, const Rings& b) { return !before(a, b) && !before(b, a); };
   all.erase(std::unique(all.begin(), all.end(), equal), all.end());

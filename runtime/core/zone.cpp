@@ -116,15 +116,19 @@ double deepest(const ZoneView& zone, Vec2 a, Vec2 b) {
 }  // namespace
 
 double signed_clearance(const ZoneView& zone, Vec2 p) {
-  const bool is_inside = inside(zone, p);
   ZoneCell cell;
-  if (is_inside && find_cell(zone, p, cell) && cell.is_far()) {
-    return cell.far_mm() * detail::m_per_mm;
-  }
+  const bool in_tree = find_cell(zone, p, cell);
+  const bool is_inside = in_tree ? contains(zone, cell, p) : contains(zone, p);
+  if (in_tree && cell.is_far() && is_inside) return cell.far_mm() * detail::m_per_mm;
   double distance_m = std::numeric_limits<double>::infinity();
-  for_each_near_edge(zone, p, [&](const Edge& e) {
+  const auto look = [&](const Edge& e) {
     distance_m = std::min(distance_m, norm(p - closest_on(e, p)));
-  });
+  };
+  if (in_tree && !cell.is_far()) {
+    for_each_edge(zone, cell, look);
+  } else {
+    for_each_edge(zone, look);
+  }
   return is_inside ? distance_m : -distance_m;
 }
 
