@@ -8,6 +8,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/return_condition.h"
+#include "compiler/analysis/return_set.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/zones.h"
@@ -23,9 +24,6 @@ std::string metres(std::int64_t mm) {
 }
 std::string place(std::int64_t x_mm, std::int64_t y_mm) {
   return "(" + metres(x_mm) + ", " + metres(y_mm) + ")";
-}
-std::string millis(std::int64_t us) {
-  return to_decimal(Rational(us, 1000)) + " ms";
 }
 
 // Value of the cell that holds (x, y); nullopt beyond the table.
@@ -49,9 +47,11 @@ class WellFormed {
     for (std::size_t i = 0; i < module_.decisions.size(); ++i) {
       const ir::Decision& decision = module_.decisions[i];
       if (decision.on_plan) continue;
+      for (diag::Diagnostic& found : empty_return_sets(module_, decision)) {
+        diagnostics_.report(std::move(found));
+      }
       for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
         const ir::Monitor& monitor = decision.monitors[k];
-        return_set(decision, monitor);
         cells(monitor);
         exact_far_enough(decision, monitor);
         if (auto found = hopeless_return(module_, decision, k)) {
@@ -63,28 +63,6 @@ class WellFormed {
   }
 
  private:
-  void return_set(const ir::Decision& decision, const ir::Monitor& monitor) {
-    if (!monitor.lookahead.duration || monitor.recovery.kind != ir::RecoveryKind::retreat) return;
-    const ir::ZoneTable& zone = module_[monitor.recovery.zone];
-    const std::int64_t need = monitor.recovery.return_clearance_mm;
-    if (zone.widest_mm >= need) return;
-    const std::int64_t best =
-        lookahead_max_us(decision, zone.widest_mm, standoffs_of(decision).fence_mm);
-    diag::Diagnostic d{};
-    d.code = Code::return_set_empty;
-    d.range = monitor.lookahead_source;
-    d.message = "monitor `" + monitor.name + "` can never hand control back";
-    d.label = "the return set is empty: it needs a clearance of " + metres(need);
-    d.notes.push_back({std::nullopt, "the widest place of `" + zone.name + "` has a clearance of " +
-                                         metres(zone.widest_mm) + ", at " +
-                                         place(zone.widest_x_mm, zone.widest_y_mm)});
-    d.help = best >= decision.period_us
-                 ? "`ahead` of at most " + millis(best) + " works"
-                 : "no look-ahead works here: widen the zone by " +
-                       metres(2 * (need - zone.widest_mm)) + ", or lower `speed` or `accel`";
-    diagnostics_.report(std::move(d));
-  }
-
   // A recovery searches cells: in a large zone they are wide, and all of a cell counts for as clear
   // as its worst place. Cells as narrow as can be are not asked: what they miss, straight ways
   // find. Where a route ends is asked of its site.
@@ -293,20 +271,6 @@ class WellFormed {
 void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
                        diag::Engine& diagnostics) {
   WellFormed(spec, module, tables, diagnostics).run();
-}
-
-std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,
-                              std::int64_t standoff_mm) {
-  const auto fits = [&](std::int64_t ms) {
-    return return_clearance_mm(decision, 1000 * ms) + standoff_mm <= widest_mm;
-  };
-  if (!fits(0)) return 0;
-  std::int64_t low = 0, high = 60'000;  // no robot looks further ahead than a minute
-  while (high - low > 1) {
-    const std::int64_t middle = (low + high) / 2;
-    (fits(middle) ? low : high) = middle;
-  }
-  return 1000 * low;
 }
 
 std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision) {

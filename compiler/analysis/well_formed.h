@@ -13,8 +13,4 @@ namespace rtac::analysis {
 void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
                        diag::Engine& diagnostics);
 
-// Longest look-ahead (us, whole ms) whose return clearance fits into `widest_mm`; 0: none.
-std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,
-                              std::int64_t standoff_mm);
-
 }  // namespace rtac::analysis

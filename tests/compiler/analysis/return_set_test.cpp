@@ -1,0 +1,124 @@
+// Of the monitors of a decision, the one is named that no place to hand control back is found for,
+// with a number that works; all of them hand back where one retreats.
+#include "tests/compiler/analysis/testing.h"
+
+namespace rtac::analysis::test {
+namespace {
+
+using diag::Code;
+
+// `near` and `far` stay in a room of 5 m; `far` retreats in the room or in a hall around it.
+struct Spec {
+  std::string near_ahead = "100 ms", far_ahead = "100 ms";
+  std::string far_clearance = "10 cm", far_zone = "room";
+  std::string near_returns = "";
+};
+std::string text_of(const Spec& s) {
+  return R"(spec two;
+zone room = rectangle (0 m, 0 m) to (5 m, 5 m);
+zone hall = rectangle (-20 m, -20 m) to (20 m, 20 m);
+robot Drone {
+  body     radius 8 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 2 cm    max_age 50 ms;
+  sense    velocity : vector  error 2 cm/s  max_age 50 ms;
+  output   thrust : acceleration;
+  latency  20 ms;
+}
+fleet d1 : Drone;
+controller pilot    : advanced for Drone extern;
+controller back_off : safe for Drone = retreat within room speed 0.3 m/s;
+controller come_in  : safe for Drone = retreat within )" +
+         s.far_zone + R"( speed 0.3 m/s;
+monitor near for d : Drone {
+  "SR-1: clear of the walls" always clearance(d, room) >= 10 cm;
+  ahead )" +
+         s.near_ahead + "; recover back_off; " + s.near_returns + R"(
+}
+monitor far for d : Drone {
+  "SR-2: far from them" always clearance(d, )" +
+         s.far_zone + ") >= " + s.far_clearance + R"(;
+  ahead )" +
+         s.far_ahead + R"(; recover come_in;
+}
+decision fly for Drone { advanced pilot; period 50 ms; priority near > far; }
+)";
+}
+
+// The text that the only report, a 5007, stands at.
+std::string named(const driver::Compilation& c, const std::string& text) {
+  EXPECT_EQ(c.diagnostics.all().size(), 1U) << reports(c);
+  if (!has(c, Code::return_set_empty)) return "";
+  const auto& d = c.diagnostics.all().front();
+  return d.message + ": " + text.substr(d.range->begin, d.range->end - d.range->begin);
+}
+void expect_named(const Spec& faulty, const std::string& what) {
+  const std::string text = text_of(faulty);
+  EXPECT_EQ(named(*compiled(text), text), what);
+}
+void expect_works(const Spec& s) {
+  const auto c = compiled(text_of(s));
+  EXPECT_TRUE(c->module) << reports(*c);
+}
+std::string thousandth_more(const std::string& number) {
+  return std::to_string(std::stod(number) + 0.001);
+}
+
+const std::string of_near = "monitor `near` can never hand control back: ";
+const std::string of_far = "monitor `far` can never hand control back: ";
+
+TEST(ReturnSet, TwoShortLookaheadsAreFine) {
+  expect_works({});
+  expect_works({.far_zone = "hall"});
+}
+
+TEST(ReturnSet, TheMonitorThatLooksTooFarAheadIsNamedAlone) {
+  expect_named({.far_ahead = "2 s"}, of_far + "2 s");
+  expect_named({.near_ahead = "2 s"}, of_near + "2 s");
+  expect_named({.near_ahead = "2 s", .far_zone = "hall"}, of_near + "2 s");
+}
+
+// The other monitor retreats to where both hand back, and finds no such place.
+TEST(ReturnSet, ALookaheadThatAnotherMonitorsRetreatHasNoRoomForIsNamed) {
+  const Spec faulty{.far_ahead = "2 s", .far_zone = "hall"};
+  expect_named(faulty, of_far + "2 s");
+  const auto c = compiled(text_of(faulty));
+  const auto& notes = c->diagnostics.all().front().notes;
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_NE(notes[1].text.find("`near`"), std::string::npos) << notes[1].text;
+}
+
+TEST(ReturnSet, BothAreNamedWhenBothLookTooFarAhead) {
+  const auto c = compiled(text_of({.near_ahead = "3 s", .far_ahead = "2 s"}));
+  ASSERT_EQ(c->diagnostics.all().size(), 2U) << reports(*c);
+  const std::string most = number_in_help(*c, Code::return_set_empty, "at most ", "ms") + " ms";
+  expect_works({.near_ahead = most, .far_ahead = most});
+}
+
+TEST(ReturnSet, AStandoffThatNoLookaheadMakesUpForIsNamedWithTheLargestThatWorks) {
+  for (const std::string zone : {"room", "hall"}) {
+    const Spec faulty{.far_clearance = "3 m", .far_zone = zone};
+    expect_named(faulty, of_far + "clearance(d, " + zone + ") >= 3 m");
+    const std::string most =
+        number_in_help(*compiled(text_of(faulty)), Code::return_set_empty, "at most ", "m works");
+    expect_works({.far_clearance = most + " m", .far_zone = zone});
+    EXPECT_TRUE(
+        has(*compiled(text_of({.far_clearance = thousandth_more(most) + " m", .far_zone = zone})),
+            Code::return_set_empty));
+  }
+}
+
+TEST(ReturnSet, AConditionAboutAnotherZoneThanTheRetreatsIsNamedWithTheLargestThatWorks) {
+  const auto asks = [](const std::string& clearance) {
+    return Spec{.far_zone = "hall",
+                .near_returns = "return when clearance(d, hall) >= " + clearance + " m;"};
+  };
+  expect_named(asks("4"), of_near + "clearance(d, hall) >= 4 m");
+  const std::string most = number_in_help(*compiled(text_of(asks("4"))), Code::return_set_empty,
+                                          "clearance of ", "m works");
+  expect_works(asks(most));
+  EXPECT_TRUE(has(*compiled(text_of(asks(thousandth_more(most)))), Code::return_set_empty));
+}
+
+}  // namespace
+}  // namespace rtac::analysis::test
