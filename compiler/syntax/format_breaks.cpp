@@ -21,6 +21,9 @@ std::optional<BreakClass> class_of_word(const Piece& piece) {
     case T::FLAT:
     case T::TIMELESS:
     case T::SCHEDULED:
+    case T::HEIGHTS:
+    case T::AROUND:
+    case T::DURING:
       return BreakClass::part;
     case T::FOR:
     case T::SINCE:

@@ -105,6 +105,24 @@ TEST(Format, ZonesOfFiles) {
             "                 flat \"everything here stays on the ground\";\n");
 }
 
+TEST(Format, ZonesWithHeightsThatMoveOrComeAndGo) {
+  EXPECT_EQ(formatted("zone long_name = import \"a_folder/and_a_long_name.json\" feature \"one of "
+                      "many\" heights amsl at -432.5m scheduled-other during 08:00..09:00 or "
+                      "mon,tue 10:00..12:00;\n"),
+            "zone long_name = import \"a_folder/and_a_long_name.json\"\n"
+            "                 feature \"one of many\"\n"
+            "                 heights amsl at -432.5 m\n"
+            "                 scheduled - other\n"
+            "                 during 08:00 .. 09:00 or mon, tue 10:00 .. 12:00;\n");
+  EXPECT_EQ(
+      formatted("zone bubble = circle (0 m, 0 m) radius 4.5 m | rectangle (1 m, 1 m) to (2 m, "
+                "2 m) | heights around around during 08:00 .. 09:00;\n"),
+      "zone bubble = circle (0 m, 0 m) radius 4.5 m | rectangle (1 m, 1 m) to (2 m, 2 m) | "
+      "heights\n"
+      "              around around\n"
+      "              during 08:00 .. 09:00;\n");
+}
+
 TEST(Format, KeepsTokensAndCommentsOfAllSpecifications) {
   int formatted_count = 0;
   for (const char* folder : {"/specs", "/tests", "/examples"}) {
