@@ -127,6 +127,23 @@ TEST(Zones, DistancesThatARobotNeedsAreExactOrItIsAnError) {
   EXPECT_TRUE(has(*fast, diag::Code::too_many_edges)) << reports(*fast);
 }
 
+// Monitors look at 16 edges around a place: those of 8 holes that meet in it.
+TEST(Zones, EightHolesMayMeetInAPointOfAZoneThatIsAskedAbout) {
+  const auto hall = [](int holes) {
+    std::string text = "polygon [(-40 m, -40 m), (40 m, -40 m), (40 m, 40 m), (-40 m, 40 m)]";
+    for (int i = 0; i < holes; ++i) {
+      const std::string y = std::to_string(4 * i), end = std::to_string(4 * i + 2);
+      text += " hole [(0 m, 0 m), (30 m, " + y + " m), (30 m, " + end + " m)]";
+    }
+    return edited(drone_spec(), "rectangle (0 m, 0 m) to (5 m, 5 m)", text);
+  };
+  const auto eight = compiled(hall(8));
+  EXPECT_TRUE(eight->module) << reports(*eight);
+  const auto nine = compiled(hall(9));
+  EXPECT_TRUE(has(*nine, diag::Code::too_many_edges)) << reports(*nine);
+  EXPECT_FALSE(has(*nine, diag::Code::holes_overlap)) << reports(*nine);
+}
+
 // The zone that the help speaks of compiles.
 TEST(Zones, CellsThatHideEveryPlaceAreRefusedWithTheWidthThatWorks) {
   const auto corridors = [](const std::string& side) {
