@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "compiler/geometry/cell_distance.h"
+#include "compiler/geometry/cell_need.h"
 #include "compiler/geometry/cell_words.h"
 
 namespace rtac::geometry {
@@ -18,6 +19,14 @@ using Edges = std::vector<PreparedEdge>;
 // What one attempt may cost.
 struct Terms {
   std::size_t edges_max, bytes_max;
+
+  // As many as may still be made, if each takes no more than the words of its parts.
+  [[nodiscard]] std::size_t divisions_left(std::size_t bytes) const {
+    const std::size_t most_a_division = division_bytes * (1 + edges_max);
+    if (bytes + most_a_division > bytes_max) return 0;
+    return (bytes_max - bytes - most_a_division) / division_bytes + 1;
+  }
+  static constexpr std::size_t division_bytes = 64;
 };
 // Whether a place is inside takes a look at every edge of its cell, if the boundary meets that:
 // such cells are divided down to so many, with what is left as soon as distances are exact as far
@@ -29,11 +38,12 @@ struct Part {
   Square square;
   Candidates near;
   std::vector<Part> parts;  // 16 or none
+  std::size_t due = 0;      // divisions of cells of the grid in it, at least
 };
+constexpr std::int64_t narrow_at_most_mm = std::int64_t{1} << 30;  // products would overflow
 
 // Divided by two twice, so that the second time only what matters for a quarter is looked at.
 std::vector<Part> parts_of(const Square& square, const Candidates& near, const Edges& edges) {
-  constexpr std::int64_t narrow_at_most_mm = std::int64_t{1} << 30;  // products would overflow
   std::vector<Part> parts(16);
   const std::int64_t half = square.side_mm / 2, quarter = square.side_mm / 4;
   const auto narrowed = [&](const Square& s, const Candidates& from) {
@@ -53,6 +63,37 @@ std::vector<Part> parts_of(const Square& square, const Candidates& near, const E
   return parts;
 }
 
+// Divisions of `cells` cells that cover the square, at least, until the boundary meets none of more
+// than `edges_max` edges.
+std::size_t divisions_due_in(const Square& square, const Candidates& near, const Edges& edges,
+                             std::size_t edges_max, double cells) {
+  const bool many = near.meets_boundary() && near.edges.size() > edges_max;
+  if (!many || square.side_mm > narrow_at_most_mm) return 0;
+  return divisions_due(cells_due(square, met_by(square, edges, near.edges), edges_max), cells);
+}
+
+bool is_divisible(const Square& square) {
+  return square.side_mm >= 4;  // else a part has less than 1 mm
+}
+
+// Somewhere in the square, in as narrow a cell as has too many edges: where to mend the outline.
+TooDense densest(Square square, Candidates near, const Edges& edges) {
+  while (is_divisible(square)) {
+    std::vector<Part> parts = parts_of(square, near, edges);
+    const auto dense = [](const Part& p) {
+      return p.near.meets_boundary() ? p.near.edges.size() : 0;
+    };
+    Part& most = *std::ranges::max_element(parts, {}, dense);
+    if (dense(most) <= cell_edges_max) break;
+    square = most.square;
+    near = std::move(most.near);
+  }
+  const GridPoint middle{static_cast<std::int32_t>(square.x_mm + square.side_mm / 2),
+                         static_cast<std::int32_t>(square.y_mm + square.side_mm / 2)};
+  // An edge of a cell is at most its diagonal away from it: from its middle, 2.13 sides.
+  return {middle, near.edges.size(), square.side_mm * 17 / 8 + 1, 0};
+}
+
 // A cell whose word is still to be found.
 struct Bud {
   std::size_t slot;  // of its word
@@ -64,6 +105,7 @@ struct Bud {
   // counts as this far away.
   double turn_mm = near.least_nearest;
   bool is_leaf = false;
+  std::size_t due = 0;  // divisions that it takes, at least
 
   friend bool operator<(const Bud& a, const Bud& b) {
     return a.turn_mm != b.turn_mm ? a.turn_mm > b.turn_mm : a.slot > b.slot;
@@ -83,21 +125,22 @@ class Growth {
   void grow(const Part& whole, const std::vector<char>& corners) {
     start_grid(whole, corners);
     start_outside(whole, grid_.cells(), 0);
-    const std::size_t most_a_division = 16 * (1 + terms_.edges_max) * 4;
     while (!buds_.empty() && !refused_) {
+      const std::size_t left = divisions_left();
+      if (due_ > left) return refuse();
+      if (buds_.size() > 2 * left + 1000) drop_all_but(left);
       std::pop_heap(buds_.begin(), buds_.end());
       const Bud bud = std::move(buds_.back());
       buds_.pop_back();
-      const bool divisible = bud.square.side_mm >= 4;  // else a part has less than 1 mm
-      if (divisible && tree_.bytes() + most_a_division <= terms_.bytes_max) {
-        divide(bud);
-      } else if (!bud.is_leaf) {
-        far(bud);
-      }
+      due_ -= bud.due;
+      left > 0 ? divide(bud) : end(bud);
     }
   }
-  // Some place has too many edges, however small its cell.
+  // Some place has too many edges, however small its cell, or cells take too many bytes.
   [[nodiscard]] const std::optional<TooDense>& refusal() const { return refused_; }
+  // What a cell must be allowed to have for there to be a tree, whatever its bytes.
+  [[nodiscard]] std::size_t edges_due() const { return edges_due_; }
+  [[nodiscard]] std::size_t divided() const { return divided_; }
 
   CellTree take() {
     tree_.x_mm = static_cast<std::int32_t>(grid_.x_mm);
@@ -140,9 +183,39 @@ class Growth {
       bud.is_leaf = true;
       bud.turn_mm = static_cast<double>(wanted_mm_);
       if (!is_coarse(bud)) return;
+    } else if (bud.near.meets_boundary()) {
+      if (!is_divisible(bud.square)) return refuse(bud);
+      const std::size_t due = divisions_due_in(bud.square, bud.near, edges_, terms_.edges_max, 1);
+      bud.due = std::max<std::size_t>(1, due);
     }
+    if (!is_divisible(bud.square)) return end(bud);
+    due_ += bud.due;
+    bud.near.nearest = {};  // there may be many buds
+    bud.near.edges.shrink_to_fit();
     buds_.push_back(std::move(bud));
     std::push_heap(buds_.begin(), buds_.end());
+  }
+  [[nodiscard]] std::size_t divisions_left() const { return terms_.divisions_left(tree_.bytes()); }
+  // Those that the boundary meets are divided before all others, and take more than is left.
+  void refuse() {
+    const Bud& most = *std::ranges::max_element(buds_, {}, &Bud::due);
+    refused_ = densest(most.square, most.near, edges_);
+  }
+  void refuse(const Bud& indivisible) {
+    edges_due_ = indivisible.near.edges.size();
+    refused_ = densest(indivisible.square, indivisible.near, edges_);
+  }
+  // Of the others none will be divided: that takes bytes for each one before it.
+  void drop_all_but(std::size_t first) {
+    const auto kept = buds_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::nth_element(buds_.begin(), kept, buds_.end(),
+                     [](const Bud& a, const Bud& b) { return b < a; });
+    std::for_each(kept, buds_.end(), [this](const Bud& bud) { end(bud); });
+    buds_.erase(kept, buds_.end());
+    std::make_heap(buds_.begin(), buds_.end());
+  }
+  void end(const Bud& bud) {
+    if (!bud.is_leaf) far(bud);
   }
   // A zone with no more edges than a cell may have needs no cells.
   [[nodiscard]] bool is_coarse(const Bud& bud) const {
@@ -157,6 +230,7 @@ class Growth {
     return at;
   }
   void divide(const Bud& bud) {
+    ++divided_;
     const std::size_t at = split(bud.slot, bud.depth);
     tree_.leaves -= bud.is_leaf ? 1 : 0;
     const Corner from{bud.square.x_mm, bud.square.y_mm};
@@ -173,11 +247,6 @@ class Growth {
 
   void far(const Bud& bud) {
     const double distance_mm = bud.near.least_nearest;
-    if (bud.near.meets_boundary()) {
-      // An edge of the cell is at most its diagonal away from it: from its middle, 2.13 sides.
-      const std::int64_t within_mm = bud.square.side_mm * 17 / 8 + 1;
-      refused_ = TooDense{middle(bud.square), bud.near.edges.size(), within_mm};
-    }
     ++tree_.leaves;
     const auto down = static_cast<std::int32_t>(
         std::clamp<double>(distance_mm * (1 - 1e-9) - 1e-3, 0, far_most_mm));
@@ -213,17 +282,15 @@ class Growth {
     if (is_new) tree_.lists.insert(tree_.lists.end(), near.begin(), near.end());
     return at->second;
   }
-  static GridPoint middle(const Square& s) {
-    return {static_cast<std::int32_t>(s.x_mm + s.side_mm / 2),
-            static_cast<std::int32_t>(s.y_mm + s.side_mm / 2)};
-  }
 
   const Edges& edges_;
   const Grid& grid_;
   const Terms terms_;
   const std::int64_t wanted_mm_;
   CellTree tree_;
-  std::vector<Bud> buds_;  // a heap
+  std::vector<Bud> buds_;  // a heap, all of them divisible
+  std::size_t due_ = 0;    // divisions that they take, at least
+  std::size_t edges_due_ = 0, divided_ = 0;
   std::unordered_map<std::u32string, std::size_t> lists_;
   std::optional<TooDense> refused_;
 };
@@ -242,34 +309,59 @@ class Grower {
   }
 
   std::variant<CellTree, TooDense> run(std::int64_t wanted_mm) {
+    if (refused_) return refused();
     const std::size_t n = edges_.size();
-    // Words have 24 bits for the places of lists.
-    const std::size_t most =
-        std::min<std::size_t>(cell_tree_bytes_max(n) - n * edge_bytes, 1U << 26);
+    const std::size_t most = bytes_most();
     const std::size_t few =
         std::min(most, 64 * n + 2048 - n * edge_bytes);  // small zones stay small
     std::vector<Terms> attempts = {{8, few}, {cell_edges_max, few}, {8, most}};
     if (n > 20'000) attempts = {{8, few}};  // an attempt takes seconds
     attempts.push_back({cell_edges_max, most});
-    std::optional<TooDense> refusal;
-    for (std::size_t i = 0; i < attempts.size(); ++i) {
+    std::size_t edges_due = 0;
+    for (std::size_t i = 0; i < attempts.size() && edges_due <= cell_edges_max; ++i) {
+      if (attempts[i].edges_max < edges_due) continue;
       Growth growth(edges_, grid_, attempts[i], wanted_mm);
       growth.grow(whole_, corners_);
-      refusal = growth.refusal();
-      if (refusal) continue;
+      refused_ = growth.refusal();
+      edges_due = std::max(edges_due, growth.edges_due());
+      divided_ += growth.divided();
+      if (refused_) continue;
       CellTree tree = growth.take();
       const bool is_last = i + 1 == attempts.size();
       if (is_last || tree.exact_mm.value_or(INT32_MAX) >= wanted_mm) return tree;
     }
-    return *refusal;
+    return refused();
   }
 
  private:
   static constexpr std::size_t edge_bytes = 24;
 
+  TooDense refused() {
+    refused_->divided = divided_;
+    return *refused_;
+  }
+  [[nodiscard]] std::size_t bytes_most() const {
+    const std::size_t n = edges_.size();
+    // Words have 24 bits for the places of lists.
+    return std::min<std::size_t>(cell_tree_bytes_max(n) - n * edge_bytes, 1U << 26);
+  }
   void divide(Part& part) {
-    if (!grid_.overlaps(part.square) || part.square.side_mm <= grid_.cell_mm()) return;
+    if (refused_ || !grid_.overlaps(part.square) || part.square.side_mm <= grid_.cell_mm()) return;
     part.parts = parts_of(part.square, part.near, edges_);
+    ++divided_;
+    due_ -= part.due;
+    for (Part& p : part.parts) {
+      p.near.nearest = {};
+      const double across = double(p.square.side_mm) / double(grid_.cell_mm());
+      p.due = divisions_due_in(p.square, p.near, edges_, cell_edges_max, across * across);
+      due_ += p.due;
+    }
+    const Terms widest{cell_edges_max, bytes_most()};
+    if (due_ > widest.divisions_left(grid_.cells() * 4)) {
+      const Part& most = *std::ranges::max_element(part.parts, {}, &Part::due);
+      refused_ = densest(most.square, most.near, edges_);
+      return;
+    }
     for (Part& p : part.parts) divide(p);
     if (part.near.edges.size() > cell_edges_max) part.near.edges.resize(cell_edges_max + 1);
   }
@@ -278,6 +370,9 @@ class Grower {
   Grid grid_;
   std::vector<char> corners_;
   Part whole_;
+  std::size_t due_ = 0;  // divisions of cells of the grid, at least
+  std::size_t divided_ = 0;
+  std::optional<TooDense> refused_;  // no attempt will succeed; or the last one did not
 };
 
 }  // namespace

@@ -53,6 +53,7 @@ struct TooDense {
   GridPoint at;
   std::size_t edges = 0;
   std::int64_t within_mm = 0;
+  std::size_t divided = 0;  // cells, until that was known: how the work grows
 };
 
 // Edges are numbered as edge_rows does. The zone has at least one ring. Distances up to `wanted_mm`

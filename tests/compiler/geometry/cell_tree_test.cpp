@@ -222,5 +222,58 @@ TEST(CellTree, RefusesWhatNeedsTooManyCellsAndSaysWhere) {
   EXPECT_LE(std::abs(dense.at.x_mm - 100), 200);
 }
 
+TooDense refused(const SnappedZone& zone) {
+  const auto grown = grow_cell_tree(zone, 50'000);
+  EXPECT_TRUE(std::holds_alternative<TooDense>(grown));
+  const auto* dense = std::get_if<TooDense>(&grown);
+  return dense != nullptr ? *dense : TooDense{};
+}
+// 800 m long and 1 mm wide, 2 mm apart. Before cells were counted ahead, 1,000 of them took 12 s.
+SnappedZone slivers(int count) {
+  SnappedZone zone;
+  for (int i = 0; i < count; ++i) {
+    zone.rings.push_back({{0, 2 * i}, {800'000, 2 * i}, {800'000, 2 * i + 1}});
+  }
+  return zone;
+}
+TEST(CellTree, RefusesLongEdgesSideBySideBeforeItDividesCells) {
+  for (const int count : {100, 1000, 10'000}) {
+    const TooDense dense = refused(slivers(count));
+    EXPECT_LE(dense.divided, 100U) << count;
+    EXPECT_GT(dense.edges, cell_edges_max);
+    EXPECT_LE(dense.within_mm, 100);  // where an outline is to be mended
+    EXPECT_GE(dense.at.y_mm, -100);
+    EXPECT_LE(dense.at.y_mm, 2 * count + 100);
+  }
+}
+// Their tips meet in one point, which no cell divides: the rest is not divided any further.
+SnappedZone needles(int count, int length_mm) {
+  SnappedZone zone;
+  for (int i = 0; i < count; ++i) {
+    const double a = 2 * M_PI * i / count, b = 2 * M_PI * (i + 0.5) / count;
+    zone.rings.push_back({{0, 0},
+                          at(length_mm * std::cos(a), length_mm * std::sin(a)),
+                          at(length_mm * std::cos(b), length_mm * std::sin(b))});
+  }
+  return zone;
+}
+TEST(CellTree, EightNeedlesMeetInAPointAndNineDoNot) {
+  const Trees eight(needles(8, 1000), 100);
+  eight.check_bounds();
+  eight.check_places(300);
+  const TooDense nine = refused(needles(9, 1000));
+  EXPECT_EQ(nine.edges, 18U);
+  EXPECT_LE(std::abs(nine.at.x_mm) + std::abs(nine.at.y_mm), 2);
+  EXPECT_LE(nine.within_mm, 4);
+}
+TEST(CellTree, TheWorkOfARefusalGrowsLikeTheOutline) {
+  const auto divided = [](int corners) {
+    return refused({{star(corners, 500'000, 1'000'000)}}).divided;
+  };
+  const std::size_t few = divided(4000), many = divided(16'000);
+  EXPECT_LE(many, 6 * few) << few;
+  EXPECT_LE(many, 16'000U);
+}
+
 }  // namespace
 }  // namespace rtac::geometry
