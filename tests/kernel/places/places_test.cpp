@@ -2,67 +2,27 @@
 // error against exact geometry, around every vertex and along every edge; bounds of clearances.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "spec.h"
+#include "tests/kernel/exact_rings.h"
 
 namespace crane {
 namespace {
 
-using Um = std::int64_t;  // micrometres
-struct Place {
-  Um x, y;
-};
-using Ring = std::vector<Place>;
+using rtac::kernel_test::m;
+using rtac::kernel_test::mm;
+using rtac::kernel_test::pad;
+using rtac::kernel_test::Place;
+using rtac::kernel_test::Um;
 
-constexpr Um mm = 1000, m = 1000 * mm;
-
-const std::vector<Ring>& pad() {
-  static const std::vector<Ring> rings = {
-      {{0, 0}, {6 * m, 0}, {6 * m, 4 * m}, {0, 3250 * mm}},
-      {{2 * m, 1 * m}, {4 * m, 1 * m}, {4 * m, 2 * m}, {3 * m, 1500 * mm}, {2 * m, 2 * m}}};
-  return rings;
-}
-
-template <class Visit>
-void for_each_edge(const Visit& visit) {
-  for (const Ring& ring : pad()) {
-    for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[(i + 1) % ring.size()]);
-  }
-}
-
-// Twice the area of a, b and p: positive when p is on the left of a to b.
-Um side(Place a, Place b, Place p) {
-  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-}
-
-// Even-odd rule; the boundary belongs to the pad, that of the hole as well.
 bool on_pad(Place p) {
-  bool inside = false, on_edge = false;
-  for_each_edge([&](Place a, Place b) {
-    const bool within = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
-                        std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
-    on_edge = on_edge || (within && side(a, b, p) == 0);
-    if ((a.y > p.y) != (b.y > p.y) && (b.y > a.y) == (side(a, b, p) > 0)) inside = !inside;
-  });
-  return inside || on_edge;
-}
-
-double distance_m(Place a, Place b, Place p) {
-  const double dx = double(b.x - a.x), dy = double(b.y - a.y);
-  const double t = (double(p.x - a.x) * dx + double(p.y - a.y) * dy) / (dx * dx + dy * dy);
-  const double at = std::min(1.0, std::max(0.0, t));
-  return std::hypot(double(p.x - a.x) - at * dx, double(p.y - a.y) - at * dy) / double(m);
+  return within(pad(), p);
 }
 // From the boundary, negative outside.
 double clearance_m(Place p) {
-  double least = 1e9;
-  for_each_edge([&](Place a, Place b) { least = std::min(least, distance_m(a, b, p)); });
-  return on_pad(p) ? least : -least;
+  return on_pad(p) ? boundary_m(pad(), p) : -boundary_m(pad(), p);
 }
 
 // Around all vertices and points on edges, on the grid of millimetres and off it.
@@ -70,7 +30,7 @@ std::vector<Place> places() {
   std::vector<Place> all;
   const std::vector<Um> offsets = {-375 * mm, -125 * mm, -3 * mm, -mm, -400,   -1,
                                    0,         1,         500,     mm,  3 * mm, 125 * mm};
-  for_each_edge([&](Place a, Place b) {
+  for_each_edge(pad(), [&](Place a, Place b) {
     for (int step = 0; step < 8; ++step) {
       const Place from{a.x + (b.x - a.x) / 8 * step, a.y + (b.y - a.y) / 8 * step};
       for (const Um x : offsets) {
