@@ -155,7 +155,7 @@ void SolidEvaluator::report_empty(const sema::Zone& zone) {
          std::move(help));
 }
 
-std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id) {
+std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t exact_mm) {
   const auto inner = zone(id, Side::inner), outer = zone(id, Side::outer);
   if (!inner || !outer) return std::nullopt;
   const sema::Zone& declared = spec_[id];
@@ -174,14 +174,15 @@ std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id) {
            "a zone of more than 2 mm in all directions works");
     return std::nullopt;
   }
-  auto inside = baked(declared, *within);
-  auto outside = inside ? baked(declared, *around) : std::nullopt;
+  auto inside = baked(declared, *within, exact_mm);
+  auto outside = inside ? baked(declared, *around, exact_mm) : std::nullopt;
   if (!outside) return std::nullopt;
   return EvaluatedSolid{std::move(*inside), std::move(*outside)};
 }
 
 std::optional<std::vector<BakedSlab>> SolidEvaluator::baked(const sema::Zone& zone,
-                                                            const geometry::SnappedSolid& solid) {
+                                                            const geometry::SnappedSolid& solid,
+                                                            std::int64_t exact_mm) {
   if (solid.size() > slabs_max) {
     report(Code::too_many_edges, zone,
            "the zone has " + std::to_string(solid.size()) + " slabs, a decision checks at most " +
@@ -191,7 +192,7 @@ std::optional<std::vector<BakedSlab>> SolidEvaluator::baked(const sema::Zone& zo
   }
   std::vector<BakedSlab> slabs;
   for (const geometry::SnappedSlab& slab : solid) {
-    auto grown = geometry::grow_cell_tree(slab.zone, exact_mm_wanted);
+    auto grown = geometry::grow_cell_tree(slab.zone, exact_mm);
     if (const auto* dense = std::get_if<geometry::TooDense>(&grown)) {
       report(Code::too_many_edges, zone,
              std::to_string(dense->edges) +

@@ -26,8 +26,6 @@ struct BakedSlab {
 };
 // Every place is held against all of them.
 inline constexpr std::size_t slabs_max = 64;
-// Distances up to this one are exact where tables may be large enough.
-inline constexpr std::int64_t exact_mm_wanted = 50'000;  // more than what robots look ahead
 struct EvaluatedSolid {
   std::vector<BakedSlab> within, around;  // from below to above
 };
@@ -40,8 +38,9 @@ class SolidEvaluator {
 
   // nullopt: faulty, and reported.
   std::optional<geometry::Solid> zone(sema::ZoneId id, Side side);
-  // As tables; nullopt: reported.
-  std::optional<EvaluatedSolid> bake(sema::ZoneId id);
+  // As tables, in which distances up to `exact_mm` are exact where they may be large enough;
+  // nullopt: reported.
+  std::optional<EvaluatedSolid> bake(sema::ZoneId id, std::int64_t exact_mm);
 
  private:
   using Result = std::optional<geometry::Solid>;
@@ -66,7 +65,8 @@ class SolidEvaluator {
   void report(diag::Code code, const sema::Zone& zone, std::string message, std::string help);
   void report_empty(const sema::Zone& zone);
   std::optional<std::vector<BakedSlab>> baked(const sema::Zone& zone,
-                                              const geometry::SnappedSolid& solid);
+                                              const geometry::SnappedSolid& solid,
+                                              std::int64_t exact_mm);
 
   const sema::Spec& spec_;
   diag::Engine& diagnostics_;

@@ -396,13 +396,15 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
                                                          const std::vector<ZoneUse>& wanted,
                                                          diag::Engine& diagnostics) {
   Evaluator evaluator(spec, diagnostics);
-  Baker baker(diagnostics.has_errors() ? 0 : exact_wanted_mm(spec), diagnostics);
+  const std::int64_t exact_mm = diagnostics.has_errors() ? 0 : exact_wanted_mm(spec);
+  Baker baker(exact_mm, diagnostics);
   std::vector<std::optional<EvaluatedZone>> result(spec.zones.size());
   for (std::uint32_t i = 0; i < spec.zones.size(); ++i) {
     const ZoneUse& use = wanted[i];
     if (spec.zones[i].has_height) {
       const auto exact = evaluator.solids().zone(ZoneId(i), Side::inner);
-      auto solid = exact && use.points ? evaluator.solids().bake(ZoneId(i)) : std::nullopt;
+      auto solid =
+          exact && use.points ? evaluator.solids().bake(ZoneId(i), exact_mm) : std::nullopt;
       if (solid) {
         result[i].emplace();
         result[i]->solid = std::move(solid);

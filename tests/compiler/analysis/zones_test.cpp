@@ -127,6 +127,31 @@ TEST(Zones, DistancesThatARobotNeedsAreExactOrItIsAnError) {
   EXPECT_TRUE(has(*fast, diag::Code::too_many_edges)) << reports(*fast);
 }
 
+// As far as a property of points asks, and half as far again: with height as in the plane.
+TEST(Zones, DistancesThatAPropertyOfPointsNamesAreExact) {
+  const auto exact_mm = [](const std::string& point, const std::string& zone,
+                           const std::string& clearance) {
+    const auto c = compiled(
+        "spec lake;\nperiod 1 s;\ninput p : " + point +
+        ";\nzone shore = circle (0 m, 0 m) radius 3 km;\nzone lake = " + zone +
+        ";\nmonitor m { \"R1: off the shore\" always clearance(p, lake) >= " + clearance + "; }\n");
+    EXPECT_TRUE(c->module) << reports(*c);
+    std::int32_t least = INT32_MAX;
+    for (const ir::Region& r : c->module->watch->regions) {
+      least = std::min(least, r.tree.exact_mm.value_or(INT32_MAX));
+    }
+    return least;
+  };
+  const auto flat = [&](const char* clearance) { return exact_mm("point", "shore", clearance); };
+  const auto high = [&](const char* clearance) {
+    return exact_mm("point3", "prism (shore) from 0 m to 1 km", clearance);
+  };
+  EXPECT_LT(flat("20 m"), 1'200'000);
+  EXPECT_EQ(high("20 m"), flat("20 m"));
+  EXPECT_GE(flat("800 m"), 1'200'000);
+  EXPECT_EQ(high("800 m"), flat("800 m"));
+}
+
 // Monitors look at 16 edges around a place: those of 8 holes that meet in it.
 TEST(Zones, EightHolesMayMeetInAPointOfAZoneThatIsAskedAbout) {
   const auto hall = [](int holes) {
