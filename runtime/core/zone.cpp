@@ -36,8 +36,12 @@ template <class Visit>
 void for_each_edge(const ZoneView& zone, const ZoneCell& cell, const Visit& visit) {
   for (std::size_t i = 0; i < cell.edges(); ++i) visit(edge_at(zone, cell.edge(*zone.tree, i)));
 }
-// Those that the nearest place of the boundary lies on: of a cell far from it nothing is known, so
-// that all are looked at.
+// Those that the nearest place of the boundary lies on. Of a far cell the tree knows that the
+// boundary is farther away than distances are exact, and not where; the kernel's border_of goes to
+// some place of it then, but here the nearest one is asked for. So all edges are looked at: right,
+// and as slow as they are many. In a tick only recoveries ask, at rest and once a second at most,
+// and from a far cell only far outside of their zone, or inside where `return when` wants more
+// clearance than is exact. Planners, the simulator and its judge are off the real-time path.
 template <class Visit>
 void for_each_near_edge(const ZoneView& zone, Vec2 p, const Visit& visit) {
   ZoneCell cell;
@@ -126,7 +130,7 @@ double signed_clearance(const ZoneView& zone, Vec2 p) {
   };
   if (in_tree && !cell.is_far()) {
     for_each_edge(zone, cell, look);
-  } else {
+  } else {  // outside, where a bound of the distance would call a place less far out than it is
     for_each_edge(zone, look);
   }
   return is_inside ? distance_m : -distance_m;
