@@ -38,10 +38,10 @@ endforeach()
 # Examples find the library of specifications beside them, as in the repository.
 file(COPY "${SOURCE}/examples/${EXAMPLE}" DESTINATION "${copy}/examples")
 file(COPY "${SOURCE}/specs" DESTINATION "${copy}")
-run("configuring" ${CMAKE_COMMAND} -S "${copy}/examples/${EXAMPLE}" -B "${example_build}"
-  -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${prefix}" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF
+set(user -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${prefix}" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF
   -DCMAKE_BUILD_TYPE=Release "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER=${CXX}"
   "-DCMAKE_C_FLAGS_RELEASE=${FLAGS}" "-DCMAKE_CXX_FLAGS_RELEASE=${FLAGS}")
+run("configuring" ${CMAKE_COMMAND} -S "${copy}/examples/${EXAMPLE}" -B "${example_build}" ${user})
 run("building" ${CMAKE_COMMAND} --build "${example_build}" --parallel 2)
 
 run("building again" ${CMAKE_COMMAND} --build "${example_build}")
@@ -65,13 +65,50 @@ endif()
 # Two modules of one specification in one program: a namespace each keeps their classes, the C names
 # of their kernels and their headers apart.
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/two_modules" DESTINATION "${copy}")
-set(configure_two ${CMAKE_COMMAND} -S "${copy}/two_modules" -G "${GENERATOR}"
-  "-DCMAKE_PREFIX_PATH=${prefix}" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DCMAKE_BUILD_TYPE=Release
-  "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER=${CXX}"
-  "-DCMAKE_C_FLAGS_RELEASE=${FLAGS}" "-DCMAKE_CXX_FLAGS_RELEASE=${FLAGS}")
+set(configure_two ${CMAKE_COMMAND} -S "${copy}/two_modules" ${user})
 run("configuring two modules" ${configure_two} -B "${WORK}/two")
 run("building two modules" ${CMAKE_COMMAND} --build "${WORK}/two" --parallel 2)
 run("running two modules" "${WORK}/two/two_modules")
+
+# A zone that is imported is a file like any other: editing it reaches the program, and what cannot
+# be read ends the build with its name.
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/imported_zone" DESTINATION "${copy}")
+set(zone "${copy}/imported_zone/zones/field.geojson")
+set(build_zone ${CMAKE_COMMAND} --build "${WORK}/zone" --parallel 2)
+function(rewrite from to)
+  file(READ "${zone}" text)
+  string(REPLACE "${from}" "${to}" edited "${text}")
+  if(edited STREQUAL text)
+    message(FATAL_ERROR "${zone} has no ${from}")
+  endif()
+  run("waiting for the clock of the file system" ${CMAKE_COMMAND} -E sleep 1)
+  file(WRITE "${zone}" "${edited}")
+endfunction()
+function(expect_mower far)
+  run("running with a zone of a file" "${WORK}/zone/imported_zone")
+  if(NOT output STREQUAL "30 m east: on the field\n80 m east: ${far} the field\n")
+    message(FATAL_ERROR "80 m east is not ${far} the field:\n${output}")
+  endif()
+endfunction()
+run("configuring a zone of a file" ${CMAKE_COMMAND} -S "${copy}/imported_zone" -B "${WORK}/zone"
+  ${user})
+run("building a zone of a file" ${build_zone})
+expect_mower(on)
+run("building a zone of a file again" ${build_zone})
+if(output MATCHES "Compiling specification")
+  message(FATAL_ERROR "a second build reads the zone again:\n${output}")
+endif()
+rewrite("8.5469" "8.5462")
+run("building after the zone was edited" ${build_zone})
+if(NOT output MATCHES "Compiling specification")
+  message(FATAL_ERROR "an edited zone is not read again:\n${output}")
+endif()
+expect_mower(off)
+rewrite("]]" "]")
+execute_process(COMMAND ${build_zone} RESULT_VARIABLE status OUTPUT_VARIABLE log ERROR_VARIABLE log)
+if(status EQUAL 0 OR NOT log MATCHES "field.geojson")
+  message(FATAL_ERROR "a zone that cannot be read does not end the build (${status}):\n${log}")
+endif()
 
 # Mistakes in the call are found when configuring, with what is wrong.
 function(refuses text spec)
