@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "compiler/geometry/problem_text.h"
 #include "compiler/sema/in_file.h"
 
 namespace rtac::analysis {
@@ -9,10 +10,6 @@ namespace {
 
 using diag::Code;
 using Kind = geometry::Problem::Kind;
-
-std::string place(const geometry::Point& p) {
-  return "(" + to_decimal(p.x) + " m, " + to_decimal(p.y) + " m)";
-}
 
 Code code_of(Kind kind) {
   switch (kind) {
@@ -34,28 +31,23 @@ Code code_of(Kind kind) {
   return Code::ring_self_intersects;
 }
 
+// Zones that are written have operators, too.
 std::string help_of(Kind kind, bool in_file) {
-  switch (kind) {
-    case Kind::too_short:
-      return "a ring needs at least three vertices that do not lie on one line";
-    case Kind::repeats_vertex:
-      return "remove one of the two; rings are closed by themselves";
-    case Kind::self_intersects:
-      return in_file ? "order the vertices along the boundary, or make two areas of it"
-                     : "order the vertices along the boundary, or write two polygons joined by `|`";
-    case Kind::no_area:
-      return "move at least one vertex off the line through the others";
-    case Kind::hole_outside_ring:
-      return in_file ? "a notch in the edge is part of the outline, not a hole"
-                     : "to cut a notch from the edge, subtract a polygon: `outer - notch`";
-    case Kind::holes_overlap:
-      return in_file ? "make one hole of them"
-                     : "write them as one hole, or subtract both: `outer - (a | b)`";
-    case Kind::cuts_area:
-      return in_file ? "make two areas of it, or move the hole"
-                     : "subtract the hole: `outer - hole` may be in several parts";
+  if (!in_file) {
+    if (kind == Kind::self_intersects) {
+      return "order the vertices along the boundary, or write two polygons joined by `|`";
+    }
+    if (kind == Kind::hole_outside_ring) {
+      return "to cut a notch from the edge, subtract a polygon: `outer - notch`";
+    }
+    if (kind == Kind::holes_overlap) {
+      return "write them as one hole, or subtract both: `outer - (a | b)`";
+    }
+    if (kind == Kind::cuts_area) {
+      return "subtract the hole: `outer - hole` may be in several parts";
+    }
   }
-  return "";
+  return geometry::help_of(kind);
 }
 
 // The names of rings and vertices in the text of a message.
@@ -65,29 +57,14 @@ class Description {
       : problem_(problem), polygon_(polygon) {}
 
   [[nodiscard]] std::string message() const {
-    const std::string which = ring_text(problem_.ring);
-    const std::string vertex = vertex_text(problem_.vertex);
-    switch (problem_.kind) {
-      case Kind::too_short:
-        return which + " has fewer than three different vertices";
-      case Kind::repeats_vertex:
-        return vertex + " of " + which + " repeats vertex " +
-               std::to_string(number(problem_.other));
-      case Kind::self_intersects:
-        return which + edges(vertex) + " at " + place(problem_.where);
-      case Kind::no_area:
-        return which + " encloses no area";
-      case Kind::hole_outside_ring:
-        return which + " does not lie inside " + (in_file() ? ring_text(0) : "the outer ring") +
-               ", see its " + vertex;
-      case Kind::holes_overlap:
-        return which + " and " + ring_text(problem_.other) + " overlap, see " +
-               place(problem_.where);
-      case Kind::cuts_area:
-        return which + " touches " + ring_text(problem_.other) + " at " + place(problem_.where) +
-               ", and cuts the area in two";
+    const std::string ring = ring_text(problem_.ring);
+    const bool of_vertex = geometry::is_said_of_vertex(problem_.kind);
+    if (problem_.kind == Kind::self_intersects && !in_file()) {  // its labels name the edges
+      return ring + " crosses or touches itself at " + geometry::place_text(problem_.where);
     }
-    return "";
+    return (of_vertex ? vertex_text(problem_.vertex) + " of " : "") + ring + " " +
+           geometry::message_of(problem_, {[&](std::size_t i) { return ring_text(i); },
+                                           [&](std::size_t i) { return vertex_text(i); }});
   }
 
  private:
@@ -109,11 +86,6 @@ class Description {
     return file && vertex < file->vertices.size() ? sema::vertex_text(*file, vertex)
                                                   : "vertex " + std::to_string(number(vertex));
   }
-  [[nodiscard]] std::string edges(const std::string& vertex) const {
-    if (!in_file()) return " crosses or touches itself";
-    return ": the edge from " + vertex + " meets the one from " + vertex_text(problem_.other);
-  }
-
   const geometry::Problem& problem_;
   const sema::ZonePolygon& polygon_;
 };

@@ -1,6 +1,8 @@
-// What is wrong with a polygon that was received, in words. Internal to this folder.
+// What is wrong with a polygon, in words that are the same whether it was written, imported or
+// received.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "compiler/geometry/region.h"
@@ -9,14 +11,16 @@ namespace rtac::geometry {
 
 // "(1 m, 2 m)".
 std::string place_text(const Point& p);
-// "the outer ring", "hole 2", of several polygons with "of polygon 3".
-std::string ring_text(std::size_t polygon, std::size_t count, std::size_t ring);
-// Counted from 1.
-std::string vertex_text(std::size_t vertex);
 
-// Behind the ring and, of some, its vertex.
-std::string message_of(const Problem& problem);
+// What rings are called, and the vertices of the one that is spoken of; both from 0.
+struct RingNames {
+  std::function<std::string(std::size_t)> ring, vertex;
+};
+// Goes behind the name of the ring `problem.ring` or, where that is said of its vertex
+// `problem.vertex`, behind the name of both.
+std::string message_of(const Problem& problem, const RingNames& names);
+bool is_said_of_vertex(Problem::Kind kind);
+// Of areas that other programs draw: whoever writes polygons has more means.
 std::string help_of(Problem::Kind kind);
-bool is_of_whole_ring(Problem::Kind kind);
 
 }  // namespace rtac::geometry

@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/geometry/receive/problem_text.h"
+#include "compiler/geometry/problem_text.h"
+#include "compiler/geometry/receive/names.h"
 #include "compiler/geometry/united.h"
 
 namespace rtac::geometry {
@@ -275,7 +276,7 @@ class FileReceiver {
     rings.erase(rings.begin());
     auto made = Region::polygon(outer, rings);
     if (const auto* problem = std::get_if<Problem>(&made)) {
-      report(*problem, written[problem->ring]->where, vertices);
+      report(*problem, written, vertices);
       return std::nullopt;
     }
     const auto& region = std::get<Region>(made);
@@ -294,19 +295,16 @@ class FileReceiver {
     return placer_.points() <= edges_most_ || too_many(placer_.points(), "points on the map");
   }
   // Of points within long edges, the vertices of the file where those begin.
-  void report(Problem problem, const std::string& where,
+  void report(const Problem& problem, const std::vector<const import::Ring*>& written,
               const std::vector<std::vector<std::uint32_t>>& vertices) {
-    const auto in_file = [&](std::size_t ring, std::size_t point) -> std::size_t {
-      return ring < vertices.size() && point < vertices[ring].size() ? vertices[ring][point] : 0;
+    const auto ring = [&](std::size_t i) { return written[i]->where; };
+    const auto vertex = [&](std::size_t point) {
+      const auto& in_file = vertices[problem.ring];
+      return vertex_text(point < in_file.size() ? in_file[point] : 0);
     };
-    const std::size_t other = problem.other;
-    if (problem.kind == Problem::Kind::repeats_vertex ||
-        problem.kind == Problem::Kind::self_intersects) {
-      problem.other = in_file(problem.ring, other);
-    }
-    const std::string vertex = ", " + vertex_text(in_file(problem.ring, problem.vertex));
-    refuse(where + (is_of_whole_ring(problem.kind) ? "" : vertex), message_of(problem),
-           help_of(problem.kind));
+    const bool of_vertex = is_said_of_vertex(problem.kind);
+    refuse(ring(problem.ring) + (of_vertex ? ", " + vertex(problem.vertex) : ""),
+           message_of(problem, {ring, vertex}), help_of(problem.kind));
   }
   bool no_place(const std::string& where, const NoPlace& fault) {
     using Kind = NoPlace::Kind;

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "compiler/geometry/place/placer.h"
-#include "compiler/geometry/receive/problem_text.h"
+#include "compiler/geometry/problem_text.h"
+#include "compiler/geometry/receive/names.h"
 #include "compiler/geometry/united.h"
 #include "compiler/support/rational.h"
 
@@ -91,9 +92,9 @@ class Receiver {
     }
     auto made = Region::polygon(*outer, holes);
     if (const auto* problem = std::get_if<Problem>(&made)) {
-      const bool whole = is_of_whole_ring(problem->kind);
-      return refuse(where(problem->ring) + (whole ? "" : ", " + vertex_text(problem->vertex)),
-                    message_of(*problem), help_of(problem->kind));
+      const bool of_vertex = is_said_of_vertex(problem->kind);
+      return refuse(where(problem->ring) + (of_vertex ? ", " + vertex_text(problem->vertex) : ""),
+                    message_of(*problem, {where, vertex_text}), help_of(problem->kind));
     }
     regions_.push_back(std::get<Region>(std::move(made)));
     return true;

@@ -68,10 +68,10 @@ TEST_F(ZoneFiles, FaultsOfRingsAreNamedByTheirPlace) {
   write_polygon("a.geojson",
                 "[[8.545,47.397],[8.547,47.399],[8.547,47.397],[8.545,47.399],"
                 "[8.545,47.397]]");
-  expect_said(
-      "import \"a.geojson\"",
-      "error[4001]: a.geojson: coordinates[0]: the edge from vertex 1 (47.397, 8.545) meets "
-      "the one from vertex 3 (47.397, 8.547) at (");
+  expect_said("import \"a.geojson\"",
+              "error[4001]: vertex 1 (47.397, 8.545) of a.geojson: coordinates[0] starts an edge "
+              "that meets "
+              "the one from vertex 3 (47.397, 8.547) at (");
   write_polygon("a.geojson",
                 "[[8.545,47.397],[8.547,47.397],[8.547,47.397],[8.547,47.399],"
                 "[8.545,47.397]]");
@@ -84,7 +84,7 @@ TEST_F(ZoneFiles, FaultsOfRingsAreNamedByTheirPlace) {
       "error[4005]: a.geojson: coordinates[1] does not lie inside a.geojson: coordinates[0]");
   write_polygon("a.geojson", std::string(square) + "," + inner + "," + inner);
   expect_said("import \"a.geojson\"",
-              "error[4006]: a.geojson: coordinates[1] and a.geojson: coordinates[2] overlap, see");
+              "error[4006]: a.geojson: coordinates[1] overlaps a.geojson: coordinates[2] at (");
 }
 
 // Strips that cross one another `count` squared times, at four places each.
