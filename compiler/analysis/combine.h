@@ -19,6 +19,12 @@ Shape combine(sema::ZoneOp op, const Shape& left, const Shape& right) {
   return left.subtract(right);
 }
 
+// What has so many vertices, at `range`: more than `geometry::points_max`.
+diag::Diagnostic too_many_vertices(std::size_t vertices, const SourceRange& range);
+std::size_t vertices_of(const sema::ZonePolygon& polygon);
+// Of all the areas of a file that make a zone, circles as the polygons that stand for them.
+std::size_t vertices_of(const sema::ZoneImport& import);
+
 // What crosses too often to be combined, at `range`.
 diag::Diagnostic too_intricate(const SourceRange& range);
 

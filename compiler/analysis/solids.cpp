@@ -7,6 +7,7 @@
 
 #include "compiler/analysis/combine.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/geometry/place/placer.h"
 #include "compiler/geometry/united.h"
 
 namespace rtac::analysis {
@@ -53,6 +54,10 @@ SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneRef& reference, cons
 // are combined before.
 SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneImport& node, const SourceRange& range,
                                             Side side) {
+  if (vertices_of(node) > geometry::points_max) {
+    diagnostics_.report(too_many_vertices(vertices_of(node), range));
+    return std::nullopt;
+  }
   std::vector<geometry::Slab> groups;
   for (const auto& group : node.inclusions) {
     Result all;

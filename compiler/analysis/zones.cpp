@@ -6,9 +6,11 @@
 
 #include "compiler/analysis/combine.h"
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/one_sided.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/ring_problems.h"
 #include "compiler/analysis/sites.h"
+#include "compiler/geometry/place/placer.h"
 #include "compiler/geometry/united.h"
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/visit.h"
@@ -41,6 +43,7 @@ class Evaluator {
   Evaluator(const sema::Spec& spec, diag::Engine& diagnostics)
       : spec_(spec),
         diagnostics_(diagnostics),
+        one_sided_(spec),
         regions_(2 * spec.zones.size()),
         visited_(2 * spec.zones.size(), false),
         solids_(spec, diagnostics,
@@ -59,6 +62,7 @@ class Evaluator {
   // Curves are approximated from within, or from without where the zone is subtracted.
 
   Result zone(ZoneId id, Side side) {
+    if (one_sided_.none(id)) side = Side::inner;
     const auto i = 2 * static_cast<std::uint32_t>(id) + (side == Side::inner ? 0 : 1);
     if (!visited_[i]) {
       visited_[i] = true;
@@ -94,8 +98,14 @@ class Evaluator {
   }
   Result combined(sema::ZoneOp op, const geometry::Region& left, const geometry::Region& right,
                   const SourceRange& range) {
+    if (!is_small(left.vertices() + right.vertices(), range)) return std::nullopt;
     if (geometry::cross_too_often({left, right})) return intricate(range);
     return combine(op, left, right);
+  }
+  bool is_small(std::size_t vertices, const SourceRange& range) {
+    if (vertices <= geometry::points_max) return true;
+    diagnostics_.report(too_many_vertices(vertices, range));
+    return false;
   }
   std::nullopt_t intricate(const SourceRange& range) {
     diagnostics_.report(too_intricate(range));
@@ -117,6 +127,7 @@ class Evaluator {
   // inwards by it, else outwards. Its areas lie to each other as in the file, so they are combined
   // before.
   Result eval(const sema::ZoneImport& node, const SourceRange& range, Side side) {
+    if (!is_small(vertices_of(node), range)) return std::nullopt;
     std::vector<geometry::Region> groups, exclusions;
     for (const auto& group : node.inclusions) {
       if (group.empty()) continue;
@@ -173,6 +184,7 @@ class Evaluator {
       for (const sema::Point& p : from.points) to.push_back({p.x, p.y});
       return to;
     };
+    if (!is_small(vertices_of(polygon), range)) return std::nullopt;
     std::vector<geometry::Ring> holes;
     for (const auto& hole : polygon.holes) holes.push_back(ring(hole));
     auto result = geometry::Region::polygon(ring(polygon.outer), holes);
@@ -228,12 +240,44 @@ class Evaluator {
 
   const sema::Spec& spec_;
   diag::Engine& diagnostics_;
+  OneSided one_sided_;
   std::vector<Result> regions_;
   std::vector<bool> visited_;
   SolidEvaluator solids_;
 };
 
 }  // namespace
+
+std::size_t vertices_of(const sema::ZonePolygon& polygon) {
+  std::size_t all = polygon.outer.points.size();
+  for (const auto& hole : polygon.holes) all += hole.points.size();
+  return all;
+}
+std::size_t vertices_of(const sema::ZoneImport& import) {
+  std::size_t all = 0;
+  const auto add = [&](const sema::ZoneImport::Area& area) {
+    for (const auto& part : area.parts) {
+      const auto* circle = std::get_if<sema::ZoneCircle>(&part);
+      all += circle != nullptr ? geometry::circle_edges(circle->radius)
+                               : vertices_of(std::get<sema::ZonePolygon>(part));
+    }
+  };
+  for (const auto& group : import.inclusions) std::ranges::for_each(group, add);
+  std::ranges::for_each(import.exclusions, add);
+  return all;
+}
+
+diag::Diagnostic too_many_vertices(std::size_t vertices, const SourceRange& range) {
+  return {Code::too_many_vertices,
+          range,
+          "the outlines of the zone have " + std::to_string(vertices) + " vertices",
+          "too many vertices",
+          {},
+          "up to " + std::to_string(geometry::points_max) +
+              " work: leave out vertices that change an outline by little, or watch parts of the "
+              "zone by monitors of their own",
+          {}};
+}
 
 diag::Diagnostic too_intricate(const SourceRange& range) {
   return {Code::zone_file_unusable,
@@ -296,13 +340,16 @@ class Baker {
     } else {
       to.baked.edges = geometry::edge_rows(to.snapped);
     }
-    if (use.points) {
-      const auto outer = geometry::snap_around(*around);
-      if (!outer) return too_large();
-      to.around = geometry::edge_rows(*outer);
-      if (!grow(*outer, to.around_tree)) return std::nullopt;
-    }
+    const auto outer = use.points ? geometry::snap_around(*around) : std::nullopt;
+    if (use.points && !outer) return too_large();
     if (!grow(to.snapped, to.tree)) return std::nullopt;
+    if (!outer) return to;
+    to.around = geometry::edge_rows(*outer);
+    if (outer->rings == to.snapped.rings) {
+      to.around_tree = to.tree;
+    } else if (!grow(*outer, to.around_tree)) {
+      return std::nullopt;
+    }
     return to;
   }
 

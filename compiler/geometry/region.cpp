@@ -25,16 +25,20 @@ struct Region::Impl {
     return all;
   }
 
+  [[nodiscard]] std::size_t vertices() const {
+    std::size_t all = 0;
+    for (const PolygonWithHoles& part : parts) {
+      all += part.outer.size();
+      for (const Ring& hole : part.holes) all += hole.size();
+    }
+    return all;
+  }
+
   // Of large outlines: pieces for every edge and corner, united, take a hundred times as long.
   [[nodiscard]] std::optional<std::vector<PolygonWithHoles>> moved(const Rational& distance,
                                                                    BandSide side) const {
     constexpr std::size_t vertices_large = 1000;
-    std::size_t vertices = 0;
-    for (const PolygonWithHoles& part : parts) {
-      vertices += part.outer.size();
-      for (const Ring& hole : part.holes) vertices += hole.size();
-    }
-    return vertices < vertices_large ? std::nullopt : moved_at_once(parts, distance, side);
+    return vertices() < vertices_large ? std::nullopt : moved_at_once(parts, distance, side);
   }
 };
 
@@ -122,6 +126,10 @@ Region Region::grow(const Rational& distance) const {
 
 bool Region::empty() const {
   return impl_->parts.empty();
+}
+
+std::size_t Region::vertices() const {
+  return impl_->vertices();
 }
 
 bool Region::contains(const Point& p) const {

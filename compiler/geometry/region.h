@@ -86,6 +86,7 @@ class Region {
   [[nodiscard]] Region grow(const Rational& distance) const;
 
   [[nodiscard]] bool empty() const;
+  [[nodiscard]] std::size_t vertices() const;
   [[nodiscard]] bool contains(const Point& p) const;       // closed
   [[nodiscard]] bool contains(const Region& other) const;  // other is a subset of this, exactly
   [[nodiscard]] Rational area() const;

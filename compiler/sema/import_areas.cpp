@@ -183,9 +183,14 @@ class AreaPlacer {
     const bool globe = fault.kind == NoPlace::Kind::off_globe ||
                        fault.kind == NoPlace::Kind::near_pole ||
                        fault.kind == NoPlace::Kind::across_the_map;
-    Finding finding(globe ? Code::no_place_on_map : Code::zone_far_away, job_.written.path.range,
-                    "`" + job_.path + "`, " + where + " " + what(fault));
-    finding.label(fault.near_swapped ? "longitude and latitude swapped?" : "has no place");
+    const bool many = fault.kind == NoPlace::Kind::too_many;
+    Finding finding(many    ? Code::too_many_vertices
+                    : globe ? Code::no_place_on_map
+                            : Code::zone_far_away,
+                    job_.written.path.range, "`" + job_.path + "`, " + where + " " + what(fault));
+    finding.label(fault.near_swapped ? "longitude and latitude swapped?"
+                  : many             ? "too many vertices"
+                                     : "has no place");
     finding.help(fault.near_swapped ? swapped_help() : help(fault));
     context_.report(finding);
     return false;
@@ -202,7 +207,7 @@ class AreaPlacer {
         return "is " + kilometres(fault.distance_m) + " from " +
                (job_.reading.degrees ? "the origin" : "(0 m, 0 m)");
       case NoPlace::Kind::too_many:
-        return "makes it more than " + std::to_string(geometry::points_max) + " points";
+        return "makes it more than " + std::to_string(geometry::points_max) + " vertices";
     }
     return "";
   }

@@ -48,7 +48,7 @@ struct NoPlace {
     near_pole,       // longitudes mean little there
     across_the_map,  // the edge to the next vertex takes more than half of all longitudes
     far_away,        // from the origin, or of metres from (0 m, 0 m)
-    too_many,        // long edges in degrees would take more points than are handled
+    too_many,        // more than `points_max`, those on long edges in degrees included
   };
   Kind kind;
   std::size_t vertex = 0;
@@ -60,7 +60,9 @@ struct NoPlace {
 inline constexpr double latitude_deg_max = 89;
 // Farther from (0 m, 0 m) the grid of the kernel ends.
 inline constexpr double metres_max = 500'000;
-inline constexpr std::size_t points_max = 2'000'000;
+// Of the outlines of one zone, wherever they come from. Tables take about 40 us and 1 kB a vertex,
+// what combines the parts of a zone twice as much.
+inline constexpr std::size_t points_max = 250'000;
 // Edges that are straight in degrees are divided until they are so near to the straight line on
 // the map: as offsets of zones are.
 inline constexpr double edge_error_m_due = 0.002;

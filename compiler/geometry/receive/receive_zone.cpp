@@ -136,12 +136,6 @@ std::variant<OutlineTable, RefusedZone> outline_table(const SnappedZone& zone,
   return table;
 }
 
-bool same_edges(const OutlineTable& a, const OutlineTable& b) {
-  return std::ranges::equal(a.edges, b.edges, [](const EdgeRow& e, const EdgeRow& f) {
-    return e.a == f.a && e.b == f.b;
-  });
-}
-
 }  // namespace
 
 std::variant<ZoneTables, RefusedZone> make_zone_tables(const ReceivedRegions& regions,
@@ -153,11 +147,11 @@ std::variant<ZoneTables, RefusedZone> make_zone_tables(const ReceivedRegions& re
   }
   auto within = outline_table(*inner, edges_most);
   if (auto* refusal = std::get_if<RefusedZone>(&within)) return std::move(*refusal);
+  ZoneTables tables{std::move(std::get<OutlineTable>(within)), std::nullopt};
+  if (inner->rings == outer->rings) return tables;
   auto around = outline_table(*outer, edges_most);
   if (auto* refusal = std::get_if<RefusedZone>(&around)) return std::move(*refusal);
-  ZoneTables tables{std::move(std::get<OutlineTable>(within)), std::nullopt};
-  auto& other = std::get<OutlineTable>(around);
-  if (!same_edges(tables.within, other)) tables.around = std::move(other);
+  tables.around = std::move(std::get<OutlineTable>(around));
   return tables;
 }
 

@@ -87,6 +87,42 @@ TEST_F(ZoneFiles, FaultsOfRingsAreNamedByTheirPlace) {
               "error[4006]: a.geojson: coordinates[1] overlaps a.geojson: coordinates[2] at (");
 }
 
+// 251 squares of 1,000 edges; each is sound by itself.
+TEST_F(ZoneFiles, VerticesOfAllPartsCountTogether) {
+  std::string squares;
+  for (int k = 0; k < 251; ++k) {
+    std::string outline;
+    for (int i = 0; i < 1000; ++i) {
+      const int at = i % 250, side = i / 250;
+      const int x = side == 0 ? at : side == 1 ? 250 : side == 2 ? 250 - at : 0;
+      const int y = side == 0 ? 0 : side == 1 ? at : side == 2 ? 250 : 250 - at;
+      outline += std::to_string(x + 300 * k) + " " + std::to_string(y) + ",";
+    }
+    squares += "POLYGON((" + outline + std::to_string(300 * k) + " 0))\n";
+  }
+  write("a.wkt", squares);
+  expect_said("import \"a.wkt\" in m", "error[4030]: `a.wkt`, line 251, column 9, vertex 1");
+}
+
+// A circle of 10 km is a polygon of 256 edges: 977 of them have 250,112.
+TEST_F(ZoneFiles, CirclesCountAsTheirPolygons) {
+  const auto plan = [](int circles) {
+    std::string text;
+    for (int i = 0; i < circles; ++i) {
+      text +=
+          std::string(i == 0 ? "" : ",") +
+          R"({"circle":{"center":[47.398,8.5456],"radius":10000},"inclusion":true,"version":1})";
+    }
+    write("a.plan", R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"circles":[)" + text +
+                        R"(],"polygons":[]},"mission":{"items":[],"version":2}})");
+  };
+  plan(977);
+  expect_said("import \"a.plan\" inclusions any", "have 250112 vertices");
+  plan(976);  // all the same
+  write("s.rta", spec("import \"a.plan\" inclusions any"));
+  EXPECT_EQ(rtac({"check", "s.rta"}).status, 0);
+}
+
 // Strips that cross one another `count` squared times, at four places each.
 std::string crossing_strips(int count) {
   std::string text;

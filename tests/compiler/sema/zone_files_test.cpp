@@ -256,6 +256,20 @@ TEST_F(ZoneFiles, EdgesThatMayRunEitherWayWidenTheError) {
   EXPECT_LT(straight.error, Rational(3, 1000));
 }
 
+TEST_F(ZoneFiles, MoreThan250000VerticesAreTooMany) {
+  const auto ring = [](int count) {
+    std::string text;
+    for (int i = 1; i < count; ++i) text += std::to_string(i) + " 0,";
+    return "POLYGON((0 9," + text + "0 9))";
+  };
+  write("a.wkt", ring(250'000));
+  EXPECT_EQ(imported("zone z = import \"a.wkt\" in m;").points, 250'000U);
+  write("a.wkt", ring(250'001));
+  expect("zone z = import \"a.wkt\" in m;", Code::too_many_vertices, "\"a.wkt\"",
+         "a.wkt`, line 1, column 9, vertex 1 (0, 9) makes it more than 250000 vertices",
+         "simplify the outlines");
+}
+
 TEST_F(ZoneFiles, MetresThatLookLikeDegreesAreSuspicious) {
   const auto checked = check(std::string(origin) + "zone z = import \"degrees.wkt\" in m;");
   ASSERT_EQ(checked->engine.all().size(), 1U) << checked->reports();
