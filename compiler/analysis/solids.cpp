@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "compiler/analysis/combine.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/geometry/place/placer.h"
 #include "compiler/geometry/united.h"
@@ -15,39 +14,13 @@ namespace rtac::analysis {
 using diag::Code;
 
 SolidEvaluator::SolidEvaluator(const sema::Spec& spec, diag::Engine& diagnostics, Base base)
-    : spec_(spec),
-      diagnostics_(diagnostics),
-      base_(std::move(base)),
-      solids_(2 * spec.zones.size()),
-      visited_(2 * spec.zones.size(), false) {}
-
-std::optional<geometry::Solid> SolidEvaluator::zone(sema::ZoneId id, Side side) {
-  const auto i = 2 * static_cast<std::size_t>(id) + (side == Side::inner ? 0 : 1);
-  if (!visited_[i]) {
-    visited_[i] = true;
-    solids_[i] = expr(*spec_[id].value, side);
-    if (solids_[i] && solids_[i]->empty()) {
-      report_empty(spec_[id]);
-      solids_[i].reset();
-    }
-  }
-  return solids_[i];
-}
-
-SolidEvaluator::Result SolidEvaluator::expr(const sema::ZoneExpr& e, Side side) {
-  return std::visit([&](const auto& node) { return eval(node, e.range, side); }, e.node);
-}
+    : ZoneAlgebra(spec, diagnostics), base_(std::move(base)) {}
 
 SolidEvaluator::Result SolidEvaluator::eval(const sema::ZonePrism& prism, const SourceRange&,
                                             Side side) {
   auto base = base_(*prism.base, side);
   if (!base) return std::nullopt;
   return geometry::Solid::prism(std::move(*base), prism.floor, prism.ceiling);
-}
-
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneRef& reference, const SourceRange&,
-                                            Side side) {
-  return zone(reference.zone, side);
 }
 
 // As of zones of the plane: the boundary is moved sideways by the error of the file, and its areas
@@ -94,20 +67,6 @@ bool SolidEvaluator::add(const sema::ZoneImport::Area& area, Side side,
                      area.bands[i].ceiling.value_or(all.ceiling), std::move(*base)});
   }
   return true;
-}
-
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneComplement& complement,
-                                            const SourceRange&, Side side) {
-  const Result of = zone(complement.zone, other(side));
-  return of ? Result(geometry::Solid::everywhere().subtract(*of)) : std::nullopt;
-}
-
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneBinary& node, const SourceRange& range,
-                                            Side side) {
-  const Result left = expr(*node.left, side);
-  const Result right = expr(*node.right, node.op == sema::ZoneOp::subtract ? other(side) : side);
-  if (!left || !right) return std::nullopt;
-  return combined(node.op, *left, *right, range);
 }
 
 // Whatever lies above one another may meet in a combination.

@@ -6,18 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/analysis/combine.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/geometry/cell_tree.h"
 #include "compiler/geometry/solid.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::analysis {
-
-// A zone is known from within, where robots or points have to be in it, and from without.
-enum class Side { inner, outer };
-inline Side other(Side side) {
-  return side == Side::inner ? Side::outer : Side::inner;
-}
 
 struct BakedSlab {
   std::int32_t floor_mm = 0, ceiling_mm = 0;
@@ -30,27 +25,22 @@ struct EvaluatedSolid {
   std::vector<BakedSlab> within, around;  // from below to above
 };
 
-class SolidEvaluator {
+class SolidEvaluator : public ZoneAlgebra<SolidEvaluator, geometry::Solid> {
  public:
   // A zone of the plane; nullopt: faulty, and reported.
   using Base = std::function<std::optional<geometry::Region>(const sema::ZoneExpr& base, Side)>;
   SolidEvaluator(const sema::Spec& spec, diag::Engine& diagnostics, Base base);
 
-  // nullopt: faulty, and reported.
-  std::optional<geometry::Solid> zone(sema::ZoneId id, Side side);
   // As tables, in which distances up to `exact_mm` are exact where they may be large enough;
   // nullopt: reported.
   std::optional<EvaluatedSolid> bake(sema::ZoneId id, std::int64_t exact_mm);
 
  private:
-  using Result = std::optional<geometry::Solid>;
-  Result expr(const sema::ZoneExpr& e, Side side);
+  friend ZoneAlgebra;
+  using ZoneAlgebra::eval;
   Result eval(const sema::ZonePrism& prism, const SourceRange& range, Side side);
-  Result eval(const sema::ZoneRef& reference, const SourceRange& range, Side side);
   Result eval(const sema::ZoneImport& node, const SourceRange& range, Side side);
   bool add(const sema::ZoneImport::Area& area, Side side, std::vector<geometry::Slab>& slabs);
-  Result eval(const sema::ZoneComplement& complement, const SourceRange& range, Side side);
-  Result eval(const sema::ZoneBinary& node, const SourceRange& range, Side side);
   Result eval(const sema::ZoneOffset& node, const SourceRange& range, Side side);
   // Zones of the plane stand under a prism.
   template <class Flat>
@@ -68,11 +58,7 @@ class SolidEvaluator {
                                               const geometry::SnappedSolid& solid,
                                               std::int64_t exact_mm);
 
-  const sema::Spec& spec_;
-  diag::Engine& diagnostics_;
   Base base_;
-  std::vector<Result> solids_;
-  std::vector<bool> visited_;
 };
 
 }  // namespace rtac::analysis

@@ -6,7 +6,6 @@
 
 #include "compiler/analysis/combine.h"
 #include "compiler/analysis/limits.h"
-#include "compiler/analysis/one_sided.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/ring_problems.h"
 #include "compiler/analysis/sites.h"
@@ -38,63 +37,30 @@ geometry::BakedZone baked(const geometry::SnappedZone& zone) {
       zone, cell_mm_for(std::int64_t{high.x_mm} - low.x_mm, std::int64_t{high.y_mm} - low.y_mm));
 }
 
-class Evaluator {
+class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
  public:
   Evaluator(const sema::Spec& spec, diag::Engine& diagnostics)
-      : spec_(spec),
-        diagnostics_(diagnostics),
-        one_sided_(spec),
-        regions_(2 * spec.zones.size()),
-        visited_(2 * spec.zones.size(), false),
+      : ZoneAlgebra(spec, diagnostics),
         solids_(spec, diagnostics,
                 [this](const sema::ZoneExpr& base, Side side) { return expr(base, side); }) {}
 
-  // The zone as a keep-in: never larger than the exact one. nullopt: faulty, and reported where
-  // the fault is.
-  std::optional<geometry::Region> zone(ZoneId id) { return zone(id, Side::inner); }
+  using ZoneAlgebra::zone;
+  // The zone as a keep-in: never larger than the exact one.
+  Result zone(ZoneId id) { return zone(id, Side::inner); }
   // The zone as a keep-out: never smaller than the exact one.
-  std::optional<geometry::Region> around(ZoneId id) { return zone(id, Side::outer); }
+  Result around(ZoneId id) { return zone(id, Side::outer); }
   // Zones with height.
   SolidEvaluator& solids() { return solids_; }
 
  private:
-  using Result = std::optional<geometry::Region>;
+  friend ZoneAlgebra;
+  using ZoneAlgebra::eval;
   // Curves are approximated from within, or from without where the zone is subtracted.
 
-  Result zone(ZoneId id, Side side) {
-    if (one_sided_.none(id)) side = Side::inner;
-    const auto i = 2 * static_cast<std::uint32_t>(id) + (side == Side::inner ? 0 : 1);
-    if (!visited_[i]) {
-      visited_[i] = true;
-      regions_[i] = expr(*spec_[id].value, side);
-      if (regions_[i] && regions_[i]->empty()) {
-        report_empty(spec_[id]);
-        regions_[i].reset();
-      }
-    }
-    return regions_[i];
-  }
-
-  Result expr(const sema::ZoneExpr& e, Side side) {
-    return std::visit([&](const auto& node) { return eval(node, e.range, side); }, e.node);
-  }
-  Result eval(const sema::ZoneRef& ref, const SourceRange&, Side side) {
-    return zone(ref.zone, side);
-  }
-  Result eval(const sema::ZoneComplement& complement, const SourceRange&, Side side) {
-    const Result of = zone(complement.zone, other(side));
-    return of ? Result(geometry::Region::everywhere().subtract(*of)) : std::nullopt;
-  }
   Result eval(const sema::ZonePrism&, const SourceRange&, Side) { return std::nullopt; }
   Result eval(const sema::ZoneCircle& circle, const SourceRange&, Side side) {
     return geometry::Region::circle({circle.centre.x, circle.centre.y}, circle.radius,
                                     side == Side::inner);
-  }
-  Result eval(const sema::ZoneBinary& node, const SourceRange& range, Side side) {
-    const Result left = expr(*node.left, side);
-    const Result right = expr(*node.right, node.op == sema::ZoneOp::subtract ? other(side) : side);
-    if (!left || !right) return std::nullopt;
-    return combined(node.op, *left, *right, range);
   }
   Result combined(sema::ZoneOp op, const geometry::Region& left, const geometry::Region& right,
                   const SourceRange& range) {
@@ -238,11 +204,6 @@ class Evaluator {
            metres(Rational(shrunk.widest_at.y_mm, 1000)) + ")";
   }
 
-  const sema::Spec& spec_;
-  diag::Engine& diagnostics_;
-  OneSided one_sided_;
-  std::vector<Result> regions_;
-  std::vector<bool> visited_;
   SolidEvaluator solids_;
 };
 
