@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "compiler/sema/spec.h"
 
 namespace rtac::analysis {
+
+// The parts of `a | (b | c) | d`, in order.
+std::vector<const sema::ZoneExpr*> united_parts(const sema::ZoneBinary& node);
 
 template <class Shape>
 Shape combine(sema::ZoneOp op, const Shape& left, const Shape& right) {
@@ -69,6 +73,7 @@ class ZoneAlgebra {
     return of ? Result(Shape::everywhere().subtract(*of)) : std::nullopt;
   }
   Result eval(const sema::ZoneBinary& node, const SourceRange& range, Side side) {
+    if (node.op == sema::ZoneOp::unite) return halves_united(united_parts(node), range, side);
     const Result left = expr(*node.left, side);
     const Result right = expr(*node.right, node.op == sema::ZoneOp::subtract ? other(side) : side);
     if (!left || !right) return std::nullopt;
@@ -79,6 +84,15 @@ class ZoneAlgebra {
   diag::Engine& diagnostics_;
 
  private:
+  // One by one, what is united already would be gone through for every part.
+  Result halves_united(std::span<const sema::ZoneExpr* const> parts, const SourceRange& range,
+                       Side side) {
+    if (parts.size() == 1) return expr(*parts[0], side);
+    const Result first = halves_united(parts.first(parts.size() / 2), range, side);
+    const Result second = halves_united(parts.subspan(parts.size() / 2), range, side);
+    if (!first || !second) return std::nullopt;
+    return self().combined(sema::ZoneOp::unite, *first, *second, range);
+  }
   Evaluator& self() { return static_cast<Evaluator&>(*this); }
 
   OneSided one_sided_;

@@ -81,9 +81,16 @@ bool SolidEvaluator::is_simple(const std::vector<geometry::Slab>& slabs, const S
 SolidEvaluator::Result SolidEvaluator::combined(sema::ZoneOp op, const geometry::Solid& left,
                                                 const geometry::Solid& right,
                                                 const SourceRange& range) {
-  std::vector<geometry::Slab> all = left.slabs();
-  std::ranges::copy(right.slabs(), std::back_inserter(all));
-  if (!is_simple(all, range)) return std::nullopt;
+  std::size_t cost = 0;
+  for (const geometry::Slab& l : left.slabs()) {
+    for (const geometry::Slab& r : right.slabs()) {
+      if (r.floor >= l.ceiling || l.floor >= r.ceiling) continue;
+      cost += geometry::meeting_cost({l.region, r.region});
+      if (cost <= geometry::touches_max) continue;
+      diagnostics_.report(too_intricate(range));
+      return std::nullopt;
+    }
+  }
   return combine(op, left, right);
 }
 
@@ -119,6 +126,13 @@ void SolidEvaluator::report_empty(const sema::Zone& zone) {
          std::move(help));
 }
 
+void SolidEvaluator::too_many_slabs(const sema::Zone& zone, std::size_t slabs) {
+  report(Code::too_many_edges, zone,
+         "the zone has " + std::to_string(slabs) + " slabs, a decision checks at most " +
+             std::to_string(slabs_max),
+         "watch parts of the zone by monitors of their own");
+}
+
 std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t exact_mm) {
   const auto inner = zone(id, Side::inner), outer = zone(id, Side::outer);
   if (!inner || !outer) return std::nullopt;
@@ -126,6 +140,15 @@ std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t
   const auto fits = [](const geometry::Slab& slab) { return fits_grid(slab.region); };
   const bool small =
       std::ranges::all_of(inner->slabs(), fits) && std::ranges::all_of(outer->slabs(), fits);
+  // Those of 2 mm and more are slabs on the grid, of the zone as a keep-out at least.
+  const auto is_thick = [](const geometry::Slab& slab) {
+    return slab.ceiling - slab.floor >= Rational(2, 1000);
+  };
+  const auto thick = std::ranges::count_if(outer->slabs(), is_thick);
+  if (small && static_cast<std::size_t>(thick) > slabs_max) {
+    too_many_slabs(declared, static_cast<std::size_t>(thick));
+    return std::nullopt;
+  }
   const auto within = small ? geometry::snap_inside(*inner) : std::nullopt;
   const auto around = small ? geometry::snap_around(*outer) : std::nullopt;
   if (!within || !around) {
@@ -148,10 +171,7 @@ std::optional<std::vector<BakedSlab>> SolidEvaluator::baked(const sema::Zone& zo
                                                             const geometry::SnappedSolid& solid,
                                                             std::int64_t exact_mm) {
   if (solid.size() > slabs_max) {
-    report(Code::too_many_edges, zone,
-           "the zone has " + std::to_string(solid.size()) + " slabs, a decision checks at most " +
-               std::to_string(slabs_max),
-           "watch parts of the zone by monitors of their own");
+    too_many_slabs(zone, solid.size());
     return std::nullopt;
   }
   std::vector<BakedSlab> slabs;

@@ -54,6 +54,7 @@ class SolidEvaluator : public ZoneAlgebra<SolidEvaluator, geometry::Solid> {
                   const SourceRange& range);
   void report(diag::Code code, const sema::Zone& zone, std::string message, std::string help);
   void report_empty(const sema::Zone& zone);
+  void too_many_slabs(const sema::Zone& zone, std::size_t slabs);
   std::optional<std::vector<BakedSlab>> baked(const sema::Zone& zone,
                                               const geometry::SnappedSolid& solid,
                                               std::int64_t exact_mm);

@@ -209,6 +209,19 @@ class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
 
 }  // namespace
 
+std::vector<const sema::ZoneExpr*> united_parts(const sema::ZoneBinary& node) {
+  std::vector<const sema::ZoneExpr*> parts;
+  for (const sema::ZoneExpr* part : {node.left.get(), node.right.get()}) {
+    const auto* inner = std::get_if<sema::ZoneBinary>(&part->node);
+    if (inner != nullptr && inner->op == sema::ZoneOp::unite) {
+      std::ranges::copy(united_parts(*inner), std::back_inserter(parts));
+    } else {
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
 std::size_t vertices_of(const sema::ZonePolygon& polygon) {
   std::size_t all = polygon.outer.points.size();
   for (const auto& hole : polygon.holes) all += hole.points.size();
@@ -244,7 +257,8 @@ diag::Diagnostic too_intricate(const SourceRange& range) {
   return {Code::zone_file_unusable,
           range,
           "boundaries cross one another at more than " + std::to_string(geometry::crossings_max) +
-              " places, or touch at more than " + std::to_string(geometry::touches_max),
+              " places, touch at more than " + std::to_string(geometry::touches_max) +
+              ", or lie side by side too often to be looked at",
           "too many crossings",
           {},
           "take fewer areas of a file with `feature`, or unite them in the program that drew them",

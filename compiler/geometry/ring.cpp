@@ -18,11 +18,15 @@ int orientation(const Point& a, const Point& b, const Point& c) {
   return sgn(cross(a, b, c));
 }
 
-bool on_segment(const Point& p, const Point& a, const Point& b) {
+bool within_bounds(const Point& p, const Point& a, const Point& b) {
   const auto between = [](const Rational& v, const Rational& e, const Rational& f) {
     return e <= f ? e <= v && v <= f : f <= v && v <= e;
   };
-  return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && orientation(a, b, p) == 0;
+  return between(p.x, a.x, b.x) && between(p.y, a.y, b.y);
+}
+
+bool on_segment(const Point& p, const Point& a, const Point& b) {
+  return within_bounds(p, a, b) && orientation(a, b, p) == 0;
 }
 
 Rational twice_area(const Ring& ring) {

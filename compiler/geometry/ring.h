@@ -18,7 +18,8 @@ Rational cross(const Point& a, const Point& b, const Point& c);
 // +1 left turn, 0 collinear, -1 right turn.
 int orientation(const Point& a, const Point& b, const Point& c);
 
-// p lies on the closed segment a, b.
+// p lies in the closed box about a and b; on the closed segment.
+bool within_bounds(const Point& p, const Point& a, const Point& b);
 bool on_segment(const Point& p, const Point& a, const Point& b);
 
 // Twice the signed area; positive for counter-clockwise.

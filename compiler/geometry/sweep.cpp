@@ -33,26 +33,6 @@ std::optional<Point> spike(const Edge& first, const Edge& second) {
   return forward < 0 ? std::optional<Point>(tip) : std::nullopt;
 }
 
-std::optional<Point> common_point(const Edge& e, const Edge& f) {
-  const int a_side = orientation(*f.a, *f.b, *e.a);
-  const int b_side = orientation(*f.a, *f.b, *e.b);
-  if (a_side * b_side < 0 && orientation(*e.a, *e.b, *f.a) * orientation(*e.a, *e.b, *f.b) < 0) {
-    const Rational from_a = cross(*f.a, *f.b, *e.a);
-    const Rational share = from_a / (from_a - cross(*f.a, *f.b, *e.b));
-    return Point{e.a->x + share * (e.b->x - e.a->x), e.a->y + share * (e.b->y - e.a->y)};
-  }
-  // Otherwise a common point, if any, includes an end point of one of them.
-  std::optional<Point> lowest;
-  const auto consider = [&](const Point& p, const Edge& on) {
-    if (on_segment(p, *on.a, *on.b) && (!lowest || lower_left(p, *lowest))) lowest = p;
-  };
-  consider(*e.a, f);
-  consider(*e.b, f);
-  consider(*f.a, e);
-  consider(*f.b, e);
-  return lowest;
-}
-
 }  // namespace
 
 Edges::Edges(const std::vector<const Ring*>& rings) {
@@ -133,6 +113,27 @@ std::optional<Point> Edges::meeting(const Edge& e, const Edge& f) const {
     if ((f.index + 1) % size(f.ring) == e.index) return spike(f, e);
   }
   return common_point(e, f);
+}
+
+std::optional<Point> Edges::common_point(const Edge& e, const Edge& f) const {
+  const int a_side = side(f, e, false), b_side = side(f, e, true);
+  const int c_side = side(e, f, false), d_side = side(e, f, true);
+  if (a_side * b_side < 0 && c_side * d_side < 0) {
+    const Rational from_a = cross(*f.a, *f.b, *e.a);
+    const Rational share = from_a / (from_a - cross(*f.a, *f.b, *e.b));
+    return Point{e.a->x + share * (e.b->x - e.a->x), e.a->y + share * (e.b->y - e.a->y)};
+  }
+  // Otherwise a common point, if any, includes an end point of one of them.
+  const Point* lowest = nullptr;
+  const auto consider = [&](const Point& p, int side_of_p, const Edge& on) {
+    if (side_of_p != 0 || !within_bounds(p, *on.a, *on.b)) return;
+    if (lowest == nullptr || lower_left(p, *lowest)) lowest = &p;
+  };
+  consider(*e.a, a_side, f);
+  consider(*e.b, b_side, f);
+  consider(*f.a, c_side, e);
+  consider(*f.b, d_side, e);
+  return lowest != nullptr ? std::optional(*lowest) : std::nullopt;
 }
 
 namespace {

@@ -49,6 +49,7 @@ class Edges {
   void add_ring(const Ring& ring, const Point& origin);
   void rank_vertices();
   [[nodiscard]] bool beside(const Edge& e, const Edge& f) const;
+  [[nodiscard]] std::optional<Point> common_point(const Edge& e, const Edge& f) const;
 
   std::vector<Edge> edges_;
   std::vector<std::size_t> first_{0};

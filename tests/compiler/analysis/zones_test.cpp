@@ -183,5 +183,44 @@ TEST(Zones, CellsThatHideEveryPlaceAreRefusedWithTheWidthThatWorks) {
   EXPECT_TRUE(smaller->module) << side << "\n" << reports(*smaller);
 }
 
+// Halves of a union are united first, whatever the brackets.
+TEST(Zones, AUnionIsTheSameInAnyOrder) {
+  const auto tables = [](const std::string& zone) {
+    const auto c = compiled(edited(drone_spec(), "rectangle (0 m, 0 m) to (5 m, 5 m)", zone));
+    EXPECT_TRUE(c->module) << reports(*c);
+    std::vector<std::int64_t> all;
+    if (!c->module) return all;
+    for (const ir::Edge& e : room_of(*c).edges) {
+      all.insert(all.end(), {e.ax, e.ay, e.bx, e.by});
+    }
+    return all;
+  };
+  const std::string a = "rectangle (0 m, 0 m) to (5 m, 5 m)", b = "circle (5 m, 2 m) radius 1 m",
+                    c = "rectangle (4 m, 1 m) to (8 m, 3 m)", d = "circle (8 m, 2 m) radius 1.5 m",
+                    e = "rectangle (8 m, 2 m) to (9 m, 9 m)";
+  const auto one_by_one = tables(a + " | " + b + " | " + c + " | " + d + " | " + e);
+  EXPECT_GT(one_by_one.size(), 100U);
+  EXPECT_EQ(tables("(" + a + " | (" + b + " | " + c + ")) | (" + d + " | " + e + ")"), one_by_one);
+  EXPECT_EQ(tables(e + " | (" + d + " | (" + c + " | (" + b + " | " + a + ")))"), one_by_one);
+}
+
+// 100 steps of a stair: told before their slabs are snapped to the grid and get tables.
+TEST(Zones, SlabsAreCountedBeforeTheyAreBaked) {
+  std::string stair;
+  for (int i = 0; i < 100; ++i) {
+    const std::string from = std::to_string(i);
+    stair += std::string(i == 0 ? "" : " | ") + "prism (rectangle (" + from + " m, 0 m) to (" +
+             std::to_string(i + 2) + " m, 1 m)) from " + from + " m to " + std::to_string(i + 2) +
+             " m";
+  }
+  const auto c = compiled("spec s;\nperiod 100 ms;\nzone z = " + stair +
+                          ";\ninput p : point3 in -900 .. 900 m max_age 1 s;\n"
+                          "monitor m { \"R1: in\" always p inside z; }\n");
+  EXPECT_TRUE(has(*c, diag::Code::too_many_edges)) << reports(*c);
+  EXPECT_NE(reports(*c).find("the zone has 101 slabs, a decision checks at most 64"),
+            std::string::npos)
+      << reports(*c);
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test

@@ -71,6 +71,35 @@ TEST(United, TouchesAreCounted) {
   EXPECT_TRUE(cross_too_often(fan(672)));
 }
 
+// `count` slivers of a slope, side by side: the boxes of any two of them overlap.
+std::vector<Region> slope(long count) {
+  std::vector<Region> all;
+  for (long i = 0; i < count; ++i) {
+    all.push_back(polygon({mm(10 * i, 0), mm(10 * i + 4, 0), mm(10 * i + 1'000'000, 1'000'000)}));
+  }
+  return all;
+}
+TEST(United, RegionsSideBySideAreNotLookedAtForEver) {
+  std::vector<Region> apart = slope(15'000);
+  EXPECT_EQ(meeting_cost(apart), 0U);  // one sweep tells
+  // Once some meet, 450 million pairs of edges would have to be looked at.
+  EXPECT_TRUE(cross_too_often(apart + std::vector<Region>{box(-10, -10, 0, 0)}));
+  EXPECT_EQ(meeting_cost(slope(300) + std::vector<Region>{box(-10, -10, 0, 0)}), 4U);
+}
+
+TEST(United, MeetingsCostOneAndCrossingsThirty) {
+  const Region square = box(0, 0, 100, 100);
+  EXPECT_EQ(meeting_cost({square, box(200, 0, 300, 100)}), 0U);
+  EXPECT_EQ(meeting_cost({square, box(10, 10, 90, 90)}), 0U);
+  EXPECT_EQ(meeting_cost({square, box(50, 50, 150, 150)}), 60U);   // crosses twice
+  EXPECT_EQ(meeting_cost({square, box(100, 100, 150, 150)}), 4U);  // every two edges at the corner
+  EXPECT_EQ(meeting_cost({square, box(100, 40, 150, 60)}), 3U);    // two ends on an edge, and along
+  EXPECT_EQ(meeting_cost({square, square}), 0U);
+  EXPECT_EQ(meeting_cost({Region(), square, Region()}), 0U);
+  // the same, turned by a quarter
+  EXPECT_EQ(meeting_cost({square, box(40, 100, 60, 1000)}), 3U);
+}
+
 TEST(United, RegionsSideBySideCostLittle) {
   // 100 by 100 squares that share their edges and corners.
   std::vector<Region> tiles;
