@@ -102,6 +102,8 @@ class ZoneAlgebra {
 
 // What has so many vertices, at `range`: more than `geometry::points_max`.
 diag::Diagnostic too_many_vertices(std::size_t vertices, const SourceRange& range);
+// More than `geometry::offset_vertices_max`.
+diag::Diagnostic too_many_to_move(std::size_t vertices, const SourceRange& range);
 std::size_t vertices_of(const sema::ZonePolygon& polygon);
 // Of all the areas of a file that make a zone, circles as the polygons that stand for them.
 std::size_t vertices_of(const sema::ZoneImport& import);

@@ -79,15 +79,16 @@ class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
   }
   // Offsets are exact within 2 mm, and err to the side that `shrink` and `grow` are usually wanted
   // on; on the other side the distance makes up for it.
-  Result eval(const sema::ZoneOffset& node, const SourceRange&, Side side) {
+  Result eval(const sema::ZoneOffset& node, const SourceRange& range, Side side) {
     static const Rational slack_m(1, 500);
     const Result operand = expr(*node.operand, side);
     if (!operand) return std::nullopt;
-    if (sgn(node.distance) < 0) {
-      const Rational by = -node.distance;
-      return operand->shrink(side == Side::inner ? by : Rational(by - slack_m));
-    }
-    return operand->grow(side == Side::outer ? node.distance : Rational(node.distance - slack_m));
+    const bool shrinks = sgn(node.distance) < 0;
+    Rational by = abs(node.distance);
+    if (shrinks != (side == Side::inner)) by = std::max(Rational(by - slack_m), Rational(0));
+    Result moved = operand->offset(shrinks ? Rational(-by) : by);
+    if (!moved) diagnostics_.report(too_many_to_move(operand->vertices(), range));
+    return moved;
   }
   // What a file says is off by at most its error: of a zone to stay in the boundary is moved
   // inwards by it, else outwards. Its areas lie to each other as in the file, so they are combined
@@ -251,6 +252,19 @@ diag::Diagnostic too_many_vertices(std::size_t vertices, const SourceRange& rang
               " work: leave out vertices that change an outline by little, or watch parts of the "
               "zone by monitors of their own",
           {}};
+}
+
+diag::Diagnostic too_many_to_move(std::size_t vertices, const SourceRange& range) {
+  return {
+      Code::too_many_vertices,
+      range,
+      "the zone that is to be moved has " + std::to_string(vertices) + " vertices",
+      "too many vertices",
+      {},
+      "up to " + std::to_string(geometry::offset_vertices_max) +
+          " work, where corners become round: leave out vertices that change the outline by "
+          "little; or compare the clearance of the zone with the distance, which takes any zone",
+      {}};
 }
 
 diag::Diagnostic too_intricate(const SourceRange& range) {

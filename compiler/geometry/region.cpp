@@ -124,6 +124,15 @@ Region Region::grow(const Rational& distance) const {
       impl_->rings(), boundary_band(impl_->parts, distance, BandSide::exterior), Combine::unite));
 }
 
+std::optional<Region> Region::offset(const Rational& distance) const {
+  const bool grows = distance > 0;
+  if (vertices() > offset_vertices_max && distance != 0) {
+    auto moved = impl_->moved(abs(distance), grows ? BandSide::exterior : BandSide::interior);
+    return moved ? std::optional(Region(std::move(*moved))) : std::nullopt;
+  }
+  return grows ? grow(distance) : shrink(-distance);
+}
+
 bool Region::empty() const {
   return impl_->parts.empty();
 }

@@ -54,6 +54,8 @@ struct Problem {
 std::size_t circle_edges(const Rational& radius);
 Rational circle_error(const Rational& radius, std::size_t edges);
 
+inline constexpr std::size_t offset_vertices_max = 20'000;
+
 class Region {
  public:
   Region();  // empty
@@ -84,6 +86,10 @@ class Region {
   // One-sided: contains every point within `distance` of the region; at most 2 mm larger. A
   // distance of zero or less changes nothing.
   [[nodiscard]] Region grow(const Rational& distance) const;
+
+  // The region grown by `distance`, or shrunk by its amount if it is negative. nullopt: that would
+  // take minutes, of more than `offset_vertices_max` vertices with corners that become round.
+  [[nodiscard]] std::optional<Region> offset(const Rational& distance) const;
 
   [[nodiscard]] bool empty() const;
   [[nodiscard]] std::size_t vertices() const;

@@ -104,6 +104,25 @@ TEST_F(ZoneFiles, VerticesOfAllPartsCountTogether) {
   expect_said("import \"a.wkt\" in m", "error[4030]: `a.wkt`, line 251, column 9, vertex 1");
 }
 
+// Teeth 1 m wide and apart: grown or shrunk by 10 cm, corners become round.
+TEST_F(ZoneFiles, OffsetsOfMoreThan20000VerticesAreRefused) {
+  const auto comb = [](int teeth) {
+    std::string text;
+    for (int i = 0; i < teeth; ++i) {
+      const std::string from = std::to_string(2 * i), to = std::to_string(2 * i + 1);
+      text += from + " 0," + from + " 5," + to + " 5," + to + " 0,";
+    }
+    return "POLYGON((" + text + std::to_string(2 * teeth) + " -1,-1 -1," + "0 0))\n";
+  };
+  write("a.wkt", comb(5001));
+  const std::string text = "error[4030]: the zone that is to be moved has 20006 vertices";
+  expect_said("shrink(import \"a.wkt\" in m, 10 cm)", text);
+  expect_said("grow(import \"a.wkt\" in m, 10 cm)", text);
+  // less than corners are rounded by
+  write("s.rta", spec("shrink(import \"a.wkt\" in m, 1 mm)"));
+  EXPECT_EQ(rtac({"check", "s.rta"}).status, 0);
+}
+
 // A circle of 10 km is a polygon of 256 edges: 977 of them have 250,112.
 TEST_F(ZoneFiles, CirclesCountAsTheirPolygons) {
   const auto plan = [](int circles) {
