@@ -382,9 +382,9 @@ class Baker {
 };
 
 // Lengths that properties of points name, and what any robot looks ahead at full speed; at least
-// 50 m. For more, tables would be longer.
+// 10 m, for margins. Bytes are spent on this before cells at the boundary get small.
 std::int64_t exact_wanted_mm(const sema::Spec& spec) {
-  std::int64_t most_mm = 50'000;
+  std::int64_t most_mm = 10'000;
   std::int64_t ahead_us = 1'000'000;
   for (const sema::Monitor& m : spec.monitors) {
     if (m.ahead.duration) {

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
 #include <unordered_map>
 
 #include "compiler/geometry/cell_distance.h"
 #include "compiler/geometry/cell_need.h"
+#include "compiler/geometry/cell_sides.h"
 #include "compiler/geometry/cell_words.h"
 
 namespace rtac::geometry {
@@ -31,7 +33,22 @@ struct Terms {
 // Whether a place is inside takes a look at every edge of its cell, if the boundary meets that:
 // such cells are divided down to so many, with what is left as soon as distances are exact as far
 // as wanted.
-constexpr std::size_t met_edges_max = 3;
+constexpr std::size_t met_edges_max = 2;
+// How far away it is takes a look at every edge of any cell. With bytes left, distances are exact
+// up to here and about the zone; then other cells are divided too, in zones that are small enough
+// for the time it takes, in turn with those that make distances exact farther away.
+constexpr std::int64_t spare_exact_mm = 50'000;
+constexpr std::size_t near_edges_max = 4, near_zone_edges_max = 20'000;
+
+// How far distances are exact before cells that the boundary meets are divided; and before others
+// are.
+struct Exact {
+  double wanted_mm, ample_mm;
+};
+Exact exact_for(std::int64_t wanted_mm, const Grid& grid, std::size_t edges) {
+  const double about_mm = edges <= near_zone_edges_max ? grid.diameter_mm() / 2 : 0;
+  return {double(wanted_mm), std::max({double(wanted_mm), double(spare_exact_mm), about_mm})};
+}
 
 // The cells of the square that overlap the grid, down to those of the grid; and their neighbours.
 struct Part {
@@ -117,8 +134,8 @@ struct Bud {
 // that of the whole square.
 class Growth {
  public:
-  Growth(const Edges& edges, const Grid& grid, const Terms& terms, std::int64_t wanted_mm)
-      : edges_(edges), grid_(grid), terms_(terms), wanted_mm_(wanted_mm) {
+  Growth(const Edges& edges, const Grid& grid, const Terms& terms, const Exact& exact)
+      : edges_(edges), grid_(grid), terms_(terms), exact_(exact) {
     tree_.words.resize(grid.cells() + 1);
   }
 
@@ -128,12 +145,13 @@ class Growth {
     while (!buds_.empty() && !refused_) {
       const std::size_t left = divisions_left();
       if (due_ > left) return refuse();
+      if (left == 0) return drop_all_but(0);
       if (buds_.size() > 2 * left + 1000) drop_all_but(left);
       std::pop_heap(buds_.begin(), buds_.end());
       const Bud bud = std::move(buds_.back());
       buds_.pop_back();
       due_ -= bud.due;
-      left > 0 ? divide(bud) : end(bud);
+      divide(bud);
     }
   }
   // Some place has too many edges, however small its cell, or cells take too many bytes.
@@ -181,8 +199,9 @@ class Growth {
     if (bud.near.edges.size() <= terms_.edges_max) {
       tree_.words[bud.slot] = leaf(bud);
       bud.is_leaf = true;
-      bud.turn_mm = static_cast<double>(wanted_mm_);
       if (!is_coarse(bud)) return;
+      bud.turn_mm =
+          bud.near.meets_boundary() ? exact_.wanted_mm : exact_.ample_mm + bud.near.least_nearest;
     } else if (bud.near.meets_boundary()) {
       if (!is_divisible(bud.square)) return refuse(bud);
       const std::size_t due = divisions_due_in(bud.square, bud.near, edges_, terms_.edges_max, 1);
@@ -219,11 +238,15 @@ class Growth {
   }
   // A zone with no more edges than a cell may have needs no cells.
   [[nodiscard]] bool is_coarse(const Bud& bud) const {
-    return bud.near.edges.size() > met_edges_max && bud.near.meets_boundary() &&
-           !outside(bud.square) && edges_.size() > cell_edges_max;
+    if (outside(bud.square) || edges_.size() <= cell_edges_max) return false;
+    if (bud.near.meets_boundary()) {
+      return bud.near.edges.size() > met_edges_max && !tells_by_sides(tree_.words[bud.slot]);
+    }
+    return bud.near.edges.size() > near_edges_max && edges_.size() <= near_zone_edges_max;
   }
   std::size_t split(std::size_t slot, std::int32_t depth) {
-    const std::size_t at = tree_.words.size();
+    // At a multiple of 16, so that parts fill a line of a cache.
+    const std::size_t at = (tree_.words.size() + 15) / 16 * 16;
     tree_.words.resize(at + 16);
     tree_.words[slot] = split_word(at);
     tree_.depth = std::max(tree_.depth, depth + 1);
@@ -268,6 +291,10 @@ class Growth {
     // Edges that lie between them in number do no harm, and need no list.
     const std::size_t run = near.back() - near.front() + 1;
     const bool is_run = run <= terms_.edges_max;
+    if (crossed && run <= sides_edges_max && near.front() <= sides_first_max) {
+      const Sides sides = sides_of(bud.square, std::span(edges_).subspan(near.front(), run));
+      if (sides.edges > 0) return sides_word(near.front(), run, sides);
+    }
     return is_run ? run_word(near.front(), run, bud.inside, crossed)
                   : list_word(list(near), near.size(), bud.inside, crossed);
   }
@@ -286,7 +313,7 @@ class Growth {
   const Edges& edges_;
   const Grid& grid_;
   const Terms terms_;
-  const std::int64_t wanted_mm_;
+  const Exact exact_;
   CellTree tree_;
   std::vector<Bud> buds_;  // a heap, all of them divisible
   std::size_t due_ = 0;    // divisions that they take, at least
@@ -312,15 +339,16 @@ class Grower {
     if (refused_) return refused();
     const std::size_t n = edges_.size();
     const std::size_t most = bytes_most();
-    const std::size_t few =
-        std::min(most, 64 * n + 2048 - n * edge_bytes);  // small zones stay small
+    // Small zones stay small.
+    const std::size_t few = std::min(most, 128 * n + 2048 - n * edge_bytes);
+    const Exact exact = exact_for(wanted_mm, grid_, n);
     std::vector<Terms> attempts = {{8, few}, {cell_edges_max, few}, {8, most}};
     if (n > 20'000) attempts = {{8, few}};  // an attempt takes seconds
     attempts.push_back({cell_edges_max, most});
     std::size_t edges_due = 0;
     for (std::size_t i = 0; i < attempts.size() && edges_due <= cell_edges_max; ++i) {
       if (attempts[i].edges_max < edges_due) continue;
-      Growth growth(edges_, grid_, attempts[i], wanted_mm);
+      Growth growth(edges_, grid_, attempts[i], exact);
       growth.grow(whole_, corners_);
       refused_ = growth.refusal();
       edges_due = std::max(edges_due, growth.edges_due());
@@ -328,7 +356,7 @@ class Grower {
       if (refused_) continue;
       CellTree tree = growth.take();
       const bool is_last = i + 1 == attempts.size();
-      if (is_last || tree.exact_mm.value_or(INT32_MAX) >= wanted_mm) return tree;
+      if (is_last || tree.exact_mm.value_or(INT32_MAX) >= exact.ample_mm) return tree;
     }
     return refused();
   }

@@ -16,15 +16,18 @@ namespace rtac::geometry {
 // grid of cells, row by row from the south-west, instead of at the whole square.
 //
 // A word tells of a cell, in its two highest bits, that it is
-//   0 far    the boundary is at least as many mm away as the lowest 28 bits say;
+//   0 far    the boundary is at least as many mm away as the lowest 28 bits say; with bit 28 set,
+//     sides  its edges are neighbours as in a run, and its places inside are those on the left of
+//     all
+//            of them or, with bit 29, of any;
 //   1 run    its edges are neighbours, the first one in the lowest 24 bits;
 //   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
 //   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row.
 // Its edges: those that can be the nearest one to some place of the closed cell; bits 24 to 27 tell
 // how many, less one. Bit 28: the boundary meets the closed cell (of one
-// that is wider than those of the grid: 0, since its places outside the grid are outside). Bit 29:
-// the region contains a place just inside the south-west corner of the cell: nearer to its south
-// side than to any vertex off that side, and much nearer still to its west side.
+// that is wider than those of the grid: 0, since its places outside the grid are outside). Bit 29,
+// but of sides: the region contains a place just inside the south-west corner of the cell: nearer
+// to its south side than to any vertex off that side, and much nearer still to its west side.
 struct CellTree {
   std::int32_t x_mm = 0, y_mm = 0;   // south-west corner of the square
   std::int32_t shift = 0;            // the cells of the grid are 2^shift mm wide, an even power
@@ -57,7 +60,8 @@ struct TooDense {
 };
 
 // Edges are numbered as edge_rows does. The zone has at least one ring. Distances up to `wanted_mm`
-// are exact if the bytes suffice; with bytes left, cells have fewer edges.
+// are exact if the bytes suffice; with bytes left, cells that the boundary meets have fewer edges,
+// and then distances are exact farther away.
 std::variant<CellTree, TooDense> grow_cell_tree(const SnappedZone& zone, std::int64_t wanted_mm);
 
 }  // namespace rtac::geometry

@@ -41,12 +41,22 @@ std::uint32_t run_word(std::size_t first, std::size_t edges, bool inside, bool c
 std::uint32_t list_word(std::size_t at, std::size_t edges, bool inside, bool crossed) {
   return edges_word(2, at, edges, inside, crossed);
 }
+std::uint32_t sides_word(std::size_t first, std::size_t edges, const Sides& sides) {
+  return kind(0) | (sides.either ? 1U << 29 : 0) | 1U << 28 |
+         static_cast<std::uint32_t>(sides.first) << 26 |
+         static_cast<std::uint32_t>(edges - 1) << 24 | (sides.edges == 2 ? 1U << 23 : 0) |
+         static_cast<std::uint32_t>(first);
+}
+bool tells_by_sides(std::uint32_t word) {
+  return word >> 30 == 0 && (word >> 28 & 1) != 0;
+}
 std::uint32_t split_word(std::size_t at) {
   return kind(3) | static_cast<std::uint32_t>(at);
 }
 std::int32_t edges_of(std::uint32_t word) {
-  const bool has_edges = word >> 30 == 1 || word >> 30 == 2;
-  return has_edges ? static_cast<std::int32_t>(word >> 24 & 15) + 1 : 0;
+  if (word >> 30 == 3) return 0;
+  if (word >> 30 != 0) return static_cast<std::int32_t>(word >> 24 & 15) + 1;
+  return tells_by_sides(word) ? static_cast<std::int32_t>(word >> 24 & 3) + 1 : 0;
 }
 
 double Grid::diameter_mm() const {
@@ -77,7 +87,7 @@ Grid grid_for(const std::vector<PreparedEdge>& edges) {
   // lies a third into every cell, and the cells around those that hold it are few.
   constexpr std::int64_t third = 0x55555555;
   Grid grid{x0 - third, y0 - third, 0, 0, 0, 0, 0};
-  const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(edges.size() / 4));
+  const auto most = static_cast<std::int64_t>(2 * edges.size());
   do {
     grid.shift += 2;
     grid.column = (x0 - 1 - grid.x_mm) >> grid.shift;

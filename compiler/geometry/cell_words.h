@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/geometry/cell_distance.h"
+#include "compiler/geometry/cell_sides.h"
 
 namespace rtac::geometry {
 
@@ -17,6 +18,9 @@ inline constexpr std::int32_t far_most_mm = (1 << 28) - 1;
 std::uint32_t far_word(std::int32_t distance_mm, bool inside);
 std::uint32_t run_word(std::size_t first, std::size_t edges, bool inside, bool crossed);
 std::uint32_t list_word(std::size_t at, std::size_t edges, bool inside, bool crossed);
+// Of at most 4 neighbouring edges, where `sides` is clear.
+std::uint32_t sides_word(std::size_t first, std::size_t edges, const Sides& sides);
+bool tells_by_sides(std::uint32_t word);
 std::uint32_t split_word(std::size_t at);
 // How many edges a cell has; 0 of what has none.
 std::int32_t edges_of(std::uint32_t word);

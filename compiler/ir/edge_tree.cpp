@@ -27,7 +27,7 @@ class TreeChecker {
     const std::size_t first = word & 0xffffff, count = (word >> 24 & 15) + 1;
     switch (word >> 30) {
       case 0:
-        return (word >> 28 & 1) == 0;
+        return (word >> 28 & 1) == 0 || sides_are_good(word);
       case 1:
         return first + count <= edges_;
       case 2:
@@ -38,6 +38,10 @@ class TreeChecker {
       default:
         return (word & 0x3fffffff) > at && are_good(word & 0x3fffffff, shift - 2, depth + 1);
     }
+  }
+  [[nodiscard]] bool sides_are_good(std::uint32_t word) const {
+    const std::size_t first = word & 0x7fffff, count = (word >> 24 & 3) + 1;
+    return first + count <= edges_ && (word >> 26 & 3) + (word >> 23 & 1) < count;
   }
   // Parts come after what they are parts of, so that there is no way back.
   [[nodiscard]] bool are_good(std::size_t first, std::int32_t shift, std::int32_t depth) {

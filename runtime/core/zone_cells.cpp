@@ -33,6 +33,12 @@ bool crosses_way(const std::int32_t* e, const ZoneCell& cell, Vec2 p) {
   return (meets_first && start != turn) != (meets_second && turn != end);
 }
 
+bool is_on_left(const std::int32_t* e, Vec2 p) {
+  const auto dx = static_cast<double>(std::int64_t{e[2]} - e[0]);
+  const auto dy = static_cast<double>(std::int64_t{e[3]} - e[1]);
+  return dx * (p.y - e[1]) > dy * (p.x - e[0]);
+}
+
 }  // namespace
 
 bool ZoneCells::find(Vec2 p_mm, ZoneCell& cell) const {
@@ -56,8 +62,14 @@ bool ZoneCells::find(Vec2 p_mm, ZoneCell& cell) const {
 }
 
 bool ZoneCells::contains(const ZoneCell& cell, Vec2 p_mm) const {
+  if (cell.tells_by_sides()) {
+    const std::size_t at = cell.edge(tree_, cell.word >> 26 & 3);
+    const bool first = is_on_left(tree_.edges + 6 * at, p_mm);
+    const bool second = is_on_left(tree_.edges + 6 * (at + (cell.word >> 23 & 1)), p_mm);
+    return (cell.word >> 29 & 1) != 0 ? first || second : first && second;
+  }
   bool inside = (cell.word >> 29 & 1) != 0;
-  if ((cell.word >> 28 & 1) == 0) return inside;
+  if (!cell.is_met()) return inside;
   for (std::size_t i = 0; i < cell.edges(); ++i) {
     inside ^= crosses_way(tree_.edges + 6 * cell.edge(tree_, i), cell, p_mm);
   }

@@ -19,12 +19,19 @@ struct ZoneCell {
   std::uint32_t word = 0;
 
   // Of the boundary nothing is known but that it is at least so far away.
-  [[nodiscard]] bool is_far() const { return word >> 30 == 0; }
+  [[nodiscard]] bool is_far() const { return word >> 30 == 0 && !is_met(); }
+  // By the boundary.
+  [[nodiscard]] bool is_met() const { return (word >> 28 & 1) != 0; }
+  // One edge or two tell what is inside.
+  [[nodiscard]] bool tells_by_sides() const { return word >> 30 == 0 && is_met(); }
   [[nodiscard]] double far_mm() const { return word & 0xfffffff; }
-  [[nodiscard]] std::size_t edges() const { return is_far() ? 0 : (word >> 24 & 15) + 1; }
+  [[nodiscard]] std::size_t edges() const {
+    if (is_far()) return 0;
+    return (word >> 24 & (tells_by_sides() ? 3 : 15)) + 1;
+  }
   [[nodiscard]] std::size_t edge(const ZoneOutline& tree, std::size_t i) const {
-    const std::size_t at = (word & 0xffffff) + i;
-    return word >> 30 == 1 ? at : tree.lists[at];
+    const std::size_t at = (word & (tells_by_sides() ? 0x7fffff : 0xffffff)) + i;
+    return word >> 30 == 2 ? tree.lists[at] : at;
   }
 };
 

@@ -12,8 +12,8 @@ struct Effort {
   double shift_minutes = 12;
   int compile_repetitions = 5;
   int zone_rounds = 5;
-  std::size_t zone_places = 10'000;  // of either kind
-  double zone_pass_ms = 10;          // about so long at most
+  std::size_t zone_places = 4'000;  // of either kind
+  double zone_pass_ms = 10;         // about so long at most
   int zone_cold_questions = 15;
   std::size_t zone_shapes = 3;  // of outlines
 };

@@ -2,13 +2,16 @@
 /*= zone_type @cells : edge_type */
 /* A square of 2^32 mm, divided by 16 again and again; cells are closed to the south and west. A word
  * of `cells` tells of a cell, in its two highest bits, that it is
- *   0 far    the boundary is at least as far away as the lowest 28 bits say;
+ *   0 far    the boundary is at least as far away as the lowest 28 bits say; with bit 28 set, rather
+ *     sides  its edges are neighbours, the first one in the lowest 23 bits; bits 24 and 25: how many,
+ *            less one. The boundary meets that of them which bits 26 and 27 tell and, with bit 23 set,
+ *            the next one; places inside are on the left of both or, with bit 29, of either;
  *   1 run    its edges are neighbours, the first one in the lowest 24 bits;
  *   2 list   the lowest 24 bits lead to the numbers of its edges in `lists`;
  *   3 split  the lowest 30 bits lead to the words of its 16 parts, row by row from the south-west.
  * Its edges: those that can be nearest to some place of it; bits 24 to 27: how many, less one. Bit
  * 28: the boundary meets it; never of cells wider than those of the grid, whose places are outside.
- * Bit 29: its south-west corner, moved as in `crosses_way`, is inside. */
+ * Bit 29, but of sides: its south-west corner, moved as in `crosses_way`, is inside. */
 typedef struct zone {
   const edge *edges;
   const uint32_t *cells, *lists;
@@ -47,12 +50,13 @@ static cell cell_at(const zone *z, vec p) {
 }
 /*= cell_count @cells */
 static int32_t cell_count(uint32_t word) {
-  return word >> 30 == 0 ? 0 : (int32_t)(word >> 24 & 15) + 1;
+  const int32_t most = word >> 30 != 0 ? 16 : (word >> 28 & 1) != 0 ? 4 : 0;
+  return most == 0 ? 0 : (int32_t)(word >> 24 & (uint32_t)(most - 1)) + 1;
 }
 /*= cell_edge @cells : zone_type */
 static const edge *cell_edge(const zone *z, uint32_t word, int32_t i) {
-  const uint32_t at = (word & 0xffffff) + (uint32_t)i;
-  return &z->edges[word >> 30 == 1 ? at : z->lists[at]];
+  const uint32_t at = (word & (word >> 30 == 0 ? 0x7fffff : 0xffffff)) + (uint32_t)i;
+  return &z->edges[word >> 30 == 2 ? z->lists[at] : at];
 }
 /*= crosses_way @cells : edge_type */
 /* Whether the edge crosses the way from (x0, y0) north or south to y, then east or west to x, all
@@ -75,18 +79,27 @@ static int32_t may_cross_way(const edge *e, int64_t x0, int64_t y) {
   return ((2 * (int64_t)e->ax > x0) ^ (2 * (int64_t)e->bx > x0)) |
          ((2 * (int64_t)e->ay > y) ^ (2 * (int64_t)e->by > y));
 }
-/*= cell_inside @cells : cell_type cell_count cell_edge may_cross_way crosses_way */
-/* Whether a place of the cell, coordinates doubled, is inside: its corner is, or not, and each edge
- * on the way from there changes it. Of places on the boundary it says nothing. Most edges are far
- * from crossing it: the few others are gathered first, without branches. */
-static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
+/*= on_left @cells : edge_type */
+/* Whether a place, coordinates doubled, is on the left of the edge's line. */
+static int32_t on_left(const edge *e, int64_t x, int64_t y) {
+  const int64_t dx = e->bx - (int64_t)e->ax, dy = e->by - (int64_t)e->ay;
+  return dx * (y - 2 * (int64_t)e->ay) > dy * (x - 2 * (int64_t)e->ax);
+}
+/*= inside_by_sides @cells : zone_type on_left */
+static int32_t inside_by_sides(const zone *z, uint32_t word, int64_t x, int64_t y) {
+  const edge *const e = &z->edges[(word & 0x7fffff) + (word >> 26 & 3)];
+  const int32_t first = on_left(e, x, y);
+  const int32_t second = on_left(e + (word >> 23 & 1), x, y);
+  return (word >> 29 & 1) != 0 ? first | second : first & second;
+}
+/*= inside_by_way @cells : cell_type cell_count cell_edge may_cross_way crosses_way */
+/* The corner of the cell is inside, or not, and each edge on the way from there changes it. Most edges
+ * are far from crossing it: the few others are gathered first, without branches. */
+static int32_t inside_by_way(const zone *z, const cell *c, int64_t x, int64_t y) {
   int32_t inside = (int32_t)(c->word >> 29 & 1);
   const edge *met[16];
   int32_t count = 0;
   int32_t i;
-  if ((c->word >> 28 & 1) == 0) {
-    return inside;
-  }
   for (i = 0; i < cell_count(c->word); ++i) {
     const edge *const e = cell_edge(z, c->word, i);
     met[count] = e;
@@ -96,6 +109,15 @@ static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
     inside ^= crosses_way(met[i], 2 * c->x, 2 * c->y, x, y);
   }
   return inside;
+}
+/*= cell_inside @cells : inside_by_sides inside_by_way */
+/* Whether a place of the cell, coordinates doubled, is inside. Of places on the boundary it says
+ * nothing. */
+static int32_t cell_inside(const zone *z, const cell *c, int64_t x, int64_t y) {
+  if ((c->word >> 28 & 1) == 0) {
+    return (int32_t)(c->word >> 29 & 1);
+  }
+  return c->word >> 30 == 0 ? inside_by_sides(z, c->word, x, y) : inside_by_way(z, c, x, y);
 }
 /*= inside_zone @cells : cell_at cell_inside */
 static int32_t inside_zone(const zone *z, vec p) {

@@ -53,6 +53,13 @@ class Checksum {
   std::uint64_t sum_ = UINT64_C(0xcbf29ce484222325);
 };
 
+// Of a cell of at most 4 edges, which tells of one or two of them.
+inline bool sides_are_sound(std::uint32_t word, std::int32_t edge_count) {
+  const std::uint32_t first = word & 0x7fffff, count = (word >> 24 & 3) + 1;
+  return first + count <= static_cast<std::uint32_t>(edge_count) &&
+         (word >> 26 & 3) + (word >> 23 & 1) < count;
+}
+
 // Every index of it leads to something.
 inline bool is_sound(const ZoneOutline& o) {
   const auto fits = [](std::uint32_t first, std::uint32_t count, std::int32_t all) {
@@ -61,6 +68,8 @@ inline bool is_sound(const ZoneOutline& o) {
   for (std::int32_t i = 0; i < o.cell_count; ++i) {
     const std::uint32_t word = o.cells[i], first = word & 0xffffff, count = (word >> 24 & 15) + 1;
     const std::uint32_t kind = word >> 30;
+    const bool by_sides = kind == 0 && (word >> 28 & 1) != 0;
+    if (by_sides && !sides_are_sound(word, o.edge_count)) return false;
     if (kind == 1 && !fits(first, count, o.edge_count)) return false;
     if (kind == 2 && !fits(first, count, o.list_count)) return false;
     if (kind == 3 && !fits(word & 0x3fffffff, 16, o.cell_count)) return false;

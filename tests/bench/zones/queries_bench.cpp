@@ -4,9 +4,10 @@
 //
 // How. Places lie anywhere about the zone, or within some metres of its boundary. They are in the
 // form that the asked one takes before the clock starts. A pass asks about all of them or, of
-// whoever takes longer than a pass may, about the next ones; passes are taken in turns. So tables
-// stay in the caches as far as they fit: rows `cold` are of single questions, each after memory as
-// large as the last cache has been walked through, less what the clock takes.
+// whoever takes longer than a pass may, about the next ones; passes are taken in turns, each after
+// the same questions without the clock. So what these places need of the tables is in the caches as
+// far as it fits: rows `cold` are of single questions, each after memory as large as the last cache
+// has been walked through, less what the clock takes.
 #include <unistd.h>
 
 #include <algorithm>
@@ -148,6 +149,7 @@ class QueryBench {
     return [&c, first, count, share, next = std::size_t{0}]() mutable {
       const std::size_t from = first + next;
       next = next + 2 * share <= count ? next + share : 0;
+      ask_ns(c, from, from + share);  // warms the caches
       return ask_ns(c, from, from + share);
     };
   }

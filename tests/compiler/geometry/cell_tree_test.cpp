@@ -61,12 +61,22 @@ Cell cell_at(const CellTree& tree, const Place& p) {
   return {tree.words[at], double((x >> shift << shift) + tree.x_mm),
           double((y >> shift << shift) + tree.y_mm), std::ldexp(1.0, shift)};
 }
+bool is_met(std::uint32_t word) {
+  return (word >> 28 & 1) != 0;
+}
+bool is_far(std::uint32_t word) {
+  return word >> 30 == 0 && !is_met(word);
+}
+bool tells_by_sides(std::uint32_t word) {
+  return word >> 30 == 0 && is_met(word);
+}
 std::vector<std::uint32_t> edges_in(const CellTree& tree, std::uint32_t word) {
   std::vector<std::uint32_t> edges;
-  if (word >> 30 == 0) return edges;
-  for (std::uint32_t i = 0; i <= (word >> 24 & 15); ++i) {
-    const std::uint32_t at = (word & 0xffffff) + i;
-    edges.push_back(word >> 30 == 1 ? at : tree.lists[at]);
+  if (is_far(word)) return edges;
+  const std::uint32_t most = tells_by_sides(word) ? 4 : 16, place = tells_by_sides(word) ? 23 : 24;
+  for (std::uint32_t i = 0; i <= (word >> 24 & (most - 1)); ++i) {
+    const std::uint32_t at = (word & ((1U << place) - 1)) + i;
+    edges.push_back(word >> 30 == 2 ? tree.lists[at] : at);
   }
   return edges;
 }
@@ -92,7 +102,7 @@ class Trees {
     for (const std::uint32_t e : edges_in(tree_, cell.word)) {
       in_cell = std::min(in_cell, distance(p, edges_[e]));
     }
-    if (cell.word >> 30 == 0) {
+    if (is_far(cell.word)) {
       EXPECT_LE(cell.word & 0xfffffff, nearest + 1e-6) << p.x << ", " << p.y;
       if (cell.width > 1) {
         EXPECT_GE(nearest + 1, tree_.exact_mm.value_or(INT32_MAX));
@@ -104,14 +114,26 @@ class Trees {
     if ((cell.word >> 28 & 1) == 0 && nearest > 1e-3) {
       EXPECT_EQ(cell.word >> 29 & 1, is_inside(p, edges_) ? 1U : 0U) << p.x << ", " << p.y;
     }
+    if (tells_by_sides(cell.word) && nearest > 1e-3) {
+      EXPECT_EQ(inside_by_sides(p, cell.word), is_inside(p, edges_)) << p.x << ", " << p.y;
+    }
     const bool in_grid = cell.width <= std::ldexp(1.0, tree_.shift);
     const Place corner{cell.x + 1e-7, cell.y + 1e-5};
     double from_corner = INFINITY;
     for (const EdgeRow& e : edges_) from_corner = std::min(from_corner, distance(corner, e));
-    if (in_grid && from_corner > 1e-3) {
+    if (in_grid && from_corner > 1e-3 && !tells_by_sides(cell.word)) {
       EXPECT_EQ(cell.word >> 29 & 1, is_inside(corner, edges_) ? 1U : 0U)
           << cell.x << ", " << cell.y;
     }
+  }
+  [[nodiscard]] bool inside_by_sides(const Place& p, std::uint32_t word) const {
+    const auto left = [&](const EdgeRow& e) {
+      return double(e.b.x_mm - e.a.x_mm) * (p.y - e.a.y_mm) >
+             double(e.b.y_mm - e.a.y_mm) * (p.x - e.a.x_mm);
+    };
+    const std::size_t at = (word & 0x7fffff) + (word >> 26 & 3);
+    const bool first = left(edges_[at]), second = left(edges_[at + (word >> 23 & 1)]);
+    return (word >> 29 & 1) != 0 ? first || second : first && second;
   }
   void check_places(int count) const {
     std::mt19937 random(3);
@@ -191,18 +213,38 @@ TEST(CellTree, OfARoundZoneIsExactUpToADistance) {
   t.check_places(300);
 }
 TEST(CellTree, CellsHoldFewerEdgesWhereBytesAreLeft) {
-  EXPECT_LE(Trees({{star(300, 90'000, 95'000)}}, 1000).tree().edges_most, 8);
+  const Trees t({{star(300, 90'000, 95'000)}}, 1000);
+  std::size_t cells = 0, few = 0;
+  for (const std::uint32_t word : t.tree().words) {
+    if (word >> 30 == 3 || is_far(word)) continue;
+    ++cells;
+    few += edges_in(t.tree(), word).size() <= 4 ? 1 : 0;
+  }
+  EXPECT_GE(few, cells * 2 / 3) << few << " of " << cells;
 }
 TEST(CellTree, CellsThatTheBoundaryMeetsHoldThreeEdgesWhereBytesAreLeft) {
   const Trees t({{star(300, 90'000, 95'000)}}, 1000);
   std::size_t met = 0, few = 0;
   for (const std::uint32_t word : t.tree().words) {
-    if (word >> 30 == 0 || word >> 30 == 3 || (word >> 28 & 1) == 0) continue;
+    if (word >> 30 == 3 || !is_met(word)) continue;
     ++met;
-    few += (word >> 24 & 15) + 1 <= 3 ? 1 : 0;
+    few += edges_in(t.tree(), word).size() <= 3 ? 1 : 0;
   }
   EXPECT_GT(met, 300U);
   EXPECT_GE(few, met * 4 / 5) << few << " of " << met;
+}
+// Convex corners and reflex ones.
+TEST(CellTree, SidesOfOneOrTwoEdgesTellMostCellsThatTheBoundaryMeets) {
+  const Trees t({{star(300, 60'000, 95'000)}}, 1000);
+  std::size_t met = 0, both = 0, either = 0;
+  for (const std::uint32_t word : t.tree().words) {
+    met += word >> 30 != 3 && is_met(word) ? 1 : 0;
+    both += word >> 28 == 1 ? 1 : 0;
+    either += word >> 28 == 3 ? 1 : 0;
+  }
+  EXPECT_GT(both + either, met * 4 / 5) << both << " and " << either << " of " << met;
+  EXPECT_GT(either, 100U);
+  t.check_places(3000);
 }
 // Teeth of 1 mm side by side over 5 m.
 TEST(CellTree, RefusesWhatNeedsTooManyCellsAndSaysWhere) {

@@ -6,7 +6,7 @@ namespace rtac::kernel_test {
 namespace {
 
 constexpr std::int64_t unlimited_mm = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t wanted_mm = 50'000;  // as the compiler wants it
+constexpr std::int64_t wanted_mm = 10'000;  // as the compiler wants it
 
 geometry::SnappedZone snapped(const Zone& zone) {
   geometry::SnappedZone to;
