@@ -241,18 +241,39 @@ class Deriver {
     return t;
   }
 
-  // A site table lives on the zone of the route that leads to it.
+  // A site table lives on the zone of the route that leads to it; there is one for a kind of
+  // robots.
   void number_sites() {
     out_.tables.sites.assign(spec_.kinds.size(),
                              std::vector<std::optional<ir::SiteIndex>>(spec_.sites.size()));
     for (const sema::Controller& c : spec_.controllers) {
       const auto* route = std::get_if<sema::Route>(&c.implementation);
       if (!route) continue;
+      const ir::ZoneIndex zone = out_.tables.zone(route->zone);
       auto& slot = out_.tables.sites[index(c.kind)][index(route->site)];
-      if (slot) continue;
+      if (slot) {
+        if (out_.module[*slot].zone != zone) report_routes_differ(c, *route);
+        continue;
+      }
       slot = ir::SiteIndex(out_.module.sites.size());
-      out_.module.sites.push_back(site(c.kind, route->site, out_.tables.zone(route->zone)));
+      out_.module.sites.push_back(site(c.kind, route->site, zone));
     }
+  }
+  void report_routes_differ(const sema::Controller& c, const sema::Route& route) {
+    const std::string site = "`" + spec_[route.site].name + "`";
+    const auto leads_there = [&](const sema::Controller& other) {
+      const auto* r = std::get_if<sema::Route>(&other.implementation);
+      return r && other.kind == c.kind && r->site == route.site;
+    };
+    const auto first = std::ranges::find_if(spec_.controllers, leads_there);
+    diagnostics_.report(
+        {Code::routes_differ,
+         c.name_range,
+         "`" + c.name + "` leads to " + site + " within another zone than `" + first->name + "`",
+         "",
+         {{first->name_range, "the ways to " + site + " and their charge are those of this zone"}},
+         "the same zone for both works, or a site of its own at the same place",
+         {}});
   }
   ir::SiteTable site(sema::KindId kind, sema::SiteId id, ir::ZoneIndex zone) const {
     ir::SiteTable t;
@@ -332,8 +353,8 @@ class Deriver {
     const std::int64_t k = from.recover && is_template(*from.recover) ? 1 : 2;
     m.lookahead.duration_us =
         from.ahead.duration ? ceil_to_int(from.ahead.duration->value * 1'000'000) : k * d.period_us;
-    if (m.lookahead.duration && m.lookahead.duration_us < k * d.period_us &&
-        !from.ahead.duration_unsound) {
+    m.lookahead.too_short = m.lookahead.duration && m.lookahead.duration_us < k * d.period_us;
+    if (m.lookahead.too_short && !from.ahead.duration_unsound) {
       const auto millis = [](std::int64_t us) { return to_decimal(Rational(us, 1000)) + " ms"; };
       const std::string least = millis(k * d.period_us);
       diagnostics_.report({Code::lookahead_too_short,

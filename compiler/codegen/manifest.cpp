@@ -31,7 +31,7 @@ Json monitor(const Monitor& m, const Decision& d) {
     j["horizon_us"] = m.lookahead.duration_us + d.body.latency_us + d.body.position_age_us;
   }
   if (m.lookahead.waypoints > 0) j["lookahead_waypoints"] = m.lookahead.waypoints;
-  j["sound"] = m.lookahead.duration && !m.lookahead.points_only;
+  j["sound"] = m.lookahead.duration && !m.lookahead.too_short && !m.lookahead.points_only;
   j["return_clearance_mm"] = m.recovery.return_clearance_mm;
   if (!m.return_text.empty()) j["return_when"] = m.return_text;
   return j;
