@@ -461,9 +461,9 @@ struct Watch {
 struct Lookahead {
   bool duration = true;          // false: way-points only
   std::int64_t duration_us = 0;  // D
-  bool too_short = false;        // shorter than its recovery takes to act, as the author accepts
   std::int64_t waypoints = 0;    // n, 0: the plan is not looked at
   bool points_only = false;
+  bool too_short = false;  // for its recovery to act in time, as the author accepts
 };
 enum class RecoveryKind { external, retreat, route, yield };
 struct Recovery {
