@@ -1,0 +1,30 @@
+// One transformer per atom: a file each. It returns nothing where the comparison speaks of its
+// signals in another way than it knows.
+#pragma once
+
+#include <optional>
+
+#include "compiler/passes/lookahead/expansion.h"
+
+namespace rtac::passes::lookahead {
+
+using Expanded = std::optional<ir::ValueId>;
+
+Expanded fence(Expansion& expansion, const Atom& atom);           // inside, clearance
+Expanded separation(Expansion& expansion, const Atom& atom);      // from another robot
+Expanded charge(Expansion& expansion, const Atom& atom);          // at least a constant
+Expanded charge_for_way(Expansion& expansion, const Atom& atom);  // at least what a way takes
+Expanded count(Expansion& expansion, const Atom& atom);           // of other robots
+
+// ---- legs of the plan
+
+// The next legs, or way-points, keep the zone's boundary away.
+ir::ValueId zone_legs(Expansion& expansion, ir::ZoneIndex zone, std::int64_t least_mm,
+                      const std::optional<ir::ValueId>& more, const Atom& atom);
+// The next legs keep away from another robot.
+ir::ValueId legs_apart(Expansion& expansion, std::int64_t least_mm,
+                       const std::optional<ir::ValueId>& more, const Atom& atom);
+// Whatever legs are judged rest on the declared tracking, in every disjunct: once, for all.
+void on_track(const Expansion& expansion, ir::Block& ahead);
+
+}  // namespace rtac::passes::lookahead

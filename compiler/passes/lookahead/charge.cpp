@@ -1,0 +1,70 @@
+// `r.battery >= c`, and `r.battery >= energy_to(site) + c`. Whoever drives from here on spends
+// charge: the recovery's own way counts. With the way in the bound, a charge that suffices now
+// suffices until the robot is there.
+#include <algorithm>
+
+#include "compiler/passes/lookahead/atoms.h"
+
+namespace rtac::passes::lookahead {
+namespace {
+
+using namespace ir;
+
+bool acknowledged(const Expansion& expansion) {
+  const auto& all = expansion.decision().acknowledgements;
+  const Monitor& monitor = expansion.monitor();
+  return std::any_of(all.begin(), all.end(), [&](const Acknowledgement& a) {
+    return a.recovery == monitor.recovery.name && a.monitor == monitor.name;
+  });
+}
+
+ValueId refuse(Expansion& expansion, std::optional<SiteIndex> site, const Atom& atom) {
+  const std::string& recovery = expansion.monitor().recovery.name;
+  const std::string where =
+      site ? "`route to " + expansion.module()[*site].name + "`" : "`route to` a site";
+  expansion.report({diag::Code::recovery_spends_charge,
+                    atom.source,
+                    "the recovery `" + recovery + "` spends charge that nobody accounts for",
+                    "may be false while `" + recovery + "` drives",
+                    {},
+                    "a recovery " + where + " works, its way is priced; or `acknowledge " +
+                        recovery + " may break " + expansion.monitor().name + " \"why\"`",
+                    {}});
+  return add(atom.to, Truth{false}, atom.source);
+}
+
+// `site`: the property asks for the way to it already.
+ValueId reserve(Expansion& expansion, std::optional<SiteIndex> site, const Need& need,
+                const Atom& atom) {
+  expansion.decides_in(Unit::ppm);
+  if (!expansion.look().duration) {
+    expansion.without_effect("`waypoints only` has no effect on the charge",
+                             "the charge is judged for everywhere within reach: leave `waypoints "
+                             "only` out, or write the charge in a monitor of its own");
+  }
+  const Recovery& recovery = expansion.monitor().recovery;
+  const bool drives_there =
+      recovery.kind == RecoveryKind::route && (!site || *site == recovery.site);
+  if (!drives_there && !acknowledged(expansion)) return refuse(expansion, site, atom);
+  if (!site && drives_there) site = recovery.site;
+  const auto more = expansion.more_of(need, Unit::ppm, atom.source, atom.to);
+  if (!site) return add(atom.to, ChargeReach{need.fixed, more}, atom.source);
+  return add(atom.to, EnergyReach{*site, need.fixed + expansion.decision().hold_reserve_ppm, more},
+             atom.source);
+}
+
+}  // namespace
+
+Expanded charge(Expansion& expansion, const Atom& atom) {
+  const auto bound = lower_bound(atom.from, atom.compare, expansion.decision().facts.params);
+  if (!bound) return std::nullopt;
+  return reserve(expansion, std::nullopt, bound->need, atom);
+}
+
+Expanded charge_for_way(Expansion& expansion, const Atom& atom) {
+  const auto way = ir::charge_for_way(atom.from, atom.compare, expansion.decision().facts.params);
+  if (!way) return std::nullopt;
+  return reserve(expansion, way->site, way->reserve, atom);
+}
+
+}  // namespace rtac::passes::lookahead
