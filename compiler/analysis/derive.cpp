@@ -14,7 +14,9 @@
 #include "compiler/ir/signals.h"
 #include "compiler/ir/source_text.h"
 #include "compiler/ir/watch_builder.h"
+#include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
+#include "compiler/support/overloaded.h"
 
 namespace rtac::analysis {
 namespace {
@@ -80,12 +82,8 @@ class Deriver {
       if (m.return_when) sema::for_each_expr(*m.return_when, in);
     }
     for (const sema::Controller& c : spec_.controllers) {
-      if (const auto* r = std::get_if<sema::Retreat>(&c.implementation)) {
-        robots(r->zone);
-      } else if (const auto* t = std::get_if<sema::Route>(&c.implementation)) {
-        robots(t->zone);
-      } else if (const auto* y = std::get_if<sema::Yield>(&c.implementation)) {
-        robots(y->zone);
+      for (const sema::Template& what : sema::templates_of(c)) {
+        if (const auto moves = sema::moves_of(what)) robots(moves->zone);
       }
     }
     const auto places = [&](const sema::Expr& e) {
@@ -247,7 +245,7 @@ class Deriver {
     out_.tables.sites.assign(spec_.kinds.size(),
                              std::vector<std::optional<ir::SiteIndex>>(spec_.sites.size()));
     for (const sema::Controller& c : spec_.controllers) {
-      const auto* route = std::get_if<sema::Route>(&c.implementation);
+      const auto route = sema::route_of(c);
       if (!route) continue;
       const ir::ZoneIndex zone = out_.tables.zone(route->zone);
       auto& slot = out_.tables.sites[index(c.kind)][index(route->site)];
@@ -262,7 +260,7 @@ class Deriver {
   void report_routes_differ(const sema::Controller& c, const sema::Route& route) {
     const std::string site = "`" + spec_[route.site].name + "`";
     const auto leads_there = [&](const sema::Controller& other) {
-      const auto* r = std::get_if<sema::Route>(&other.implementation);
+      const auto r = sema::route_of(other);
       return r && other.kind == c.kind && r->site == route.site;
     };
     const auto first = std::ranges::find_if(spec_.controllers, leads_there);
@@ -377,31 +375,48 @@ class Deriver {
     return !std::holds_alternative<sema::ExternController>(spec_[id].implementation);
   }
   ir::Recovery recovery(const sema::Controller& from, sema::KindId kind) const {
+    const std::vector<sema::Template> all = sema::templates_of(from);
     ir::Recovery r;
+    if (const auto* sequence = std::get_if<sema::Sequence>(&from.implementation)) {
+      r.kind = ir::RecoveryKind::sequence;
+      for (const auto& each : sequence->steps) {
+        r.steps.push_back(step(each.what, kind));
+        r.steps.back().name = from.name;
+        r.steps.back().lasts_us = each.lasts ? ceil_to_int(each.lasts->value * 1'000'000) : 0;
+        r.speed_mmps = std::max(r.speed_mmps, r.steps.back().speed_mmps);
+      }
+    } else if (!all.empty()) {
+      r = step(all.front(), kind);
+    }
     r.name = from.name;
-    const auto speed = [](const sema::Quantity& q) { return ceil_to_int(q.value * 1000); };
-    if (const auto* retreat = std::get_if<sema::Retreat>(&from.implementation)) {
-      r.kind = ir::RecoveryKind::retreat;
-      r.zone = out_.tables.zone(retreat->zone);
-      r.speed_mmps = speed(retreat->speed);
-    } else if (const auto* route = std::get_if<sema::Route>(&from.implementation)) {
-      r.kind = ir::RecoveryKind::route;
-      r.zone = out_.tables.zone(route->zone);
+    return r;
+  }
+  ir::Recovery step(const sema::Template& what, sema::KindId kind) const {
+    ir::Recovery r;
+    r.kind =
+        std::visit(Overloaded{[](const sema::Retreat&) { return ir::RecoveryKind::retreat; },
+                              [](const sema::Route&) { return ir::RecoveryKind::route; },
+                              [](const sema::Yield&) { return ir::RecoveryKind::yield; },
+                              [](const sema::BrakeAndHold&) { return ir::RecoveryKind::brake; },
+                              [](const sema::Loiter&) { return ir::RecoveryKind::loiter; }},
+                   what);
+    if (const auto moves = sema::moves_of(what)) {
+      r.zone = out_.tables.zone(moves->zone);
+      r.speed_mmps = ceil_to_int(Rational(moves->speed * 1000));
+    }
+    if (const auto* route = std::get_if<sema::Route>(&what)) {
       r.site = out_.tables.site(kind, route->site);
-      r.speed_mmps = speed(route->speed);
-    } else if (const auto* yield = std::get_if<sema::Yield>(&from.implementation)) {
-      r.kind = ir::RecoveryKind::yield;
-      r.zone = out_.tables.zone(yield->zone);
-      r.speed_mmps = speed(yield->speed);
     }
     return r;
   }
   ir::Motion motion(const sema::Monitor& from, const sema::RobotKind& kind) const {
     const sema::Controller& c = spec_[*from.recover];
-    Rational speed = kind.motion.speed.value;
-    if (const auto* r = std::get_if<sema::Retreat>(&c.implementation)) speed = r->speed.value;
-    if (const auto* t = std::get_if<sema::Route>(&c.implementation)) speed = t->speed.value;
-    if (const auto* y = std::get_if<sema::Yield>(&c.implementation)) speed = y->speed.value;
+    const std::vector<sema::Template> all = sema::templates_of(c);
+    if (all.empty()) return recovery_motion(kind, c.name, kind.motion.speed.value);
+    Rational speed = 0;  // whoever stands never gets faster than it was found
+    for (const sema::Template& what : all) {
+      if (const auto moves = sema::moves_of(what)) speed = std::max(speed, moves->speed);
+    }
     return recovery_motion(kind, c.name, speed);
   }
 
@@ -441,6 +456,11 @@ class Deriver {
       r.route_clearance_mm =
           cruise_clearance_mm(d, d.motions[k + 1], lookahead_us) + wanted.fence_mm;
       r.pass_gap_mm = pass_gap_mm(d, lookahead_us, wanted.separation_mm);
+      for (ir::Recovery& step : r.steps) {
+        step.return_clearance_mm = r.return_clearance_mm;
+        step.route_clearance_mm = r.route_clearance_mm;
+        step.pass_gap_mm = r.pass_gap_mm;
+      }
     }
   }
   // Ways to sites are priced for the recovery that drives them; of several, for the dearest.
@@ -449,7 +469,7 @@ class Deriver {
       const sema::RobotKind& kind = spec_[spec_.decisions[i].kind];
       const ir::Decision& d = out_.module.decisions[i];
       for (std::size_t k = 0; k < d.monitors.size() && kind.energy; ++k) {
-        const ir::Recovery& r = d.monitors[k].recovery;
+        const ir::Recovery& r = ir::last_step(d.monitors[k].recovery);
         if (r.kind == ir::RecoveryKind::route) {
           price(out_.module.sites[index(r.site)], r, d, kind);
         }

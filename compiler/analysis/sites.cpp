@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "compiler/sema/templates.h"
+
 namespace rtac::analysis {
 namespace {
 
@@ -103,8 +105,8 @@ void check_idle_sites(const sema::Spec& spec, const RegionOf& region_of,
                       diag::Engine& diagnostics) {
   for (std::size_t i = 0; i < spec.controllers.size(); ++i) {
     const sema::Controller& controller = spec.controllers[i];
-    const auto* route = std::get_if<sema::Route>(&controller.implementation);
-    if (route == nullptr || is_used(spec, i)) continue;
+    const auto route = sema::route_of(controller);
+    if (!route || is_used(spec, i)) continue;
     if (const auto region = region_of(route->zone)) {
       Checker(spec, diagnostics).route(controller, *route, *region);
     }

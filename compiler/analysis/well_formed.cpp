@@ -52,7 +52,7 @@ class WellFormed {
       }
       for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
         const ir::Monitor& monitor = decision.monitors[k];
-        cells(monitor);
+        for (const ir::Recovery* step : ir::steps_of(monitor.recovery)) cells(*step);
         exact_far_enough(decision, monitor);
         if (auto found = hopeless_return(module_, decision, k)) {
           diagnostics_.report(std::move(*found));
@@ -66,13 +66,12 @@ class WellFormed {
   // A recovery searches cells: in a large zone they are wide, and all of a cell counts for as clear
   // as its worst place. Cells as narrow as can be are not asked: what they miss, straight ways
   // find. Where a route ends is asked of its site.
-  void cells(const ir::Monitor& monitor) {
-    const ir::Recovery& r = monitor.recovery;
-    if (r.kind != ir::RecoveryKind::retreat && r.kind != ir::RecoveryKind::yield) return;
+  void cells(const ir::Recovery& r) {
+    if (!ir::moves(r.kind) || r.kind == ir::RecoveryKind::route) return;
     const ir::ZoneTable& zone = module_[r.zone];
     const ir::Cells& c = zone.cells;
     const std::int64_t need =
-        r.kind == ir::RecoveryKind::retreat ? r.return_clearance_mm : r.route_clearance_mm;
+        r.kind == ir::RecoveryKind::yield ? r.route_clearance_mm : r.return_clearance_mm;
     if (c.cell_mm <= cell_mm_least || zone.widest_mm < need) return;
     const std::int64_t best = *std::max_element(c.clearance_mm_lo.begin(), c.clearance_mm_lo.end());
     if (best >= need) return;
@@ -135,17 +134,18 @@ class WellFormed {
   }
 
   void site(sema::KindId kind, const ir::Decision& decision, const ir::Monitor& monitor) {
-    if (monitor.recovery.kind != ir::RecoveryKind::route) return;
-    const ir::SiteTable& site = module_[monitor.recovery.site];
+    const ir::Recovery& way = ir::last_step(monitor.recovery);
+    if (way.kind != ir::RecoveryKind::route) return;
+    const ir::SiteTable& site = module_[way.site];
     const ir::ZoneTable& zone = module_[site.zone];
     for (std::size_t p = 0; p < site.places.size(); ++p) {
       const ir::SiteTable::Place& place = site.places[p];
-      const SourceRange range = source_of(kind, monitor.recovery.site, p);
+      const SourceRange range = source_of(kind, way.site, p);
       const auto cell = cell_at(zone.cells, place.x_mm, place.y_mm);
       const std::int32_t clearance = cell ? zone.cells.clearance_mm_lo[*cell] : -1;
       const std::string what = "`" + site.name + "(" + place.robot + ")`";
-      const std::int64_t route = monitor.recovery.route_clearance_mm;
-      const std::int64_t give_back = monitor.recovery.return_clearance_mm;
+      const std::int64_t route = way.route_clearance_mm;
+      const std::int64_t give_back = way.return_clearance_mm;
       if (clearance < 0) {
         report(Code::site_outside_zone, range, what + " lies outside `" + zone.name + "`",
                nearest_place(zone, place, std::max(route, give_back)));

@@ -248,8 +248,7 @@ class SystemPrinter {
           }
           for (const Recovery* recovery : recoveries_) {
             if (recovery->kind == RecoveryKind::external) continue;
-            r.line("rtac::safe::" + std::string(class_of(recovery->kind)) + "<" + output_ + "> " +
-                   names_(recovery->name) + ";");
+            r.line(type_of(*recovery) + " " + names_(recovery->name) + ";");
           }
         },
         "};");
@@ -263,8 +262,17 @@ class SystemPrinter {
     body.line("std::array<rtac::RobotParts<" + output_ + ">, robots> parts_;");
     body.line("rtac::System<" + output_ + "> system_;");
   }
+  std::string type_of(const Recovery& r) const {
+    return "rtac::safe::" + std::string(class_of(r.kind)) + "<" + output_ + ">";
+  }
   static const char* class_of(RecoveryKind kind) {
     switch (kind) {
+      case RecoveryKind::brake:
+        return "BrakeAndHold";
+      case RecoveryKind::loiter:
+        return "Loiter";
+      case RecoveryKind::sequence:
+        return "Sequence";
       case RecoveryKind::retreat:
         return "Retreat";
       case RecoveryKind::route:
@@ -277,13 +285,40 @@ class SystemPrinter {
     return "";
   }
   std::string arguments_of(const Recovery& r) const {
+    if (r.kind == RecoveryKind::brake) return "standing()";
+    if (r.kind == RecoveryKind::sequence) {
+      std::string steps;
+      for (const Recovery& step : r.steps) {
+        steps += (steps.empty() ? "\n            " : ",\n            ") +
+                 std::string("rtac::safe::step<rtac::safe::") + class_of(step.kind) + ", " +
+                 output_ + ">(" + std::to_string(step.lasts_us) + ", " + arguments_of(step) + ")";
+      }
+      return steps;
+    }
     std::string text = "setting(" + metres(r.speed_mmps) + ", " + names_(module_[r.zone].name) +
                        "_zone(), " + metres(r.route_clearance_mm) + ", " +
                        metres(r.return_clearance_mm) + ", " + metres(r.pass_gap_mm) + ")";
     if (r.kind == RecoveryKind::route) text += ", " + names_(module_[r.site].name) + "(self)";
     return text;
   }
+  // The setting of whoever does not move: it needs no zone.
+  void standing(Code& body) {
+    body.block("static rtac::safe::Setting standing()", [&](Code& f) {
+      f.line("rtac::safe::Setting s;");
+      f.line("s.limits = " + kind_name_ + "_limits();");
+      f.line("s.period_us = " + std::to_string(d().period_us) + ";");
+      f.line("return s;");
+    });
+  }
+  bool any_stands() const {
+    const auto stands = [](const Recovery* step) { return step->kind == RecoveryKind::brake; };
+    return std::any_of(recoveries_.begin(), recoveries_.end(), [&](const Recovery* r) {
+      const auto steps = steps_of(*r);
+      return std::any_of(steps.begin(), steps.end(), stands);
+    });
+  }
   void setting(Code& body) {
+    if (any_stands()) standing(body);
     body.line("static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,");
     body.line("                                   double route_clearance_m, double give_back_m,");
     body.block("                                   double pass_m)", [&](Code& f) {

@@ -251,6 +251,21 @@ class RobotRemarks {
   }
   void recovery(const Recovery& r, std::vector<std::string>& to) const {
     switch (r.kind) {
+      case RecoveryKind::brake:
+        to.push_back("recovery " + r.name + ": brakes and holds its place");
+        to.push_back("control returns only where it stops with a clearance of " +
+                     metres(r.return_clearance_mm) + ": it does not move there");
+        return;
+      case RecoveryKind::sequence:
+        for (const Recovery& step : r.steps) {
+          recovery(step, to);
+          if (step.lasts_us > 0) to.push_back("for " + time(step.lasts_us) + ", then");
+        }
+        return;
+      case RecoveryKind::loiter:
+        to.push_back("recovery " + r.name + ": retreats within " + module_[r.zone].name +
+                     " and circles where control can be given back");
+        break;
       case RecoveryKind::external:
         to.push_back("recovery " + r.name + ": external");
         return;

@@ -100,9 +100,10 @@ std::map<std::string, Distances> distances_by_zone(const ir::Module& module) {
           add(distances, summaries[m].return_clearance_mm, "return of " + monitor.name);
         }
       }
-      const ir::Recovery& recovery = monitor.recovery;
-      if (recovery.kind == ir::RecoveryKind::external) continue;
-      add(all[module[recovery.zone].name], recovery.route_clearance_mm, "ways of " + recovery.name);
+      for (const ir::Recovery* step : ir::steps_of(monitor.recovery)) {
+        if (!ir::moves(step->kind)) continue;
+        add(all[module[step->zone].name], step->route_clearance_mm, "ways of " + step->name);
+      }
     }
   }
   return all;

@@ -465,7 +465,7 @@ struct Lookahead {
   bool points_only = false;
   bool too_short = false;  // for its recovery to act in time, as the author accepts
 };
-enum class RecoveryKind { external, retreat, route, yield };
+enum class RecoveryKind { external, retreat, route, yield, brake, loiter, sequence };
 struct Recovery {
   std::string name;
   RecoveryKind kind = RecoveryKind::external;
@@ -474,7 +474,25 @@ struct Recovery {
   std::int64_t speed_mmps = 0;
   // Clearances of the centre (retreat, route, yield) and distance of centres (yield).
   std::int64_t route_clearance_mm = 0, return_clearance_mm = 0, pass_gap_mm = 0;
+  std::int64_t lasts_us = 0;    // as a step of a sequence; 0: until control is given back
+  std::vector<Recovery> steps;  // of a sequence
 };
+// It knows a zone and moves within it.
+inline bool moves(RecoveryKind kind) {
+  return kind == RecoveryKind::retreat || kind == RecoveryKind::route ||
+         kind == RecoveryKind::yield || kind == RecoveryKind::loiter;
+}
+// The recovery, or the steps of a sequence.
+inline std::vector<const Recovery*> steps_of(const Recovery& r) {
+  if (r.kind != RecoveryKind::sequence) return {&r};
+  std::vector<const Recovery*> all;
+  for (const Recovery& step : r.steps) all.push_back(&step);
+  return all;
+}
+// What it does in the end, until control is given back.
+inline const Recovery& last_step(const Recovery& r) {
+  return r.kind == RecoveryKind::sequence ? r.steps.back() : r;
+}
 struct Monitor {
   std::string name, requirement_id, requirement_text;
   std::string file;  // base name of the source file

@@ -25,37 +25,80 @@ class ControllerChecker {
   void implementation(const syntax::ExternTemplate&) {
     controller_.implementation = ExternController{};
   }
-
-  void implementation(const syntax::RetreatTemplate& retreat) {
-    built_in("retreat");
-    const auto zone = zone_in_frame(context_, retreat.zone);
-    controller_.implementation = Retreat{zone.value_or(ZoneId{}), speed(retreat.speed, "retreat")};
+  void implementation(const syntax::SequenceTemplate& sequence) {
+    Sequence all;
+    for (const syntax::SequenceStep& step : sequence.steps) {
+      range_ = step.range;
+      auto what = std::visit([&](const auto& node) { return manoeuvre(node); }, step.what);
+      if (step.lasts && std::holds_alternative<Route>(what)) report_broken_off();
+      std::optional<Quantity> lasts;
+      if (step.lasts) lasts = duration(*step.lasts);
+      all.steps.push_back({std::move(what), std::move(lasts)});
+    }
+    controller_.implementation = std::move(all);
+  }
+  template <class Node>
+  void implementation(const Node& node) {
+    range_ = written_.implementation_range;
+    std::visit([&](auto&& what) { controller_.implementation = std::move(what); }, manoeuvre(node));
   }
 
-  void implementation(const syntax::RouteTemplate& route) {
+  Template manoeuvre(const syntax::BrakeTemplate&) {
+    built_in("brake_and_hold");
+    return BrakeAndHold{};
+  }
+  Template manoeuvre(const syntax::RetreatTemplate& retreat) {
+    built_in("retreat");
+    const auto zone = zone_in_frame(context_, retreat.zone);
+    return Retreat{zone.value_or(ZoneId{}), speed(retreat.speed, "retreat")};
+  }
+  Template manoeuvre(const syntax::LoiterTemplate& loiter) {
+    built_in("loiter");
+    const auto zone = zone_in_frame(context_, loiter.zone);
+    return Loiter{zone.value_or(ZoneId{}), speed(loiter.speed, "loiter")};
+  }
+  Template manoeuvre(const syntax::RouteTemplate& route) {
     built_in("route");
     const auto site = context_.resolve<SiteId>(route.site, Sort::site);
     const auto zone = zone_in_frame(context_, route.zone);
     if (site && kind_known_) {
       context_.require_places(*site, controller_.kind, route.site.range);
     }
-    controller_.implementation =
-        Route{site.value_or(SiteId{}), zone.value_or(ZoneId{}), speed(route.speed, "route")};
+    return Route{site.value_or(SiteId{}), zone.value_or(ZoneId{}), speed(route.speed, "route")};
   }
-
-  void implementation(const syntax::YieldTemplate& yield) {
+  Template manoeuvre(const syntax::YieldTemplate& yield) {
     built_in("yield");
     const auto zone = zone_in_frame(context_, yield.zone);
     if (yield.order.text != "id") {
       context_.unknown_word(yield.order, "an order of robots", {"id"});
     }
-    controller_.implementation = Yield{zone.value_or(ZoneId{}), speed(yield.speed, "yield")};
+    return Yield{zone.value_or(ZoneId{}), speed(yield.speed, "yield")};
+  }
+  // Robots move in the plane: nothing is known of how far below the ground is, and how fast it may
+  // come nearer.
+  Template manoeuvre(const syntax::LandTemplate&) {
+    context_.report(
+        Finding(Code::land_without_height, range_, "`land` needs a height, and robots have none")
+            .label("robots move in the plane")
+            .help("`brake_and_hold` works: it brings the robot to rest over a place inside the "
+                  "zone, and its autopilot may land while the record names this recovery"));
+    return BrakeAndHold{};
+  }
+
+  void report_broken_off() {
+    context_.report(
+        Finding(Code::clause_without_effect, range_, "a way that is broken off leads nowhere")
+            .label("goes on with another step before it arrives")
+            .help("`route` works as the last step of a `sequence`"));
+  }
+  std::optional<Quantity> duration(const syntax::Expr& expr) {
+    return quantity(context_, expr, {dims::time, "how long a step lasts", Limit::positive});
   }
 
   // What every template needs: it is safe, and it steers by what the robot senses.
   void built_in(const std::string& name) {
     if (written_.role == syntax::Role::advanced) {
-      context_.report(Finding(Code::wrong_role, written_.implementation_range,
+      context_.report(Finding(Code::wrong_role, range_,
                               "`" + name + "` is a safe controller, but `" + controller_.name +
                                   "` is declared as advanced")
                           .label("a safe controller")
@@ -64,7 +107,7 @@ class ControllerChecker {
     }
     if (!kind_known_) return;
     const std::string user = "`" + name + "`";
-    const SourceRange& range = written_.implementation_range;
+    const SourceRange& range = range_;
     context_.require(controller_.kind, Need::position, range, user);
     context_.require(controller_.kind, Need::velocity, range, user);
     if (context_.spec[controller_.kind].motion.model == MotionModel::unicycle) {
@@ -74,9 +117,8 @@ class ControllerChecker {
 
   Quantity speed(const syntax::ExprPtr& expr, const std::string& name) {
     if (!expr) {
-      context_.missing_clause(written_.implementation_range, "`" + name + "`", "`speed`",
-                              "speed 0.1 m/s");
-      return {0, written_.implementation_range};
+      context_.missing_clause(range_, "`" + name + "`", "`speed`", "speed 0.1 m/s");
+      return {0, range_};
     }
     const auto value =
         quantity(context_, *expr, {dims::speed, "the speed of `" + name + "`", Limit::positive});
@@ -102,6 +144,7 @@ class ControllerChecker {
   Context& context_;
   Controller& controller_;
   const syntax::ControllerItem& written_;
+  SourceRange range_;  // of the template, or of the step of a sequence, that is looked at
   bool kind_known_ = false;
 };
 

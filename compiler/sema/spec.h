@@ -224,12 +224,26 @@ struct Yield {
   ZoneId zone;
   Quantity speed;
 };
+struct BrakeAndHold {};
+struct Loiter {
+  ZoneId zone;
+  Quantity speed;
+};
+using Template = std::variant<Retreat, Route, Yield, BrakeAndHold, Loiter>;
+struct Sequence {
+  struct Step {
+    Template what;
+    std::optional<Quantity> lasts;  // none: the last step, until control is given back
+  };
+  std::vector<Step> steps;
+};
 struct Controller {
   std::string name;
   SourceRange name_range;
   bool advanced;
   KindId kind;
-  std::variant<ExternController, Retreat, Route, Yield> implementation;
+  std::variant<ExternController, Retreat, Route, Yield, BrakeAndHold, Loiter, Sequence>
+      implementation;
 };
 
 // ---- inputs and parameters of monitors without a robot ------------------------------------------

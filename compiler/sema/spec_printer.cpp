@@ -138,16 +138,31 @@ class SpecPrinter {
     const auto within = [&](ZoneId zone, const Quantity& speed) {
       return " within " + exprs_.zone(zone) + " speed " + si_text(speed, dims::speed);
     };
+    const auto text = Overloaded{
+        [](const ExternController&) { return std::string("extern"); },
+        [&](const Retreat& retreat) { return "retreat" + within(retreat.zone, retreat.speed); },
+        [&](const Route& route) {
+          return "route to " + spec_[route.site].name + within(route.zone, route.speed);
+        },
+        [&](const Yield& yield) { return "yield" + within(yield.zone, yield.speed) + " order id"; },
+        [](const BrakeAndHold&) { return std::string("brake_and_hold"); },
+        [&](const Loiter& loiter) { return "loiter" + within(loiter.zone, loiter.speed); },
+    };
+    const auto sequence = [&](const Sequence& all) {
+      std::string steps = "sequence";
+      for (const Sequence::Step& step : all.steps) {
+        steps += " " + std::visit(text, step.what);
+        if (step.lasts) steps += " for " + si_text(*step.lasts, dims::time) + " then";
+      }
+      return steps;
+    };
     const std::string implementation = std::visit(
-        Overloaded{
-            [](const ExternController&) { return std::string("extern"); },
-            [&](const Retreat& retreat) { return "retreat" + within(retreat.zone, retreat.speed); },
-            [&](const Route& route) {
-              return "route to " + spec_[route.site].name + within(route.zone, route.speed);
-            },
-            [&](const Yield& yield) {
-              return "yield" + within(yield.zone, yield.speed) + " order id";
-            },
+        [&](const auto& node) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(node)>, Sequence>) {
+            return sequence(node);
+          } else {
+            return text(node);
+          }
         },
         controller.implementation);
     line(0, "controller " + controller.name + " : " + (controller.advanced ? "advanced" : "safe") +

@@ -259,6 +259,22 @@ struct YieldTemplate {  // yield within free speed 0.1 m/s order id
   ExprPtr speed;
   Name order;  // id
 };
+struct BrakeTemplate {};  // brake_and_hold
+struct LoiterTemplate {   // loiter within free speed 0.1 m/s
+  Name zone;
+  ExprPtr speed;
+};
+struct LandTemplate {};
+using SafeTemplate = std::variant<RetreatTemplate, RouteTemplate, YieldTemplate, BrakeTemplate,
+                                  LoiterTemplate, LandTemplate>;
+struct SequenceStep {
+  SafeTemplate what;
+  SourceRange range;
+  ExprPtr lasts;  // null: the last step
+};
+struct SequenceTemplate {  // sequence brake_and_hold for 2 s then retreat within free speed 0.1 m/s
+  std::vector<SequenceStep> steps;
+};
 enum class Role { advanced, safe };
 
 // ---- monitors and decisions -------------------------------------------------------------------
@@ -398,7 +414,9 @@ struct ControllerItem {
   Name name;
   Role role;
   Name kind;
-  std::variant<ExternTemplate, RetreatTemplate, RouteTemplate, YieldTemplate> implementation;
+  std::variant<ExternTemplate, RetreatTemplate, RouteTemplate, YieldTemplate, BrakeTemplate,
+               LoiterTemplate, LandTemplate, SequenceTemplate>
+      implementation;
   SourceRange implementation_range;
 };
 struct MonitorItem {

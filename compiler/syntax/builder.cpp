@@ -72,6 +72,14 @@ RobotItem with_name(RobotItem robot, Name name) {
   return robot;
 }
 
+SequenceTemplate with_step(SequenceTemplate sequence, SequenceStep step) {
+  sequence.steps.push_back(std::move(step));
+  return sequence;
+}
+ControllerItem implemented_by(SafeTemplate implementation, const SourceRange& range) {
+  return std::visit([&](auto& node) { return implemented(std::move(node), range); },
+                    implementation);
+}
 ControllerItem with_header(ControllerItem controller, Name name, Role role, Name kind) {
   controller.name = std::move(name);
   controller.role = role;

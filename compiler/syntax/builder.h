@@ -84,6 +84,9 @@ ControllerItem implemented(Template implementation, const SourceRange& range) {
   return implemented(std::move(implementation), range, range);
 }
 
+SequenceTemplate with_step(SequenceTemplate sequence, SequenceStep step);
+ControllerItem implemented_by(SafeTemplate implementation, const SourceRange& range);
+
 // One run of the parser over one list of tokens, the last of which is END.
 class Builder {
  public:

@@ -232,6 +232,21 @@ class Dumper {
     Level level{text_};
     part("Speed", node.speed);
   }
+  void add(const BrakeTemplate&, const SourceRange& range) { line("BrakeAndHold", range); }
+  void add(const LoiterTemplate& node, const SourceRange& range) {
+    line("Loiter within " + node.zone.text, range);
+    Level level{text_};
+    part("Speed", node.speed);
+  }
+  void add(const LandTemplate&, const SourceRange& range) { line("Land", range); }
+  void add(const SequenceTemplate& node, const SourceRange& range) {
+    line("Sequence", range);
+    Level level{text_};
+    for (const SequenceStep& step : node.steps) {
+      std::visit([&](const auto& what) { add(what, step.range); }, step.what);
+      part("For", step.lasts);
+    }
+  }
 
   void add(const MonitorItem& node, const SourceRange& range) {
     const bool bound = node.variable && node.kind;

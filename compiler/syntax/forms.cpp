@@ -36,6 +36,8 @@ constexpr Construct kTemplates[] = {
     {T::RETREAT, "retreat within free speed 0.1 m/s"},
     {T::ROUTE, "route to dock within free speed 0.1 m/s"},
     {T::YIELD, "yield within free speed 0.1 m/s order id"},
+    {T::LOITER, "loiter within free speed 0.1 m/s"},
+    {T::SEQUENCE, "sequence brake_and_hold for 2 s then retreat within free speed 0.1 m/s"},
 };
 
 bool ends_clause(TokenKind kind) {
@@ -102,6 +104,8 @@ std::string_view window_form(const std::vector<Token>& tokens, std::size_t begin
 std::string_view construct_form(const std::vector<Token>& tokens, std::size_t begin,
                                 const SyntaxError& error) {
   // an operand is complete: what it is part of may lack its next word, what starts it does not
+  const bool in_controller = tokens[begin].kind == T::CONTROLLER;
+  if (in_controller && error.expects(T::THEN)) return find_text(kTemplates, T::SEQUENCE);
   if (error.expects(T::THEN) || error.expects(T::ELSE)) return find_text(kConstructs, T::IF);
   if (error.expects(T::PLUS)) {
     if (error.expects(T::IN)) return find_text(kConstructs, T::LET);
@@ -109,7 +113,6 @@ std::string_view construct_form(const std::vector<Token>& tokens, std::size_t be
   }
   const bool is_window = error.index > begin && tokens[error.index - 1].kind == T::RIGHT_BRACKET;
   if (is_window && error.expects(T::LEFT_PAREN)) return kAggregate;
-  const bool in_controller = tokens[begin].kind == T::CONTROLLER;
   for (std::size_t i = error.index; i-- > begin;) {
     // `within` is part of a template there, and of an expression elsewhere
     std::string_view text = in_controller && tokens[i].kind == T::WITHIN

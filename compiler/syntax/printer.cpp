@@ -72,6 +72,24 @@ std::string print_node(const YieldTemplate& node) {
   return "= yield within " + node.zone.text + optional_part("speed", node.speed) + " order " +
          node.order.text;
 }
+std::string print_node(const BrakeTemplate&) {
+  return "= brake_and_hold";
+}
+std::string print_node(const LoiterTemplate& node) {
+  return "= loiter within " + node.zone.text + optional_part("speed", node.speed);
+}
+std::string print_node(const LandTemplate&) {
+  return "= land";
+}
+std::string print_node(const SequenceTemplate& node) {
+  std::string text = "= sequence";
+  for (const SequenceStep& step : node.steps) {
+    constexpr std::size_t sign = 1;  // without the `=` that each has by itself
+    text += std::visit([](const auto& what) { return print_node(what).substr(sign); }, step.what);
+    if (step.lasts) text += " for " + print_expr(*step.lasts) + " then";
+  }
+  return text;
+}
 
 // ---- monitors
 

@@ -45,15 +45,17 @@ TEST_P(ClauseWord, IsANameEverywhereElse) {
       " : safe for " + w + " = retreat within " + w + " speed " + w + ";\ncontroller " + w +
       " : safe for " + w + " = route to " + w + " within " + w + " speed " + w + ";\ncontroller " +
       w + " : safe for " + w + " = yield within " + w + " speed " + w + " order " + w +
-      ";\nmonitor " + w + " for " + w + " : " + w + " {\n  always forall " + w + " : " + w + ", " +
-      w + " : " + w + "." + w + " >= " + w + "(" + w + ") for " + w + ";\n  ahead " + w + ", " + w +
-      " waypoints, " + w + " unsound \"x\";\n  recover " + w + ";\n  return when " + w +
-      ";\n}\ndecision " + w + " for " + w + " {\n  advanced " + w + ";\n  safe " + w + ";\n  on " +
-      w + ";\n  period " + w + ";\n  priority " + w + " > " + w + ";\n  acknowledge " + w +
-      " may break " + w + " \"x\";\n}\n";
+      ";\ncontroller " + w + " : safe for " + w + " = sequence loiter within " + w + " speed " + w +
+      " for " + w + " then brake_and_hold;\nmonitor " + w + " for " + w + " : " + w +
+      " {\n  always forall " + w + " : " + w + ", " + w + " : " + w + "." + w + " >= " + w + "(" +
+      w + ") for " + w + ";\n  ahead " + w + ", " + w + " waypoints, " + w +
+      " unsound \"x\";\n  recover " + w + ";\n  return when " + w + ";\n}\ndecision " + w +
+      " for " + w + " {\n  advanced " + w + ";\n  safe " + w + ";\n  on " + w + ";\n  period " + w +
+      ";\n  priority " + w + " > " + w + ";\n  acknowledge " + w + " may break " + w +
+      " \"x\";\n}\n";
   Parsed parsed{text};
   EXPECT_EQ(parsed.messages(), "");
-  EXPECT_EQ(parsed.file.items.size(), 9U);
+  EXPECT_EQ(parsed.file.items.size(), 10U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Words, ClauseWord, testing::ValuesIn(kClauseWords),

@@ -46,6 +46,16 @@ TEST(RoundTrip, KeepsPrisms) {
   expect_round_trip("zone from = prism (a) from -(1 m + 2 m) to --to - prism b from 0 m to c.d;");
 }
 
+TEST(RoundTrip, KeepsTemplates) {
+  expect_round_trip("controller a : safe for b = brake_and_hold;");
+  expect_round_trip("controller loiter : safe for land = loiter within sequence speed 1 m/s;");
+  expect_round_trip("controller a : safe for b = land;");
+  // the `for` of a step is none of the speed before it
+  expect_round_trip(
+      "controller a : safe for b = sequence retreat within c speed d + 1 m/s for 2 s then yield "
+      "within c speed d order id for e then route to f within c speed if g then 1 m/s else d;");
+}
+
 TEST(RoundTrip, HoldsForAllSpecs) {
   const auto specs = all_specs();
   ASSERT_GE(specs.size(), 6U);

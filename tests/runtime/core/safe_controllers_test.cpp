@@ -156,6 +156,81 @@ TEST(Retreat, BrakesWhenBlind) {
   EXPECT_FALSE(retreat.holding());
 }
 
+// Wherever the other robots are and however clear the place is, it stays where it has stopped.
+TEST(BrakeAndHold, StaysWhereItStops) {
+  Plant<Acceleration> plant(test::drone_limits(), {0.6, 2.5});
+  plant.v = {-0.6, 0};
+  BrakeAndHold<Acceleration> brake(drone(room().view()));
+  brake.engage(plant.observe());
+  for (int i = 0; i < 60; ++i) tick(brake, plant, Gate::free, 50'000);
+  EXPECT_TRUE(brake.holding());
+  const Vec2 rest = plant.p;
+  place_other(plant.seen, 1, {1.2, 2.5}, always);
+  plant.seen.others[1].blocked = true;
+  for (int i = 0; i < 600; ++i) tick(brake, plant, Gate::free, 50'000);
+  EXPECT_TRUE(brake.holding());
+  EXPECT_LT(norm(plant.p - rest), 0.05);
+}
+
+// Not in the corner, where only one clearance is needed, but around a place that is clear enough
+// for the whole lap; and at rest after each, so that control can be given back.
+TEST(Loiter, DrivesLapsWhereControlCanBeGivenBack) {
+  const Setting setting = drone(room().view());
+  Plant<Acceleration> plant(setting.limits, {0.3, 0.3});
+  Loiter<Acceleration> loiter(setting);
+  loiter.engage(plant.observe());
+  int laps = 0;
+  bool drove = false;
+  double least_m = 9, driven_m = 0;
+  for (int i = 0; i < 6'000; ++i) {
+    const Vec2 before = plant.p;
+    tick(loiter, plant, Gate::free, 50'000);
+    if (i > 600) {
+      least_m = std::min(least_m, signed_clearance(room().view(), plant.p));
+      driven_m += norm(plant.p - before);
+    }
+    laps += drove && loiter.holding() ? 1 : 0;
+    drove = !loiter.holding();
+  }
+  EXPECT_GE(laps, 6);
+  EXPECT_GE(least_m, setting.return_clearance_m);
+  EXPECT_GT(driven_m, 15);
+  for (int i = 0; i < 200; ++i) tick(loiter, plant, Gate::hold, 50'000);  // a closed gate stops it
+  const Vec2 before = plant.p;
+  for (int i = 0; i < 200; ++i) tick(loiter, plant, Gate::hold, 50'000);
+  EXPECT_LT(norm(plant.p - before), 0.05);
+}
+
+// Too narrow for laps: it holds.
+TEST(Loiter, HoldsWhereThereIsNoRoomForALap) {
+  Setting setting = cart(corridor().view());
+  Plant<Twist> plant(test::cart_limits(), {2, 0.5});
+  Loiter<Twist> loiter(setting);
+  loiter.engage(plant.observe());
+  for (int i = 0; i < 300; ++i) tick(loiter, plant, Gate::free, 100'000);
+  EXPECT_TRUE(loiter.holding());
+}
+
+// Each step lasts its time, begins with a brake, and the last one goes on.
+TEST(Sequence, DoesOneAfterTheOther) {
+  Plant<Twist> plant(test::cart_limits(), {0.2, 2.5});
+  const Setting setting = cart(room().view());
+  Sequence<Twist> sequence(step<BrakeAndHold, Twist>(3'000'000, setting),
+                           step<Retreat, Twist>(0, setting));
+  for (int again = 0; again < 2; ++again) {
+    plant.p = {0.2, 2.5};
+    sequence.engage(plant.observe());
+    for (int i = 0; i < 30; ++i) {
+      tick(sequence, plant, Gate::free, 100'000);
+      ASSERT_LT(norm(plant.p - Vec2{0.2, 2.5}), 0.02);
+    }
+    EXPECT_TRUE(sequence.holding());
+    for (int i = 0; i < 200; ++i) tick(sequence, plant, Gate::free, 100'000);
+    EXPECT_GE(signed_clearance(room().view(), plant.p), 0.43);
+    EXPECT_TRUE(sequence.holding());
+  }
+}
+
 // The way to the dock ends parked, and goes on being parked in spite of noise.
 TEST(Route, ParksAtTheSite) {
   Plant<Twist> plant(test::cart_limits(), {3, 3});

@@ -1,6 +1,10 @@
 // The safe-controller templates: a manoeuvre that decides where to go and a pilot that moves.
 #pragma once
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "rtac/controller.h"
 #include "rtac/safe/manoeuvre.h"
 #include "rtac/safe/pilot.h"
@@ -51,6 +55,14 @@ class Driven : public SafeController<Output> {
   Pilot<Output> pilot_;
 };
 
+// Brake, and hold the place. P2b: control returns only where the robot happens to stop with enough
+// clearance.
+template <class Output>
+class BrakeAndHold : public Driven<Output, BrakeManoeuvre> {
+ public:
+  explicit BrakeAndHold(const Setting& setting) : Driven<Output, BrakeManoeuvre>(setting) {}
+};
+
 // Brake; then to the nearest place from which control can be given back, never closer to the
 // boundary than now; from outside straight back in. P2b: control returns where the zone has such a
 // place; where it has none it holds.
@@ -72,6 +84,65 @@ template <class Output>
 class Yield : public Driven<Output, YieldManoeuvre> {
  public:
   explicit Yield(const Setting& setting) : Driven<Output, YieldManoeuvre>(setting) {}
+};
+
+// As retreat; then, for as long as control is not given back, laps around the place of rest, with a
+// stop after each.
+template <class Output>
+class Loiter : public Driven<Output, LoiterManoeuvre> {
+ public:
+  explicit Loiter(const Setting& setting) : Driven<Output, LoiterManoeuvre>(setting) {}
+};
+
+template <class Output>
+struct Step {  // of a sequence
+  std::unique_ptr<SafeController<Output>> controller;
+  TimeUs lasts_us;  // not of the last step
+};
+// `Controller`: a template of this file, with the arguments of its constructor.
+template <template <class> class Controller, class Output, class... Arguments>
+Step<Output> step(TimeUs lasts_us, Arguments&&... arguments) {
+  return {std::make_unique<Controller<Output>>(std::forward<Arguments>(arguments)...), lasts_us};
+}
+
+// One after the other: each lasts its time from when it took over, the last one until control is
+// given back. Every step brakes first.
+template <class Output>
+class Sequence : public SafeController<Output> {
+ public:
+  template <class... Steps>
+  explicit Sequence(Step<Output> first, Steps... rest) {
+    steps_.push_back(std::move(first));
+    (steps_.push_back(std::move(rest)), ...);
+  }
+
+  void engage(const Observation& observation) override {
+    at_ = 0;
+    begin(observation);
+  }
+  Output command(const Observation& observation, Gate gate) override {
+    if (at_ + 1 < steps_.size() && observation.now_us - since_us_ >= steps_[at_].lasts_us) {
+      ++at_;
+      begin(observation);
+    }
+    return now().command(observation, gate);
+  }
+  [[nodiscard]] bool holding() const override { return now().holding(); }
+  [[nodiscard]] bool blocked() const override { return now().blocked(); }
+  [[nodiscard]] bool parked() const override { return now().parked(); }
+  [[nodiscard]] bool errand() const override { return now().errand(); }
+  [[nodiscard]] const Path* path() const override { return now().path(); }
+
+ private:
+  [[nodiscard]] SafeController<Output>& now() const { return *steps_[at_].controller; }
+  void begin(const Observation& observation) {
+    since_us_ = observation.now_us;
+    now().engage(observation);
+  }
+
+  std::vector<Step<Output>> steps_;
+  std::size_t at_ = 0;
+  TimeUs since_us_ = 0;
 };
 
 }  // namespace rtac::safe

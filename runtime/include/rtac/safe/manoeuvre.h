@@ -50,18 +50,57 @@ class Manoeuvre {
   Path way_;
 };
 
+// Stands where the pilot has brought it to rest; makes way for nobody.
+class BrakeManoeuvre {
+ public:
+  explicit BrakeManoeuvre(const Setting&) {}
+  void engage(const Observation&) {}
+  void update(const Observation&, Gate, bool) {}
+  [[nodiscard]] static bool wants_motion() { return false; }
+  Path& way() { return nowhere_; }
+  [[nodiscard]] const Path& shown_way() const { return nowhere_; }
+  [[nodiscard]] static bool blocked() { return false; }
+  [[nodiscard]] static bool parked() { return false; }
+  [[nodiscard]] static bool errand() { return false; }
+
+ private:
+  Path nowhere_;
+};
+
 class RetreatManoeuvre : public Manoeuvre {
  public:
-  using Manoeuvre::Manoeuvre;
+  explicit RetreatManoeuvre(const Setting& setting) : RetreatManoeuvre(setting, 0) {}
   void engage(const Observation& observation) override;
   void update(const Observation& observation, Gate gate, bool at_rest) override;
 
+ protected:
+  // `room_m`: how much more clearance than it needs it would like to have.
+  RetreatManoeuvre(const Setting& setting, double room_m) : Manoeuvre(setting), room_m_(room_m) {}
+  // At rest, with control not given back.
+  virtual void look(const Observation& observation);
+
  private:
-  void look(const Observation& observation);
   bool find(const RouteQuery& query, double clearance_now_m, double wanted_m);
   bool find_straight(const RouteQuery& query, double clearance_now_m, double wanted_m);
 
+  double room_m_;
   TimeUs next_look_us_ = never_us;
+};
+
+// Retreats, and then drives laps around a place of rest, with a stop after each. Every point of a
+// lap is a place where control can be given back: its radius is the clearance that is left over.
+class LoiterManoeuvre : public RetreatManoeuvre {
+ public:
+  // The largest radius of a lap, and the least one worth driving, in metres.
+  static constexpr double radius_m_max = 0.5, radius_m_min = 0.1;
+
+  explicit LoiterManoeuvre(const Setting& setting) : RetreatManoeuvre(setting, radius_m_max) {}
+
+ protected:
+  void look(const Observation& observation) override;
+
+ private:
+  bool lap(const RouteQuery& from_here, double radius_m);
 };
 
 class RouteManoeuvre : public Manoeuvre {

@@ -1,0 +1,21 @@
+// What the built-in safe controllers have in common.
+#pragma once
+
+#include "compiler/sema/spec.h"
+
+namespace rtac::sema {
+
+// The manoeuvres of a controller, in order; none: it is external.
+std::vector<Template> templates_of(const Controller& controller);
+
+// Where a manoeuvre moves, and how fast; none: it stands.
+struct Moves {
+  ZoneId zone;
+  Rational speed;
+};
+std::optional<Moves> moves_of(const Template& what);
+
+// The way that a controller ends with; only the last step of a sequence leads to a site.
+std::optional<Route> route_of(const Controller& controller);
+
+}  // namespace rtac::sema

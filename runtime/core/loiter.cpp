@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <cmath>
+
+#include "angles.h"
+#include "rtac/safe/manoeuvre.h"
+#include "rtac/safe/pilot.h"
+
+namespace rtac::safe {
+namespace {
+
+// Corners of a lap after the one it starts from: those of a square, so that the way out and back
+// are as long as its sides.
+constexpr int corners = 4;
+
+}  // namespace
+
+// The clearance at a point is that at the centre less the distance between them, at least: within
+// `radius_m` of where it rests, every place is as clear as control asks for, errors included.
+void LoiterManoeuvre::look(const Observation& observation) {
+  const double slack_m = end_reach_m(setting_.limits) + 2 * setting_.limits.position_error_m;
+  const double least_m = std::max(setting_.return_clearance_m, setting_.route_clearance_m);
+  const double clear_m = signed_clearance(*setting_.zone, observation.position.value);
+  const double radius_m = std::min(radius_m_max, clear_m - least_m - slack_m);
+  RetreatManoeuvre::look(observation);  // stays where it is clear enough
+  if (wants_motion() || radius_m < radius_m_min) return;
+  for (const bool around_held : {true, false}) {
+    if (lap(query(observation, around_held), radius_m)) return;
+  }
+}
+
+// A square whose centre is the place of rest, and back to it.
+bool LoiterManoeuvre::lap(const RouteQuery& from_here, double radius_m) {
+  stay();
+  const Vec2 centre = from_here.start;
+  Vec2 at = centre;
+  for (int i = 0; i <= corners + 1; ++i) {
+    const double angle_rad = 2 * detail::pi * i / corners;
+    const Vec2 next =
+        i <= corners ? centre + radius_m * Vec2{std::cos(angle_rad), std::sin(angle_rad)} : centre;
+    if (!route_.leg_allowed(from_here, at, next)) {
+      stay();
+      return false;
+    }
+    (void)way_.points.push(next);  // never more than a path holds
+    at = next;
+  }
+  return true;
+}
+
+}  // namespace rtac::safe
