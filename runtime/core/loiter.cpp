@@ -8,11 +8,16 @@
 namespace rtac::safe {
 namespace {
 
-// Corners of a lap after the one it starts from: those of a square, so that the way out and back
-// are as long as its sides.
-constexpr int corners = 4;
+constexpr int corners = 4;  // of a lap: a square
+// A rest lets the decision give control back: this many periods are more than its dwell.
+constexpr TimeUs rest_periods = 12;
 
 }  // namespace
+
+void LoiterManoeuvre::engage(const Observation& observation) {
+  RetreatManoeuvre::engage(observation);
+  rests_since_us_ = never_us;
+}
 
 // The clearance at a point is that at the centre less the distance between them, at least: within
 // `radius_m` of where it rests, every place is as clear as control asks for, errors included.
@@ -22,7 +27,11 @@ void LoiterManoeuvre::look(const Observation& observation) {
   const double clear_m = signed_clearance(*setting_.zone, observation.position.value);
   const double radius_m = std::min(radius_m_max, clear_m - least_m - slack_m);
   RetreatManoeuvre::look(observation);  // stays where it is clear enough
+  if (wants_motion()) rests_since_us_ = never_us;
   if (wants_motion() || radius_m < radius_m_min) return;
+  if (rests_since_us_ == never_us) rests_since_us_ = observation.now_us;
+  if (observation.now_us - rests_since_us_ < rest_periods * setting_.period_us) return;
+  rests_since_us_ = never_us;
   for (const bool around_held : {true, false}) {
     if (lap(query(observation, around_held), radius_m)) return;
   }

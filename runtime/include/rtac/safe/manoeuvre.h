@@ -95,12 +95,15 @@ class LoiterManoeuvre : public RetreatManoeuvre {
   static constexpr double radius_m_max = 0.5, radius_m_min = 0.1;
 
   explicit LoiterManoeuvre(const Setting& setting) : RetreatManoeuvre(setting, radius_m_max) {}
+  void engage(const Observation& observation) override;
 
  protected:
   void look(const Observation& observation) override;
 
  private:
   bool lap(const RouteQuery& from_here, double radius_m);
+
+  TimeUs rests_since_us_ = never_us;
 };
 
 class RouteManoeuvre : public Manoeuvre {
