@@ -40,7 +40,7 @@ class ControllerChecker {
   template <class Node>
   void implementation(const Node& node) {
     range_ = written_.implementation_range;
-    std::visit([&](auto&& what) { controller_.implementation = std::move(what); }, manoeuvre(node));
+    std::visit([&](const auto& what) { controller_.implementation = what; }, manoeuvre(node));
   }
 
   Template manoeuvre(const syntax::BrakeTemplate&) {

@@ -62,7 +62,12 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : pilot(self), standing_(rtac::safe::step<rtac::safe::BrakeAndHold, rtac::Acceleration>(2000000, standing()), rtac::safe::step<rtac::safe::Route, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.011, 0.915, 1.484), loiter(self))), sequence(rtac::safe::step<rtac::safe::Retreat, rtac::Acceleration>(5000000, setting(0.2, land_zone(), 1.011, 0.915, 1.484)), rtac::safe::step<rtac::safe::Yield, rtac::Acceleration>(10000000, setting(0.1, land_zone(), 1.011, 0.915, 1.484)), rtac::safe::step<rtac::safe::Loiter, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.011, 0.915, 1.484))) {}
+        : pilot(self), standing_(
+            rtac::safe::step<rtac::safe::BrakeAndHold, rtac::Acceleration>(2000000, standing()),
+            rtac::safe::step<rtac::safe::Route, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.011, 0.915, 1.484), loiter(self))), sequence(
+            rtac::safe::step<rtac::safe::Retreat, rtac::Acceleration>(5000000, setting(0.2, land_zone(), 1.011, 0.915, 1.484)),
+            rtac::safe::step<rtac::safe::Yield, rtac::Acceleration>(10000000, setting(0.1, land_zone(), 1.011, 0.915, 1.484)),
+            rtac::safe::step<rtac::safe::Loiter, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.011, 0.915, 1.484))) {}
     Pilot pilot;
     rtac::safe::Sequence<rtac::Acceleration> standing_;
     rtac::safe::Sequence<rtac::Acceleration> sequence;
