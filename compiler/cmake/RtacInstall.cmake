@@ -20,6 +20,8 @@ if(TARGET rtac_cli)
   add_executable(rtac::rtac ALIAS rtac_cli)
   set_target_properties(rtac_cli PROPERTIES EXPORT_NAME rtac)
   install(TARGETS rtac_cli EXPORT rtac-tools RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # `rtac sim` starts it, and looks for it beside itself.
+  install(TARGETS rtac_sim_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(EXPORT rtac-tools NAMESPACE rtac:: DESTINATION ${rtac_package_dir})
 endif()
 

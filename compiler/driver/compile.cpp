@@ -71,6 +71,7 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics);
   if (!derived) return;
   c.module = std::move(derived->module);
+  c.tables = std::move(derived->tables);
   run_passes(options, out, c);
   if (c.diagnostics.has_errors() || !c.internal_error.empty()) {
     c.module.reset();

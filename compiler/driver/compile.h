@@ -9,6 +9,7 @@
 #include "compiler/diagnostics/engine.h"
 #include "compiler/driver/options.h"
 #include "compiler/ir/module.h"
+#include "compiler/ir/table_map.h"
 #include "compiler/sema/spec.h"
 #include "compiler/support/source.h"
 
@@ -22,6 +23,7 @@ struct Compilation {
   std::optional<ir::Module> module;
   std::string internal_error;  // a bug of the compiler; empty otherwise
   bool unreadable = false;     // the specification could not be read (exit code 2)
+  ir::TableMap tables;         // of `module`
 };
 
 // `path`: of the specification, or "-"; nullopt and a report when it cannot be read.

@@ -22,6 +22,7 @@
 #include "compiler/driver/help.h"
 #include "compiler/driver/options.h"
 #include "compiler/driver/replay.h"
+#include "compiler/driver/sim.h"
 #include "compiler/driver/summary.h"
 #include "compiler/driver/zone_layers.h"
 #include "compiler/driver/zone_svg.h"
@@ -220,6 +221,7 @@ bool is_ready(const Options& options, const Compilation& c) {
 
 int run_compiled(const Options& options, Compilation& c, std::ostream& out) {
   if (options.command == Command::replay) return replay(options, c, out);
+  if (options.command == Command::sim) return simulate(options, c, out);
   if (options.command == Command::build) return build(options, c);
   if (options.command == Command::zones) return draw_zones(options, c, out);
   if (options.command == Command::explain) return explain_line(options, c, out);
@@ -287,6 +289,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     case Command::check:
     case Command::build:
     case Command::replay:
+    case Command::sim:
     case Command::zones:
       break;
   }

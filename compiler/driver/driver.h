@@ -7,11 +7,12 @@
 
 namespace rtac::driver {
 
-// Documented exit codes; 4 (inconclusive) belongs to later commands.
+// Documented exit codes.
 inline constexpr int exit_clean = 0;
 inline constexpr int exit_spec_errors = 1;
 inline constexpr int exit_usage = 2;
 inline constexpr int exit_violation = 3;
+inline constexpr int exit_inconclusive = 4;
 inline constexpr int exit_internal = 70;
 
 // `arguments` without the name of the program.

@@ -24,6 +24,14 @@ constexpr FlagText flag_texts[] = {
     {"--max-bytes", "N",
      "refuse monitors that remember more, those without a robot or of one robot;\n"
      "default: 268435456"},
+    {"--scenario", "FILE", "duration, starts, adversaries, noise, ages of samples, faults: JSON"},
+    {"--seed", "N", "of the first run; the next runs have the numbers after it; default: 1"},
+    {"--runs", "N", "how many; default: 100"},
+    {"--adversary", "NAME", "only this one; default: all in turn"},
+    {"--trace", "FILE",
+     "where the first run with a violation is written; default: the specification's name with\n"
+     ".trace"},
+    {"--replay", "FILE", "play a recorded run again instead"},
     {"-Werror", "", "warnings count as errors"},
     {"--format", "text|json|sarif", "form of the diagnostics on standard error"},
     {"--dump-ast", "", "print the tree instead of the summary"},
@@ -116,6 +124,29 @@ constexpr CommandText command_texts[] = {
      "  2  usage, or a file or trace that cannot be used\n"
      "  3  a monitor was false in the trace; what is ahead does not count\n"
      "  70 a bug of rtac\n"},
+    {"sim", "rtac sim SPEC [FLAG...]",
+     "Simulates the robots of a specification under attack and prints a table: violations of the\n"
+     "properties by the true state, the least margins with their seeds, who drives, and how often\n"
+     "control changes. The decisions run as compiled code; advanced controllers are replaced by\n"
+     "adversaries that know everything, measurements are as false, old and lossy as is declared.\n"
+     "Runs are the same on every machine. Adversaries: `bang-bang`, `chase-fence`, `chase-robot`,\n"
+     "`drain`, `aimed-noise`, `fresh-samples`, `unequal-samples`, `wandering-samples`, "
+     "`drop-outs`.\n"
+     "\n"
+     "The first run with a violation is written to a file, which `--replay` plays again to the "
+     "last\n"
+     "bit. Needs a C compiler, $CC or cc. SPEC is the path of a .rta file, or - for standard "
+     "input.\n",
+     "  rtac sim delivery.rta\n"
+     "  rtac sim delivery.rta --runs 2000 --adversary chase-robot\n"
+     "  rtac sim delivery.rta --scenario corner.json --seed 7 --runs 1 --trace corner.trace\n"
+     "  rtac sim delivery.rta --replay corner.trace\n",
+     "  0  no property was violated\n"
+     "  1  the specification has errors, or warnings with -Werror\n"
+     "  2  usage, or a file that cannot be used\n"
+     "  3  a property was violated\n"
+     "  4  it cannot be simulated, or a run that is played again is another one\n"
+     "  70 a bug of rtac\n"},
     {"zones", "rtac zones SPEC -o FILE [FLAG...]",
      "Draws the zones of a specification as SVG, with a scale: every zone that has a name, where "
      "it\n"
@@ -182,6 +213,8 @@ std::string overview() {
          "  rtac check SPEC              check, and print what was derived\n"
          "  rtac build SPEC -o DIR       write the modules and the runtime of the system\n"
          "  rtac replay SPEC TRACE       judge a recorded trace; the findings are CSV\n"
+         "  rtac sim SPEC                attack the simulated robots; what is violated, who "
+         "drives\n"
          "  rtac zones SPEC -o FILE      draw the zones as SVG: from where, and what checks leave\n"
          "  rtac fmt FILE...             write specifications in the canonical layout\n"
          "  rtac explain CODE            what a diagnostic means, and what to do\n"
@@ -198,8 +231,9 @@ std::string overview() {
          "Exit codes: 0 clean, 1 the specification has errors, or `fmt --check` a finding, 2 "
          "usage, "
          "or a\n"
-         "file or trace that cannot be used, 3 a monitor was false in the trace, 70 internal "
-         "error.\n";
+         "file or trace that cannot be used, 3 a monitor was false in the trace, or a property "
+         "was\n"
+         "violated in a simulation, 4 it cannot be simulated, 70 internal error.\n";
 }
 
 }  // namespace

@@ -44,6 +44,9 @@ std::string value_hint(const std::string& flag, bool picture = false) {
   if (flag == "--print-after") return "there are " + pass_names();
   if (flag == "--namespace" || flag == "--monitor") return "`" + flag + " NAME`";
   if (flag == "--max-bytes") return "`--max-bytes 4096`";
+  if (flag == "--seed") return "`--seed 7`";
+  if (flag == "--runs") return "`--runs 1000`";
+  if (flag == "--adversary") return "`--adversary chase-fence`";
   return "`" + flag + (flag == "-o" && !picture ? " DIR`" : " FILE`");
 }
 
@@ -74,6 +77,11 @@ const std::vector<CommandInfo>& commands() {
        Command::replay,
        {"--engine", "--monitor", "--format", "-Werror", "--max-bytes"},
        2},
+      {"sim",
+       Command::sim,
+       {"--scenario", "--seed", "--runs", "--adversary", "--trace", "--replay", "--format",
+        "-Werror"},
+       1},
       {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
       {"explain", Command::explain, {}, 1},
@@ -103,7 +111,13 @@ struct Parser {
             {"--format", &format},
             {"--engine", &engine},
             {"--monitor", &options.monitor},
-            {"--max-bytes", &bytes_max}};
+            {"--max-bytes", &bytes_max},
+            {"--scenario", &options.scenario},
+            {"--seed", &options.seed},
+            {"--runs", &options.runs},
+            {"--adversary", &options.adversary},
+            {"--trace", &options.trace_out},
+            {"--replay", &options.recorded}};
   }
   std::map<std::string, bool*> switches() {
     return {{"--dump-ast", &options.dump_ast},
@@ -183,6 +197,8 @@ struct Parser {
     } else if (!engine.empty() && engine != "kernel") {
       problem = {"unknown engine `" + engine + "`", value_hint("--engine")};
     }
+    number(options.seed, "--seed");
+    number(options.runs, "--runs");
     if (bytes_max.empty()) return;
     std::uint64_t bytes = 0;
     const char* const end = bytes_max.data() + bytes_max.size();
@@ -191,6 +207,14 @@ struct Parser {
       problem = {"`" + bytes_max + "` is no number of bytes", value_hint("--max-bytes")};
     }
     options.state_bytes_max = bytes;
+  }
+  // At most 18 digits.
+  void number(const std::string& text, const std::string& flag) {
+    constexpr std::size_t digits_most = 18;
+    const bool digits =
+        std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (digits && text.size() <= digits_most) return;
+    problem = {"`" + text + "` is no number for `" + flag + "`", value_hint(flag)};
   }
   void take_operands() {
     const std::size_t due = options.command == Command::replay ? 2 : 1;
@@ -211,6 +235,7 @@ struct Parser {
         [[fallthrough]];
       case Command::check:
       case Command::build:
+      case Command::sim:
       case Command::zones:
       case Command::help:
       case Command::version:
@@ -259,6 +284,20 @@ struct Parser {
     return place == 0 ? "give the path of a .rta file, or - for standard input"
                       : "give the path of a .csv file, or - for standard input";
   }
+  // What a recorded run says itself.
+  void refuse_with_recorded() {
+    const std::pair<const char*, const std::string*> others[] = {
+        {"--scenario", &options.scenario},
+        {"--seed", &options.seed},
+        {"--runs", &options.runs},
+        {"--adversary", &options.adversary}};
+    for (const auto& [flag, value] : others) {
+      if (value->empty()) continue;
+      problem = {
+          std::string("`--replay` plays one recorded run, and `") + flag + "` asks for others",
+          "leave one of them out"};
+    }
+  }
   void finish() {
     if (problem.message.empty()) choose();
     if (problem.message.empty()) take_operands();
@@ -266,6 +305,7 @@ struct Parser {
     if (options.command == Command::build && options.output.empty()) {
       problem = {"`rtac build` needs a place for the generated files", "add `-o DIR`"};
     }
+    if (!options.recorded.empty()) refuse_with_recorded();
     if (options.command == Command::zones && options.output.empty()) {
       problem = {"`rtac zones` needs a place for the picture",
                  "add `-o zones.svg`, or `-o -` for standard output"};

@@ -9,7 +9,7 @@
 
 namespace rtac::driver {
 
-enum class Command { check, build, replay, zones, format, explain, help, version };
+enum class Command { check, build, replay, sim, zones, format, explain, help, version };
 enum class Format { text, json, sarif };
 enum class EngineKind { kernel, interp };
 
@@ -37,6 +37,10 @@ struct Options {
   EngineKind engine = EngineKind::kernel;        // of `replay`
   std::string monitor;                           // of `replay`; empty: all
   std::optional<std::uint64_t> state_bytes_max;  // memory that the monitors may take
+  // Of `sim`; empty: its defaults.
+  std::string scenario, seed, runs, adversary;
+  std::string trace_out;  // where a run with a violation is written
+  std::string recorded;   // a run that is played again
 };
 
 struct UsageError {

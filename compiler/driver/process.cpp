@@ -34,6 +34,11 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& log) {
+  return run_program(words, log, "");
+}
+
+ProgramResult run_program(const std::vector<std::string>& words, const std::string& out,
+                          const std::string& err) {
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
@@ -42,9 +47,13 @@ ProgramResult run_program(const std::vector<std::string>& words, const std::stri
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr mode_t for_the_user = 0600;
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, for_the_user);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  constexpr int afresh = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), afresh, for_the_user);
+  if (err.empty()) {
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  } else {
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), afresh, for_the_user);
+  }
   pid_t child = 0;
   const int error =
       ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);

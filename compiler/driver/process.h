@@ -25,7 +25,9 @@ struct ProgramResult {
   int status = 0;       // of its exit; a signal counts as failure
   std::string problem;  // why it did not start
 };
-// Runs `words` and waits; what it says goes to the file `log`.
+// Runs `words` and waits; what it says goes to the file `log`, or to the files `out` and `err`.
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& log);
+ProgramResult run_program(const std::vector<std::string>& words, const std::string& out,
+                          const std::string& err);
 
 }  // namespace rtac::driver

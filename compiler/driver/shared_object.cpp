@@ -60,15 +60,18 @@ void* SharedObject::symbol(const char* name) const {
   return ::dlsym(handle_, name);
 }
 
+std::string compile_object(const std::vector<OutputFile>& files, const std::string& glue,
+                           const std::string& folder) {
+  std::vector<OutputFile> sources{{folder + "/glue.c", glue}};
+  for (const OutputFile& file : files) sources.push_back({folder + "/" + file.path, file.text});
+  if (std::string problem = write_all(sources); !problem.empty()) return problem;
+  return compile(folder);
+}
+
 BuiltObject build_object(const std::vector<OutputFile>& files, const std::string& glue) {
   const TemporaryFolder folder;
   if (!folder.problem().empty()) return {std::nullopt, folder.problem()};
-  std::vector<OutputFile> sources{{folder.path() + "/glue.c", glue}};
-  for (const OutputFile& file : files) {
-    sources.push_back({folder.path() + "/" + file.path, file.text});
-  }
-  if (std::string problem = write_all(sources); !problem.empty()) return {std::nullopt, problem};
-  if (std::string problem = compile(folder.path()); !problem.empty()) {
+  if (std::string problem = compile_object(files, glue, folder.path()); !problem.empty()) {
     return {std::nullopt, problem};
   }
   SharedObject object(folder.path() + "/kernel.so");

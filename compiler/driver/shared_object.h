@@ -40,6 +40,11 @@ struct BuiltObject {
   std::optional<SharedObject> object;
   std::string problem;  // why there is none
 };
+// Compiles `glue`, a C file that includes `files` by name, into `folder`/kernel.so; what went
+// wrong, empty when all is well.
+std::string compile_object(const std::vector<OutputFile>& files, const std::string& glue,
+                           const std::string& folder);
+
 // `files` are there while `glue`, a C file that includes them by name, is compiled; nothing stays.
 BuiltObject build_object(const std::vector<OutputFile>& files, const std::string& glue);
 

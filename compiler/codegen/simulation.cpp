@@ -1,0 +1,213 @@
+#include "compiler/codegen/simulation.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "compiler/codegen/simulation_property.h"
+#include "compiler/ir/margin_unit.h"
+
+namespace rtac::codegen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double metres(std::int64_t mm) {
+  return static_cast<double>(mm) / 1000;
+}
+std::int64_t micros(const sema::Quantity& s) {
+  return floor_to_int(s.value * 1'000'000);
+}
+
+// Names of the members of rtac::RobotLimits.
+Json limits(const sema::RobotKind& k) {
+  Json j;
+  const auto put = [&](const std::string& name, const sema::Quantity& value) {
+    j[name] = nearest_double(value.value);
+  };
+  const auto sense = [&](const std::string& name, const std::string& unit,
+                         const std::optional<sema::Sense>& s) {
+    if (!s) return;
+    put(name + "_error" + unit, s->error);
+    j[name + "_age_us"] = micros(s->max_age);
+  };
+  put("radius_m", k.radius);
+  j["unicycle"] = k.motion.model == sema::MotionModel::unicycle;
+  put("speed_mps", k.motion.speed);
+  put("accel_mps2", k.motion.accel);
+  put("brake_mps2", k.motion.brake);
+  if (k.motion.turn) put("turn_radps", *k.motion.turn);
+  if (k.motion.turn_accel) put("turn_accel_radps2", *k.motion.turn_accel);
+  sense("position", "_m", k.position);
+  sense("velocity", "_mps", k.velocity);
+  sense("heading", "_rad", k.heading);
+  sense("battery", "", k.battery);
+  if (k.hears_max_age) j["hears_age_us"] = micros(*k.hears_max_age);
+  j["latency_us"] = micros(k.latency);
+  if (k.plan) put("tracking_m", k.plan->tracking);
+  if (k.energy) {
+    put("drive_per_m", k.energy->drive);
+    put("idle_per_s", k.energy->idle);
+    put("drain_per_s", k.energy->drain);
+    put("charge_per_s", k.energy->charge);
+  }
+  return j;
+}
+
+Json zone(const ir::ZoneTable& z) {
+  Json edges = Json::array();
+  for (const ir::Edge& e : z.edges) {
+    for (const std::int32_t mm : {e.ax, e.ay, e.bx, e.by}) edges.push_back(mm);
+  }
+  const ir::Cells& c = z.cells;
+  return {{"name", z.name},
+          {"edges_mm", std::move(edges)},
+          {"ring_starts", z.ring_starts},
+          {"cells",
+           {{"origin_x_mm", c.origin_x_mm},
+            {"origin_y_mm", c.origin_y_mm},
+            {"cell_mm", c.cell_mm},
+            {"columns", c.columns},
+            {"rows", c.rows},
+            {"clearance_mm", c.clearance_mm_lo}}}};
+}
+
+Json site(const ir::SiteTable& s) {
+  Json places = Json::array();
+  for (const auto& p : s.places) places.push_back({metres(p.x_mm), metres(p.y_mm)});
+  return {{"name", s.name},
+          {"zone", static_cast<std::uint32_t>(s.zone)},
+          {"places", std::move(places)}};
+}
+
+const char* name_of(ir::RecoveryKind kind) {
+  switch (kind) {
+    case ir::RecoveryKind::external:
+      return "external";
+    case ir::RecoveryKind::retreat:
+      return "retreat";
+    case ir::RecoveryKind::route:
+      return "route";
+    case ir::RecoveryKind::yield:
+      return "yield";
+  }
+  return "";
+}
+
+Json recovery(const ir::Recovery& r, const sema::RobotKind& kind) {
+  Json j{{"name", r.name}, {"kind", name_of(r.kind)}};
+  if (r.kind == ir::RecoveryKind::external) return j;
+  j["zone"] = static_cast<std::uint32_t>(r.zone);
+  if (r.kind == ir::RecoveryKind::route) j["site"] = static_cast<std::uint32_t>(r.site);
+  j["speed_mps"] = metres(r.speed_mmps);
+  j["route_clearance_m"] = metres(r.route_clearance_mm);
+  j["return_clearance_m"] = metres(r.return_clearance_mm);
+  j["pass_gap_m"] = metres(r.pass_gap_mm);
+  if (kind.energy) j["detour_m"] = nearest_double(kind.energy->detour.value);
+  return j;
+}
+
+class Decisions {
+ public:
+  Decisions(const ir::Module& module, const sema::Spec& spec, const ir::TableMap& tables)
+      : module_(module), spec_(spec), tables_(tables) {}
+
+  std::vector<std::string> problems;
+
+  Json all() {
+    Json list = Json::array();
+    std::size_t number = 0;
+    for (const ir::Decision& d : module_.decisions) {
+      std::vector<std::string> robots;
+      for (const sema::Robot& r : spec_.robots) {
+        if (spec_[r.kind].name == d.kind) robots.push_back(r.name);
+      }
+      if (robots.empty()) continue;
+      if (!d.on_plan) list.push_back(decision(d, number, robots));
+      ++number;
+    }
+    return list;
+  }
+
+ private:
+  Json decision(const ir::Decision& d, std::size_t number, const std::vector<std::string>& robots) {
+    const auto at = std::find_if(spec_.kinds.begin(), spec_.kinds.end(),
+                                 [&](const sema::RobotKind& k) { return k.name == d.kind; });
+    const auto kind = static_cast<sema::KindId>(at - spec_.kinds.begin());
+    Json j{{"name", d.name}, {"number", number}, {"kind", d.kind}, {"advanced", d.advanced}};
+    j["output"] = at->output == sema::OutputType::twist ? "twist" : "acceleration";
+    j["period_us"] = d.period_us;
+    j["plan_capacity"] = d.plan_capacity;
+    j["open_fleet"] = d.open_fleet;
+    j["surrender_mode"] = ir::surrender_mode(d);
+    j["limits"] = limits(*at);
+    j["robots"] = robots;
+    if (at->energy) j["dock"] = dock(kind, *at->energy);
+    if (!d.facts.inputs.empty()) {
+      problem(d.name, "says something of the plain input `" + d.facts.inputs.front().name +
+                          "`, which nothing simulates");
+    }
+    j["monitors"] = Json::array();
+    for (const ir::Monitor& m : d.monitors) j["monitors"].push_back(monitor(d, m, kind, *at));
+    return j;
+  }
+  // Where robots charge, by fleet index.
+  Json dock(sema::KindId kind, const sema::Energy& energy) const {
+    Json places = Json::array();
+    for (std::uint32_t r = 0; r < spec_.robots.size(); ++r) {
+      if (spec_.robots[r].kind != kind) continue;
+      for (const sema::Site::Place& p : spec_[energy.charge_at].places) {
+        if (p.robot && *p.robot != sema::RobotId{r}) continue;
+        places.push_back({nearest_double(p.position.x), nearest_double(p.position.y)});
+        break;
+      }
+    }
+    return places;
+  }
+  void problem(const std::string& decision, const std::string& what) {
+    problems.push_back("decision `" + decision + "` " + what);
+  }
+  Json monitor(const ir::Decision& d, const ir::Monitor& m, sema::KindId kind,
+               const sema::RobotKind& robot) {
+    if (m.recovery.kind == ir::RecoveryKind::external) {
+      problem(d.name, "recovers by `" + m.recovery.name + "`, which is code of the application");
+    }
+    Json j{{"name", m.name}, {"requirement", m.requirement_id}, {"text", m.text}};
+    j["unit"] = ir::mixes_units(m) ? "" : ir::decision_unit_text(m);
+    j["recovery"] = recovery(m.recovery, robot);
+    const auto written = std::find_if(
+        spec_.monitors.begin(), spec_.monitors.end(),
+        [&](const sema::Monitor& each) { return each.name == m.name && each.kind == kind; });
+    std::string why;
+    auto tree = property_tree(spec_, kind, tables_, *written->always, why);
+    if (!tree) problem(d.name, "has a monitor `" + m.name + "` that speaks of " + why);
+    if (tree) j["property"] = std::move(*tree);
+    return j;
+  }
+
+  const ir::Module& module_;
+  const sema::Spec& spec_;
+  const ir::TableMap& tables_;
+};
+
+}  // namespace
+
+Simulation simulation(const ir::Module& module, const sema::Spec& spec, const ir::TableMap& tables,
+                      const std::string& source) {
+  Json j{{"generator", "rtac " RTAC_VERSION}, {"abi", RTAC_ABI}, {"specification", spec.name}};
+  j["source"] = source;
+  j["zones"] = Json::array();
+  for (const ir::ZoneTable& z : module.zones) j["zones"].push_back(zone(z));
+  j["sites"] = Json::array();
+  for (const ir::SiteTable& s : module.sites) j["sites"].push_back(site(s));
+  Decisions decisions(module, spec, tables);
+  j["decisions"] = decisions.all();
+  Simulation result{j.dump() + "\n", std::move(decisions.problems)};
+  if (j["decisions"].empty()) {
+    result.problems.push_back("no robot of a fleet has a decision with a period");
+  }
+  return result;
+}
+
+}  // namespace rtac::codegen

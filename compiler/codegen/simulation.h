@@ -1,0 +1,25 @@
+// What `rtac-sim` is told of a module: robots, zones, recoveries, and the properties as they are
+// written. It is all that the simulator knows besides the compiled kernel.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/ir/module.h"
+#include "compiler/ir/table_map.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::codegen {
+
+struct Simulation {
+  std::string manifest;               // JSON
+  std::vector<std::string> problems;  // why it cannot be simulated; empty: it can
+};
+
+// The decisions with a period, each with its number among all decisions of fleets: that of the
+// functions of the compiled kernel. Properties come from the checked specification and not from the
+// IR, so that who judges by them shares nothing with what was generated.
+Simulation simulation(const ir::Module& module, const sema::Spec& spec, const ir::TableMap& tables,
+                      const std::string& source);
+
+}  // namespace rtac::codegen

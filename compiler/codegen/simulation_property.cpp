@@ -1,0 +1,148 @@
+#include "compiler/codegen/simulation_property.h"
+
+#include <cstdlib>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "compiler/codegen/code.h"
+#include "compiler/sema/dimension.h"
+
+namespace rtac::codegen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using sema::Expr;
+
+class Tree {
+ public:
+  Tree(const sema::Spec& spec, sema::KindId kind, const ir::TableMap& tables)
+      : spec_(spec), kind_(kind), tables_(tables) {}
+
+  Json of(const Expr& e) {
+    return std::visit([&](const auto& node) { return this->node(e, node); }, e.node);
+  }
+  [[nodiscard]] const std::string& why() const { return why_; }
+
+ private:
+  template <class Id>
+  static std::uint32_t index(Id id) {
+    return static_cast<std::uint32_t>(id);
+  }
+  Json refuse(const std::string& what) {
+    if (why_.empty()) why_ = what;
+    return nullptr;
+  }
+  Json with(const char* op, const std::vector<sema::ExprPtr>& operands) {
+    Json j{{"op", op}, {"of", Json::array()}};
+    for (const sema::ExprPtr& each : operands) j["of"].push_back(of(*each));
+    return j;
+  }
+  static Json with(const char* op, Json operand) {
+    return Json{{"op", op}, {"of", Json::array({std::move(operand)})}};
+  }
+
+  Json node(const Expr&, const sema::Constant& c) {
+    return {{"op", "const"}, {"value", nearest_double(c.value)}};
+  }
+  Json node(const Expr&, const sema::Truth& t) { return {{"op", "truth"}, {"value", t.value}}; }
+  Json node(const Expr&, const sema::SignalRef& s) {
+    return {{"op", s.signal == sema::Signal::battery ? "battery" : "speed"},
+            {"other", s.subject == sema::Subject::other}};
+  }
+  Json node(const Expr&, const sema::Clearance& c) {
+    return {{"op", "clearance"}, {"zone", index(tables_.zone(c.zone))}};
+  }
+  Json node(const Expr&, const sema::InsideZone& i) {
+    return {{"op", "inside"}, {"zone", index(tables_.zone(i.zone))}};
+  }
+  Json node(const Expr&, const sema::Distance&) { return {{"op", "distance"}}; }
+  Json node(const Expr&, const sema::EnergyTo& e) {
+    return {{"op", "energy_to"}, {"site", index(tables_.site(kind_, e.site))}};
+  }
+  Json node(const Expr&, const sema::ParamRef& p) {
+    return {{"op", "const"}, {"value", nearest_double(spec_[p.param].value.value)}};
+  }
+  Json node(const Expr&, const sema::Arithmetic& a) {
+    static const char* const names[] = {"add", "subtract", "multiply", "divide", "negate"};
+    return with(names[static_cast<std::size_t>(a.op)], a.operands);
+  }
+  Json node(const Expr&, const sema::Compare& c) {
+    const bool swaps = c.op == sema::CompareOp::less || c.op == sema::CompareOp::less_equal;
+    const bool strict = c.op == sema::CompareOp::less || c.op == sema::CompareOp::greater;
+    Json left = of(*c.left), right = of(*c.right);
+    if (swaps) std::swap(left, right);
+    return {{"op", "at_least"},
+            {"of", Json::array({std::move(left), std::move(right)})},
+            {"strict", strict},
+            {"scale", scale(c.left->dimension)}};
+  }
+  // One metre, one per cent; otherwise what the specification says.
+  double scale(const sema::Dimension& dimension) const {
+    for (const sema::MarginScale& s : spec_.scales) {
+      if (s.dimension == dimension) return nearest_double(s.value.value);
+    }
+    return dimension == sema::dims::ratio ? 0.01 : 1.0;
+  }
+  Json node(const Expr&, const sema::Logic& l) {
+    const auto operand = [&](std::size_t k) { return of(*l.operands[k]); };
+    const auto both = [](const char* op, Json a, Json b) {
+      return Json{{"op", op}, {"of", Json::array({std::move(a), std::move(b)})}};
+    };
+    switch (l.op) {
+      case sema::LogicOp::logical_not:
+        return with("not", l.operands);
+      case sema::LogicOp::logical_and:
+        return with("and", l.operands);
+      case sema::LogicOp::logical_or:
+        return with("or", l.operands);
+      case sema::LogicOp::implies:
+        return both("or", with("not", operand(0)), operand(1));
+      case sema::LogicOp::iff:
+        return both("and", both("or", with("not", operand(0)), operand(1)),
+                    both("or", operand(0), with("not", operand(1))));
+      case sema::LogicOp::logical_xor:
+        return both("or", both("and", with("not", operand(0)), operand(1)),
+                    both("and", operand(0), with("not", operand(1))));
+    }
+    return nullptr;
+  }
+  Json node(const Expr&, const sema::ForOthers& f) {
+    return with(f.universal ? "forall" : "exists", of(*f.body));
+  }
+  Json node(const Expr&, const sema::CountOthers& c) { return with("count", of(*c.body)); }
+  Json node(const Expr&, const sema::InputRef& i) {
+    return refuse("the plain input `" + spec_[i.input].name + "`, which nothing simulates");
+  }
+  Json node(const Expr&, const sema::IsValue& i) {
+    return refuse("the plain input `" + spec_[i.input].name + "`, which nothing simulates");
+  }
+  // Plans, the past, windows of time, numbers that are computed of inputs.
+  template <class Other>
+  Json node(const Expr&, const Other&) {
+    return refuse("what the true state of a robot does not tell");
+  }
+
+  const sema::Spec& spec_;
+  const sema::KindId kind_;
+  const ir::TableMap& tables_;
+  std::string why_;
+};
+
+}  // namespace
+
+std::optional<Json> property_tree(const sema::Spec& spec, sema::KindId kind,
+                                  const ir::TableMap& tables, const Expr& property,
+                                  std::string& why) {
+  Tree tree(spec, kind, tables);
+  Json json = tree.of(property);
+  why = tree.why();
+  if (!why.empty()) return std::nullopt;
+  return json;
+}
+
+double nearest_double(const Rational& value) {
+  return std::strtod(real(value).c_str(), nullptr);
+}
+
+}  // namespace rtac::codegen

@@ -1,0 +1,131 @@
+#include "compiler/driver/sim.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "compiler/codegen/generate.h"
+#include "compiler/codegen/simulation.h"
+#include "compiler/driver/decision_engine.h"
+#include "compiler/driver/driver.h"
+#include "compiler/driver/process.h"
+#include "compiler/driver/shared_object.h"
+#include "compiler/driver/sim_glue.h"
+
+namespace rtac::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The prefix of the generated names does not matter to anybody.
+constexpr const char* kernel_name = "sim";
+constexpr const char* kernel_source = "sim_kernel.c";
+
+int refuse(Compilation& c, diag::Code code, std::string message, std::string help, int status) {
+  c.diagnostics.report({code, std::nullopt, std::move(message), "", {}, std::move(help), {}});
+  return status;
+}
+
+// Beside this program, or wherever $RTAC_SIM says.
+std::string simulator() {
+  if (const char* const chosen = std::getenv("RTAC_SIM"); chosen != nullptr && *chosen != '\0') {
+    return chosen;
+  }
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path beside = self.parent_path() / "rtac-sim";
+  return !error && fs::exists(beside, error) ? beside.string() : "rtac-sim";
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string base_name(const std::string& path) {
+  return path == "-" ? "standard input" : path.substr(path.find_last_of('/') + 1);
+}
+
+// What is generated of the module, which is gone then; what went wrong.
+std::string build(Compilation& c, const std::string& manifest, const std::string& folder) {
+  const std::vector<DecisionInterface> decisions =
+      decision_interfaces(*c.module, *c.spec, kernel_name);
+  codegen::Naming naming;
+  naming.stem = naming.space = kernel_name;
+  std::vector<OutputFile> files;
+  for (auto& file : codegen::generate(std::move(*c.module), *c.spec, naming)) {
+    files.push_back({std::move(file.name), std::move(file.text)});
+  }
+  files.push_back({"simulation.json", manifest});
+  return compile_object(files, sim_glue(decisions, kernel_source), folder);
+}
+
+std::vector<std::string> command(const Options& options, const std::string& folder) {
+  std::vector<std::string> words{simulator(), "--kernel", folder + "/kernel.so", "--manifest",
+                                 folder + "/simulation.json"};
+  const std::pair<const char*, const std::string*> flags[] = {
+      {"--scenario", &options.scenario}, {"--seed", &options.seed},
+      {"--runs", &options.runs},         {"--adversary", &options.adversary},
+      {"--trace", &options.trace_out},   {"--replay", &options.recorded}};
+  for (const auto& [flag, value] : flags) {
+    if (value->empty()) continue;
+    words.emplace_back(flag);
+    words.push_back(*value);
+  }
+  return words;
+}
+
+// What the program has not understood, as it says itself: a line, and after a tab what would work.
+int report_refusal(Compilation& c, const std::string& said, int status) {
+  const std::size_t tab = said.find('\t');
+  std::string message = said.substr(0, tab);
+  std::string help = tab == std::string::npos ? "" : said.substr(tab + 1);
+  for (std::string* text : {&message, &help}) {
+    while (!text->empty() && text->back() == '\n') text->pop_back();
+  }
+  const bool input = status == exit_usage;
+  return refuse(c, input ? diag::Code::bad_scenario : diag::Code::cannot_simulate,
+                std::move(message), std::move(help), status);
+}
+
+}  // namespace
+
+int simulate(const Options& options, Compilation& c, std::ostream& out) {
+  const codegen::Simulation told =
+      codegen::simulation(*c.module, *c.spec, c.tables, base_name(options.spec));
+  if (!told.problems.empty()) {
+    return refuse(c, diag::Code::cannot_simulate, told.problems.front(),
+                  "decisions with a period of a fleet can be simulated, whose monitors speak of "
+                  "zones, distances and charge and recover by templates",
+                  exit_inconclusive);
+  }
+  const TemporaryFolder folder;
+  std::string problem = folder.problem();
+  if (problem.empty()) problem = build(c, told.manifest, folder.path());
+  if (!problem.empty()) {
+    return refuse(c, diag::Code::no_kernel, problem, "set CC to a C compiler", exit_usage);
+  }
+  const std::string said = folder.path() + "/said", wrong = folder.path() + "/wrong";
+  const std::vector<std::string> words = command(options, folder.path());
+  const ProgramResult result = run_program(words, said, wrong);
+  if (!result.started) {
+    return refuse(c, diag::Code::no_kernel,
+                  "the simulator `" + words.front() + "` cannot be started: " + result.problem,
+                  "install `rtac-sim` beside `rtac`, or name it in $RTAC_SIM", exit_usage);
+  }
+  out << text_of(said);
+  if (result.status == exit_clean || result.status == exit_violation) return result.status;
+  if (result.status == exit_usage || result.status == exit_inconclusive) {
+    return report_refusal(c, text_of(wrong), result.status);
+  }
+  c.internal_error = "the simulator has failed: " + text_of(wrong);
+  return exit_internal;
+}
+
+}  // namespace rtac::driver

@@ -1,0 +1,70 @@
+// What is simulated: the robots of one decision, as the manifest of `rtac sim` tells of them.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "rtac/decision.h"
+#include "rtac/sim/property.h"
+#include "rtac/types.h"
+#include "rtac/zone.h"
+
+namespace rtac::simulate {
+
+// What cannot be understood or done, for a person: what is wrong, and what would work.
+struct Problem {
+  std::string message, help;
+  bool inconclusive = false;  // it is understood, and cannot be simulated
+  explicit operator bool() const { return !message.empty(); }
+};
+
+struct Zone {
+  std::string name;
+  std::vector<std::int32_t> edges_mm, clearance_mm;
+  std::vector<std::size_t> ring_starts;
+  ZoneView view;  // of the above: a zone stays where it is
+};
+
+struct Recovery {
+  std::string name, kind;  // "retreat", "route", "yield"
+  int zone = 0, site = 0;
+  double speed_mps = 0, route_clearance_m = 0, return_clearance_m = 0, pass_gap_m = 0;
+  double detour_m = 0;
+  bool has_detour = false;
+};
+
+struct MonitorCase {
+  std::string name, requirement, text, unit;
+  Recovery recovery;
+};
+
+struct DecisionCase {
+  std::string name, kind, advanced;
+  int number = 0;  // of the kernel's functions
+  bool twist = false;
+  TimeUs period_us = 0;
+  std::size_t plan_capacity = 0;
+  int surrender_mode = 1;
+  RobotLimits limits;
+  std::vector<std::string> robots;
+  std::vector<Vec2> docks;  // by robot; empty: none
+  std::vector<MonitorCase> monitors;
+  std::vector<sim::Property> properties;  // by monitor
+  sim::Surroundings surroundings;
+};
+
+struct Case {
+  std::string specification, source;
+  std::uint64_t hash = 0;  // of the manifest
+  std::deque<Zone> zones;
+  std::vector<std::vector<Vec2>> sites;
+  std::vector<DecisionCase> decisions;
+};
+
+// Reads the text of a manifest; `to` is complete when there is no problem.
+Problem read_manifest(const std::string& text, Case& to);
+
+std::uint64_t hash_of(const std::string& text);
+
+}  // namespace rtac::simulate

@@ -1,0 +1,55 @@
+// A compiled kernel as the decision modules of the runtime.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case.h"
+#include "rtac/decision.h"
+
+namespace rtac::simulate {
+
+class Kernel {
+ public:
+  Kernel() = default;
+  ~Kernel();
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+  Problem load(const std::string& path);
+
+  using Init = void (*)(void*);
+  using Step = void (*)(void*, const std::int64_t*, std::int64_t, std::int64_t*);
+  struct Functions {
+    std::size_t state_bytes = 0, in_words = 0, out_words = 0;
+    Init init = nullptr;
+    Step step = nullptr;
+  };
+  Problem find(const DecisionCase& decision, Functions& to) const;
+
+ private:
+  [[nodiscard]] void* symbol(const std::string& name) const;
+  void* handle_ = nullptr;
+};
+
+// One decision for one robot. Everything that it is made with outlives it.
+class KernelDecision final : public DecisionModule {
+ public:
+  KernelDecision(const Kernel::Functions& functions, const DecisionCase& decision, int self);
+  [[nodiscard]] const DecisionInfo& info() const override { return info_; }
+  const DecisionRecord& step(const Observation& observation, bool holding, bool surrender) override;
+  void reset() override;
+
+ private:
+  void take(TimeUs now_us);
+
+  const Kernel::Functions& functions_;
+  std::size_t capacity_;
+  std::vector<MonitorInfo> monitors_;
+  DecisionInfo info_;
+  std::vector<std::int64_t> state_, in_, out_;
+  DecisionRecord record_;
+};
+
+}  // namespace rtac::simulate

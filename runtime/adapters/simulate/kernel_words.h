@@ -1,0 +1,33 @@
+// The words of 64 bits between `rtac-sim` and a compiled kernel: what the glue of the compiler
+// (driver/sim_glue) reads and writes.
+#pragma once
+
+#include <cstddef>
+
+namespace rtac::simulate::words {
+
+inline constexpr int version = 1;
+
+// In: { self, holding, surrender }, position and velocity { x_lo, x_hi, y_lo, y_hi, stamp_us,
+// valid }, battery and heading { lo, hi, stamp_us, valid }, then the plan { valid, count, index,
+// x[], y[] } and the others: { position, velocity, lease end, goes first, presence stamp, present,
+// plan } each.
+inline constexpr std::size_t self = 0, holding = 1, surrender = 2;
+inline constexpr std::size_t position = 3, velocity = 9, battery = 15, heading = 19, plan = 23;
+constexpr std::size_t plan_size(std::size_t capacity) {
+  return 3 + 2 * capacity;
+}
+inline constexpr std::size_t other_position = 0, other_velocity = 6, lease_end = 12;
+inline constexpr std::size_t goes_first = 13, presence = 14, present = 15, other_plan = 16;
+constexpr std::size_t other_size(std::size_t capacity) {
+  return other_plan + plan_size(capacity);
+}
+
+// Out, and of each monitor { now, ahead, safer, engaged, margin, now_margin, unit }.
+inline constexpr std::size_t mode = 0, previous_mode = 1, deciding = 2, reason = 3;
+inline constexpr std::size_t reason_index = 4, reason_input = 5, reason_other = 6, gate = 7;
+inline constexpr std::size_t out_lease_end = 8, violation = 9, tick = 10, time = 11;
+inline constexpr std::size_t monitors = 12, per_monitor = 7;
+inline constexpr std::size_t now = 0, ahead = 1, safer = 2, engaged = 3, margin = 4, unit = 6;
+
+}  // namespace rtac::simulate::words

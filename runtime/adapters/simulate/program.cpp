@@ -1,0 +1,185 @@
+#include "program.h"
+
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <ostream>
+
+#include "rtac/sim/picture.h"
+#include "summary.h"
+#include "trace.h"
+
+namespace rtac::simulate {
+namespace {
+
+using sim::Tape;
+
+bool read_file(const std::string& path, std::string& text) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return false;
+  text.assign(std::istreambuf_iterator<char>(in), {});
+  return true;
+}
+
+double core_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+class Program {
+ public:
+  explicit Program(std::ostream& out) : out_(out) {}
+
+  Problem prepare(const std::vector<std::string>& arguments) {
+    for (std::size_t k = 0; k + 1 < arguments.size(); k += 2)
+      flags_[arguments[k]] = arguments[k + 1];
+    std::string manifest;
+    if (!read_file(flags_["--manifest"], manifest)) {
+      return {"cannot read the manifest `" + flags_["--manifest"] + "`", ""};
+    }
+    if (Problem problem = read_manifest(manifest, case_)) return problem;
+    if (Problem problem = kernel_.load(flags_["--kernel"])) return problem;
+    functions_.resize(case_.decisions.size());
+    for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
+      if (Problem problem = kernel_.find(case_.decisions[d], functions_[d])) return problem;
+    }
+    return scenario();
+  }
+
+  Problem simulate(int& status) {
+    return flags_.count("--replay") != 0 ? replay(status) : all_runs(status);
+  }
+
+ private:
+  Problem scenario() {
+    if (flags_.count("--scenario") != 0) {
+      std::string text;
+      if (!read_file(flags_["--scenario"], text)) {
+        return {"cannot read the scenario `" + flags_["--scenario"] + "`", "give a JSON file"};
+      }
+      if (Problem problem = read_scenario(text, scenario_)) return problem;
+    }
+    if (flags_.count("--seed") != 0) scenario_.seed = whole("--seed");
+    if (flags_.count("--runs") != 0) scenario_.runs = whole("--runs");
+    if (flags_.count("--adversary") != 0) scenario_.adversary = flags_["--adversary"];
+    return check_names(scenario_, case_);
+  }
+  std::uint64_t whole(const char* flag) {
+    constexpr int decimal = 10;
+    return std::strtoull(flags_[flag].c_str(), nullptr, decimal);
+  }
+
+  Problem all_runs(int& status) {
+    status = exit_clean;
+    for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
+      if (Problem problem = runs_of(d, status)) return problem;
+    }
+    return {};
+  }
+  Problem runs_of(std::size_t index, int& status) {
+    const DecisionCase& decision = case_.decisions[index];
+    Summary summary(decision);
+    const double begin_s = core_seconds();
+    bool told = false;
+    Setup first;
+    for (std::uint64_t k = 0; k < scenario_.runs; ++k) {
+      Setup setup;
+      Outcome outcome;
+      Tape none;
+      if (Problem p = make_setup(decision, scenario_, scenario_.seed + k, setup)) return p;
+      if (Problem p = run(decision, functions_[index], setup, none, outcome)) return p;
+      summary.add(setup, outcome);
+      if (summary.violations() == 0 || told) continue;
+      told = true;
+      first = setup;
+    }
+    out_ << summary.text(core_seconds() - begin_s);
+    if (!told) return {};
+    status = exit_violation;
+    return record(index, first);
+  }
+
+  // The same run once more, with a tape.
+  Problem record(std::size_t index, const Setup& setup) {
+    const DecisionCase& decision = case_.decisions[index];
+    Tape tape = Tape::recorder();
+    Outcome outcome;
+    if (Problem p = run(decision, functions_[index], setup, tape, outcome)) return p;
+    tell(decision, setup, outcome);
+    const std::string path =
+        flags_.count("--trace") != 0 ? flags_["--trace"] : case_.specification + ".trace";
+    if (!sim::write_text_file(path, trace_text(case_, decision, setup, outcome, tape.written()))) {
+      return {"cannot write the run to `" + path + "`", "`--trace FILE` names another place"};
+    }
+    out_ << "the run is in " << path << "; `rtac sim SPEC --replay " << path
+         << "` plays it again\n";
+    return {};
+  }
+  void tell(const DecisionCase& decision, const Setup& setup, const Outcome& outcome) {
+    constexpr double us_per_s = 1e6;
+    const sim::Violation& v = outcome.violation;
+    if (v.time_us == never_us) return;
+    const auto monitor = static_cast<std::size_t>(v.monitor);
+    const MonitorCase& m = decision.monitors[monitor];
+    out_ << "\nviolated: " << m.name << " (" << m.text << ") by "
+         << decision.robots[static_cast<std::size_t>(v.robot)] << " at "
+         << static_cast<double>(v.time_us) / us_per_s << " s, down to "
+         << margin_text(m, outcome.least[monitor].value) << "\n  --seed " << setup.seed
+         << " --runs 1 --adversary " << setup.adversary->name << "\n";
+  }
+
+  Problem replay(int& status) {
+    std::string text;
+    if (!read_file(flags_["--replay"], text)) {
+      return {"cannot read the recorded run `" + flags_["--replay"] + "`",
+              "`rtac sim` writes one when a property is violated"};
+    }
+    Trace trace;
+    if (Problem problem = read_trace(text, case_, trace)) return problem;
+    std::size_t index = 0;
+    while (case_.decisions[index].name != trace.decision) ++index;
+    const DecisionCase& decision = case_.decisions[index];
+    Tape tape = Tape::player(trace.tape);
+    Outcome outcome;
+    if (Problem p = run(decision, functions_[index], trace.setup, tape, outcome)) return p;
+    tell(decision, trace.setup, outcome);
+    const std::string again = trace_text(case_, decision, trace.setup, outcome, tape.written());
+    if (flags_.count("--trace") != 0 && !sim::write_text_file(flags_["--trace"], again)) {
+      return {"cannot write the run to `" + flags_["--trace"] + "`", "name another place"};
+    }
+    if (again != text) return differs(text, again);
+    status = outcome.violation.time_us == never_us ? exit_clean : exit_violation;
+    out_ << "the run was played again, the same to the last bit\n";
+    return {};
+  }
+  static Problem differs(const std::string& recorded, const std::string& again) {
+    std::size_t line = 1, k = 0;
+    for (; k < recorded.size() && k < again.size() && recorded[k] == again[k]; ++k) {
+      if (recorded[k] == '\n') ++line;
+    }
+    return {"played again, the run is another one from line " + std::to_string(line) + " on",
+            "it was changed, or the kernel is not the one that it was recorded with", true};
+  }
+
+  std::ostream& out_;
+  std::map<std::string, std::string> flags_;
+  Case case_;
+  Kernel kernel_;
+  std::vector<Kernel::Functions> functions_;
+  Scenario scenario_;
+};
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  Program program(out);
+  int status = exit_clean;
+  Problem problem = program.prepare(arguments);
+  if (!problem) problem = program.simulate(status);
+  if (!problem) return status;
+  err << problem.message << "\t" << problem.help << "\n";
+  return problem.inconclusive ? exit_inconclusive : exit_usage;
+}
+
+}  // namespace rtac::simulate

@@ -1,0 +1,18 @@
+// The program `rtac-sim`. Data goes to standard output; what it refuses is a line on standard
+// error, with a tab before what would work.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace rtac::simulate {
+
+// As `rtac` documents them.
+inline constexpr int exit_clean = 0, exit_usage = 2, exit_violation = 3, exit_inconclusive = 4;
+
+// `--kernel FILE --manifest FILE [--scenario FILE] [--seed N] [--runs N] [--adversary NAME]
+// [--trace FILE] [--replay FILE]`
+int run_program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace rtac::simulate

@@ -1,0 +1,242 @@
+#include "run.h"
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "rtac/safe/controllers.h"
+#include "rtac/sim/arena.h"
+#include "rtac/sim/attacker.h"
+#include "rtac/sim/hostile.h"
+#include "rtac/stack/plan_executor.h"
+
+namespace rtac::simulate {
+namespace {
+
+using sim::Arena;
+using sim::Tape;
+
+// How long a run goes on after a violation, to see how deep it gets.
+constexpr TimeUs after_violation_us = 2'000'000;
+constexpr std::uint64_t drive_stream = 3002;
+
+// Stands where the layer above a plan executor would: a robot without errands would surrender
+// control, and an attack never does.
+class NoErrands final : public stack::RobotMachine {
+  void handle(const stack::RobotEvent& /*event*/) override {}
+};
+
+// Puts the commands of an attack on the tape, or takes them from there.
+template <class Output>
+class Taped final : public Controller<Output> {
+ public:
+  Taped(std::unique_ptr<Controller<Output>> attack, int robot, Tape& tape)
+      : attack_(std::move(attack)), robot_(robot), tape_(tape) {}
+  Output command(const Observation& observation) override {
+    Output output = attack_->command(observation);
+    std::vector<std::int64_t> whole{robot_};
+    std::vector<double> real = numbers(output);
+    if (tape_.playing() && tape_.read("command", whole, real)) give(real, output);
+    tape_.write("command", whole, real);
+    return output;
+  }
+
+ private:
+  static std::vector<double> numbers(const Acceleration& a) {
+    return {a.value_mps2.x, a.value_mps2.y};
+  }
+  static std::vector<double> numbers(const Twist& t) { return {t.speed_mps, t.turn_radps}; }
+  static void give(const std::vector<double>& from, Acceleration& to) {
+    to.value_mps2 = {from[0], from[1]};
+  }
+  static void give(const std::vector<double>& from, Twist& to) { to = {from[0], from[1]}; }
+
+  std::unique_ptr<Controller<Output>> attack_;
+  int robot_;
+  Tape& tape_;
+};
+
+class Watcher final : public SystemObserver {
+ public:
+  Watcher(const DecisionCase& decision, Arena& arena, Tape& tape, Outcome& outcome)
+      : arena_(arena), tape_(tape), outcome_(outcome) {
+    outcome_.ticks.assign(decision.monitors.size() + 1, 0);
+  }
+  void on_decision(const DecisionRecord& record) override {
+    arena_.found(record);
+    ++outcome_.ticks[static_cast<std::size_t>(record.mode)];
+    if (record.mode != 0 && record.previous_mode == 0) ++outcome_.engagements;
+    if (!tape_.recording()) return;
+    const sim::TruthState& truth = arena_.truth(record.robot);
+    tape_.write("decide",
+                {record.robot, record.mode, record.deciding_monitor,
+                 static_cast<std::int64_t>(record.reason), static_cast<std::int64_t>(record.gate)},
+                {});
+    tape_.write("truth", {record.robot},
+                {truth.position.x, truth.position.y, truth.velocity.x, truth.velocity.y,
+                 truth.heading_rad, truth.battery});
+  }
+
+ private:
+  Arena& arena_;
+  Tape& tape_;
+  Outcome& outcome_;
+};
+
+template <class Output>
+class Fleet {
+ public:
+  Fleet(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
+        const Arena& arena, Tape& tape)
+      : decision_(decision) {
+    for (int i = 0; i < static_cast<int>(decision.robots.size()); ++i) {
+      decisions_.push_back(std::make_unique<KernelDecision>(kernel, decision, i));
+      attacks_.push_back(std::make_unique<Taped<Output>>(attack(setup, i, arena), i, tape));
+      parts_.push_back(parts(i));
+    }
+  }
+  // Wires the plan executors of all robots. False: a recovery is none that is known here.
+  bool start(sim::HostileFleet<Output>& world, SystemObserver& observer) {
+    SystemOptions options;
+    options.pass_gap_m = decision_.monitors.front().recovery.pass_gap_m;
+    const int robots = static_cast<int>(parts_.size());
+    for (int i = 0; i < robots; ++i) {
+      const RobotParts<Output>& p = parts_[static_cast<std::size_t>(i)];
+      for (const SafeController<Output>* each : p.recoveries) {
+        if (each == nullptr) return false;
+      }
+      errands_.push_back(std::make_unique<NoErrands>());
+      executors_.push_back(
+          std::make_unique<stack::PlanExecutor<Output>>(i, robots, p, options, observer));
+      executors_.back()->connect(*errands_.back());
+      executors_.back()->attach(world.robot(i));
+    }
+    return true;
+  }
+  // The decisions of all robots, every period, until the world stops.
+  void run(sim::HostileFleet<Output>& world, TimeUs until_us) {
+    for (TimeUs due_us = 0; due_us < until_us; due_us += decision_.period_us) {
+      if (!world.wait_until(due_us)) return;
+      for (auto& executor : executors_) {
+        executor->post(stack::Tick{world.now_us()});
+        while (executor->step()) continue;
+      }
+      for (auto& errands : errands_) {
+        while (errands->step()) continue;
+      }
+    }
+    (void)world.wait_until(until_us);
+  }
+
+ private:
+  std::unique_ptr<Controller<Output>> attack(const Setup& setup, int robot, const Arena& arena) {
+    const Adversary& adversary = *setup.of_robot[static_cast<std::size_t>(robot)];
+    const std::uint64_t seed =
+        sim::Random::stream(setup.seed, drive_stream, static_cast<std::uint64_t>(robot)).next();
+    if (adversary.drive == Drive::bang_bang) {
+      return std::make_unique<sim::BangBang<Output>>(arena.limits(), seed);
+    }
+    return std::make_unique<sim::Chase<Output>>(arena, robot, adversary.aim, seed);
+  }
+  RobotParts<Output> parts(int robot) {
+    RobotParts<Output> p;
+    p.name = decision_.robots[static_cast<std::size_t>(robot)].c_str();
+    p.decision = decisions_.back().get();
+    const std::size_t first = recoveries_.size();
+    std::vector<std::string> names;
+    for (const MonitorCase& m : decision_.monitors) {
+      std::size_t k = 0;
+      while (k < names.size() && names[k] != m.recovery.name) ++k;
+      if (k == names.size()) {
+        names.push_back(m.recovery.name);
+        recoveries_.push_back(recovery(m.recovery, robot));
+      }
+      (void)p.recoveries.push(recoveries_[first + k].get());
+    }
+    p.advanced = attacks_.back().get();
+    p.period_us = decision_.period_us;
+    p.limits = decision_.limits;
+    return p;
+  }
+  std::unique_ptr<SafeController<Output>> recovery(const Recovery& r, int robot) const {
+    safe::Setting s;
+    s.limits = decision_.limits;
+    s.period_us = decision_.period_us;
+    s.speed_mps = r.speed_mps;
+    s.zone = &decision_.surroundings.zones[static_cast<std::size_t>(r.zone)];
+    s.route_clearance_m = r.route_clearance_m;
+    s.return_clearance_m = r.return_clearance_m;
+    s.pass_gap_m = r.pass_gap_m;
+    if (r.has_detour) s.detour_m = r.detour_m;
+    if (r.kind == "retreat") return std::make_unique<safe::Retreat<Output>>(s);
+    if (r.kind == "yield") return std::make_unique<safe::Yield<Output>>(s);
+    if (r.kind != "route") return nullptr;
+    const auto& places = decision_.surroundings.sites[static_cast<std::size_t>(r.site)];
+    return std::make_unique<safe::Route<Output>>(s, places[static_cast<std::size_t>(robot)]);
+  }
+
+  const DecisionCase& decision_;
+  std::vector<std::unique_ptr<KernelDecision>> decisions_;
+  std::vector<std::unique_ptr<Taped<Output>>> attacks_;
+  std::vector<std::unique_ptr<SafeController<Output>>> recoveries_;
+  std::vector<RobotParts<Output>> parts_;
+  std::vector<std::unique_ptr<NoErrands>> errands_;
+  std::vector<std::unique_ptr<stack::PlanExecutor<Output>>> executors_;
+};
+
+std::vector<sim::RobotSetup> bodies(const DecisionCase& decision, const Setup& setup) {
+  std::vector<sim::RobotSetup> all;
+  for (std::size_t i = 0; i < setup.starts.size(); ++i) {
+    const RobotStart& start = setup.starts[i];
+    sim::RobotSetup body;
+    body.limits = decision.limits;
+    body.start = start.place;
+    body.heading_rad = start.heading_rad;
+    body.battery = start.battery;
+    body.has_dock = i < decision.docks.size();
+    if (body.has_dock) body.dock = decision.docks[i];
+    all.push_back(body);
+  }
+  return all;
+}
+
+template <class Output>
+Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
+               Tape& tape, Outcome& to) {
+  const int robots = static_cast<int>(decision.robots.size());
+  sim::WorldOptions options;
+  options.seed = setup.seed;
+  options.noise = sim::NoiseModel::none;
+  sim::World<Output> world(bodies(decision, setup), options);
+  Arena arena(decision.surroundings, decision.properties, decision.limits, robots);
+  arena.watch(world.truths());
+  sim::Referee referee(decision.surroundings, decision.properties, robots);
+  sim::HostileFleet<Output> hostile(world, arena, setup.hostility, tape, [&](TimeUs now_us) {
+    referee.observe(now_us, world.truths());
+    const sim::Violation& violation = referee.first_violation();
+    if (referee.violated() && now_us >= violation.time_us + after_violation_us) world.stop();
+  });
+  Fleet<Output> fleet(decision, kernel, setup, arena, tape);
+  Watcher watcher(decision, arena, tape, to);
+  if (!fleet.start(hostile, watcher)) {
+    return {"decision `" + decision.name + "` has a recovery that `rtac-sim` does not know",
+            "`retreat`, `route` and `yield` can be simulated", true};
+  }
+  fleet.run(hostile, setup.duration_us);
+  to.violation = referee.first_violation();
+  for (int m = 0; m < static_cast<int>(decision.monitors.size()); ++m) {
+    to.least.push_back(referee.least(m));
+  }
+  to.duration_us = world.now_us();
+  return {};
+}
+
+}  // namespace
+
+Problem run(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
+            Tape& tape, Outcome& to) {
+  return decision.twist ? run_as<Twist>(decision, kernel, setup, tape, to)
+                        : run_as<Acceleration>(decision, kernel, setup, tape, to);
+}
+
+}  // namespace rtac::simulate

@@ -1,0 +1,216 @@
+#include "scenario.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "rtac/sim/math.h"
+
+namespace rtac::simulate {
+namespace {
+
+using Json = nlohmann::json;
+using sim::Ages;
+using sim::Aim;
+using sim::Noise;
+using sim::PropertyOp;
+
+constexpr double us_per_s = 1e6, us_per_ms = 1e3;
+constexpr double duration_s_max = 86'400;
+
+struct Unfit {
+  std::string message, help;
+};
+
+template <class Value>
+struct Word {
+  const char* word;
+  Value value;
+};
+constexpr Word<Noise> noises[] = {{"none", Noise::none},
+                                  {"uniform", Noise::uniform},
+                                  {"extreme", Noise::extreme},
+                                  {"aimed", Noise::aimed}};
+constexpr Word<Ages> all_ages[] = {{"fresh", Ages::fresh},
+                                   {"oldest", Ages::oldest},
+                                   {"unequal", Ages::unequal},
+                                   {"wandering", Ages::wandering}};
+
+template <class Value, std::size_t Size>
+Value chosen(const Json& j, const std::string& key, const Word<Value> (&words)[Size]) {
+  std::string names;
+  for (const auto& each : words) {
+    if (j.is_string() && j.get<std::string>() == each.word) return each.value;
+    names += (names.empty() ? "`" : ", `") + std::string(each.word) + "`";
+  }
+  throw Unfit{"`" + key + "` of the scenario is " + j.dump(), "there are " + names};
+}
+
+double number(const Json& j, const std::string& key, double least, double most) {
+  if (j.is_number() && j.get<double>() >= least && j.get<double>() <= most) return j.get<double>();
+  throw Unfit{"`" + key + "` of the scenario is " + j.dump(),
+              "a number from " + Json(least).dump() + " to " + Json(most).dump() + " works"};
+}
+std::uint64_t whole(const Json& j, const std::string& key) {
+  if (j.is_number_unsigned()) return j.get<std::uint64_t>();
+  throw Unfit{"`" + key + "` of the scenario is " + j.dump(), "a whole number works"};
+}
+std::string text(const Json& j, const std::string& key) {
+  if (j.is_string()) return j.get<std::string>();
+  throw Unfit{"`" + key + "` of the scenario is " + j.dump(), "a name works"};
+}
+TimeUs time(const Json& j, const std::string& key, double unit_us) {
+  return std::llround(number(j, key, 0, duration_s_max) * unit_us);
+}
+
+Start start(const Json& j) {
+  if (!j.is_object()) {
+    throw Unfit{"a start of the scenario is " + j.dump(),
+                R"(`{"at": [1, 2], "heading_deg": 90, "battery": 0.8}` is one)"};
+  }
+  constexpr double far_m = 1e5, turn_deg = 360;
+  Start s;
+  for (const auto& [key, value] : j.items()) {
+    if (key == "at" && value.is_array() && value.size() == 2) {
+      s.place = Vec2{number(value[0], key, -far_m, far_m), number(value[1], key, -far_m, far_m)};
+    } else if (key == "heading_deg") {
+      s.heading_rad = number(value, key, -turn_deg, turn_deg) * sim::pi / (turn_deg / 2);
+    } else if (key == "battery") {
+      s.battery = number(value, key, 0, 1);
+    } else {
+      throw Unfit{"a start of the scenario has `" + key + "`: " + value.dump(),
+                  "there are `at`, two numbers in m, `heading_deg` and `battery`, 1 = full"};
+    }
+  }
+  return s;
+}
+
+void take(const std::string& key, const Json& value, Scenario& to) {
+  if (key == "duration_s") {
+    to.duration_us = time(value, key, us_per_s);
+  } else if (key == "seed") {
+    to.seed = whole(value, key);
+  } else if (key == "runs") {
+    to.runs = whole(value, key);
+  } else if (key == "adversary" && value.is_object()) {
+    for (const auto& [robot, name] : value.items()) {
+      to.adversary_of.emplace_back(robot, text(name, key));
+    }
+  } else if (key == "adversary") {
+    to.adversary = text(value, key);
+  } else if (key == "starts" && value.is_object()) {
+    for (const auto& [robot, each] : value.items()) to.starts.emplace_back(robot, start(each));
+  } else if (key == "noise") {
+    to.noise = chosen(value, key, noises);
+  } else if (key == "ages") {
+    to.ages = chosen(value, key, all_ages);
+  } else if (key == "fault_every_s") {
+    to.fault_every_us = time(value, key, us_per_s);
+  } else if (key == "fault_ms") {
+    to.fault_us_max = time(value, key, us_per_ms);
+  } else if (key == "jitter_ms") {
+    to.jitter_us = time(value, key, us_per_ms);
+  } else {
+    throw Unfit{"the scenario has `" + key + "`: " + value.dump(),
+                "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `noise`, `ages`, "
+                "`fault_every_s`, `fault_ms` and `jitter_ms`"};
+  }
+}
+
+bool has(const DecisionCase& decision, PropertyOp op) {
+  return std::any_of(decision.properties.begin(), decision.properties.end(),
+                     [&](const sim::Property& p) { return speaks_of(p, op); });
+}
+
+}  // namespace
+
+const std::vector<Adversary>& adversaries() {
+  constexpr TimeUs often_us = 1'500'000;
+  static const std::vector<Adversary> all = {
+      {"bang-bang", Drive::bang_bang, Aim::anything, Noise::extreme, Ages::oldest, 0,
+       "full effort in random directions, each held for a random time"},
+      {"chase-fence", Drive::chase, Aim::fence, Noise::extreme, Ages::oldest, 0,
+       "at the nearest boundary, with run-up, along it, or creeping up to it"},
+      {"chase-robot", Drive::chase, Aim::robot, Noise::extreme, Ages::oldest, 0,
+       "the same at the nearest robot"},
+      {"drain", Drive::chase, Aim::charge, Noise::aimed, Ages::oldest, 0,
+       "away from the site until the charge is gone"},
+      {"aimed-noise", Drive::chase, Aim::anything, Noise::aimed, Ages::oldest, 0,
+       "at what is nearest, which is measured farther away and slower than it is"},
+      {"fresh-samples", Drive::chase, Aim::anything, Noise::aimed, Ages::fresh, 0,
+       "the same with measurements of now"},
+      {"unequal-samples", Drive::chase, Aim::anything, Noise::aimed, Ages::unequal, 0,
+       "the same with one sense fresh and the other as old as may be"},
+      {"wandering-samples", Drive::chase, Aim::anything, Noise::aimed, Ages::wandering, 0,
+       "the same with any admissible ages"},
+      {"drop-outs", Drive::chase, Aim::anything, Noise::aimed, Ages::oldest, often_us,
+       "the same, and samples are lost or are no numbers"},
+  };
+  return all;
+}
+
+const Adversary* find_adversary(const std::string& name) {
+  const auto& all = adversaries();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Adversary& a) { return name == a.name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<const Adversary*> applicable(const DecisionCase& decision) {
+  std::vector<const Adversary*> fit;
+  const bool fence = has(decision, PropertyOp::inside) || has(decision, PropertyOp::clearance);
+  const bool charge = has(decision, PropertyOp::battery) || has(decision, PropertyOp::energy_to);
+  for (const Adversary& a : adversaries()) {
+    if (a.aim == Aim::fence && !fence) continue;
+    if (a.aim == Aim::robot && !has(decision, PropertyOp::distance)) continue;
+    if (a.aim == Aim::charge && !charge) continue;
+    fit.push_back(&a);
+  }
+  return fit;
+}
+
+std::string adversary_names() {
+  std::string names;
+  for (const Adversary& a : adversaries()) {
+    names += (names.empty() ? "`" : ", `") + std::string(a.name) + "`";
+  }
+  return names;
+}
+
+Problem read_scenario(const std::string& text, Scenario& to) {
+  const Json j = Json::parse(text, nullptr, false);
+  if (!j.is_object()) {
+    return {"the scenario is no JSON object", R"(`{"duration_s": 60, "runs": 10}` is one)"};
+  }
+  try {
+    for (const auto& [key, value] : j.items()) take(key, value, to);
+  } catch (const Unfit& unfit) {
+    return {unfit.message, unfit.help};
+  }
+  if (to.duration_us <= 0) return {"the scenario lasts no time", R"(`"duration_s": 30` works)"};
+  return {};
+}
+
+Problem check_names(const Scenario& scenario, const Case& all) {
+  std::vector<std::string> names;
+  if (!scenario.adversary.empty()) names.push_back(scenario.adversary);
+  for (const auto& [robot, name] : scenario.adversary_of) names.push_back(name);
+  for (const std::string& name : names) {
+    if (find_adversary(name) == nullptr) {
+      return {"no adversary is called `" + name + "`", "there are " + adversary_names()};
+    }
+  }
+  std::vector<std::string> robots;
+  for (const auto& [robot, name] : scenario.adversary_of) robots.push_back(robot);
+  for (const auto& [robot, start] : scenario.starts) robots.push_back(robot);
+  for (const std::string& robot : robots) {
+    const bool there =
+        std::any_of(all.decisions.begin(), all.decisions.end(), [&](const DecisionCase& d) {
+          return std::find(d.robots.begin(), d.robots.end(), robot) != d.robots.end();
+        });
+    if (!there) return {"the scenario names a robot `" + robot + "`, which does not exist", ""};
+  }
+  return {};
+}
+
+}  // namespace rtac::simulate

@@ -1,0 +1,54 @@
+// What happens in a run: who attacks how, from where, for how long. All of it has a default.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case.h"
+#include "rtac/sim/hostile.h"
+
+namespace rtac::simulate {
+
+enum class Drive { chase, bang_bang };
+
+// A way to attack: who drives, and what it does to the senses.
+struct Adversary {
+  const char* name;
+  Drive drive;
+  sim::Aim aim;
+  sim::Noise noise;
+  sim::Ages ages;
+  TimeUs fault_every_us;
+  const char* about;
+};
+const std::vector<Adversary>& adversaries();
+const Adversary* find_adversary(const std::string& name);
+// Those that have something to aim at.
+std::vector<const Adversary*> applicable(const DecisionCase& decision);
+
+struct Start {
+  std::optional<Vec2> place;
+  std::optional<double> heading_rad, battery;
+};
+struct Scenario {
+  TimeUs duration_us = 30'000'000;
+  std::uint64_t seed = 1, runs = 100;
+  std::string adversary;                                          // empty: all in turn
+  std::vector<std::pair<std::string, std::string>> adversary_of;  // robot, adversary
+  std::vector<std::pair<std::string, Start>> starts;              // robot, start
+  std::optional<sim::Noise> noise;
+  std::optional<sim::Ages> ages;
+  std::optional<TimeUs> fault_every_us, fault_us_max;
+  TimeUs jitter_us = 0;
+};
+
+// From the text of a scenario, a JSON object; numbers of the command line come afterwards.
+Problem read_scenario(const std::string& text, Scenario& to);
+// Names of adversaries and robots that do not exist.
+Problem check_names(const Scenario& scenario, const Case& all);
+
+std::string adversary_names();
+
+}  // namespace rtac::simulate

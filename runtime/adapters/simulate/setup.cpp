@@ -1,0 +1,144 @@
+// Where robots start, and who attacks them.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rtac/sim/math.h"
+#include "rtac/sim/random.h"
+#include "run.h"
+
+namespace rtac::simulate {
+namespace {
+
+using sim::Random;
+using sim::TruthState;
+
+constexpr std::uint64_t setup_stream = 3001;
+constexpr int tries_max = 4000;
+// Among so many admissible places the widest one is taken, unless one is wide enough before.
+constexpr int tries_wide = 40;
+constexpr double wide = 0.5;        // in scales of the margins
+constexpr double open_field_m = 4;  // half of its width, without any zone
+// How long samples are lost. A body whose speed is commanded stops by itself; one whose
+// acceleration is commanded coasts on when it does not know how fast it is, and no look-ahead
+// covers that.
+constexpr TimeUs fault_us_twist = 1'000'000;
+constexpr TimeUs fault_periods_acceleration = 3;
+constexpr double battery_least = 0.3;  // at the start
+
+struct Box {
+  Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 hi{-lo.x, -lo.y};
+  void hold(Vec2 p) {
+    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
+    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
+  }
+};
+
+void hold_zones(const sim::Property& p, const DecisionCase& d, Box& box) {
+  constexpr double m_per_mm = 1e-3;
+  if (p.op == sim::PropertyOp::inside || p.op == sim::PropertyOp::clearance) {
+    const ZoneView& zone = d.surroundings.zones[static_cast<std::size_t>(p.index)];
+    for (std::size_t e = 0; e < 4 * zone.edge_count; e += 2) {
+      box.hold({m_per_mm * zone.edges_mm[e], m_per_mm * zone.edges_mm[e + 1]});
+    }
+  }
+  for (const sim::Property& each : p.of) hold_zones(each, d, box);
+}
+
+Box field(const DecisionCase& d) {
+  Box box;
+  for (const sim::Property& p : d.properties) hold_zones(p, d, box);
+  if (box.lo.x > box.hi.x) {
+    const double half_m = open_field_m * std::sqrt(static_cast<double>(d.robots.size()));
+    box.hold({-half_m, -half_m});
+    box.hold({half_m, half_m});
+  }
+  return box;
+}
+
+// The least margin of all robots that have a place so far.
+double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const sim::Property& p : d.properties) {
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+      least = std::min(
+          least, margin_of(p, {d.surroundings, truths, static_cast<int>(i), truths[i].position}));
+    }
+  }
+  return least;
+}
+
+const Start* named(const Scenario& scenario, const std::string& robot) {
+  for (const auto& [name, start] : scenario.starts) {
+    if (name == robot) return &start;
+  }
+  return nullptr;
+}
+
+bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& random,
+           std::vector<TruthState>& truths) {
+  TruthState best;
+  double best_margin = -1;
+  int admissible = 0;
+  truths.emplace_back();
+  for (int k = 0; k < tries_max; ++k) {
+    TruthState& truth = truths.back();
+    truth.position = {random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y)};
+    truth.heading_rad = random.uniform(-sim::pi, sim::pi);
+    truth.battery = random.uniform(battery_least, 1);
+    if (fixed != nullptr) {
+      truth.position = fixed->place.value_or(truth.position);
+      truth.heading_rad = fixed->heading_rad.value_or(truth.heading_rad);
+      truth.battery = fixed->battery.value_or(truth.battery);
+      if (fixed->place) return true;  // as the author of the scenario wants it
+    }
+    const double margin = least_margin(d, truths);
+    if (margin < 0) continue;
+    if (margin > best_margin) {
+      best_margin = margin;
+      best = truth;
+    }
+    if (margin >= wide || ++admissible >= tries_wide) break;
+  }
+  truths.back() = best;
+  return best_margin >= 0;
+}
+
+}  // namespace
+
+Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_t seed, Setup& to) {
+  const std::vector<const Adversary*> fit = applicable(d);
+  to.seed = seed;
+  to.duration_us = scenario.duration_us;
+  to.adversary =
+      scenario.adversary.empty() ? fit[seed % fit.size()] : find_adversary(scenario.adversary);
+  to.of_robot.assign(d.robots.size(), to.adversary);
+  for (std::size_t i = 0; i < d.robots.size(); ++i) {
+    for (const auto& [robot, name] : scenario.adversary_of) {
+      if (robot == d.robots[i]) to.of_robot[i] = find_adversary(name);
+    }
+  }
+  to.hostility = {seed,
+                  to.adversary->aim,
+                  scenario.noise.value_or(to.adversary->noise),
+                  scenario.ages.value_or(to.adversary->ages),
+                  scenario.fault_every_us.value_or(to.adversary->fault_every_us),
+                  scenario.jitter_us,
+                  scenario.fault_us_max.value_or(
+                      d.twist ? fault_us_twist : fault_periods_acceleration * d.period_us)};
+  Random random = Random::stream(seed, setup_stream, 0);
+  const Box box = field(d);
+  std::vector<TruthState> truths;
+  for (const std::string& robot : d.robots) {
+    if (!place(d, box, named(scenario, robot), random, truths)) {
+      return {
+          "no place was found for `" + robot + "` where every property of `" + d.name + "` holds",
+          R"(say where it starts: `"starts": {")" + robot + R"(": {"at": [1, 2]}}`)", true};
+    }
+  }
+  for (const TruthState& t : truths) to.starts.push_back({t.position, t.heading_rad, t.battery});
+  return {};
+}
+
+}  // namespace rtac::simulate

@@ -1,0 +1,119 @@
+#include "trace.h"
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+namespace rtac::simulate {
+namespace {
+
+constexpr const char* first_line = "rtac-sim-trace 1";
+
+std::string hex(double value) {
+  constexpr std::size_t widest = 32;
+  char text[widest];
+  std::snprintf(text, widest, " %a", value);
+  return text;
+}
+
+std::string start_line(const std::string& robot, const RobotStart& s) {
+  return "start " + robot + hex(s.place.x) + hex(s.place.y) + hex(s.heading_rad) + hex(s.battery) +
+         "\n";
+}
+
+double real(std::istream& in) {
+  std::string word;
+  in >> word;
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0') in.setstate(std::ios::failbit);
+  return value;
+}
+
+// The lines before the tape.
+bool read_head(const std::string& word, std::istream& in, Trace& to) {
+  if (word == "specification") {
+    in >> to.specification;
+  } else if (word == "manifest") {
+    in >> std::hex >> to.manifest_hash >> std::dec;
+  } else if (word == "decision") {
+    in >> to.decision;
+  } else if (word == "seed") {
+    in >> to.setup.seed;
+  } else if (word == "duration_us") {
+    in >> to.setup.duration_us;
+  } else if (word == "adversary") {
+    std::string name;
+    in >> name;
+    to.setup.adversary = find_adversary(name);
+    if (to.setup.adversary == nullptr) return false;
+  } else if (word == "start") {
+    std::string robot;
+    in >> robot;
+    RobotStart s;
+    s.place.x = real(in);
+    s.place.y = real(in);
+    s.heading_rad = real(in);
+    s.battery = real(in);
+    to.setup.starts.push_back(s);
+  } else {
+    return false;
+  }
+  return !in.fail();
+}
+
+Problem unreadable(const std::string& why) {
+  return {"the recorded run cannot be played: " + why,
+          "`rtac sim` writes one when a property is violated"};
+}
+
+}  // namespace
+
+std::string trace_text(const Case& all, const DecisionCase& decision, const Setup& setup,
+                       const Outcome& outcome, const std::vector<std::string>& tape) {
+  constexpr std::size_t widest = 32;
+  char hash[widest];
+  std::snprintf(hash, widest, "%016" PRIx64, all.hash);
+  std::string text =
+      std::string(first_line) + "\nspecification " + all.specification + "\nmanifest " + hash +
+      "\ndecision " + decision.name + "\nseed " + std::to_string(setup.seed) + "\nduration_us " +
+      std::to_string(setup.duration_us) + "\nadversary " + setup.adversary->name + "\n";
+  for (std::size_t i = 0; i < setup.starts.size(); ++i) {
+    text += start_line(decision.robots[i], setup.starts[i]);
+  }
+  text += "tape\n";
+  for (const std::string& line : tape) text += line + "\n";
+  const sim::Violation& v = outcome.violation;
+  if (v.time_us == never_us) return text + "end no violation\n";
+  const auto monitor = static_cast<std::size_t>(v.monitor);
+  return text + "end violation of " + decision.monitors[monitor].name + " by " +
+         decision.robots[static_cast<std::size_t>(v.robot)] + " at_us " +
+         std::to_string(v.time_us) + " least" + hex(outcome.least[monitor].value) + "\n";
+}
+
+Problem read_trace(const std::string& text, const Case& all, Trace& to) {
+  std::istringstream in(text);
+  std::string line;
+  if (!std::getline(in, line) || line != first_line) return unreadable("it is no recorded run");
+  int number = 1;
+  for (; std::getline(in, line) && line != "tape";) {
+    ++number;
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (!read_head(word, words, to)) return unreadable("line " + std::to_string(number));
+  }
+  while (std::getline(in, line)) to.tape.push_back(line);
+  const auto d = std::find_if(all.decisions.begin(), all.decisions.end(),
+                              [&](const DecisionCase& each) { return each.name == to.decision; });
+  if (to.manifest_hash != all.hash || d == all.decisions.end() ||
+      to.setup.starts.size() != d->robots.size() || to.setup.adversary == nullptr) {
+    return unreadable("it is of another specification, or of another version of this one");
+  }
+  to.setup.of_robot.assign(d->robots.size(), to.setup.adversary);
+  return {};
+}
+
+}  // namespace rtac::simulate

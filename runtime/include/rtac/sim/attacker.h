@@ -1,0 +1,39 @@
+// Advanced controllers that know everything and want a property to fail.
+#pragma once
+
+#include "rtac/controller.h"
+#include "rtac/sim/adversary.h"
+#include "rtac/sim/arena.h"
+#include "rtac/sim/random.h"
+
+namespace rtac::sim {
+
+// Full effort towards where the margin falls fastest, in phases by seed: at once; after a run-up,
+// or along the boundary at full speed; or creeping up to where the decision only just still
+// agrees, and then at full effort, so that a whole tick is lost at the worst moment.
+template <class Output>
+class Chase final : public Controller<Output> {
+ public:
+  // The arena outlives the controller.
+  Chase(const Arena& arena, int robot, Aim aim, std::uint64_t seed);
+  Output command(const Observation& observation) override;
+
+ private:
+  enum class Phase { push, run_up, slide, creep };
+  void choose(TimeUs now_us);
+  [[nodiscard]] Vec2 wanted(const Threat& threat, bool& all_out);
+
+  const Arena& arena_;
+  int robot_;
+  Aim aim_;
+  Random random_;
+  Phase phase_ = Phase::push;
+  TimeUs until_us_ = never_us;
+  double side_ = 1;     // of sliding
+  double burst_m_ = 0;  // spare look-ahead at which creeping ends
+};
+
+extern template class Chase<Acceleration>;
+extern template class Chase<Twist>;
+
+}  // namespace rtac::sim

@@ -1,0 +1,71 @@
+// Properties of robots as they are written, judged on the true state in doubles.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rtac/sim/world.h"
+#include "rtac/zone.h"
+
+namespace rtac::sim {
+
+enum class PropertyOp {
+  // quantities: m, m/s, share of a full battery
+  constant,
+  battery,
+  speed,
+  clearance,  // of the body from the boundary of zone `index`, negative outside
+  distance,   // between the bodies of the robot and the other one
+  energy_to,  // to site `index`: at least what the straight way takes
+  add,
+  subtract,
+  multiply,
+  divide,
+  negate,
+  count,  // of other robots for which it holds
+  // margins, in multiples of the scale of their unit
+  truth,
+  inside,
+  at_least,  // of[0] >= of[1]; `flag`: strictly
+  logical_not,
+  logical_and,
+  logical_or,
+  forall,
+  exists
+};
+
+struct Property {
+  PropertyOp op = PropertyOp::truth;
+  double value = 1;   // of constants and truths; of at_least: the scale of its unit
+  int index = 0;      // zone or site
+  bool flag = false;  // of at_least: strictly; of battery and speed: those of the other robot
+  std::vector<Property> of;
+};
+
+// What properties speak of. The views' tables outlive whoever has them.
+struct Surroundings {
+  std::vector<ZoneView> zones;
+  std::vector<std::vector<Vec2>> sites;  // by site, then by robot
+  double radius_m = 0;
+  double drive_per_m = 0;
+};
+
+// A robot `self` that stands at `at` while everything else is as in `truths`.
+struct Scene {
+  const Surroundings& surroundings;
+  const std::vector<TruthState>& truths;
+  int self = 0;
+  Vec2 at;
+};
+
+// Signed: not negative where it holds. Atoms without a quantity are infinite. Zones are looked at
+// edge by edge, whatever tables there are.
+double margin_of(const Property& property, const Scene& scene);
+
+// The margin of a property that compares lengths with constants, and joins that by and, or and
+// quantifiers, falls by no more than this a metre that robots move; 0: it is another one.
+double steepness_per_m(const Property& property);
+// Does it speak of other robots, or of charge?
+bool speaks_of(const Property& property, PropertyOp op);
+
+}  // namespace rtac::sim

@@ -1,0 +1,100 @@
+#include "rtac/sim/arena.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rtac/sim/math.h"
+
+namespace rtac::sim {
+namespace {
+
+constexpr int directions = 16;  // looked at first; then the best one is refined
+constexpr int refinements = 5;
+// How far around the robot it looks: to where the property fails, within these limits.
+constexpr double nearest_m = 0.02, farthest_m = 10;
+
+Aim kind_of(const Property& p) {
+  if (speaks_of(p, PropertyOp::battery) || speaks_of(p, PropertyOp::energy_to)) return Aim::charge;
+  return speaks_of(p, PropertyOp::distance) ? Aim::robot : Aim::fence;
+}
+
+}  // namespace
+
+Arena::Arena(const Surroundings& surroundings, const std::vector<Property>& properties,
+             const RobotLimits& limits, int robots)
+    : surroundings_(surroundings),
+      properties_(properties),
+      limits_(limits),
+      records_(static_cast<std::size_t>(robots)) {
+  for (const Property& p : properties) kinds_.push_back(kind_of(p));
+}
+
+void Arena::found(const DecisionRecord& record) {
+  records_[static_cast<std::size_t>(record.robot)] = record;
+}
+
+double Arena::margin(std::size_t monitor, int robot, Vec2 at) const {
+  return margin_of(properties_[monitor], {surroundings_, *truths_, robot, at});
+}
+
+bool Arena::is_aim(std::size_t monitor, Aim aim) const {
+  return aim == Aim::anything || kinds_[monitor] == aim;
+}
+
+bool Arena::has(Aim aim) const {
+  for (std::size_t m = 0; m < kinds_.size(); ++m) {
+    if (is_aim(m, aim)) return true;
+  }
+  return false;
+}
+
+Vec2 Arena::steepest(std::size_t monitor, int robot, double reach_m) const {
+  const Vec2 here = truth(robot).position;
+  const auto margin_towards = [&](double angle_rad) {
+    const SinCos unit = sin_cos(angle_rad);
+    return margin(monitor, robot, here + reach_m * Vec2{unit.cos, unit.sin});
+  };
+  double best_rad = 0, least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < directions; ++k) {
+    const double angle_rad = 2 * pi * k / directions;
+    const double m = margin_towards(angle_rad);
+    if (m < least) {
+      least = m;
+      best_rad = angle_rad;
+    }
+  }
+  double turn_rad = pi / directions;
+  for (int k = 0; k < refinements; ++k, turn_rad /= 2) {
+    const double centre_rad = best_rad;
+    for (const double angle_rad : {centre_rad - turn_rad, centre_rad + turn_rad}) {
+      const double m = margin_towards(angle_rad);
+      if (m < least) {
+        least = m;
+        best_rad = angle_rad;
+      }
+    }
+  }
+  const SinCos unit = sin_cos(best_rad);
+  return {unit.cos, unit.sin};
+}
+
+Threat Arena::threat(int robot, Aim aim) const {
+  Threat threat;
+  threat.margin = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < properties_.size(); ++m) {
+    if (!is_aim(m, aim)) continue;
+    const double found = margin(m, robot, truth(robot).position);
+    if (!(found < threat.margin)) continue;
+    threat.margin = found;
+    threat.monitor = static_cast<int>(m);
+  }
+  if (threat.monitor < 0) return threat;
+  const double reach_m =
+      kinds_[static_cast<std::size_t>(threat.monitor)] == Aim::charge ? 1 : threat.margin;
+  threat.direction = steepest(static_cast<std::size_t>(threat.monitor), robot,
+                              clamp(std::abs(reach_m) + nearest_m, nearest_m, farthest_m));
+  return threat;
+}
+
+}  // namespace rtac::sim

@@ -1,0 +1,180 @@
+// `rtac sim` as scripts see it: what is violated, with which exit code, and the same run again.
+#include <cstdlib>
+
+#include "compiler/diagnostics/engine.h"
+#include "tests/compiler/driver/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+// A rover whose look-ahead is `ahead`, in a yard of its own.
+std::string yard(const std::string& ahead, const std::string& always = "r inside yard") {
+  return R"(spec yard_patrol;
+zone yard = rectangle (0 m, 0 m) to (8 m, 8 m);
+robot Rover {
+  body     radius 20 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 2 cm    max_age 50 ms;
+  sense    velocity : vector  error 2 cm/s  max_age 50 ms;
+  hears    other robots       max_age 100 ms;
+  input    plan : path[4]     tracking <= 10 cm;
+  output   thrust : acceleration;
+  latency  20 ms;
+}
+fleet r1, r2 : Rover;
+controller patrol    : advanced for Rover extern;
+controller turn_back : safe for Rover = retreat within yard speed 0.3 m/s;
+monitor fence for r : Rover { "R1: it stays in the yard" always )" +
+         always + "; ahead " + ahead + R"(; recover turn_back; }
+decision drive for Rover { advanced patrol; period 50 ms; priority fence; }
+)";
+}
+const std::string blind = R"(1 waypoint, waypoints only unsound "for the test")";
+
+class Simulations : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+  void TearDown() override {
+    ::unsetenv("RTAC_SIM");
+    InFolder::TearDown();
+  }
+  // Without what depends on the machine: how many robot-hours a core-second.
+  static std::string steady(const std::string& table) { return table.substr(table.find('\n')); }
+  static std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+      ++found;
+    }
+    return found;
+  }
+};
+
+TEST_F(Simulations, ASoundSpecificationSurvivesEveryAdversary) {
+  write("spec.rta", yard("50 ms"));
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "21"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  for (const char* name : {"bang-bang", "chase-fence", "aimed-noise", "drop-outs", "turn_back"}) {
+    EXPECT_NE(o.out.find(name), std::string::npos) << o.out;
+  }
+  // The property speaks of no other robot and of no charge.
+  EXPECT_EQ(o.out.find("chase-robot"), std::string::npos) << o.out;
+  EXPECT_EQ(o.out.find("drain"), std::string::npos) << o.out;
+  EXPECT_FALSE(fs::exists("yard_patrol.trace"));
+}
+
+TEST_F(Simulations, AnUnsoundOneIsViolatedWithARunThatIsPlayedAgain) {
+  write("spec.rta", yard(blind));
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "3", "--adversary", "chase-fence"});
+  EXPECT_EQ(o.status, 3) << o.err;
+  EXPECT_NE(o.out.find("violated: fence (r inside yard) by r"), std::string::npos) << o.out;
+  ASSERT_TRUE(fs::exists("yard_patrol.trace"));
+  for (const std::string again : {"again.trace", "once_more.trace"}) {
+    const Outcome r = rtac({"sim", "spec.rta", "--replay", "yard_patrol.trace", "--trace", again});
+    EXPECT_EQ(r.status, 3) << r.err;
+    EXPECT_NE(r.out.find("the same to the last bit"), std::string::npos) << r.out;
+    EXPECT_EQ(read(again), read("yard_patrol.trace"));
+  }
+}
+
+TEST_F(Simulations, AnEditedRunIsAnotherOne) {
+  write("spec.rta", yard(blind));
+  ASSERT_EQ(rtac({"sim", "spec.rta", "--runs", "1", "--trace", "run.trace"}).status, 3);
+  const std::string run = read("run.trace");
+  const std::size_t command = run.find("\ncommand 0 ", run.size() / 4);
+  ASSERT_NE(command, std::string::npos);
+  write("edited.trace", std::string(run).replace(command, 11, "\ncommand 0 0x1p-3 "));
+  const Outcome o = rtac({"sim", "spec.rta", "--replay", "edited.trace"});
+  EXPECT_EQ(o.status, 4);
+  const auto line = count(run.substr(0, command + 1), "\n") + 1;
+  EXPECT_NE(o.err.find("from line " + std::to_string(line)), std::string::npos) << line << o.err;
+}
+
+TEST_F(Simulations, ARunBelongsToItsSpecification) {
+  write("spec.rta", yard(blind));
+  ASSERT_EQ(rtac({"sim", "spec.rta", "--runs", "1", "--trace", "run.trace"}).status, 3);
+  write("other.rta", edited(yard(blind), "0.3 m/s", "0.2 m/s"));
+  const Outcome o = rtac({"sim", "other.rta", "--replay", "run.trace"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("error[9009]"), std::string::npos) << o.err;
+}
+
+TEST_F(Simulations, TheSameSeedsAreTheSameRuns) {
+  write("spec.rta", yard("50 ms"));
+  const Outcome a = rtac({"sim", "spec.rta", "--runs", "8", "--seed", "5"});
+  const Outcome b = rtac({"sim", "spec.rta", "--runs", "8", "--seed", "5"});
+  const Outcome c = rtac({"sim", "spec.rta", "--runs", "8", "--seed", "6"});
+  EXPECT_EQ(steady(a.out), steady(b.out));
+  EXPECT_NE(steady(a.out), steady(c.out));
+}
+
+// Starts are taken as they are; the referee sees the first moment.
+TEST_F(Simulations, AScenarioSaysWhereRobotsStart) {
+  write("spec.rta", yard("50 ms"));
+  write("out.json", R"({"duration_s": 1, "runs": 1, "adversary": "bang-bang",
+                       "starts": {"r1": {"at": [-1, 4]}, "r2": {"at": [4, 4]}}})");
+  const Outcome o = rtac({"sim", "spec.rta", "--scenario", "out.json"});
+  EXPECT_EQ(o.status, 3) << o.err;
+  EXPECT_NE(o.out.find("by r1 at 0 s, down to -1.2"), std::string::npos) << o.out;
+}
+
+TEST_F(Simulations, ScenariosAreRefusedWithWhatWouldWork) {
+  write("spec.rta", yard("50 ms"));
+  const std::pair<const char*, const char*> cases[] = {
+      {"{", "is one"},
+      {R"({"duration": 3})", "`duration_s`"},
+      {R"({"duration_s": 0})", "`\"duration_s\": 30` works"},
+      {R"({"noise": "loud"})", "`aimed`"},
+      {R"({"ages": 3})", "`wandering`"},
+      {R"({"adversary": "nobody"})", "`chase-fence`"},
+      {R"({"adversary": {"r3": "bang-bang"}})", "`r3`"},
+      {R"({"starts": {"r1": {"at": 3}}})", "`heading_deg`"},
+      {R"({"runs": -1})", "a whole number works"}};
+  for (const auto& [text, help] : cases) {
+    write("s.json", text);
+    const Outcome o = rtac({"sim", "spec.rta", "--scenario", "s.json"});
+    EXPECT_EQ(o.status, 2) << text;
+    EXPECT_NE(o.err.find("error[9009]"), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find(help), std::string::npos) << text << "\n" << o.err;
+  }
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--scenario", "missing.json"}).status, 2);
+}
+
+// Nothing is known then: that is not the same as no violation.
+TEST_F(Simulations, WhatCannotBeSimulatedIsInconclusive) {
+  write("door.rta",
+        "spec door; period 10 ms; input open : bool;\n"
+        "monitor shut { \"R1: closed\" always not open; }\n");
+  write("own.rta", edited(yard("100 ms"), "= retreat within yard speed 0.3 m/s", "extern"));
+  write("facts.rta", edited(yard("50 ms", "r inside yard or open"), "zone yard",
+                            "input open : bool;\nzone yard"));
+  for (const std::string name : {"door.rta", "own.rta", "facts.rta"}) {
+    const Outcome o = rtac({"sim", name});
+    EXPECT_EQ(o.status, 4) << name << o.err;
+    EXPECT_NE(o.err.find("error[9008]"), std::string::npos) << o.err;
+    EXPECT_EQ(o.out, "");
+  }
+}
+
+TEST_F(Simulations, FlagsAreChecked) {
+  write("spec.rta", yard("50 ms"));
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--runs", "many"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--seed", "-1"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--replay", "x", "--seed", "1"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--adversary", "nobody"}).status, 2);
+  ::setenv("RTAC_SIM", "no_such_program", 1);
+  const Outcome o = rtac({"sim", "spec.rta"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("no_such_program"), std::string::npos) << o.err;
+}
+
+// The codes that this command reports.
+TEST_F(Simulations, CodesAreThoseOfTheirPages) {
+  EXPECT_EQ(static_cast<int>(diag::Code::cannot_simulate), 9008);
+  EXPECT_EQ(static_cast<int>(diag::Code::bad_scenario), 9009);
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
