@@ -1,7 +1,10 @@
 #include "compiler/codegen/generate.h"
 
+#include <utility>
+
 #include "compiler/codegen/kernel.h"
 #include "compiler/codegen/manifest.h"
+#include "compiler/codegen/mutate.h"
 #include "compiler/codegen/names.h"
 #include "compiler/codegen/system.h"
 
@@ -20,9 +23,18 @@ std::vector<GeneratedFile> generate(ir::Module module, const sema::Spec& spec, N
     guard.insert(0, naming.space + "_");
   }
   const Names names(module, spec);
+  std::string kernel = kernel_source(module, names, stem, naming.source);
+  if (const Mutant* const mutant = find_mutant(naming.mutant); mutant != nullptr) {
+    // Every file says where it comes from.
+    naming.source += " with " + mark_of(*mutant);
+    const std::string sound = kernel_source(module, names, stem, naming.source);
+    mutate(*mutant, module);
+    kernel = mutate(*mutant, kernel_source(module, names, stem, naming.source));
+    if (kernel == sound) return {};
+  }
   return {
       {stem + "_kernel.h", kernel_header(module, names, guard, naming.source)},
-      {stem + "_kernel.c", kernel_source(module, names, stem, naming.source)},
+      {stem + "_kernel.c", std::move(kernel)},
       {stem + ".h", wrapper_header(module, spec, names, naming)},
       {stem + ".cpp", wrapper_source(module, spec, names, naming)},
       {stem + "_system.h", system_header(module, spec, names, naming)},

@@ -16,7 +16,8 @@ struct GeneratedFile {
 };
 
 // `naming.space` may be empty: then it is the name of the specification.
-// The same module always gives the same bytes.
+// The same module always gives the same bytes. Nothing at all of a mutant that changes nothing in
+// this module.
 std::vector<GeneratedFile> generate(ir::Module module, const sema::Spec& spec, Naming naming);
 
 }  // namespace rtac::codegen

@@ -263,6 +263,12 @@ std::string manifest(const Module& module, const sema::Spec& spec, const Naming&
                 naming.stem + ".cpp", naming.stem + "_system.h"};
   j["decisions"] = Json::array();
   for (const Decision& d : module.decisions) j["decisions"].push_back(decision(module, spec, d));
+  if (!naming.mutant.empty()) {
+    j["mutant"] = naming.mutant;
+    for (Json& d : j["decisions"]) {
+      for (Json& m : d["monitors"]) m["sound"] = false;
+    }
+  }
   if (module.watch) j["monitors"] = watch(module, spec);
   j["zones"] = Json::array();
   for (const ZoneTable& z : module.zones) {

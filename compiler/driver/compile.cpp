@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "compiler/analysis/derive.h"
+#include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
 #include "compiler/ir/printer.h"
 #include "compiler/ir/verifier.h"
@@ -52,6 +53,18 @@ std::optional<FileId> open_source(const std::string& path, Compilation& c) {
          {}});
   }
   return file;
+}
+
+int refuse_mutant(const Options& options, Compilation& c) {
+  c.diagnostics.report(
+      {diag::Code::usage,
+       std::nullopt,
+       "the mutant `" + options.mutant + "` changes nothing of `" + c.spec->name + "`",
+       "",
+       {},
+       "it changes a decision whose monitors look ahead at what it is about",
+       {}});
+  return exit_usage;
 }
 
 void compile(const Options& options, std::ostream& out, Compilation& c) {

@@ -29,6 +29,9 @@ struct Compilation {
 // `path`: of the specification, or "-"; nullopt and a report when it cannot be read.
 std::optional<FileId> open_source(const std::string& path, Compilation& c);
 
+// Reports that a deliberately unsound variant is none; exit_usage.
+int refuse_mutant(const Options& options, Compilation& c);
+
 // Dumps asked for by the options go to `out`.
 void compile(const Options& options, std::ostream& out, Compilation& result);
 

@@ -111,10 +111,12 @@ int build(const Options& options, Compilation& c) {
   if (refuse_stem(options, naming.stem, c)) return exit_usage;
   naming.source = options.spec == "-" ? "standard input" : base_name(options.spec);
   naming.space = options.name_space;
+  naming.mutant = options.mutant;
   std::vector<OutputFile> files;
   for (auto& file : codegen::generate(std::move(*c.module), *c.spec, naming)) {
     files.push_back({options.output + "/" + file.name, std::move(file.text)});
   }
+  if (files.empty()) return refuse_mutant(options, c);
   if (!options.depfile.empty()) {
     if (is_overwritten(options, c, files)) {
       c.diagnostics.report({diag::Code::usage,

@@ -32,6 +32,9 @@ constexpr FlagText flag_texts[] = {
      "where the first run with a violation is written; default: the specification's name with\n"
      ".trace"},
     {"--replay", "FILE", "play a recorded run again instead"},
+    {"--mutate", "NAME",
+     "a deliberately unsound variant, for tests of tests: its code says so in every file; an\n"
+     "unknown NAME lists them"},
     {"-Werror", "", "warnings count as errors"},
     {"--format", "text|json|sarif", "form of the diagnostics on standard error"},
     {"--dump-ast", "", "print the tree instead of the summary"},

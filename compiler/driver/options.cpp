@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "compiler/codegen/mutate.h"
 #include "compiler/codegen/names.h"
 #include "compiler/passes/pipeline.h"
 
@@ -44,6 +45,7 @@ std::string value_hint(const std::string& flag, bool picture = false) {
   if (flag == "--print-after") return "there are " + pass_names();
   if (flag == "--namespace" || flag == "--monitor") return "`" + flag + " NAME`";
   if (flag == "--max-bytes") return "`--max-bytes 4096`";
+  if (flag == "--mutate") return "`--mutate half-look-ahead`";
   if (flag == "--seed") return "`--seed 7`";
   if (flag == "--runs") return "`--runs 1000`";
   if (flag == "--adversary") return "`--adversary chase-fence`";
@@ -70,8 +72,8 @@ const std::vector<CommandInfo>& commands() {
        1},
       {"build",
        Command::build,
-       {"-o", "--depfile", "--namespace", "--print-after", "--format", "--dump-ast", "--dump-spec",
-        "--dump-ir", "-Werror", "--max-bytes"},
+       {"-o", "--depfile", "--namespace", "--mutate", "--print-after", "--format", "--dump-ast",
+        "--dump-spec", "--dump-ir", "-Werror", "--max-bytes"},
        1},
       {"replay",
        Command::replay,
@@ -79,8 +81,8 @@ const std::vector<CommandInfo>& commands() {
        2},
       {"sim",
        Command::sim,
-       {"--scenario", "--seed", "--runs", "--adversary", "--trace", "--replay", "--format",
-        "-Werror"},
+       {"--scenario", "--seed", "--runs", "--adversary", "--trace", "--replay", "--mutate",
+        "--format", "-Werror"},
        1},
       {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
@@ -117,7 +119,8 @@ struct Parser {
             {"--runs", &options.runs},
             {"--adversary", &options.adversary},
             {"--trace", &options.trace_out},
-            {"--replay", &options.recorded}};
+            {"--replay", &options.recorded},
+            {"--mutate", &options.mutant}};
   }
   std::map<std::string, bool*> switches() {
     return {{"--dump-ast", &options.dump_ast},
@@ -318,6 +321,10 @@ struct Parser {
       problem = {
           "`" + options.name_space + "` is not a name of a C++ namespace",
           "letters, digits and `_` make one; it is no keyword, and no name of the C library"};
+    }
+    if (!options.mutant.empty() && codegen::find_mutant(options.mutant) == nullptr) {
+      problem = {"no mutant is called `" + options.mutant + "`",
+                 "there are " + codegen::mutant_names()};
     }
     if (!options.print_after.empty() && !is_pass(options.print_after)) {
       problem = {"no pass is called `" + options.print_after + "`", "there are " + pass_names()};

@@ -41,6 +41,7 @@ struct Options {
   std::string scenario, seed, runs, adversary;
   std::string trace_out;  // where a run with a violation is written
   std::string recorded;   // a run that is played again
+  std::string mutant;     // of `build` and `sim`: a deliberately unsound variant
 };
 
 struct UsageError {

@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 // The prefix of the generated names does not matter to anybody.
 constexpr const char* kernel_name = "sim";
 constexpr const char* kernel_source = "sim_kernel.c";
+constexpr const char* nothing_mutated = "nothing is mutated";
 
 int refuse(Compilation& c, diag::Code code, std::string message, std::string help, int status) {
   c.diagnostics.report({code, std::nullopt, std::move(message), "", {}, std::move(help), {}});
@@ -52,16 +53,19 @@ std::string base_name(const std::string& path) {
   return path == "-" ? "standard input" : path.substr(path.find_last_of('/') + 1);
 }
 
-// What is generated of the module, which is gone then; what went wrong.
-std::string build(Compilation& c, const std::string& manifest, const std::string& folder) {
+// What is generated of the module, which is gone then; what went wrong, or nothing was generated.
+std::string build(const Options& options, Compilation& c, const std::string& manifest,
+                  const std::string& folder) {
   const std::vector<DecisionInterface> decisions =
       decision_interfaces(*c.module, *c.spec, kernel_name);
   codegen::Naming naming;
   naming.stem = naming.space = kernel_name;
+  naming.mutant = options.mutant;
   std::vector<OutputFile> files;
   for (auto& file : codegen::generate(std::move(*c.module), *c.spec, naming)) {
     files.push_back({std::move(file.name), std::move(file.text)});
   }
+  if (files.empty()) return nothing_mutated;
   files.push_back({"simulation.json", manifest});
   return compile_object(files, sim_glue(decisions, kernel_source), folder);
 }
@@ -107,7 +111,8 @@ int simulate(const Options& options, Compilation& c, std::ostream& out) {
   }
   const TemporaryFolder folder;
   std::string problem = folder.problem();
-  if (problem.empty()) problem = build(c, told.manifest, folder.path());
+  if (problem.empty()) problem = build(options, c, told.manifest, folder.path());
+  if (problem == nothing_mutated) return refuse_mutant(options, c);
   if (!problem.empty()) {
     return refuse(c, diag::Code::no_kernel, problem, "set CC to a C compiler", exit_usage);
   }

@@ -1,0 +1,174 @@
+#include "compiler/codegen/mutate.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace rtac::codegen {
+namespace {
+
+using namespace ir;
+
+// What a bound of the sampled brake takes `us` for; the brake of a body whose speed is commanded
+// has no such part.
+void forget_delay(Decision& d, std::int64_t us) {
+  d.body.brake_lag_ms = std::max<std::int64_t>(0, d.body.brake_lag_ms - us / 1000);
+}
+
+void no_latency(Decision& d) {
+  forget_delay(d, d.body.latency_us);
+  d.body.latency_us = 0;
+}
+void no_sample_age(Decision& d) {
+  forget_delay(d, d.body.velocity_age_us);
+}
+void no_position_error(Decision& d) {
+  d.body.hold_mm = std::max<std::int64_t>(0, d.body.hold_mm - 2 * d.body.position_error_mm);
+  d.body.position_error_mm = 0;
+}
+void no_velocity_error(Decision& d) {
+  forget_delay(d, 1'000'000 * d.body.velocity_error_mmps / d.body.brake_mmps2);
+  d.body.velocity_error_mmps = 0;
+}
+void no_noise(Decision& d) {
+  no_position_error(d);
+  no_velocity_error(d);
+}
+void no_radius(Decision& d) {
+  d.body.radius_mm = 0;
+}
+void no_tube(Decision& d) {
+  d.body.brake_lag_ms = d.body.brake_lag_permille = d.body.hold_mm = 0;
+}
+void no_acceleration(Decision& d) {
+  d.body.accel_mmps2 = d.motions[0].accel_mmps2 = 1;
+}
+void strong_brake(Decision& d) {
+  d.body.brake_mmps2 *= 2;
+}
+
+void one_is_enough(Block& block) {
+  for (Value& value : block.values) {
+    if (Block* const body = body_of(value.op)) one_is_enough(*body);
+    if (const auto* const both = std::get_if<And>(&value.op)) {
+      value.op = Or{both->a, both->b};
+    } else if (auto* const others = std::get_if<ForOthers>(&value.op)) {
+      others->universal = false;
+    }
+  }
+}
+// Of the look-ahead.
+void or_for_and(Decision& d) {
+  for (Monitor& m : d.monitors) {
+    if (m.ahead) one_is_enough(*m.ahead);
+  }
+}
+
+const TextEdit no_age{"t_us = s->age_us + horizon_us;", "t_us = horizon_us;"};
+
+}  // namespace
+
+const std::vector<Mutant>& mutants() {
+  static const std::vector<Mutant> all = {
+      {"half-look-ahead",
+       "half of the time until a recovery acts is enough",
+       nullptr,
+       {{"t_us = s->age_us + horizon_us;", "t_us = (s->age_us + horizon_us) / 2;"}}},
+      {"no-look-ahead",
+       "a recovery acts at once, on measurements of now",
+       nullptr,
+       {{"t_us = s->age_us + horizon_us;", "t_us = 0 * horizon_us;"}}},
+      {"no-latency", "commands act at once", no_latency, {}},
+      {"no-sample-age", "measurements are of now", no_sample_age, {no_age}},
+      {"no-position-error", "places are measured exactly", no_position_error, {}},
+      {"no-velocity-error", "velocities are measured exactly", no_velocity_error, {}},
+      {"no-noise", "everything is measured exactly", no_noise, {}},
+      {"equal-stamps",
+       "position and velocity are of one moment",
+       nullptr,
+       {{"div_up(b->accel_mmps2 * apart_ms, 1000)", "0 * apart_ms"}}},
+      {"no-stopping-distance",
+       "a robot stops at once",
+       nullptr,
+       {{"stop = div_up(s1 * s1, 2 * b->brake_mmps2)", "stop = 0"},
+        {"t_us + div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2)", "t_us"},
+        {"div_up((s->speed_mmps + s1) * drift, 2 * b->brake_mmps2) + 2", "2"}}},
+      {"strong-brake", "it brakes twice as hard as is declared", strong_brake, {}},
+      {"no-tube", "the brake follows its ideal path", no_tube, {}},
+      {"no-radius", "robots are points", no_radius, {}},
+      {"no-acceleration", "the speed stays what it is", no_acceleration, {}},
+      {"measured-speed-is-the-most",
+       "nobody gets faster than it is measured",
+       nullptr,
+       {{"s1 = min_of(cap, s0 + gain)", "s1 = s0"}}},
+      {"or-for-and", "one of several conditions is enough", or_for_and, {}},
+      {"lowest-priority-drives",
+       "the least important of the engaged monitors drives",
+       nullptr,
+       {{"    if (monitors[k].engaged != 0) {\n      return k;",
+         "    if (monitors[count - 1 - k].engaged != 0) {\n      return count - 1 - k;"}}},
+      {"points-only",
+       "way-points are reached without passing what lies between",
+       nullptr,
+       {{"segment_boundary_lo(z, from, to)", "segment_boundary_lo(z, to, to)"}}},
+      {"no-message-age",
+       "what others say is of now",
+       nullptr,
+       {{"  o.r = reach_of(s, b, any, horizon_us);",
+         "  o.s.age_us = 0;\n  o.r = reach_of(&o.s, b, any, horizon_us);"}}},
+      {"others-stand",
+       "every other robot stays where it was heard",
+       nullptr,
+       {{"o.held = may_use && horizon_us <= lease_us && in->lease_end_us >= later(now_us, "
+         "horizon_us);",
+         "o.held = 1;"}}},
+      {"open-gate",
+       "a recovery may always move",
+       nullptr,
+       {{"if (pair_spare(r, &others[j], b) < least_mm) {", "if (0) {"}}},
+      {"stale-charge",
+       "a measured charge does not fall",
+       nullptr,
+       {{"drain_ppm_per_s * div_up(age_us, 1000)", "0 * div_up(age_us, 1000)"}}},
+  };
+  return all;
+}
+
+const Mutant* find_mutant(const std::string& name) {
+  const auto& all = mutants();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Mutant& m) { return name == m.name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string mutant_names() {
+  std::string names;
+  for (const Mutant& m : mutants()) {
+    names += (names.empty() ? "`" : ", `") + std::string(m.name) + "`";
+  }
+  return names;
+}
+
+void mutate(const Mutant& mutant, Module& module) {
+  if (mutant.edit == nullptr) return;
+  for (Decision& d : module.decisions) {
+    if (!d.on_plan) mutant.edit(d);
+  }
+}
+
+std::string mutate(const Mutant& mutant, std::string kernel_source) {
+  for (const TextEdit& edit : mutant.text) {
+    const std::string from = edit.from, to = edit.to;
+    for (std::size_t at = kernel_source.find(from); at != std::string::npos;
+         at = kernel_source.find(from, at + to.size())) {
+      kernel_source.replace(at, from.size(), to);
+    }
+  }
+  return kernel_source;
+}
+
+std::string mark_of(const Mutant& mutant) {
+  return std::string("--mutate ") + mutant.name + ", DELIBERATELY UNSOUND: it believes that " +
+         mutant.about;
+}
+
+}  // namespace rtac::codegen

@@ -1,0 +1,35 @@
+// Deliberately unsound variants of a decision: natural first attempts at what the theory forbids.
+// They exist to be killed by simulation; whoever survives one has not looked.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::codegen {
+
+// An edit of the text of a generated kernel: every place of `from`.
+struct TextEdit {
+  const char *from, *to;
+};
+struct Mutant {
+  const char* name;
+  const char* about;            // what it believes
+  void (*edit)(ir::Decision&);  // may be null
+  std::vector<TextEdit> text;
+};
+
+const std::vector<Mutant>& mutants();
+// nullptr: none has this name.
+const Mutant* find_mutant(const std::string& name);
+std::string mutant_names();
+
+// Of all decisions.
+void mutate(const Mutant& mutant, ir::Module& module);
+std::string mutate(const Mutant& mutant, std::string kernel_source);
+
+// What every generated file of it says about itself.
+std::string mark_of(const Mutant& mutant);
+
+}  // namespace rtac::codegen
