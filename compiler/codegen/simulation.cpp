@@ -91,13 +91,21 @@ const char* name_of(ir::RecoveryKind kind) {
       return "route";
     case ir::RecoveryKind::yield:
       return "yield";
+    case ir::RecoveryKind::brake:
+      return "brake";
+    case ir::RecoveryKind::loiter:
+      return "loiter";
+    case ir::RecoveryKind::sequence:
+      return "sequence";
   }
   return "";
 }
 
 Json recovery(const ir::Recovery& r, const sema::RobotKind& kind) {
   Json j{{"name", r.name}, {"kind", name_of(r.kind)}};
-  if (r.kind == ir::RecoveryKind::external) return j;
+  j["lasts_us"] = r.lasts_us;
+  for (const ir::Recovery& step : r.steps) j["steps"].push_back(recovery(step, kind));
+  if (!ir::moves(r.kind)) return j;
   j["zone"] = static_cast<std::uint32_t>(r.zone);
   if (r.kind == ir::RecoveryKind::route) j["site"] = static_cast<std::uint32_t>(r.site);
   j["speed_mps"] = metres(r.speed_mmps);

@@ -1,4 +1,4 @@
-// The six groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
+// The seven groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
 // on the error stream.
 #pragma once
 
@@ -25,5 +25,6 @@ bool measure_compiler(const Effort& effort, Report& report);
 bool measure_geometry(const Effort& effort, Report& report);
 bool measure_zone_kernels(const Effort& effort, Report& report);  // a part of it
 bool measure_zones(const Effort& effort, Report& report);
+bool measure_kills(const Effort& effort, Report& report);
 
 }  // namespace rtac::bench

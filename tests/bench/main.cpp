@@ -1,4 +1,4 @@
-// rtac_bench [--json FILE] [--quick] [--only step|simulation|watch|compiler|geometry|zones]
+// rtac_bench [--json FILE] [--quick] [--only step|simulation|watch|compiler|geometry|zones|kills]
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -26,14 +26,15 @@ Arguments parse(int argc, char** argv) {
     } else if (flag == "--only" && i + 1 < argc) {
       a.only = argv[++i];
       a.good = a.only == "step" || a.only == "simulation" || a.only == "watch" ||
-               a.only == "compiler" || a.only == "geometry" || a.only == "zones";
+               a.only == "compiler" || a.only == "geometry" || a.only == "zones" ||
+               a.only == "kills";
     } else {
       a.good = false;
     }
     if (!a.good) {
       std::cerr << "rtac_bench: cannot make sense of `" << argv[i] << "`\n"
                 << "usage: rtac_bench [--json FILE] [--quick] [--only "
-                   "step|simulation|watch|compiler|geometry|zones]\n";
+                   "step|simulation|watch|compiler|geometry|zones|kills]\n";
     }
   }
   return a;
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
   // Before `zones`: children start with the memory that is in use.
   if (wanted("geometry")) measured = rtac::bench::measure_geometry(a.effort, report) && measured;
   if (wanted("zones")) measured = rtac::bench::measure_zones(a.effort, report) && measured;
+  if (wanted("kills")) measured = rtac::bench::measure_kills(a.effort, report) && measured;
   std::cout << report.text();
   if (!a.json.empty() && !rtac::sim::write_text_file(a.json, report.json())) {
     std::cerr << "rtac_bench: cannot write `" << a.json << "`\n";

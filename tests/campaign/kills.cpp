@@ -3,7 +3,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -47,6 +46,7 @@ const std::vector<Row>& kill_table() {
       {"no-tube", "late_brake", "aimed-noise", 20},
       {"or-for-and", "two_halls", "chase-fence", 20},
       {"lowest-priority-drives", "order", "chase-fence", 20, "order.json"},
+      {"points-only", "legs", "follow-plans", 20},
       {"no-message-age", "pair", "chase-robot", 20},
       {"others-stand", "pair", "chase-robot", 20},
       {"open-gate", "gate", "drop-outs", 60},
@@ -56,17 +56,18 @@ const std::vector<Row>& kill_table() {
 }
 
 Attack attack(const Row& row, const std::string& mutant, int runs) {
-  const fs::path folder =
-      fs::temp_directory_path() / ("rtac_kills_" + std::to_string(::getpid()) + "_" + row.mutant);
+  const fs::path folder = fs::temp_directory_path() / ("rtac_attack_" + std::to_string(::getpid()) +
+                                                       "_" + std::to_string(mutant.empty()));
   fs::create_directories(folder);
-  const std::string command = std::string("'") + RTAC_PROGRAM + "' sim '" + RTAC_CAMPAIGN_SPECS +
-                              "/" + row.spec + ".rta' --adversary " + row.adversary + " --runs " +
-                              std::to_string(runs) + (mutant.empty() ? "" : " --mutate " + mutant) +
-                              (*row.scenario == '\0' ? std::string()
-                                                     : " --scenario '" RTAC_CAMPAIGN_SPECS "/" +
-                                                           std::string(row.scenario) + "'") +
-                              " --trace '" + (folder / "run.trace").string() + "' >'" +
-                              (folder / "out").string() + "' 2>&1";
+  const auto quoted = [](const fs::path& path) { return " '" + path.string() + "'"; };
+  const fs::path specs = RTAC_CAMPAIGN_SPECS;
+  std::string command = quoted(RTAC_PROGRAM) + " sim" +
+                        quoted(specs / (std::string(row.spec) + ".rta")) + " --runs " +
+                        std::to_string(runs) + " --trace" + quoted(folder / "run.trace");
+  if (*row.adversary != '\0') command += std::string(" --adversary ") + row.adversary;
+  if (*row.scenario != '\0') command += " --scenario" + quoted(specs / row.scenario);
+  if (!mutant.empty()) command += " --mutate " + mutant;
+  command += " >" + quoted(folder / "out") + " 2>&1";
   const int status = std::system(command.c_str());
   Attack result;
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -75,22 +76,6 @@ Attack attack(const Row& row, const std::string& mutant, int runs) {
   result.seed = std::strtoull(after(result.said, "--seed ", " ").c_str(), nullptr, 10);
   fs::remove_all(folder);
   return result;
-}
-
-std::string kill_table_text() {
-  constexpr std::size_t widest = 160;
-  char line[widest];
-  std::snprintf(line, widest, "%-28s %-12s %-16s %6s %12s\n", "mutant", "scenario", "adversary",
-                "seed", "margin");
-  std::string text = line;
-  for (const Row& row : kill_table()) {
-    const Attack a = attack(row, row.mutant, row.runs);
-    const std::string seed = a.status == 3 ? std::to_string(a.seed) : "-";
-    std::snprintf(line, widest, "%-28s %-12s %-16s %6s %12s\n", row.mutant, row.spec, row.adversary,
-                  seed.c_str(), a.status == 3 ? a.depth.c_str() : "survives");
-    text += line;
-  }
-  return text;
 }
 
 }  // namespace rtac::campaign

@@ -25,7 +25,4 @@ struct Attack {
 // `mutant` may be empty: the sound variant.
 Attack attack(const Row& row, const std::string& mutant, int runs);
 
-// The table with what has killed whom, for people.
-std::string kill_table_text();
-
 }  // namespace rtac::campaign

@@ -52,7 +52,9 @@ expect 'bless of an empty name' 2 'no golden case is called' "${dev[@]}" bless '
   expect 'fuzz for a word' 2 '`long` is no number of seconds' "${dev[@]}" fuzz long
 }
 expect 'fuzz with two times' 2 'takes one number of seconds' "${dev[@]}" fuzz 60 60
-for command in setup demo test bench bless fuzz lint; do
+# shellcheck disable=SC2016  # back-ticks of the message
+expect 'campaign of nothing' 2 '`campaign 0`: not a number of runs' "${dev[@]}" campaign 0
+for command in setup demo test bench campaign bless fuzz lint; do
   expect 'help' 0 "  $command " "${dev[@]}" --help
 done
 

@@ -27,11 +27,13 @@ struct Zone {
 };
 
 struct Recovery {
-  std::string name, kind;  // "retreat", "route", "yield"
+  std::string name, kind;  // "retreat", "route", "yield", "loiter", "brake", "sequence"
   int zone = 0, site = 0;
   double speed_mps = 0, route_clearance_m = 0, return_clearance_m = 0, pass_gap_m = 0;
   double detour_m = 0;
   bool has_detour = false;
+  TimeUs lasts_us = 0;  // as a step
+  std::vector<Recovery> steps;
 };
 
 struct MonitorCase {

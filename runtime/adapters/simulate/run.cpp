@@ -3,10 +3,12 @@
 #include <functional>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/sim/arena.h"
 #include "rtac/sim/attacker.h"
+#include "rtac/sim/controllers.h"
 #include "rtac/sim/hostile.h"
 #include "rtac/stack/plan_executor.h"
 
@@ -18,12 +20,41 @@ using sim::Tape;
 
 // How long a run goes on after a violation, to see how deep it gets.
 constexpr TimeUs after_violation_us = 2'000'000;
-constexpr std::uint64_t drive_stream = 3002;
+constexpr std::uint64_t drive_stream = 3002, plan_stream = 3003;
 
 // Stands where the layer above a plan executor would: a robot without errands would surrender
-// control, and an attack never does.
-class NoErrands final : public stack::RobotMachine {
-  void handle(const stack::RobotEvent& /*event*/) override {}
+// control, and an attack never does. Whoever drives by plans gets one whenever there is none:
+// straight to a place where the properties hold, whatever lies between.
+class Errands final : public stack::RobotMachine {
+ public:
+  Errands(const DecisionCase& decision, const Setup& setup, const Arena& arena, int robot)
+      : decision_(decision),
+        plans_(setup.of_robot[static_cast<std::size_t>(robot)]->drive == Drive::plans),
+        arena_(arena),
+        robot_(robot),
+        random_(sim::Random::stream(setup.seed, plan_stream, static_cast<std::uint64_t>(robot))) {}
+  void connect(stack::ExecutorMachine& executor) { executor_ = &executor; }
+
+ private:
+  void handle(const stack::RobotEvent& event) override {
+    const auto* const report = std::get_if<stack::Report>(&event);
+    if (!plans_ || report == nullptr || report->mode != 0 || report->has_plan) return;
+    stack::Situation situation;
+    situation.has_destination = true;
+    situation.destination = draw_place(decision_, arena_.truths(), robot_, random_);
+    executor_->post(situation);
+    stack::NewPlan plan;
+    (void)plan.path.points.push(situation.destination);
+    plan.path.stamp_us = report->now_us;
+    executor_->post(plan);
+  }
+
+  const DecisionCase& decision_;
+  bool plans_;
+  const Arena& arena_;
+  int robot_;
+  sim::Random random_;
+  stack::ExecutorMachine* executor_ = nullptr;
 };
 
 // Puts the commands of an attack on the tape, or takes them from there.
@@ -88,7 +119,7 @@ class Fleet {
  public:
   Fleet(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
         const Arena& arena, Tape& tape)
-      : decision_(decision) {
+      : decision_(decision), setup_(setup), arena_(arena) {
     for (int i = 0; i < static_cast<int>(decision.robots.size()); ++i) {
       decisions_.push_back(std::make_unique<KernelDecision>(kernel, decision, i));
       attacks_.push_back(std::make_unique<Taped<Output>>(attack(setup, i, arena), i, tape));
@@ -105,10 +136,11 @@ class Fleet {
       for (const SafeController<Output>* each : p.recoveries) {
         if (each == nullptr) return false;
       }
-      errands_.push_back(std::make_unique<NoErrands>());
+      errands_.push_back(std::make_unique<Errands>(decision_, setup_, arena_, i));
       executors_.push_back(
           std::make_unique<stack::PlanExecutor<Output>>(i, robots, p, options, observer));
       executors_.back()->connect(*errands_.back());
+      errands_.back()->connect(*executors_.back());
       executors_.back()->attach(world.robot(i));
     }
     return true;
@@ -136,6 +168,9 @@ class Fleet {
     if (adversary.drive == Drive::bang_bang) {
       return std::make_unique<sim::BangBang<Output>>(arena.limits(), seed);
     }
+    if (adversary.drive == Drive::plans) {
+      return std::make_unique<sim::FollowPlan<Output>>(arena.limits());
+    }
     return std::make_unique<sim::Chase<Output>>(arena, robot, adversary.aim, seed);
   }
   RobotParts<Output> parts(int robot) {
@@ -162,6 +197,8 @@ class Fleet {
     safe::Setting s;
     s.limits = decision_.limits;
     s.period_us = decision_.period_us;
+    if (r.kind == "brake") return std::make_unique<safe::BrakeAndHold<Output>>(s);
+    if (r.kind == "sequence") return sequence(r, robot);
     s.speed_mps = r.speed_mps;
     s.zone = &decision_.surroundings.zones[static_cast<std::size_t>(r.zone)];
     s.route_clearance_m = r.route_clearance_m;
@@ -169,18 +206,31 @@ class Fleet {
     s.pass_gap_m = r.pass_gap_m;
     if (r.has_detour) s.detour_m = r.detour_m;
     if (r.kind == "retreat") return std::make_unique<safe::Retreat<Output>>(s);
+    if (r.kind == "loiter") return std::make_unique<safe::Loiter<Output>>(s);
     if (r.kind == "yield") return std::make_unique<safe::Yield<Output>>(s);
     if (r.kind != "route") return nullptr;
     const auto& places = decision_.surroundings.sites[static_cast<std::size_t>(r.site)];
     return std::make_unique<safe::Route<Output>>(s, places[static_cast<std::size_t>(robot)]);
   }
 
+  std::unique_ptr<SafeController<Output>> sequence(const Recovery& r, int robot) const {
+    std::vector<safe::Step<Output>> steps;
+    for (const Recovery& each : r.steps) {
+      steps.push_back({recovery(each, robot), each.lasts_us});
+      if (steps.back().controller == nullptr) return nullptr;
+    }
+    if (steps.empty()) return nullptr;
+    return std::make_unique<safe::Sequence<Output>>(std::move(steps));
+  }
+
   const DecisionCase& decision_;
+  const Setup& setup_;
+  const Arena& arena_;
   std::vector<std::unique_ptr<KernelDecision>> decisions_;
   std::vector<std::unique_ptr<Taped<Output>>> attacks_;
   std::vector<std::unique_ptr<SafeController<Output>>> recoveries_;
   std::vector<RobotParts<Output>> parts_;
-  std::vector<std::unique_ptr<NoErrands>> errands_;
+  std::vector<std::unique_ptr<Errands>> errands_;
   std::vector<std::unique_ptr<stack::PlanExecutor<Output>>> executors_;
 };
 
@@ -220,7 +270,7 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   Watcher watcher(decision, arena, tape, to);
   if (!fleet.start(hostile, watcher)) {
     return {"decision `" + decision.name + "` has a recovery that `rtac-sim` does not know",
-            "`retreat`, `route` and `yield` can be simulated", true};
+            "install `rtac` and `rtac-sim` of the same version", true};
   }
   fleet.run(hostile, setup.duration_us);
   to.violation = referee.first_violation();

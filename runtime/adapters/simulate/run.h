@@ -6,6 +6,7 @@
 
 #include "case.h"
 #include "kernel.h"
+#include "rtac/sim/random.h"
 #include "rtac/sim/referee.h"
 #include "rtac/sim/tape.h"
 #include "scenario.h"
@@ -37,6 +38,11 @@ struct Outcome {
 // holds.
 Problem make_setup(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed,
                    Setup& to);
+
+// Somewhere in the zones that the properties speak of, where those of the robot hold; where it is,
+// when no such place is found.
+Vec2 draw_place(const DecisionCase& decision, const std::vector<sim::TruthState>& truths, int robot,
+                sim::Random& random);
 
 Problem run(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
             sim::Tape& tape, Outcome& to);

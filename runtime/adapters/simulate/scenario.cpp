@@ -135,6 +135,8 @@ const std::vector<Adversary>& adversaries() {
        "the same at the nearest robot"},
       {"drain", Drive::chase, Aim::charge, Noise::aimed, Ages::oldest, 0,
        "away from the site until the charge is gone"},
+      {"follow-plans", Drive::plans, Aim::anything, Noise::extreme, Ages::oldest, 0,
+       "honestly along plans that lead straight to places, whatever lies between"},
       {"aimed-noise", Drive::chase, Aim::anything, Noise::aimed, Ages::oldest, 0,
        "at what is nearest, which is measured farther away and slower than it is"},
       {"fresh-samples", Drive::chase, Aim::anything, Noise::aimed, Ages::fresh, 0,

@@ -11,7 +11,7 @@
 
 namespace rtac::simulate {
 
-enum class Drive { chase, bang_bang };
+enum class Drive { chase, bang_bang, plans };
 
 // A way to attack: who drives, and what it does to the senses.
 struct Adversary {

@@ -107,6 +107,20 @@ bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& ra
 
 }  // namespace
 
+Vec2 draw_place(const DecisionCase& d, const std::vector<TruthState>& truths, int robot,
+                Random& random) {
+  const Box box = field(d);
+  for (int k = 0; k < tries_max; ++k) {
+    const Vec2 at{random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y)};
+    const bool holds =
+        std::all_of(d.properties.begin(), d.properties.end(), [&](const sim::Property& p) {
+          return margin_of(p, {d.surroundings, truths, robot, at}) >= 0;
+        });
+    if (holds) return at;
+  }
+  return truths[static_cast<std::size_t>(robot)].position;
+}
+
 Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_t seed, Setup& to) {
   const std::vector<const Adversary*> fit = applicable(d);
   to.seed = seed;

@@ -116,6 +116,9 @@ class Sequence : public SafeController<Output> {
     (steps_.push_back(std::move(rest)), ...);
   }
 
+  // At least one step.
+  explicit Sequence(std::vector<Step<Output>> steps) : steps_(std::move(steps)) {}
+
   void engage(const Observation& observation) override {
     at_ = 0;
     begin(observation);

@@ -1,0 +1,41 @@
+// Every template with every model of motion: 2,000 attacks of 10 s each, and no property fails.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "kills.h"
+
+namespace rtac::campaign {
+namespace {
+
+class Templates : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Templates, SurviveTwoThousandAttacks) {
+  const std::string spec = "templates/" + GetParam();
+  const Row row{"template", spec.c_str(), "", 0, "templates/short.json"};
+  const Attack a = attack(row, "", 2000);
+  EXPECT_EQ(a.status, 0) << a.said;
+  EXPECT_NE(a.said.find("\nall "), std::string::npos) << a.said;
+}
+
+// Each specification of the folder; what they share has no decision.
+std::vector<std::string> specs() {
+  std::vector<std::string> names;
+  for (const auto& file :
+       std::filesystem::directory_iterator(std::string(RTAC_CAMPAIGN_SPECS) + "/templates")) {
+    const std::string stem = file.path().stem().string();
+    if (file.path().extension() == ".rta" && stem.find('_') != std::string::npos) {
+      names.push_back(stem);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(All, Templates, ::testing::ValuesIn(specs()),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace rtac::campaign
