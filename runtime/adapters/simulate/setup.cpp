@@ -76,6 +76,17 @@ const Start* named(const Scenario& scenario, const std::string& robot) {
   return nullptr;
 }
 
+// Where the scenario says, else anywhere.
+void draw(const Box& box, const Start* fixed, Random& random, TruthState& truth) {
+  truth.position = {random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y)};
+  truth.heading_rad = random.uniform(-sim::pi, sim::pi);
+  truth.battery = random.uniform(battery_least, 1);
+  if (fixed == nullptr) return;
+  truth.position = fixed->place.value_or(truth.position);
+  truth.heading_rad = fixed->heading_rad.value_or(truth.heading_rad);
+  truth.battery = fixed->battery.value_or(truth.battery);
+}
+
 bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& random,
            std::vector<TruthState>& truths) {
   TruthState best;
@@ -84,15 +95,8 @@ bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& ra
   truths.emplace_back();
   for (int k = 0; k < tries_max; ++k) {
     TruthState& truth = truths.back();
-    truth.position = {random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y)};
-    truth.heading_rad = random.uniform(-sim::pi, sim::pi);
-    truth.battery = random.uniform(battery_least, 1);
-    if (fixed != nullptr) {
-      truth.position = fixed->place.value_or(truth.position);
-      truth.heading_rad = fixed->heading_rad.value_or(truth.heading_rad);
-      truth.battery = fixed->battery.value_or(truth.battery);
-      if (fixed->place) return true;  // as the author of the scenario wants it
-    }
+    draw(box, fixed, random, truth);
+    if (fixed != nullptr && fixed->place) return true;  // as the author of the scenario wants it
     const double margin = least_margin(d, truths);
     if (margin < 0) continue;
     if (margin > best_margin) {
@@ -103,6 +107,20 @@ bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& ra
   }
   truths.back() = best;
   return best_margin >= 0;
+}
+
+// All at once, for properties that hold of nobody who is alone: somebody is near.
+bool place_together(const DecisionCase& d, const Box& box, const Scenario& scenario, Random& random,
+                    std::vector<TruthState>& truths) {
+  constexpr int tries_together = 50'000;
+  truths.assign(d.robots.size(), {});
+  for (int n = 0; n < tries_together; ++n) {
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+      draw(box, named(scenario, d.robots[i]), random, truths[i]);
+    }
+    if (least_margin(d, truths) >= 0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -144,12 +162,14 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
   Random random = Random::stream(seed, setup_stream, 0);
   const Box box = field(d);
   std::vector<TruthState> truths;
-  for (const std::string& robot : d.robots) {
-    if (!place(d, box, named(scenario, robot), random, truths)) {
-      return {
-          "no place was found for `" + robot + "` where every property of `" + d.name + "` holds",
-          R"(say where it starts: `"starts": {")" + robot + R"(": {"at": [1, 2]}}`)", true};
-    }
+  const bool apart = std::all_of(d.robots.begin(), d.robots.end(), [&](const std::string& robot) {
+    return place(d, box, named(scenario, robot), random, truths);
+  });
+  if (!apart && !place_together(d, box, scenario, random, truths)) {
+    return {
+        "no places were found where every property of `" + d.name + "` holds",
+        R"(say where robots start: `"starts": {")" + d.robots.front() + R"(": {"at": [1, 2]}}`)",
+        true};
   }
   for (const TruthState& t : truths) to.starts.push_back({t.position, t.heading_rad, t.battery});
   return {};

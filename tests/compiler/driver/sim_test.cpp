@@ -120,6 +120,14 @@ TEST_F(Simulations, AScenarioSaysWhereRobotsStart) {
   EXPECT_NE(o.out.find("by r1 at 0 s, down to -1.2"), std::string::npos) << o.out;
 }
 
+// Nobody is near anybody before there are two.
+TEST_F(Simulations, RobotsStartTogetherWhereTheyMust) {
+  write("spec.rta", yard("50 ms", "exists q : Rover, q != r : distance(r, q) >= 1 m"));
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "1", "--adversary", "bang-bang"});
+  EXPECT_TRUE(o.status == 0 || o.status == 3) << o.err;
+  EXPECT_NE(o.out.find("least margin"), std::string::npos) << o.out;
+}
+
 TEST_F(Simulations, ScenariosAreRefusedWithWhatWouldWork) {
   write("spec.rta", yard("50 ms"));
   const std::pair<const char*, const char*> cases[] = {
