@@ -9,6 +9,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/well_formed.h"
+#include "compiler/analysis/windows.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/signals.h"
@@ -63,6 +64,7 @@ class Deriver {
                                         std::move(solids), out_.tables, diagnostics_);
     for (ir::Decision& d : out_.module.decisions) fill_clearances(d);
     fill_costs();
+    fill_windows();
     check_well_formed(spec_, out_.module, out_.tables, diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
     return std::move(out_);
@@ -101,8 +103,13 @@ class Deriver {
   std::string table_name(const sema::Zone& zone,
                          const std::vector<ir::Region>& regions = {}) const {
     if (!zone.name.empty()) return zone.name;
+    const auto* complement = std::get_if<sema::ZoneComplement>(&zone.value->node);
+    const std::string of = complement != nullptr ? spec_[complement->zone].name : "";
+    if (!of.empty()) return unlike_others("outside_of_" + of, regions);
     const LineColumn at = sources_.position(zone.value->range.file, zone.value->range.begin);
-    const std::string base = "zone_of_line_" + std::to_string(at.line);
+    return unlike_others("zone_of_line_" + std::to_string(at.line), regions);
+  }
+  std::string unlike_others(const std::string& base, const std::vector<ir::Region>& regions) const {
     std::string name = base;
     const auto taken = [&](const auto& other) { return other.name == name; };
     for (int n = 2; std::any_of(spec_.zones.begin(), spec_.zones.end(), taken) ||
@@ -474,6 +481,19 @@ class Deriver {
           price(out_.module.sites[index(r.site)], r, d, kind);
         }
       }
+    }
+  }
+  // How long recoveries take to lead out of zones that come and go.
+  void fill_windows() {
+    const WindowTables tables{[&](ir::ZoneIndex zone) -> const EvaluatedZone& {
+                                const auto& all = out_.tables.zones;
+                                const auto at = std::find(all.begin(), all.end(), zone);
+                                return *zones_[std::size_t(at - all.begin())];
+                              },
+                              connector_mm};
+    for (std::size_t i = 0; i < spec_.decisions.size(); ++i) {
+      plan_windows(spec_, spec_.decisions[i], out_.module, out_.module.decisions[i], tables,
+                   diagnostics_);
     }
   }
   void price(ir::SiteTable& site, const ir::Recovery& route, const ir::Decision& d,

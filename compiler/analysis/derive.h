@@ -27,6 +27,7 @@ struct MonitorSummary {
   std::int64_t stopping_mm = 0;                   // from full speed, horizon included
   std::int64_t return_clearance_mm = 0;
   std::int64_t lookahead_max_us = 0;  // longest D with a place to return to, 0: not a fence
+  std::int64_t leave_us = 0;          // to lead out of zones that come and go, 0: there are none
 };
 std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision);
 

@@ -284,6 +284,7 @@ std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decisi
       s.stopping_mm =
           disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps, s.horizon_us);
       s.return_clearance_mm = m.recovery.return_clearance_mm;
+      s.leave_us = m.recovery.leave_us;
       if (m.recovery.kind == ir::RecoveryKind::retreat) {
         s.lookahead_max_us = lookahead_max_us(decision, module[m.recovery.zone].widest_mm,
                                               standoffs_of(decision).fence_mm);

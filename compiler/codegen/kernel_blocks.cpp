@@ -253,6 +253,22 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
     std::string operator()(const OnTrack& t) const {
       return p.use("on_track", "&v->self, &v->in->plan, " + num(t.tracking_mm));
     }
+    std::string schedule(ScheduleIndex s) const {
+      return "&" + schedule_symbol(p.decision_.facts[s]);
+    }
+    std::string operator()(const ZoneThere& z) const {
+      p.uses_.insert({"margin_true", "margin_false"});
+      return p.use("is_open", schedule(z.schedule) + ", v->now_us") +
+             " ? margin_true() : margin_false()";
+    }
+    std::string operator()(const ThereThroughout& z) const {
+      return p.use("there_until", schedule(z.schedule) + ", &v->self, v->now_us, v->horizon_us + " +
+                                      num(z.after_us));
+    }
+    std::string operator()(const GoneThroughout& z) const {
+      return p.use("gone_until", schedule(z.schedule) + ", &v->self, v->now_us, v->horizon_us + " +
+                                     num(z.after_us));
+    }
     std::string operator()(const EnergyReach& e) const {
       return p.use("energy_reach", cells(e.site) + ", &v->within, v->charge, " +
                                        limit(e.reserve_ppm, e.more) + ", " +

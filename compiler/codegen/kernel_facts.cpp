@@ -127,7 +127,9 @@ void FactPrinter::catch_up() {
 
 // The newest samples and parameters.
 void FactPrinter::look(Code& tick) {
-  if (!d_.facts.inputs.empty()) tick.line("v->facts.now_us = v->now_us;");
+  if (!d_.facts.inputs.empty() || !d_.facts.schedules.empty()) {
+    tick.line("v->facts.now_us = v->now_us;");
+  }
   if (arrives_each_tick(d_.facts)) {
     use({"before"});
     wrapped(tick, "v->facts.since_us = first || elapsed > 1 ? before(v->now_us, " +
@@ -135,6 +137,7 @@ void FactPrinter::look(Code& tick) {
     tick.line("s->facts.judged_us = v->now_us;");
   }
   look_->params("s->facts.", "v->in->facts.", tick);
+  look_->schedules("v->facts.", tick);
   for (std::size_t c = 0; c < d_.facts.inputs.size(); ++c) {
     if (look_->is_used(c)) tick.line(look_->call(c, "&v->facts", "&v->in->facts"));
   }

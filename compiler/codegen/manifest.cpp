@@ -33,6 +33,7 @@ Json monitor(const Monitor& m, const Decision& d) {
   if (m.lookahead.waypoints > 0) j["lookahead_waypoints"] = m.lookahead.waypoints;
   j["sound"] = m.lookahead.duration && !m.lookahead.too_short && !m.lookahead.points_only;
   j["return_clearance_mm"] = m.recovery.return_clearance_mm;
+  if (m.recovery.leave_us > 0) j["leave_us"] = m.recovery.leave_us;
   if (!m.return_text.empty()) j["return_when"] = m.return_text;
   return j;
 }

@@ -236,10 +236,9 @@ void Names::claim_tables(const ir::Module& module) {
     if (region.channel) continue;
     taken_.insert({"k:" + region_symbol(region), "k:" + region_symbol(region) + "_edges"});
   }
-  for (const ir::Schedule& schedule :
-       module.watch ? module.watch->schedules : std::vector<ir::Schedule>{}) {
+  for (const ir::Schedule* schedule : schedules_of(module)) {
     taken_.insert(
-        {"k:" + schedule_symbol(schedule), "k:" + schedule_symbol(schedule) + "_openings"});
+        {"k:" + schedule_symbol(*schedule), "k:" + schedule_symbol(*schedule) + "_openings"});
   }
   for (const ir::ZoneTable& zone : module.zones) {
     claim(zone.name, [&](const std::string& id) {

@@ -60,6 +60,8 @@ inline constexpr std::int64_t missed_ticks_max = 4;
 std::string region_symbol(const ir::Region& region);
 std::string solid_symbol(const ir::Solid& solid);
 std::string schedule_symbol(const ir::Schedule& schedule);
+// Of the module, each zone once: monitors of robots and others share them.
+std::vector<const ir::Schedule*> schedules_of(const ir::Module& module);
 
 // By channel: whether a monitor asks for the input, or for its age; an input that none asks for is
 // not looked at.

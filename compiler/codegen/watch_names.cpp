@@ -140,6 +140,20 @@ std::string solid_symbol(const Solid& solid) {
   return (solid.around ? "solid_around_" : "solid_within_") + solid.name;
 }
 
+std::vector<const Schedule*> schedules_of(const Module& module) {
+  std::vector<const Schedule*> all;
+  const auto add = [&](const Watch& watch) {
+    for (const Schedule& each : watch.schedules) {
+      const bool known = std::any_of(
+          all.begin(), all.end(), [&](const Schedule* other) { return other->name == each.name; });
+      if (!known) all.push_back(&each);
+    }
+  };
+  for (const Decision& d : module.decisions) add(d.facts);
+  if (module.watch) add(*module.watch);
+  return all;
+}
+
 std::string schedule_symbol(const Schedule& schedule) {
   return "schedule_" + schedule.name;
 }

@@ -37,7 +37,8 @@ concept NeverAsked =
               Aggregate> || is_one_of<T, InputTruth, Open, InputSame, PointInside, SolidInside,
                                       Previously, Once, Historically, Since> ||
     is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
-              LegsApart, OnTrack, EnergyReach, ChargeReach, Fact>;
+              LegsApart, OnTrack, ZoneThere, ThereThroughout, GoneThroughout, EnergyReach,
+              ChargeReach, Fact>;
 
 // An operand of && and || stands in brackets when it is the other of both.
 struct Text {

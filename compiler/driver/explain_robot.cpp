@@ -240,6 +240,10 @@ class RobotRemarks {
       if (s.lookahead_max_us > 0) {
         to.push_back("the zone allows a look-ahead of up to " + time(s.lookahead_max_us));
       }
+      if (s.leave_us > 0) {
+        to.push_back("to lead out of zones that come and go takes " + time(s.leave_us) +
+                     " at most");
+      }
     }
     if (m.lookahead.waypoints > 0) {
       to.push_back("checks " + std::to_string(m.lookahead.waypoints) +

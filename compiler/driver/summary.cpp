@@ -60,6 +60,10 @@ std::string summary(const ir::Module& module) {
       if (s.lookahead_max_us > 0) {
         out += "    the zone allows a look-ahead of up to " + millis(s.lookahead_max_us) + "\n";
       }
+      if (s.leave_us > 0) {
+        out +=
+            "    to lead out of zones that come and go takes " + millis(s.leave_us) + " at most\n";
+      }
     }
     if (codegen::has_signals(d)) {
       out += "  inputs and the past, judged now: " + bytes(codegen::facts_state_bytes(d.facts)) +

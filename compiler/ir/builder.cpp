@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "compiler/ir/schedule.h"
 #include "compiler/ir/source_text.h"
 #include "compiler/ir/watch_blocks.h"
 #include "compiler/sema/visit.h"
@@ -67,6 +68,10 @@ class BlockBuilder {
     const ValueId clearance = add(Clearance{tables_.zone(v.zone)}, Unit::mm, e.range);
     const ValueId zero = add(Const{0}, Unit::mm, e.range);
     return add(AtLeast{clearance, zero, false}, std::nullopt, e.range);
+  }
+  ValueId margin(const sema::ZoneOpen& v, const sema::Expr& e) {
+    return add(ZoneThere{schedule_in(decision_.facts.schedules, spec_[v.zone])}, std::nullopt,
+               e.range);
   }
   ValueId margin(const sema::PlanInside& v, const sema::Expr& e) {
     return add(PlanInZone{tables_.zone(v.zone)}, std::nullopt, e.range);

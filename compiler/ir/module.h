@@ -195,6 +195,19 @@ struct ChargeReach {  // the charge stays above a constant
   std::int64_t least_ppm;
   std::optional<ValueId> more{};
 };
+// Of a zone that is there at certain times, by its schedule in Decision::facts: now; and all of the
+// time from the sample until `after_us` past the horizon.
+struct ZoneThere {
+  ScheduleIndex schedule;
+};
+struct ThereThroughout {
+  ScheduleIndex schedule;
+  std::int64_t after_us;
+};
+struct GoneThroughout {
+  ScheduleIndex schedule;
+  std::int64_t after_us;
+};
 struct Fact {  // a margin: what Decision::facts judges under this index, once a tick
   std::uint32_t index;
 };
@@ -316,14 +329,13 @@ struct Aggregate {  // a quantity, of a quantity or (count) of a margin
   std::uint32_t slot;
 };
 
-using Op =
-    std::variant<Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast,
-                 PlanInZone, Truth, Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach,
-                 LegsInZone, PointsInZone, PairReach, LegsApart, OnTrack, EnergyReach, ChargeReach,
-                 Fact, Input, InputTruth, InputIs, InputSame, Open, Elapsed, Age, SensedAge,
-                 ParamValue, Multiply, Minimum, Maximum, Absolute, Root, PointClearance,
-                 PointInside, SolidClearance, SolidInside, Norm, Between, Phase, Sine, Cosine,
-                 Choose, Previously, Once, Historically, Since, Aggregate>;
+using Op = std::variant<
+    Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast, PlanInZone, Truth,
+    Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
+    LegsApart, OnTrack, EnergyReach, ChargeReach, ZoneThere, ThereThroughout, GoneThroughout, Fact,
+    Input, InputTruth, InputIs, InputSame, Open, Elapsed, Age, SensedAge, ParamValue, Multiply,
+    Minimum, Maximum, Absolute, Root, PointClearance, PointInside, SolidClearance, SolidInside,
+    Norm, Between, Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since, Aggregate>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;
@@ -476,6 +488,11 @@ struct Recovery {
   std::int64_t route_clearance_mm = 0, return_clearance_mm = 0, pass_gap_mm = 0;
   std::int64_t lasts_us = 0;    // as a step of a sequence; 0: until control is given back
   std::vector<Recovery> steps;  // of a sequence
+  // Of a monitor that speaks of zones that come and go: from taking over until the robot has left
+  // them, or at least stands.
+  std::int64_t leave_us = 0;
+  // A route knows ways from wherever the body keeps so much from the boundary of its zone.
+  std::int64_t leave_least_mm = 0;
 };
 // It knows a zone and moves within it.
 inline bool moves(RecoveryKind kind) {
@@ -531,6 +548,7 @@ struct Decision {
   // look-ahead: with the inputs and parameters that they use, each fact like a monitor without a
   // robot. A fact of a return condition may speak of the robot. Of the units, 1 is that of lengths,
   // 2 that of charge and 3 that of numbers of robots.
+  // Its schedules are those of the zones that the monitors hold robots against, too.
   Watch facts;
 };
 // The mode that the robot takes when the advanced side gives control up by itself: a recovery that

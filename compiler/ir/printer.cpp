@@ -102,6 +102,13 @@ class Printer {
            (v.ranked ? ", ranked" : "");
   }
   std::string operator()(const OnTrack& v) const { return "on_track within " + num(v.tracking_mm); }
+  std::string operator()(const ZoneThere& v) const { return "there " + (*watch_)[v.schedule].name; }
+  std::string operator()(const ThereThroughout& v) const {
+    return "there_throughout " + (*watch_)[v.schedule].name + ", after " + num(v.after_us);
+  }
+  std::string operator()(const GoneThroughout& v) const {
+    return "gone_throughout " + (*watch_)[v.schedule].name + ", after " + num(v.after_us);
+  }
   std::string operator()(const EnergyReach& v) const {
     return "energy_reach " + module_[v.site].name + ", reserve " + num(v.reserve_ppm) +
            more(v.more);
@@ -265,6 +272,7 @@ class Printer {
     }
     watch_ = &d.facts;
     signals(d.facts);
+    for (const Schedule& s : d.facts.schedules) schedule(s);
     for (const PlainMonitor& fact : d.facts.monitors) {
       line("  fact " + fact.name);
       block(fact.property, "    ");

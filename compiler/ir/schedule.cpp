@@ -37,8 +37,7 @@ Schedule schedule_of(const sema::Zone& zone) {
   return {zone.name, joined(std::move(once)), joined(std::move(weekly))};
 }
 
-ScheduleIndex schedule_in(Watch& watch, const sema::Zone& zone) {
-  auto& all = watch.schedules;
+ScheduleIndex schedule_in(std::vector<Schedule>& all, const sema::Zone& zone) {
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Schedule& each) { return each.name == zone.name; });
   const auto index = static_cast<std::uint32_t>(found - all.begin());

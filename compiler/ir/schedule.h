@@ -10,7 +10,7 @@ inline constexpr std::int64_t us_per_day = 86'400'000'000, us_per_week = 7 * us_
 
 Schedule schedule_of(const sema::Zone& zone);
 
-// The schedule of the zone in the watch, which gets one if it has none.
-ScheduleIndex schedule_in(Watch& watch, const sema::Zone& zone);
+// The schedule of the zone in the list, which gets one if it has none.
+ScheduleIndex schedule_in(std::vector<Schedule>& all, const sema::Zone& zone);
 
 }  // namespace rtac::ir

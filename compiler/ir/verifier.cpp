@@ -87,6 +87,9 @@ class Checker {
     robot(), margin();
     if (v.tracking_mm < 0) fail("on_track within a negative length");
   }
+  void operator()(const ZoneThere& v) { scheduled(v.schedule); }
+  void operator()(const ThereThroughout& v) { scheduled(v.schedule), after(v.after_us); }
+  void operator()(const GoneThroughout& v) { scheduled(v.schedule), after(v.after_us); }
   void operator()(const EnergyReach& v) { site(v.site), reach(v.more); }
   void operator()(const ChargeReach& v) { robot(), reach(v.more); }
 
@@ -202,6 +205,15 @@ class Checker {
     margin();
     if (more) operand(*more);
   }
+  void scheduled(ScheduleIndex schedule) {
+    robot(), margin();
+    if (watch_) fail("a schedule of a decision in a fact");
+    const auto index = static_cast<std::uint32_t>(schedule);
+    if (decision_ && index >= decision_->facts.schedules.size()) fail("no such schedule");
+  }
+  void after(std::int64_t us) {
+    if (us < 0) fail("a time before the horizon");
+  }
   void quantity() {
     if (!here().unit) fail("a quantity without a unit");
   }
@@ -312,6 +324,15 @@ bool in_order(const std::vector<Opening>& openings, std::int64_t before_us, std:
   return last_us <= end_us;
 }
 
+std::optional<std::string> verify_schedules(const Watch& watch) {
+  for (const Schedule& s : watch.schedules) {
+    if (!in_order(s.once, INT64_MIN, INT64_MAX) || !in_order(s.weekly, -1, us_per_week)) {
+      return s.name + ": openings out of order";
+    }
+  }
+  return std::nullopt;
+}
+
 // What measures distances from it relies on it.
 bool is_stack(const Watch& watch, const Solid& solid) {
   std::int64_t top_mm = INT64_MIN;
@@ -341,11 +362,7 @@ std::optional<std::string> verify_watch(const Module& module, const Watch& watch
     }
     if (!leads_to_edges(r.tree, r.edges.size())) return r.name + ": no such edges";
   }
-  for (const Schedule& s : watch.schedules) {
-    if (!in_order(s.once, INT64_MIN, INT64_MAX) || !in_order(s.weekly, -1, us_per_week)) {
-      return s.name + ": openings out of order";
-    }
-  }
+  if (auto problem = verify_schedules(watch)) return problem;
   Checker checker(module, watch, "watch");
   for (const PlainMonitor& monitor : watch.monitors) {
     checker.block(monitor.property, false);

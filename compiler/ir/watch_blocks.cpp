@@ -52,7 +52,7 @@ class PropertyBuilder {
     return atom(InputTruth{channel(v), v.component}, e, wanted);
   }
   ValueId margin(const sema::ZoneOpen& v, const sema::Expr& e, bool wanted) {
-    return atom(Open{schedule_in(watch_, spec_[v.zone])}, e, wanted);
+    return atom(Open{schedule_in(watch_.schedules, spec_[v.zone])}, e, wanted);
   }
   ValueId margin(const sema::IsValue& v, const sema::Expr& e, bool wanted) {
     return atom(InputIs{channel_of(watch_, spec_[v.input].name), v.component, v.value}, e, wanted);

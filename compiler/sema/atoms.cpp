@@ -145,14 +145,18 @@ ExprPtr PropertyChecker::inside(const syntax::Expr& expr, const syntax::Binary& 
   const auto* member = std::get_if<syntax::Member>(&binary.left->node);
   if (member != nullptr) return plan_inside(expr, *member, *binary.right);
   const bool self = is_self(*binary.left, "`inside`");
-  const auto zone = zone_in_property(context_, *binary.right);
+  const auto zone = zone_in_property(context_, *binary.right, map_frame, Change::timed);
   if (!self || !zone) return nullptr;
   require_motion(expr.range, "`inside`");
-  if (!complemented(context_.spec, *zone)) return make_condition(expr.range, InsideZone{*zone});
+  if (!complemented(context_.spec, *zone)) {
+    return inside_while_open(expr.range, *zone, make_condition(expr.range, InsideZone{*zone}));
+  }
   // a complement is open
   ExprPtr gap = make_quantity(expr.range, dims::length, Clearance{*zone});
   ExprPtr none = make_quantity(expr.range, dims::length, Constant{0});
-  return make_condition(expr.range, Compare{CompareOp::greater, std::move(gap), std::move(none)});
+  return inside_while_open(
+      expr.range, *zone,
+      make_condition(expr.range, Compare{CompareOp::greater, std::move(gap), std::move(none)}));
 }
 
 ExprPtr PropertyChecker::plan_inside(const syntax::Expr& expr, const syntax::Member& member,
@@ -212,10 +216,11 @@ ExprPtr PropertyChecker::clearance(const syntax::Expr& expr, const syntax::Call&
     return nullptr;
   }
   const bool self = is_self(first, "`clearance`");
-  const auto zone = zone_in_property(context_, second);
+  const auto zone = zone_in_property(context_, second, map_frame, Change::timed);
   if (!self || !zone) return nullptr;
   require_motion(expr.range, "`clearance`");
-  return make_quantity(expr.range, dims::length, Clearance{*zone});
+  return gap_while_open(expr.range, *zone, false,
+                        make_quantity(expr.range, dims::length, Clearance{*zone}));
 }
 
 ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& call) {
@@ -232,13 +237,13 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
     return make_quantity(expr.range, dims::length, Distance{});
   }
   for (const syntax::Expr* argument : {&first, &second}) {
-    if (form_of(*argument) == "a zone" || names_zone(*argument)) {
-      context_.report(Finding(Code::wrong_argument, argument->range,
-                              "`distance` takes two robots, this is a zone")
-                          .label("a zone")
-                          .help("write `clearance(" + self + ", ...)` with the zone"));
-      return nullptr;
-    }
+    if (form_of(*argument) != "a zone" && !names_zone(*argument)) continue;
+    if (argument == &second && one == Subject::self) return distance_from_zone(expr, second);
+    context_.report(Finding(Code::wrong_argument, argument->range,
+                            "`distance` from a zone takes `" + self + "` first")
+                        .label("a zone")
+                        .help("write `distance(" + self + ", ...)` with the zone"));
+    return nullptr;
   }
   const bool quantified = other_ != nullptr;
   context_.report(
@@ -250,6 +255,16 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
                            : "write `forall q : " + kind_name() + ", q != " + self +
                                  " : distance(" + self + ", q) >= ...`"));
   return nullptr;
+}
+
+// The gap between the body and a zone to keep out of, negative on overlap.
+ExprPtr PropertyChecker::distance_from_zone(const syntax::Expr& expr, const syntax::Expr& written) {
+  const auto zone = zone_in_property(context_, written, map_frame, Change::timed);
+  if (!zone) return nullptr;
+  require_motion(expr.range, "`distance`");
+  const ZoneId outside = complement_of(context_, *zone, written.range);
+  return gap_while_open(expr.range, *zone, true,
+                        make_quantity(expr.range, dims::length, Clearance{outside}));
 }
 
 ExprPtr PropertyChecker::energy_to(const syntax::Expr& expr, const syntax::Call& call) {

@@ -283,6 +283,7 @@ class PropertyChecker {
                       const syntax::Expr& zone);
   ExprPtr clearance(const syntax::Expr& expr, const syntax::Call& call);
   ExprPtr distance(const syntax::Expr& expr, const syntax::Call& call);
+  ExprPtr distance_from_zone(const syntax::Expr& expr, const syntax::Expr& written);
   ExprPtr energy_to(const syntax::Expr& expr, const syntax::Call& call);
   ExprPtr signal(const syntax::Expr& expr, const syntax::Name& field, Subject subject);
   ExprPtr not_scalar(const syntax::Expr& expr, const syntax::Name& field);

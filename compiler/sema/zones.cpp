@@ -440,12 +440,13 @@ bool lies_in_plane(Context& context, const syntax::Name& name, ZoneId id) {
   return false;
 }
 
-bool stays(Context& context, const syntax::Name& name, ZoneId id) {
+bool stays(Context& context, const syntax::Name& name, ZoneId id, Change change) {
   const std::uint32_t index = index_of(id);
   if (index >= context.zones.size()) return true;
   const syntax::ZoneItem& written = *context.zones[index].node;
   const bool at_times = !written.during.empty() || scheduled_in(*written.value) != nullptr;
-  if (!written.around && !at_times) return true;
+  const bool timed = change == Change::timed || !at_times;
+  if (!written.around && timed) return true;
   context.report(Finding(Code::zone_not_fixed, name.range,
                          "the zone `" + name.text + "` " +
                              (written.around ? "moves with `" + written.around->name.text + "`"
@@ -471,7 +472,7 @@ static std::optional<ZoneId> received_zone(Context& context, const syntax::Name&
                                            const Symbol& symbol, Change change) {
   const InputId input{symbol.index};
   context.used_inputs.insert(input);
-  if (change == Change::refused) {
+  if (change != Change::allowed) {
     context.report(Finding(Code::zone_not_fixed, name.range,
                            "the zone `" + name.text + "` is received while the monitors run")
                        .label("a zone that stays as it is is due here")
@@ -492,7 +493,7 @@ std::optional<ZoneId> zone_in_frame(Context& context, const syntax::Name& name, 
   const auto id = received ? received_zone(context, name, *symbol, change)
                            : context.resolve<ZoneId>(name, Sort::zone);
   if (!id) return std::nullopt;
-  if (change == Change::refused && !stays(context, name, *id)) return std::nullopt;
+  if (change != Change::allowed && !stays(context, name, *id, change)) return std::nullopt;
   if (height == Height::refused && !lies_in_plane(context, name, *id)) return std::nullopt;
   if (context.spec[*id].frame == frame) return id;
   const std::string& here = context.spec[context.spec[*id].frame].name;
@@ -537,6 +538,21 @@ FrameId frame_of_zone(const Context& context, const syntax::Expr& expr) {
   if (zone->sort == Sort::zone) return context.spec[ZoneId{zone->index}].frame;
   return zone->index < context.input_types.size() ? context.input_types[zone->index].frame
                                                   : map_frame;
+}
+
+ZoneId complement_of(Context& context, ZoneId zone, const SourceRange& range) {
+  if (const auto of = complemented(context.spec, zone)) return *of;
+  auto& zones = context.spec.zones;
+  const auto same = std::find_if(zones.begin(), zones.end(), [&](const Zone& each) {
+    const auto* of = each.value ? std::get_if<ZoneComplement>(&each.value->node) : nullptr;
+    return each.name.empty() && of != nullptr && of->zone == zone;
+  });
+  if (same != zones.end()) return ZoneId{static_cast<std::uint32_t>(same - zones.begin())};
+  const Zone& of = context.spec[zone];
+  Zone complement{"", range, std::make_unique<ZoneExpr>(ZoneExpr{range, ZoneComplement{zone}}),
+                  of.frame, of.has_height};
+  zones.push_back(std::move(complement));
+  return ZoneId{static_cast<std::uint32_t>(zones.size() - 1)};
 }
 
 std::optional<ZoneId> zone_in_property(Context& context, const syntax::Expr& expr, FrameId frame,

@@ -34,7 +34,11 @@ bool is_zone_function(const std::string& name);
 std::optional<ZoneId> complemented(const Spec& spec, ZoneId zone);
 
 // Whether a zone may be one that changes with time.
-enum class Change { refused, allowed };
+// `timed`: it may be one that is there at certain times.
+enum class Change { refused, timed, allowed };
+
+// The complement of a zone, without a name: one for all that ask.
+ZoneId complement_of(Context& context, ZoneId zone, const SourceRange& range);
 
 // The zone that an expression inside a property stands for: a declared one, or a new one without
 // a name at the end of spec.zones; all of it in `frame`. Robots are in `map`.

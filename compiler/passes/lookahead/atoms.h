@@ -16,6 +16,10 @@ Expanded charge(Expansion& expansion, const Atom& atom);          // at least a 
 Expanded charge_for_way(Expansion& expansion, const Atom& atom);  // at least what a way takes
 Expanded count(Expansion& expansion, const Atom& atom);           // of other robots
 
+// A zone that is there at certain times; `there`: that it is, or that it is not.
+ir::ValueId window(Expansion& expansion, const ir::ZoneThere& zone, bool there,
+                   const SourceRange& source, ir::Block& to);
+
 // ---- legs of the plan
 
 // The next legs, or way-points, keep the zone's boundary away.

@@ -64,6 +64,12 @@ ValueId Expansion::margin(const Block& from, ValueId id, Block& to) {
     if (const auto* fact = std::get_if<Fact>(&from[v->a].op)) {
       return add(to, Not{add(to, *fact, value.source)}, value.source);
     }
+    if (const auto* there = std::get_if<ZoneThere>(&from[v->a].op)) {
+      return window(*this, *there, false, value.source, to);
+    }
+  }
+  if (const auto* v = std::get_if<ZoneThere>(&value.op)) {
+    return window(*this, *v, true, value.source, to);
   }
   return refuse_negation(value.source, to);
 }
@@ -87,6 +93,9 @@ ValueId Expansion::negated(const Block& from, ValueId id, Block& to) {
   }
   if (const auto* v = std::get_if<Fact>(&value.op)) {
     return add(to, Not{add(to, *v, value.source)}, value.source);
+  }
+  if (const auto* v = std::get_if<ZoneThere>(&value.op)) {
+    return window(*this, *v, false, value.source, to);
   }
   if (const auto* v = std::get_if<AtLeast>(&value.op)) {
     return transform(*this, {from, AtLeast{v->b, v->a, !v->strict}, value.source, to});

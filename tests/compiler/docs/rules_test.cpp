@@ -196,6 +196,9 @@ TEST(Rule9_2, IsAsShown) {
 TEST(Rule9_3, IsAsShown) {
   expect_as_shown("9.3");
 }
+TEST(Rule9_4, IsAsShown) {
+  expect_as_shown("9.4");
+}
 TEST(Rule10, IsAsShown) {
   expect_as_shown("10");
 }

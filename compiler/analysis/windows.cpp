@@ -1,0 +1,306 @@
+#include "compiler/analysis/windows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "compiler/analysis/reach.h"
+#include "compiler/analysis/travel.h"
+#include "compiler/ir/linear.h"
+#include "compiler/ir/schedule.h"
+
+namespace rtac::analysis {
+namespace {
+
+using diag::Code;
+
+std::string metres(std::int64_t mm) {
+  return to_decimal(Rational(mm, 1000)) + " m";
+}
+// Rounded up to tenths.
+std::string seconds(std::int64_t us) {
+  return to_decimal(Rational((us + 99'999) / 100'000, 10)) + " s";
+}
+std::string place_text(std::int64_t x_mm, std::int64_t y_mm) {
+  return "(" + metres(x_mm) + ", " + metres(y_mm) + ")";
+}
+
+// Signed distance of a place to the boundary of a zone, rounded down; negative outside.
+std::int64_t clearance_mm(const ir::ZoneTable& zone, std::int64_t x_mm, std::int64_t y_mm) {
+  double least = 1e18;
+  bool inside = false;
+  for (const ir::Edge& e : zone.edges) {
+    const double ax = double(e.ax) - double(x_mm), ay = double(e.ay) - double(y_mm);
+    const double dx = double(e.bx) - e.ax, dy = double(e.by) - e.ay;
+    const double t = std::clamp(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+    least = std::min(least, std::hypot(ax + t * dx, ay + t * dy));
+    if ((e.ay > y_mm) == (e.by > y_mm)) continue;
+    const double cross = dx * (double(y_mm) - e.ay) - dy * (double(x_mm) - e.ax);
+    if ((cross > 0) == (dy > 0)) inside = !inside;
+  }
+  // 1 mm: what the doubles round
+  const auto mm = static_cast<std::int64_t>(std::floor(least)) - 1;
+  return inside ? mm : -mm - 2;
+}
+
+// What a property holds places against, with every zone that comes or goes as it is at its worst.
+class AtItsWorst {
+ public:
+  AtItsWorst(const ir::Module& module, const ir::Decision& decision, const ir::Block& property,
+             std::int64_t clearance_mm)
+      : module_(module), decision_(decision), property_(property), clearance_mm_(clearance_mm) {}
+
+  // Whether a robot may stay there; what does not depend on the place is taken to hold.
+  [[nodiscard]] bool allows(std::int64_t x_mm, std::int64_t y_mm) const {
+    return allows(property_.result, x_mm, y_mm);
+  }
+
+ private:
+  [[nodiscard]] bool allows(ir::ValueId id, std::int64_t x_mm, std::int64_t y_mm) const {
+    const ir::Op& op = property_[id].op;
+    if (std::holds_alternative<ir::ZoneThere>(op)) return false;
+    if (const auto* v = std::get_if<ir::Not>(&op)) {
+      return !std::holds_alternative<ir::ZoneThere>(property_[v->a].op);
+    }
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      return allows(v->a, x_mm, y_mm) && allows(v->b, x_mm, y_mm);
+    }
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      return allows(v->a, x_mm, y_mm) || allows(v->b, x_mm, y_mm);
+    }
+    if (const auto* v = std::get_if<ir::AtLeast>(&op)) {
+      const auto bound = ir::lower_bound(property_, *v, decision_.facts.params);
+      if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return true;
+      const ir::ZoneTable& zone = module_[ir::ZoneIndex(bound->leaf.table)];
+      return clearance_mm(zone, x_mm, y_mm) >= clearance_mm_;
+    }
+    return true;
+  }
+
+  const ir::Module& module_;
+  const ir::Decision& decision_;
+  const ir::Block& property_;
+  std::int64_t clearance_mm_;
+};
+
+bool keeps_apart(const ir::Decision& decision) {
+  return std::any_of(decision.monitors.begin(), decision.monitors.end(), [](const ir::Monitor& m) {
+    return std::any_of(m.property.values.begin(), m.property.values.end(),
+                       [](const ir::Value& v) { return ir::body_of(v.op) != nullptr; });
+  });
+}
+
+bool acknowledged(const ir::Decision& decision, const std::string& recovery,
+                  const std::string& monitor) {
+  const auto& all = decision.acknowledgements;
+  return std::any_of(all.begin(), all.end(), [&](const ir::Acknowledgement& a) {
+    return a.recovery == recovery && a.monitor == monitor;
+  });
+}
+
+// The longest time that it is there without a gap; what lasts over the end of the week is one.
+std::int64_t longest_us(const ir::Schedule& schedule) {
+  std::int64_t most = 0;
+  for (const auto* list : {&schedule.once, &schedule.weekly}) {
+    for (const ir::Opening& o : *list) most = std::max(most, o.until_us - o.from_us);
+  }
+  const auto& weekly = schedule.weekly;
+  if (weekly.empty() || weekly.front().from_us > 0 || weekly.back().until_us < ir::us_per_week) {
+    return most;
+  }
+  if (weekly.size() == 1) return INT64_MAX;
+  return std::max(most, ir::us_per_week - weekly.back().from_us + weekly.front().until_us);
+}
+
+class Planner {
+ public:
+  Planner(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
+          ir::Decision& decision, const WindowTables& tables, diag::Engine& diagnostics)
+      : spec_(spec),
+        kind_(spec[from.kind]),
+        module_(module),
+        decision_(decision),
+        tables_(tables),
+        diagnostics_(diagnostics) {}
+
+  void run() {
+    for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
+      ir::Monitor& monitor = decision_.monitors[k];
+      if (!has_windows(monitor.property)) continue;
+      monitor.recovery.leave_us = stop_us();
+      others(k);
+      if (monitor.recovery.kind == ir::RecoveryKind::route) {
+        route(monitor);
+      } else if (!acknowledged(decision_, monitor.recovery.name, monitor.name)) {
+        report(Code::window_without_way_out, monitor,
+               "the recovery `" + monitor.recovery.name + "` does not lead out before `" +
+                   zone_name(monitor) + "` changes",
+               "to stand still is no recovery from a zone that comes or goes: `route to` a site "
+               "where it does not matter works; or `acknowledge " +
+                   monitor.recovery.name + " may break " + monitor.name + " \"why\"`");
+      }
+      long_enough(monitor);
+    }
+  }
+
+ private:
+  // theory, two robots (time window): s1 / b + t_lag, from the greatest speed
+  [[nodiscard]] std::int64_t stop_us() const {
+    const Rational seconds(decision_.motions[0].speed_mmps, decision_.body.brake_mmps2);
+    return ceil_to_int(Rational(seconds * 1'000'000)) + 1000 * decision_.body.brake_lag_ms;
+  }
+  // While a recovery that outranks it drives, or another robot is near, it does not lead out.
+  void others(std::size_t k) {
+    const ir::Monitor& monitor = decision_.monitors[k];
+    for (std::size_t j = 0; j < k; ++j) {
+      const std::string& other = decision_.monitors[j].recovery.name;
+      if (other == monitor.recovery.name || acknowledged(decision_, other, monitor.name)) continue;
+      report(Code::window_may_pass, monitor,
+             "while `" + other + "` drives for `" + decision_.monitors[j].name +
+                 "`, nobody leads out before `" + zone_name(monitor) + "` changes",
+             "a higher priority works, or the same recovery; or `acknowledge " + other +
+                 " may break " + monitor.name + " \"why\"`");
+      return;
+    }
+    const std::string& own = monitor.recovery.name;
+    if (!keeps_apart(decision_) || acknowledged(decision_, own, monitor.name)) return;
+    report(Code::window_may_pass, monitor,
+           "`" + own + "` stands still while another robot is near, and `" + zone_name(monitor) +
+               "` changes meanwhile",
+           "`acknowledge " + own + " may break " + monitor.name + " \"why\"` works");
+  }
+
+  void route(ir::Monitor& monitor) {
+    ir::Recovery& recovery = monitor.recovery;
+    const ir::SiteTable& site = module_[recovery.site];
+    std::int64_t far_mm = 0, clearance_mm = decision_.body.radius_mm;
+    for (std::size_t r = 0; r < site.places.size(); ++r) {
+      if (site.table_of(r) != r) continue;
+      if (!matters_not(monitor, site, site.places[r])) return;
+      const auto farthest = farthest_mm(monitor, site.places[r], clearance_mm);
+      if (!farthest) return;
+      far_mm = std::max(far_mm, *farthest);
+    }
+    const Rational seconds =
+        travel_seconds(kind_, Rational(recovery.speed_mmps, 1000), decision_.period_us,
+                       module_[recovery.zone].cells.cell_mm, std::max<std::int64_t>(far_mm, 0));
+    recovery.leave_least_mm = clearance_mm - decision_.body.radius_mm;
+    recovery.leave_us = std::max(stop_us(), ceil_to_int(Rational(seconds * 1'000'000)));
+  }
+
+  // Of the place that the way ends at.
+  bool matters_not(const ir::Monitor& monitor, const ir::SiteTable& site,
+                   const ir::SiteTable::Place& place) {
+    const std::int64_t need_mm = monitor.recovery.return_clearance_mm;
+    if (AtItsWorst(module_, decision_, monitor.property, need_mm).allows(place.x_mm, place.y_mm)) {
+      return true;
+    }
+    report(Code::window_without_way_out, monitor,
+           "the recovery `" + monitor.recovery.name + "` ends at `" + site.name + "`, " +
+               place_text(place.x_mm, place.y_mm) + ", where it matters when `" +
+               zone_name(monitor) + "` changes",
+           "a site with a clearance of " + metres(need_mm) +
+               " works, whether that zone is there or not");
+    return false;
+  }
+
+  // Raises `clearance_mm` until a way is known from every place that has so much; the longest of
+  // these ways. None: from nowhere, reported.
+  std::optional<std::int64_t> farthest_mm(const ir::Monitor& monitor,
+                                          const ir::SiteTable::Place& to,
+                                          std::int64_t& clearance_mm) {
+    const ir::Recovery& recovery = monitor.recovery;
+    const geometry::BakedZone& baked = tables_.zone(recovery.zone).baked;
+    const geometry::CellGrid& cells = baked.cells;
+    // where the robot seems to be when it sets out; 2: off the grid on either axis
+    const auto nearest_body_mm = static_cast<std::int32_t>(
+        std::max<std::int64_t>(0, decision_.body.radius_mm - decision_.body.position_error_mm - 2));
+    const auto distances = geometry::distances_to(
+        baked, {to.x_mm, to.y_mm}, static_cast<std::int32_t>(recovery.route_clearance_mm),
+        nearest_body_mm, tables_.connector_mm(cells.cell_mm));
+    std::optional<std::size_t> deepest;  // of those without a way
+    for (std::size_t c = 0; c < distances.size(); ++c) {
+      if (distances[c] >= 0 || cells.clearance_mm_hi[c] < clearance_mm) continue;
+      clearance_mm = std::int64_t{cells.clearance_mm_hi[c]} + 1;
+      deepest = c;
+    }
+    std::int64_t far_mm = -1;
+    for (std::size_t c = 0; c < distances.size(); ++c) {
+      if (cells.clearance_mm_hi[c] < clearance_mm) continue;
+      far_mm = std::max<std::int64_t>(far_mm, distances[c]);
+    }
+    if (far_mm >= 0 || !deepest) return far_mm;
+    report(Code::window_without_way_out, monitor,
+           "from " + cell_text(cells, *deepest) + " the recovery `" + recovery.name +
+               "` knows no way, nor from any place that is farther from the boundary of `" +
+               module_[recovery.zone].name + "`",
+           "a zone without that place works, or one in which " +
+               metres(recovery.route_clearance_mm) + " can be kept on the way from there");
+    return std::nullopt;
+  }
+  static std::string cell_text(const geometry::CellGrid& cells, std::size_t c) {
+    const auto columns = static_cast<std::size_t>(cells.columns);
+    const std::int64_t half = cells.cell_mm / 2;
+    return place_text(cells.origin.x_mm + std::int64_t(c % columns) * cells.cell_mm + half,
+                      cells.origin.y_mm + std::int64_t(c / columns) * cells.cell_mm + half);
+  }
+
+  // A zone to stay in that is never there for as long as is looked ahead is none.
+  void long_enough(const ir::Monitor& monitor) {
+    const std::int64_t need_us =
+        horizon_us_max(decision_.body, monitor.lookahead.duration_us) + monitor.recovery.leave_us;
+    for (const ir::Value& value : monitor.property.values) {
+      const auto* there = std::get_if<ir::ZoneThere>(&value.op);
+      if (there == nullptr || is_negated(monitor.property, value)) continue;
+      const ir::Schedule& schedule = decision_.facts[there->schedule];
+      if (longest_us(schedule) > need_us) continue;
+      report(Code::window_too_short, monitor,
+             "`" + schedule.name + "` is there for " + seconds(longest_us(schedule)) +
+                 " at most, and to look ahead and leave it takes " + seconds(need_us),
+             "a window of more than " + seconds(need_us) +
+                 " works; or a faster recovery, or a site that is nearer");
+    }
+  }
+  static bool is_negated(const ir::Block& property, const ir::Value& value) {
+    return std::any_of(property.values.begin(), property.values.end(), [&](const ir::Value& v) {
+      const auto* negation = std::get_if<ir::Not>(&v.op);
+      return negation != nullptr && &property[negation->a] == &value;
+    });
+  }
+
+  [[nodiscard]] std::string zone_name(const ir::Monitor& monitor) const {
+    for (const ir::Value& value : monitor.property.values) {
+      const auto* there = std::get_if<ir::ZoneThere>(&value.op);
+      if (there != nullptr) return decision_.facts[there->schedule].name;
+    }
+    return "";
+  }
+  void report(Code code, const ir::Monitor& monitor, std::string message, std::string help) {
+    diagnostics_.report({code, monitor.source, std::move(message), "", {}, std::move(help), {}});
+  }
+
+  const sema::Spec& spec_;
+  const sema::RobotKind& kind_;
+  const ir::Module& module_;
+  ir::Decision& decision_;
+  const WindowTables& tables_;
+  diag::Engine& diagnostics_;
+};
+
+}  // namespace
+
+bool has_windows(const ir::Block& property) {
+  return std::any_of(property.values.begin(), property.values.end(), [](const ir::Value& v) {
+    const ir::Block* others = ir::body_of(v.op);
+    return others != nullptr ? has_windows(*others) : std::holds_alternative<ir::ZoneThere>(v.op);
+  });
+}
+
+void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
+                  ir::Decision& decision, const WindowTables& tables, diag::Engine& diagnostics) {
+  if (decision.on_plan) return;
+  Planner(spec, from, module, decision, tables, diagnostics).run();
+}
+
+}  // namespace rtac::analysis

@@ -1,0 +1,29 @@
+// Zones that come and go, in monitors of robots: whether their recovery leads out in time, and how
+// long that takes (ADR 0012).
+#pragma once
+
+#include <functional>
+
+#include "compiler/analysis/zones.h"
+#include "compiler/diagnostics/engine.h"
+#include "compiler/ir/module.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+struct WindowTables {
+  // The zone of a table, as it was evaluated.
+  std::function<const EvaluatedZone&(ir::ZoneIndex)> zone;
+  // The longest way off its cells that a recovery finds, by the width of the cells, in mm.
+  std::function<std::int32_t(std::int32_t)> connector_mm;
+};
+
+// Sets `leave_us` and `leave_least_mm` of the recoveries of monitors that speak of such zones;
+// reports 5030, 5031 and 5032. Needs the clearances of the recoveries.
+void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
+                  ir::Decision& decision, const WindowTables& tables, diag::Engine& diagnostics);
+
+// Whether a property speaks of a zone that is there at certain times.
+bool has_windows(const ir::Block& property);
+
+}  // namespace rtac::analysis
