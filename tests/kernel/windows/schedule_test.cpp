@@ -133,6 +133,17 @@ TEST(Windows, OfAWeekMeetAllOfIt) {
   EXPECT_EQ(probe_gone(monday, 0, 0, 0, INT64_MAX), 1);
 }
 
+// A moment is a span, before 1970 as well.
+TEST(Windows, OfAMomentAreTheScheduleItself) {
+  // once, and on Saturdays
+  const std::int64_t all[] = {-minute_us, minute_us, 128 * 60 * minute_us, 129 * 60 * minute_us};
+  for (std::int64_t at_us = -3 * week_us; at_us < week_us; at_us += 7 * minute_us) {
+    const std::int32_t open = probe_open(all, 1, 1, at_us);
+    EXPECT_EQ(probe_there(all, 1, 1, at_us, at_us), open) << at_us;
+    EXPECT_EQ(probe_gone(all, 1, 1, at_us, at_us), open == 0 ? 1 : 0) << at_us;
+  }
+}
+
 // Who is open every hour of the week is open for ever, as far as spans are asked for.
 TEST(Windows, ThatJoinAreOne) {
   const std::int64_t always[] = {0, week_us};
