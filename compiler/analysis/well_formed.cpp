@@ -9,6 +9,7 @@
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_set.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/zones.h"
@@ -48,6 +49,9 @@ class WellFormed {
       const ir::Decision& decision = module_.decisions[i];
       if (decision.on_plan) continue;
       for (diag::Diagnostic& found : empty_return_sets(module_, decision)) {
+        diagnostics_.report(std::move(found));
+      }
+      for (diag::Diagnostic& found : unkept_speed_limits(decision)) {
         diagnostics_.report(std::move(found));
       }
       for (std::size_t k = 0; k < decision.monitors.size(); ++k) {

@@ -1,5 +1,6 @@
 #include "compiler/codegen/kernel_blocks.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "compiler/codegen/kernel_decision.h"
@@ -14,11 +15,8 @@ using namespace ir;
 std::string ref(ValueId id) {
   return "v" + std::to_string(static_cast<std::uint32_t>(id));
 }
-const char* unit_word(const Unit& unit) {
-  if (unit == Unit::robots) return "_UNIT_COUNT";
-  return unit == Unit::mm ? "_UNIT_METRE" : "_UNIT_PERCENT";
-}
 const char* weight(const Unit& unit) {
+  if (unit == Unit::mmps) return "WEIGHT_MMPS";
   return unit == Unit::mm ? "WEIGHT_MM" : "WEIGHT_PPM";
 }
 
@@ -143,10 +141,20 @@ std::string BlockPrinter::limit(std::int64_t fixed, const std::optional<ValueId>
   return (fixed == 0 ? "" : num(fixed) + " + ") + ref(*more) + ".hi";
 }
 
+// Of the margins of a decision: three have names, others a place in its list.
+std::string BlockPrinter::unit_number(const Unit& unit) const {
+  const std::string prefix = upper(module_.name) + "_UNIT_";
+  if (unit == Unit::robots) return prefix + "COUNT";
+  if (unit == Unit::mm) return prefix + "METRE";
+  if (unit == Unit::ppm) return prefix + "PERCENT";
+  const auto& all = decision_.facts.units;
+  return num(std::int64_t(std::find(all.begin(), all.end(), unit) - all.begin()));
+}
+
 std::string BlockPrinter::value(const Value& v, const Block& block) {
   std::string text = call(v, block);
   if (const auto unit = units_ ? atom_unit(block, v) : std::nullopt) {
-    text = use("in_unit", text + ", " + upper(module_.name) + unit_word(*unit));
+    text = use("in_unit", text + ", " + unit_number(*unit));
   }
   const bool of_legs =
       std::holds_alternative<LegsInZone>(v.op) || std::holds_alternative<PointsInZone>(v.op) ||
@@ -184,6 +192,7 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
     std::string operator()(const EnergyTo& e) const {
       return p.use("energy_now", cells(e.site) + ", &v->self, &BODY, v->m");
     }
+    std::string operator()(const Speed&) const { return p.use("speed_now", "&v->self, v->m"); }
     std::string operator()(const Add& a) const {
       return p.use("span_add", ref(a.a) + ", " + ref(a.b));
     }
@@ -195,6 +204,7 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
       if (block[a.a].unit == Unit::robots) {
         return p.use("count_at_least", ref(a.a) + ", " + ref(a.b) + (a.strict ? ", 1" : ", 0"));
       }
+      if (*block[a.a].unit == Unit::mmps) p.uses_.insert("speed_weight");
       return p.use("margin_at_least", ref(a.a) + ", " + ref(a.b) + ", " + weight(*block[a.a].unit) +
                                           (a.strict ? ", 1" : ", 0"));
     }
@@ -252,6 +262,9 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
     }
     std::string operator()(const OnTrack& t) const {
       return p.use("on_track", "&v->self, &v->in->plan, " + num(t.tracking_mm));
+    }
+    std::string operator()(const SpeedReach& r) const {
+      return p.use("speed_reach", "&v->self, v->m, v->horizon_us, " + num(r.most_mmps));
     }
     std::string schedule(ScheduleIndex s) const {
       return "&" + schedule_symbol(p.decision_.facts[s]);

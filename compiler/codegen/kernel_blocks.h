@@ -34,6 +34,7 @@ class BlockPrinter {
   std::string value(const ir::Value& value, const ir::Block& block);
   // A limit, with what parameters add to it.
   static std::string limit(std::int64_t fixed, const std::optional<ir::ValueId>& more);
+  [[nodiscard]] std::string unit_number(const ir::Unit& unit) const;
   std::string use(const std::string& function, const std::string& arguments);
 
   const ir::Module& module_;

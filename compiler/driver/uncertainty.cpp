@@ -131,6 +131,13 @@ class Widths {
                          exact(b.position_error_mm + grid_mm + b.hold_mm))) +
            1;
   }
+  // 4: the grid of both components and of the length; what it has gained or lost since.
+  Rational operator()(const Speed&) const {
+    const Body& b = decision_->body;
+    const std::int64_t apart_ms = whole_ms(std::max(b.position_age_us, b.velocity_age_us));
+    return 2 * (exact(b.velocity_error_mmps + 4) +
+                2 * rounded_up(exact(b.accel_mmps2) * exact(apart_ms) / 1000));
+  }
   // The price of a way differs from cell to cell.
   Rational operator()(const EnergyTo&) const { return span(); }
   Rational operator()(const CountOthers&) const { return span(); }
@@ -192,7 +199,8 @@ bool rounds(const Op& op) {
   if (const auto* scale = std::get_if<Scale>(&op)) return scale->den != 1;
   if (const auto* fold = std::get_if<Aggregate>(&op)) return fold->fold == Fold::mean;
   if (std::holds_alternative<Battery>(op) || std::holds_alternative<Clearance>(op) ||
-      std::holds_alternative<Distance>(op) || std::holds_alternative<EnergyTo>(op)) {
+      std::holds_alternative<Distance>(op) || std::holds_alternative<EnergyTo>(op) ||
+      std::holds_alternative<Speed>(op)) {
     return true;
   }
   return std::holds_alternative<Input>(op) || std::holds_alternative<PointClearance>(op) ||

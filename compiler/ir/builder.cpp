@@ -1,5 +1,6 @@
 #include "compiler/ir/builder.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "compiler/ir/schedule.h"
@@ -14,6 +15,11 @@ using diag::Code;
 
 constexpr sema::Dimension length{.m = 1};
 constexpr sema::Dimension ratio{.ratio = 1};
+constexpr sema::Dimension speed{.m = 1, .s = -1};
+
+bool is_compared(const sema::Dimension& dimension) {
+  return dimension == length || dimension == ratio || dimension == speed;
+}
 
 class BlockBuilder {
  public:
@@ -80,8 +86,8 @@ class BlockBuilder {
     const bool flipped = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
     const bool strict = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
     if (counts(*v.left) || counts(*v.right)) return count_margin(v, flipped, strict, e);
-    if (v.left->dimension != length && v.left->dimension != ratio) {
-      refuse(e, "the kernel compares lengths and ratios only");
+    if (!is_compared(v.left->dimension)) {
+      refuse(e, "the kernel compares lengths, ratios and speeds only");
       return add(Truth{false}, std::nullopt, e.range);
     }
     const ValueId left = quantity(*v.left);
@@ -153,21 +159,28 @@ class BlockBuilder {
 
   static Unit unit_of(const sema::Expr& e) {
     if (e.dimension == sema::Dimension{}) return Unit::robots;
+    if (e.dimension == speed) return Unit::mmps;
     return e.dimension == ratio ? Unit::ppm : Unit::mm;
   }
   ValueId quantity(const sema::Expr& e) {
-    if (e.dimension != length && e.dimension != ratio) {
-      refuse(e, "the kernel compares lengths and ratios only");
+    if (!is_compared(e.dimension)) {
+      refuse(e, "the kernel compares lengths, ratios and speeds only");
       return add(Const{0}, Unit::mm, e.range);
     }
     if (const auto constant = fold(e)) return this->constant(*constant, e);
     return std::visit([&](const auto& node) { return quantity(node, e); }, e.node);
   }
   ValueId quantity(const sema::SignalRef& v, const sema::Expr& e) {
-    if (v.signal != sema::Signal::battery || v.subject != sema::Subject::self) {
-      refuse(e, "only the robot's own `battery` can be compared directly");
+    if (v.subject != sema::Subject::self) {
+      refuse(e, "only the robot's own `battery` and `speed` can be compared directly");
     }
-    return add(Battery{}, Unit::ppm, e.range);
+    if (v.signal == sema::Signal::battery) return add(Battery{}, Unit::ppm, e.range);
+    // margins of several units tell theirs by its place in this list
+    auto& units = decision_.facts.units;
+    if (std::find(units.begin(), units.end(), Unit::mmps) == units.end()) {
+      units.push_back(Unit::mmps);
+    }
+    return add(Speed{}, Unit::mmps, e.range);
   }
   ValueId quantity(const sema::Clearance& v, const sema::Expr& e) {
     return add(Clearance{tables_.zone(v.zone)}, Unit::mm, e.range);
@@ -342,19 +355,21 @@ class BlockBuilder {
     if (grid.get_den() != 1) {
       const auto show = [&](const Rational& steps) {
         if (is_number) return to_decimal(steps);
-        return is_ratio ? to_decimal(steps / 10'000) + " %" : to_decimal(steps / 1000) + " m";
+        if (is_ratio) return to_decimal(steps / 10'000) + " %";
+        return to_decimal(steps / 1000) + (e.dimension == speed ? " m/s" : " m");
       };
+      const std::string step = is_number              ? "whole numbers"
+                               : is_ratio             ? "1 ppm"
+                               : e.dimension == speed ? "1 mm/s"
+                                                      : "1 mm";
       const Rational below(floor_to_int(grid));
-      diagnostics_.report(
-          {Code::constant_off_grid,
-           e.range,
-           "this constant does not lie on the grid of " + std::string(is_number  ? "whole numbers"
-                                                                      : is_ratio ? "1 ppm"
-                                                                                 : "1 mm"),
-           "",
-           {},
-           "`" + show(below) + "` and `" + show(below + 1) + "` do",
-           {}});
+      diagnostics_.report({Code::constant_off_grid,
+                           e.range,
+                           "this constant does not lie on the grid of " + step,
+                           "",
+                           {},
+                           "`" + show(below) + "` and `" + show(below + 1) + "` do",
+                           {}});
       return add(Const{0}, unit_of(e), e.range);
     }
     if (!fits_int64(grid)) {

@@ -43,6 +43,7 @@ Linear quantity_form(const Block& block, ValueId id) {
     return leaf_of(Leaf::Kind::clearance, static_cast<std::uint32_t>(v->zone));
   }
   if (std::holds_alternative<Distance>(op)) return leaf_of(Leaf::Kind::distance, 0);
+  if (std::holds_alternative<Speed>(op)) return leaf_of(Leaf::Kind::speed, 0);
   if (const auto* v = std::get_if<EnergyTo>(&op)) {
     return leaf_of(Leaf::Kind::energy_to, static_cast<std::uint32_t>(v->site));
   }
@@ -99,6 +100,16 @@ std::optional<LowerBound> lower_bound(const Block& block, const AtLeast& compare
   const auto& [leaf, coefficient] = *form.terms.begin();
   if (sgn(coefficient) <= 0) return std::nullopt;
   return LowerBound{leaf, need_of(form.rest, Rational(-1 / coefficient), compare.strict, params)};
+}
+
+std::optional<UpperBound> upper_bound(const Block& block, const AtLeast& compare) {
+  const Linear form = linear_form(block, compare);
+  if (form.terms.size() != 1 || !form.rest.params.empty()) return std::nullopt;
+  const auto& [leaf, coefficient] = *form.terms.begin();
+  if (sgn(coefficient) >= 0) return std::nullopt;
+  // k leaf + c >= 0 with k < 0: -leaf >= c / k
+  const Rational least(form.rest.constant / coefficient);
+  return UpperBound{leaf, -least_step(least, compare.strict)};
 }
 
 std::optional<ChargeForWay> charge_for_way(const Block& block, const AtLeast& compare,

@@ -15,7 +15,7 @@ namespace rtac::ir {
 // A leaf of a linear form: which signal, of which table (zone or site; of a count its value in the
 // block; 0 for the others).
 struct Leaf {
-  enum class Kind { battery, clearance, distance, energy_to, count } kind;
+  enum class Kind { battery, clearance, distance, energy_to, count, speed } kind;
   std::uint32_t table = 0;
   friend auto operator<=>(const Leaf&, const Leaf&) = default;
 };
@@ -50,6 +50,13 @@ struct LowerBound {
 // `params`: those of the decision.
 std::optional<LowerBound> lower_bound(const Block& block, const AtLeast& compare,
                                       const std::vector<Param>& params);
+
+// most >= leaf, in whole grid steps: the most that satisfies it. None with parameters.
+struct UpperBound {
+  Leaf leaf;
+  std::int64_t most = 0;
+};
+std::optional<UpperBound> upper_bound(const Block& block, const AtLeast& compare);
 
 // battery >= energy_to(site) + reserve, in ppm.
 struct ChargeForWay {

@@ -18,12 +18,14 @@ struct UnitOfAtom {
   std::optional<Unit> operator()(const OnTrack&) const { return Unit::mm; }
   std::optional<Unit> operator()(const EnergyReach&) const { return Unit::ppm; }
   std::optional<Unit> operator()(const ChargeReach&) const { return Unit::ppm; }
+  std::optional<Unit> operator()(const SpeedReach&) const { return Unit::mmps; }
   // quantities, constants, and what joins margins
   std::optional<Unit> operator()(const Const&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Battery&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Clearance&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Distance&) const { return std::nullopt; }
   std::optional<Unit> operator()(const EnergyTo&) const { return std::nullopt; }
+  std::optional<Unit> operator()(const Speed&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Add&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Negate&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Scale&) const { return std::nullopt; }
@@ -70,13 +72,14 @@ bool mixes_units(const Monitor& monitor) {
   if (!monitor.ahead) return false;
   if (has_facts(*monitor.ahead)) return true;
   int units = 0;
-  for (const Unit& unit : {Unit::mm, Unit::ppm, Unit::robots}) {
+  for (const Unit& unit : {Unit::mm, Unit::ppm, Unit::robots, Unit::mmps}) {
     units += has_atoms(*monitor.ahead, unit) ? 1 : 0;
   }
   return units > 1;
 }
 std::string decision_unit_text(const Monitor& monitor) {
   if (monitor.unit == Unit::robots) return "";
+  if (monitor.unit == Unit::mmps) return "m/s";
   return monitor.unit == Unit::ppm ? "%" : "m";
 }
 bool mixes_units(const Decision& decision) {

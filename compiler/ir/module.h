@@ -112,6 +112,7 @@ struct Distance {};  // to the robot of the enclosing for_others
 struct EnergyTo {
   SiteIndex site;
 };
+struct Speed {};  // of the robot itself
 struct Add {
   ValueId a, b;
 };
@@ -207,6 +208,9 @@ struct ThereThroughout {
 struct GoneThroughout {
   ScheduleIndex schedule;
   std::int64_t after_us;
+};
+struct SpeedReach {  // the robot is never faster
+  std::int64_t most_mmps;
 };
 struct Fact {  // a margin: what Decision::facts judges under this index, once a tick
   std::uint32_t index;
@@ -329,13 +333,15 @@ struct Aggregate {  // a quantity, of a quantity or (count) of a margin
   std::uint32_t slot;
 };
 
-using Op = std::variant<
-    Const, Battery, Clearance, Distance, EnergyTo, Add, Negate, Scale, AtLeast, PlanInZone, Truth,
-    Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
-    LegsApart, OnTrack, EnergyReach, ChargeReach, ZoneThere, ThereThroughout, GoneThroughout, Fact,
-    Input, InputTruth, InputIs, InputSame, Open, Elapsed, Age, SensedAge, ParamValue, Multiply,
-    Minimum, Maximum, Absolute, Root, PointClearance, PointInside, SolidClearance, SolidInside,
-    Norm, Between, Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since, Aggregate>;
+using Op =
+    std::variant<Const, Battery, Clearance, Distance, EnergyTo, Speed, Add, Negate, Scale, AtLeast,
+                 PlanInZone, Truth, Not, And, Or, HeldFor, ForOthers, CountOthers, ZoneReach,
+                 LegsInZone, PointsInZone, PairReach, LegsApart, OnTrack, EnergyReach, ChargeReach,
+                 SpeedReach, ZoneThere, ThereThroughout, GoneThroughout, Fact, Input, InputTruth,
+                 InputIs, InputSame, Open, Elapsed, Age, SensedAge, ParamValue, Multiply, Minimum,
+                 Maximum, Absolute, Root, PointClearance, PointInside, SolidClearance, SolidInside,
+                 Norm, Between, Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since,
+                 Aggregate>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;

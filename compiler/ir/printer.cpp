@@ -61,6 +61,7 @@ class Printer {
   std::string operator()(const Clearance& v) const { return "clearance " + module_[v.zone].name; }
   std::string operator()(const Distance&) const { return "distance"; }
   std::string operator()(const EnergyTo& v) const { return "energy_to " + module_[v.site].name; }
+  std::string operator()(const Speed&) const { return "speed"; }
   std::string operator()(const Add& v) const { return "add " + name(v.a) + ", " + name(v.b); }
   std::string operator()(const Negate& v) const { return "negate " + name(v.a); }
   std::string operator()(const Scale& v) const {
@@ -102,6 +103,9 @@ class Printer {
            (v.ranked ? ", ranked" : "");
   }
   std::string operator()(const OnTrack& v) const { return "on_track within " + num(v.tracking_mm); }
+  std::string operator()(const SpeedReach& v) const {
+    return "speed_reach most " + num(v.most_mmps);
+  }
   std::string operator()(const ZoneThere& v) const { return "there " + (*watch_)[v.schedule].name; }
   std::string operator()(const ThereThroughout& v) const {
     return "there_throughout " + (*watch_)[v.schedule].name + ", after " + num(v.after_us);

@@ -31,7 +31,8 @@ struct Unit {
   [[nodiscard]] bool is_fine_enough() const { return weight() >= 1; }
   friend bool operator==(const Unit&, const Unit&) = default;
 
-  static const Unit mm, ppm, robots;  // of decisions: lengths, charge, numbers of robots
+  // of decisions: lengths, charge, numbers of robots, speeds
+  static const Unit mm, ppm, robots, mmps;
 };
 
 // "mm", "ppm", "1/1000 m/s", "1".

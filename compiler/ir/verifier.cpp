@@ -49,6 +49,7 @@ class Checker {
   void operator()(const Clearance& v) { zone(v.zone), quantity(); }
   void operator()(const Distance&) { pair(), quantity(); }
   void operator()(const EnergyTo& v) { site(v.site), quantity(); }
+  void operator()(const Speed&) { robot(), quantity(); }
   void operator()(const Add& v) { same_unit(v.a, v.b), quantity(); }
   void operator()(const Negate& v) { same_unit(v.a, v.a), quantity(); }
   void operator()(const Scale& v) {
@@ -87,6 +88,7 @@ class Checker {
     robot(), margin();
     if (v.tracking_mm < 0) fail("on_track within a negative length");
   }
+  void operator()(const SpeedReach&) { robot(), reach(std::nullopt); }
   void operator()(const ZoneThere& v) { scheduled(v.schedule); }
   void operator()(const ThereThroughout& v) { scheduled(v.schedule), after(v.after_us); }
   void operator()(const GoneThroughout& v) { scheduled(v.schedule), after(v.after_us); }

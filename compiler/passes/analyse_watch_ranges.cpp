@@ -359,6 +359,8 @@ class WatchRanges {
 Range range_of_robot(const Module& module, const Op& op) {
   if (std::holds_alternative<CountOthers>(op)) return number_of_robots;
   constexpr std::int64_t gap_mm = std::int64_t{1} << 31;  // any distance within the extent
+  constexpr std::int64_t speed_mmps = 1 << 30;
+  if (std::holds_alternative<Speed>(op)) return {0, speed_mmps};
   if (std::holds_alternative<Battery>(op)) return {-2'000'000, 3'000'000};
   const auto* energy = std::get_if<EnergyTo>(&op);
   if (!energy) return {-gap_mm, gap_mm};

@@ -199,6 +199,9 @@ TEST(Rule9_3, IsAsShown) {
 TEST(Rule9_4, IsAsShown) {
   expect_as_shown("9.4");
 }
+TEST(Rule9_5, IsAsShown) {
+  expect_as_shown("9.5");
+}
 TEST(Rule10, IsAsShown) {
   expect_as_shown("10");
 }

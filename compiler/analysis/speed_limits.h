@@ -1,0 +1,14 @@
+// Limits of speed: whether recoveries keep them, and whether control can come back.
+#pragma once
+
+#include <vector>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// 5033, of each comparison that asks for at most some speed.
+std::vector<diag::Diagnostic> unkept_speed_limits(const ir::Decision& decision);
+
+}  // namespace rtac::analysis
