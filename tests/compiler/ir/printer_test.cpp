@@ -51,8 +51,15 @@ TEST(Printer, EveryOperationHasALineOfItsOwn) {
   b.margin(LegsApart{2, 9, true});
   b.margin(OnTrack{12});
   b.margin(EnergyReach{site, 10});
-  const ValueId last = b.margin(ChargeReach{11});
-  EXPECT_EQ(print(module_with(fence(0)), nullptr, b.done(last), ""),
+  b.margin(ChargeReach{11});
+  b.quantity(Speed{}, Unit::mmps);
+  b.margin(SpeedReach{13});
+  b.margin(ZoneThere{ScheduleIndex{0}});
+  b.margin(ThereThroughout{ScheduleIndex{0}, 14});
+  const ValueId last = b.margin(GoneThroughout{ScheduleIndex{0}, 15});
+  Watch facts;
+  facts.schedules.push_back({"fair", {}, {}});
+  EXPECT_EQ(print(module_with(fence(0)), &facts, b.done(last), ""),
             "%0 = const -5 : mm\n"
             "%1 = battery : ppm\n"
             "%2 = distance : mm\n"
@@ -78,7 +85,12 @@ TEST(Printer, EveryOperationHasALineOfItsOwn) {
             "%20 = on_track within 12 : margin\n"
             "%21 = energy_reach dock, reserve 10 : margin\n"
             "%22 = charge_reach least 11 : margin\n"
-            "result %22\n");
+            "%23 = speed : mm/s\n"
+            "%24 = speed_reach most 13 : margin\n"
+            "%25 = there fair : margin\n"
+            "%26 = there_throughout fair, after 14 : margin\n"
+            "%27 = gone_throughout fair, after 15 : margin\n"
+            "result %27\n");
 }
 
 }  // namespace

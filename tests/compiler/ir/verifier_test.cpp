@@ -93,6 +93,18 @@ TEST(Verifier, TablesExist) {
             std::string::npos);
 }
 
+TEST(Verifier, SchedulesExistAndLookForward) {
+  BlockMaker b;
+  EXPECT_NE(problem_of(b.done(b.margin(ZoneThere{ScheduleIndex{0}}))).find("no such schedule"),
+            std::string::npos);
+  BlockMaker c;
+  EXPECT_NE(problem_of(c.done(c.margin(GoneThroughout{ScheduleIndex{0}, -1}))).find("no such"),
+            std::string::npos);
+  Module m = module_with(fence(100));
+  m.decisions[0].facts.schedules.push_back({"fair", {{5, 4}}, {}});
+  EXPECT_NE(problem(m).find("out of order"), std::string::npos);
+}
+
 TEST(Verifier, NamesOfTablesDiffer) {
   Module m = module_with(fence(100));
   m.zones.push_back(m.zones[0]);

@@ -60,6 +60,55 @@ TEST(ExpandLookahead, PointsOnlyLeavesTheTrackingOut) {
             "%0 = points_in_zone room, points 1, need 130 : margin\nresult %0\n");
 }
 
+// not there, or far enough: gone for as long as the recovery takes, from where it knows a way.
+TEST(ExpandLookahead, AZoneThatComesIsGoneUntilTheRecoveryHasLedOut) {
+  const auto ahead = [](RecoveryKind recovery, bool keeps_out) {
+    BlockMaker b;
+    const ValueId gap = b.quantity(Clearance{ZoneIndex{0}});
+    const ValueId least = b.quantity(Const{30});
+    const ValueId far = b.margin(AtLeast{gap, least, false});
+    const ValueId there = b.margin(ZoneThere{ScheduleIndex{0}});
+    const ValueId wanted =
+        keeps_out ? b.margin(Or{b.margin(Not{there}), far}) : b.margin(And{there, far});
+    Expanded e{module_with(b.done(wanted)), {}};
+    Decision& d = e.module.decisions[0];
+    d.facts.schedules.push_back({"fair", {}, {}});
+    d.monitors[0].lookahead = {true, 200'000, 0, false};
+    d.monitors[0].recovery.kind = recovery;
+    d.monitors[0].recovery.leave_us = 7'000'000;
+    d.monitors[0].recovery.leave_least_mm = 90;
+    expand_lookahead(e.module, e.diagnostics);
+    return e.text();
+  };
+  EXPECT_EQ(ahead(RecoveryKind::route, true),
+            "%0 = gone_throughout fair, after 7000000 : margin\n"
+            "%1 = zone_reach room, least 90 : margin\n"
+            "%2 = and %0, %1 : margin\n"
+            "%3 = zone_reach room, least 30 : margin\n"
+            "%4 = or %2, %3 : margin\nresult %4\n");
+  EXPECT_EQ(ahead(RecoveryKind::retreat, false),
+            "%0 = there_throughout fair, after 7000000 : margin\n"
+            "%1 = zone_reach room, least 30 : margin\n"
+            "%2 = and %0, %1 : margin\nresult %2\n");
+}
+
+// 2 * speed + 5 <= 15, in mm/s: speed <= 5; strictly: 4.
+TEST(ExpandLookahead, ASpeedIsAtMostSomething) {
+  const auto ahead = [](bool at_most, bool strict) {
+    BlockMaker b;
+    const ValueId speed = b.quantity(Speed{}, Unit::mmps);
+    const ValueId twice = b.quantity(Scale{speed, 2, 1}, Unit::mmps);
+    const ValueId more = b.quantity(Add{twice, b.quantity(Const{5}, Unit::mmps)}, Unit::mmps);
+    const ValueId limit = b.quantity(Const{15}, Unit::mmps);
+    return expand(
+        b.done(b.margin(at_most ? AtLeast{limit, more, strict} : AtLeast{more, limit, strict})));
+  };
+  EXPECT_EQ(ahead(true, false).text(), "%0 = speed_reach most 5 : margin\nresult %0\n");
+  EXPECT_EQ(ahead(true, true).text(), "%0 = speed_reach most 4 : margin\nresult %0\n");
+  EXPECT_EQ(ahead(true, false).module.decisions[0].monitors[0].unit, Unit::mmps);
+  EXPECT_EQ(first_code(ahead(false, false).diagnostics), "atom_without_transformer");
+}
+
 // 3 * gap - 10 >= 15, that is gap >= 25/3: rounded up.
 TEST(ExpandLookahead, LinearFormsEndAsOneLeastValueRoundedUp) {
   BlockMaker b;
