@@ -1,0 +1,63 @@
+// Limits of speed: recoveries keep them, control comes back, and the numbers that are offered work.
+#include "tests/compiler/analysis/testing.h"
+
+namespace rtac::analysis::test {
+namespace {
+
+using diag::Code;
+
+std::string text_of(const std::string& limit, const std::string& recovery,
+                    const std::string& more = "") {
+  return R"(spec yard;
+zone room = rectangle (0 m, 0 m) to (6 m, 4 m);
+robot Drone {
+  body     radius 8 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 2 cm    max_age 50 ms;
+  sense    velocity : vector  error 2 cm/s  max_age 50 ms;
+  output   thrust : acceleration;
+  latency  20 ms;
+}
+fleet d1 : Drone;
+controller pilot    : advanced for Drone extern;
+controller back_off : safe for Drone = retreat within room speed )" +
+         recovery + R"(;
+monitor calm for d : Drone { "SR-1: calm" always d.speed <= )" +
+         limit + R"(; recover back_off; }
+decision fly for Drone { advanced pilot; period 50 ms; priority calm; )" +
+         more + "}\n";
+}
+std::string said(const std::string& text) {
+  const auto c = compiled(text);
+  EXPECT_TRUE(has(*c, Code::speed_limit_unkept)) << reports(*c);
+  return c->diagnostics.all().empty() ? "" : c->diagnostics.all().front().message;
+}
+void expect_works(const std::string& text) {
+  const auto c = compiled(text);
+  EXPECT_TRUE(c->diagnostics.all().empty()) << reports(*c);
+}
+
+TEST(SpeedLimits, ARecoveryKeepsThem) {
+  expect_works(text_of("0.5 m/s", "0.5 m/s"));
+  EXPECT_EQ(said(text_of("0.5 m/s", "0.501 m/s")),
+            "the recovery `back_off` drives at up to 0.501 m/s, and `calm` allows 0.5 m/s");
+  expect_works(text_of("0.5 m/s", "0.501 m/s", "acknowledge back_off may break calm \"a test\"; "));
+}
+
+// Twice the error, the grid, and 1 m/s^2 over ages, period, look-ahead and latency.
+TEST(SpeedLimits, ARobotAtRestMayHandControlBack) {
+  const std::string message = said(text_of("0.2 m/s", "0.1 m/s"));
+  EXPECT_EQ(message,
+            "monitor `calm` can never hand control back: from rest the robot may reach 0.264 m/s "
+            "before a recovery acts");
+  expect_works(text_of("0.264 m/s", "0.1 m/s"));
+  said(text_of("0.263 m/s", "0.1 m/s"));
+}
+
+// Nothing is faster than the declared speed.
+TEST(SpeedLimits, TheDeclaredSpeedIsNeverExceeded) {
+  expect_works(text_of("1 m/s", "1 m/s"));
+}
+
+}  // namespace
+}  // namespace rtac::analysis::test
