@@ -22,6 +22,10 @@ std::string metres(std::int64_t mm) {
 std::string seconds(std::int64_t us) {
   return to_decimal(Rational((us + 99'999) / 100'000, 10)) + " s";
 }
+// Rounded up to milliseconds, in us.
+std::int64_t whole_ms_us(const Rational& seconds) {
+  return 1000 * ceil_to_int(Rational(seconds * 1000));
+}
 std::string place_text(std::int64_t x_mm, std::int64_t y_mm) {
   return "(" + metres(x_mm) + ", " + metres(y_mm) + ")";
 }
@@ -148,7 +152,7 @@ class Planner {
   // theory, two robots (time window): s1 / b + t_lag, from the greatest speed
   [[nodiscard]] std::int64_t stop_us() const {
     const Rational seconds(decision_.motions[0].speed_mmps, decision_.body.brake_mmps2);
-    return ceil_to_int(Rational(seconds * 1'000'000)) + 1000 * decision_.body.brake_lag_ms;
+    return whole_ms_us(seconds) + 1000 * decision_.body.brake_lag_ms;
   }
   // While a recovery that outranks it drives, or another robot is near, it does not lead out.
   void others(std::size_t k) {
@@ -186,7 +190,7 @@ class Planner {
         travel_seconds(kind_, Rational(recovery.speed_mmps, 1000), decision_.period_us,
                        module_[recovery.zone].cells.cell_mm, std::max<std::int64_t>(far_mm, 0));
     recovery.leave_least_mm = clearance_mm - decision_.body.radius_mm;
-    recovery.leave_us = std::max(stop_us(), ceil_to_int(Rational(seconds * 1'000'000)));
+    recovery.leave_us = std::max(stop_us(), whole_ms_us(seconds));
   }
 
   // Of the place that the way ends at.

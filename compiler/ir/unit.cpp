@@ -12,7 +12,6 @@ const Unit Unit::mmps{sema::Dimension{.m = 1, .s = -1}, Rational(1, 1000), 1};
 std::string name(const Unit& unit) {
   if (unit == Unit::mm) return "mm";
   if (unit == Unit::ppm) return "ppm";
-  if (unit == Unit::mmps) return "mm/s";
   std::string text = unit.step.get_str();
   const bool ratio = unit.dimension == sema::Dimension{.ratio = 1};
   const std::string si = ratio ? "of full" : sema::unit_of(unit.dimension);

@@ -392,6 +392,7 @@ std::optional<std::string> verify(const Module& module) {
     if (!decision.facts.monitors.empty()) {
       if (auto problem = verify_signals(decision.facts)) return decision.name + ": " + *problem;
     }
+    if (auto problem = verify_schedules(decision.facts)) return problem;
     Checker facts(module, decision, true);
     for (const PlainMonitor& fact : decision.facts.monitors) facts.block(fact.property, false);
     if (facts.problem()) return facts.problem();

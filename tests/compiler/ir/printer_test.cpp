@@ -85,7 +85,7 @@ TEST(Printer, EveryOperationHasALineOfItsOwn) {
             "%20 = on_track within 12 : margin\n"
             "%21 = energy_reach dock, reserve 10 : margin\n"
             "%22 = charge_reach least 11 : margin\n"
-            "%23 = speed : mm/s\n"
+            "%23 = speed : 1/1000 m/s\n"
             "%24 = speed_reach most 13 : margin\n"
             "%25 = there fair : margin\n"
             "%26 = there_throughout fair, after 14 : margin\n"

@@ -70,6 +70,13 @@ TEST(Speed, HasAMarginInMetresPerSecond) {
   EXPECT_NEAR(found({2.9, 0, 0}).margin, limit_mps - cap_mps, 0.01);
 }
 
+// Nothing is known of the speed without the velocity, or with one that is too old.
+TEST(Speed, IsUnknownWithoutAVelocity) {
+  const rtac::MonitorRecord late = found({0.1, 0, 150'000});
+  EXPECT_EQ(late.now, rtac::Verdict::is_unknown);
+  EXPECT_EQ(late.ahead, rtac::Verdict::is_unknown);
+}
+
 class FullEffort final : public rtac::Controller<rtac::Acceleration> {
  public:
   explicit FullEffort(int kind) : kind_(kind) {}
