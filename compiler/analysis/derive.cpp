@@ -5,6 +5,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/magnitudes.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/recoveries.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
@@ -66,6 +67,10 @@ class Deriver {
     fill_costs();
     fill_windows();
     check_well_formed(spec_, out_.module, out_.tables, diagnostics_);
+    check_recoveries(
+        spec_, out_.module,
+        [this](ir::ZoneIndex zone) -> const geometry::Region& { return zone_of(zone).exact; },
+        diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
     return std::move(out_);
   }
@@ -87,6 +92,7 @@ class Deriver {
       for (const sema::Template& what : sema::templates_of(c)) {
         if (const auto moves = sema::moves_of(what)) robots(moves->zone);
       }
+      if (const auto claim = sema::claim_of(c)) robots(claim->zone);
     }
     const auto places = [&](const sema::Expr& e) {
       if (const auto* c = std::get_if<sema::PointClearance>(&e.node)) {
@@ -376,6 +382,7 @@ class Deriver {
     m.lookahead.waypoints = from.ahead.waypoints;
     m.lookahead.points_only = from.ahead.points_only;
     if (from.recover) m.recovery = recovery(spec_[*from.recover], from.kind);
+    m.hold_reason = from.hold_reason.value_or("");
     return m;
   }
   bool is_template(sema::ControllerId id) const {
@@ -394,6 +401,10 @@ class Deriver {
       }
     } else if (!all.empty()) {
       r = step(all.front(), kind);
+    } else if (const auto claim = sema::claim_of(from)) {
+      r.claims = true;
+      r.zone = out_.tables.zone(claim->zone);
+      r.speed_mmps = ceil_to_int(Rational(claim->speed.value * 1000));
     }
     r.name = from.name;
     return r;
@@ -419,7 +430,10 @@ class Deriver {
   ir::Motion motion(const sema::Monitor& from, const sema::RobotKind& kind) const {
     const sema::Controller& c = spec_[*from.recover];
     const std::vector<sema::Template> all = sema::templates_of(c);
-    if (all.empty()) return recovery_motion(kind, c.name, kind.motion.speed.value);
+    if (all.empty()) {
+      const auto claim = sema::claim_of(c);
+      return recovery_motion(kind, c.name, claim ? claim->speed.value : kind.motion.speed.value);
+    }
     Rational speed = 0;  // whoever stands never gets faster than it was found
     for (const sema::Template& what : all) {
       if (const auto moves = sema::moves_of(what)) speed = std::max(speed, moves->speed);
@@ -496,12 +510,15 @@ class Deriver {
                    diagnostics_);
     }
   }
-  void price(ir::SiteTable& site, const ir::Recovery& route, const ir::Decision& d,
-             const sema::RobotKind& kind) {
+  const EvaluatedZone& zone_of(ir::ZoneIndex index) const {
     const auto zone =
         std::find_if(out_.tables.zones.begin(), out_.tables.zones.end(),
-                     [&](const std::optional<ir::ZoneIndex>& z) { return z && *z == site.zone; });
-    const auto& baked = zones_[std::size_t(zone - out_.tables.zones.begin())]->baked;
+                     [&](const std::optional<ir::ZoneIndex>& z) { return z && *z == index; });
+    return *zones_[std::size_t(zone - out_.tables.zones.begin())];
+  }
+  void price(ir::SiteTable& site, const ir::Recovery& route, const ir::Decision& d,
+             const sema::RobotKind& kind) {
+    const auto& baked = zone_of(site.zone).baked;
     // where the robot seems to be when it sets out; 2: off the grid on either axis
     const auto nearest_body_mm = static_cast<std::int32_t>(
         std::max<std::int64_t>(0, d.body.radius_mm - d.body.position_error_mm - 2));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/ir/linear.h"
@@ -122,9 +123,23 @@ class Judge {
       Finding a = property(block, v->a);
       return a ? a : property(block, v->b);
     }
+    if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
+      if (v->universal && decision_.robots < 2) return std::nullopt;  // there is no other
+      return property(*v->body, v->body->result);
+    }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
-    if (!compare || monitor_.recovery.kind != ir::RecoveryKind::route) return std::nullopt;
-    const ir::SiteIndex site = monitor_.recovery.site;
+    if (!compare) return std::nullopt;
+    const ir::Recovery& way_home = ir::last_step(monitor_.recovery);
+    const bool routes = way_home.kind == ir::RecoveryKind::route;
+    if (const auto bound = bound_of(block, *compare)) {
+      const std::int64_t least = bound->need.strictest;
+      if (bound->leaf.kind == Leaf::Kind::distance) return apart(least, compare->strict, block[id]);
+      if (bound->leaf.kind == Leaf::Kind::battery && !routes) {
+        return charged(least, compare->strict, block[id]);
+      }
+    }
+    if (!routes) return std::nullopt;
+    const ir::SiteIndex site = way_home.site;
     std::optional<std::int64_t> reserve;
     if (const auto way = way_of(block, *compare); way && way->site == site) {
       reserve = way->reserve.strictest;
@@ -162,6 +177,36 @@ class Judge {
   }
 
  private:
+  std::int64_t return_horizon_us() const {
+    return horizon_us_max(decision_.body, monitor_.lookahead.duration_us) +
+           decision_.return_extra_us;
+  }
+  // The distance as the property asks for it, and what a robot at rest may come nearer until it has
+  // been stopped. The other one may be held, and so counts with nothing but its body.
+  Finding apart(std::int64_t least_mm, bool strict, const ir::Value& value) const {
+    if (!monitor_.lookahead.duration) return std::nullopt;
+    const std::int64_t reach_mm =
+        disc_mm(decision_.body, decision_.motions[0], 0, return_horizon_us()) -
+        decision_.body.radius_mm;
+    Finding found = distance(least_mm + reach_mm, strict ? 1 : 0, value.source);
+    if (!found) return found;
+    found->notes.push_back(
+        {std::nullopt,
+         "of the distance, the look-ahead of a robot at rest takes " + metres(reach_mm)});
+    const std::int64_t best = widest_gap_mm() - reach_mm - (strict ? 1 : 0);
+    found->help = best > 0
+                      ? "a distance of at most " + metres(best) + " can be had"
+                      : "no distance works: widen the zone, or lower `ahead`, `speed` or `accel`";
+    return found;
+  }
+  // The charge as the property asks for it, after what the look-ahead takes.
+  Finding charged(std::int64_t least_ppm, bool strict, const ir::Value& value) const {
+    const ir::Body& b = decision_.body;
+    const std::int64_t left =
+        shown_full_ppm(b) - div_up(b.drain_ppm_per_s * div_up(return_horizon_us(), 1000), 1000);
+    return charge(least_ppm, left, strict ? 1 : 0, "", value.source);
+  }
+
   Finding clearance(ir::ZoneIndex zone, std::int64_t least, std::int64_t strict,
                     const SourceRange& source) const {
     const ir::ZoneTable& table = module_[zone];
@@ -182,11 +227,20 @@ class Judge {
   // Control is handed back to a robot that is in every fence of its decision, and so are the others
   // of its kind: no two centres are farther apart than the corners of the box around the least of
   // these zones. Without a fence nothing bounds the distance.
+  std::int64_t widest_gap_mm() const {
+    std::int64_t best = std::int64_t{1} << 31;
+    for (const ir::Monitor& m : decision_.monitors) {
+      for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
+        best = std::min(best, diameter_mm(module_[fence]) - 2 * decision_.body.radius_mm);
+      }
+    }
+    return best;
+  }
   Finding distance(std::int64_t least, std::int64_t strict, const SourceRange& source) const {
     std::optional<std::int64_t> best;
     const ir::ZoneTable* nearest = nullptr;
     for (const ir::Monitor& m : decision_.monitors) {
-      for (const ir::ZoneIndex fence : fences(m.property, m.property.result)) {
+      for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
         const std::int64_t apart = diameter_mm(module_[fence]) - 2 * decision_.body.radius_mm;
         if (best && *best <= apart) continue;
         best = apart;
@@ -201,19 +255,6 @@ class Judge {
     d.help = *best - strict > 0 ? "a distance of at most " + metres(*best - strict) + " can be had"
                                 : "no distance works: widen the zone";
     return d;
-  }
-  // The zones that a centre is in wherever the property holds.
-  std::vector<ir::ZoneIndex> fences(const ir::Block& block, ir::ValueId id) const {
-    const ir::Op& op = block[id].op;
-    if (const auto* v = std::get_if<ir::And>(&op)) {
-      std::vector<ir::ZoneIndex> all = fences(block, v->a);
-      for (const ir::ZoneIndex zone : fences(block, v->b)) all.push_back(zone);
-      return all;
-    }
-    const auto* compare = std::get_if<ir::AtLeast>(&op);
-    const auto bound = compare ? bound_of(block, *compare) : std::nullopt;
-    if (!bound || bound->leaf.kind != Leaf::Kind::clearance || bound->need.strictest < 0) return {};
-    return {ir::ZoneIndex(bound->leaf.table)};
   }
   // From corner to corner of the box around the zone, rounded down to the grid of distances.
   static std::int64_t diameter_mm(const ir::ZoneTable& zone) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/standoffs.h"
@@ -17,8 +18,20 @@ std::string millis(std::int64_t us) {
   return to_decimal(Rational(us, 1000)) + " ms";
 }
 
-bool retreats(const ir::Monitor& m) {
-  return m.lookahead.duration && m.recovery.kind == ir::RecoveryKind::retreat;
+// Where a monitor hands back: in the zone that its recovery retreats in, or else in the narrowest
+// one that its property keeps the robot in. none: its property does not speak of places.
+std::optional<ir::ZoneIndex> place_of(const ir::Module& module, const ir::Decision& decision,
+                                      const ir::Monitor& m) {
+  if (!m.lookahead.duration) return std::nullopt;
+  const ir::Recovery& last = ir::last_step(m.recovery);
+  if (last.kind == ir::RecoveryKind::retreat || last.kind == ir::RecoveryKind::loiter) {
+    return last.zone;
+  }
+  std::optional<ir::ZoneIndex> narrowest;
+  for (const ir::ZoneIndex zone : fences_of(m.property, decision.facts.params)) {
+    if (!narrowest || module[zone].widest_mm < module[*narrowest].widest_mm) narrowest = zone;
+  }
+  return narrowest;
 }
 
 // Every recovery heads for the clearance that suits all monitors (derive.cpp): it grows with the
@@ -29,7 +42,7 @@ class ReturnSet {
       : module_(module), decision_(decision), standoff_mm_(standoffs_of(decision).fence_mm) {
     for (const ir::Monitor& m : decision.monitors) {
       lookahead_us_ = std::max(lookahead_us_, m.lookahead.duration_us);
-      if (!retreats(m)) continue;
+      if (!returns(m)) continue;
       // what works in the narrowest of their zones works in all
       if (!retreat_ || widest_mm(m) < widest_mm(*retreat_)) retreat_ = &m;
     }
@@ -41,13 +54,17 @@ class ReturnSet {
     std::vector<diag::Diagnostic> all;
     for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
       const ir::Monitor& m = decision_.monitors[k];
-      if (retreats(m) && m.recovery.return_clearance_mm > widest_mm(m)) all.push_back(asked(m, k));
+      if (returns(m) && m.recovery.return_clearance_mm > widest_mm(m)) all.push_back(asked(m, k));
     }
     return all;
   }
 
  private:
-  std::int64_t widest_mm(const ir::Monitor& m) const { return module_[m.recovery.zone].widest_mm; }
+  bool returns(const ir::Monitor& m) const { return place_of(module_, decision_, m).has_value(); }
+  const ir::ZoneTable& zone_of(const ir::Monitor& m) const {
+    return module_[*place_of(module_, decision_, m)];
+  }
+  std::int64_t widest_mm(const ir::Monitor& m) const { return zone_of(m).widest_mm; }
   std::int64_t need_mm(std::int64_t lookahead_us, std::int64_t standoff_mm) const {
     return return_clearance_mm(decision_, lookahead_us) + standoff_mm;
   }
@@ -93,7 +110,7 @@ class ReturnSet {
     d.range = when[when.result].source;
     d.notes = {note(m)};
     d.help = least >= 0 ? "a clearance of " + metres(least) + " works"
-                        : "no clearance works: widen `" + module_[m.recovery.zone].name + "`";
+                        : "no clearance works: widen `" + zone_of(m).name + "`";
     return d;
   }
 
@@ -105,14 +122,17 @@ class ReturnSet {
     d.label = "the return set is empty: it needs a clearance of " + metres(need);
     d.notes = {note(*retreat_)};
     if (&m != retreat_ && m.recovery.name != retreat_->recovery.name) {
+      const ir::RecoveryKind kind = ir::last_step(retreat_->recovery).kind;
+      const bool goes = kind == ir::RecoveryKind::retreat || kind == ir::RecoveryKind::loiter;
       d.notes.push_back({std::nullopt, "monitor `" + retreat_->name +
-                                           "` retreats there, to where " +
+                                           (goes ? "` retreats there, to where "
+                                                 : "` keeps the robot there, where ") +
                                            "all monitors of the decision hand back"});
     }
     return d;
   }
   diag::Note note(const ir::Monitor& retreat) const {
-    const ir::ZoneTable& zone = module_[retreat.recovery.zone];
+    const ir::ZoneTable& zone = zone_of(retreat);
     return {std::nullopt, "the widest place of `" + zone.name + "` has a clearance of " +
                               metres(zone.widest_mm) + ", at (" + metres(zone.widest_x_mm) + ", " +
                               metres(zone.widest_y_mm) + ")"};
@@ -135,7 +155,7 @@ class ReturnSet {
   const ir::Module& module_;
   const ir::Decision& decision_;
   std::int64_t lookahead_us_ = 0, standoff_mm_;
-  const ir::Monitor* retreat_ = nullptr;  // in the narrowest zone; none: no monitor retreats
+  const ir::Monitor* retreat_ = nullptr;  // in the narrowest zone; none: no monitor does
 };
 
 }  // namespace

@@ -289,8 +289,9 @@ std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decisi
           disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps, s.horizon_us);
       s.return_clearance_mm = m.recovery.return_clearance_mm;
       s.leave_us = m.recovery.leave_us;
-      if (m.recovery.kind == ir::RecoveryKind::retreat) {
-        s.lookahead_max_us = lookahead_max_us(decision, module[m.recovery.zone].widest_mm,
+      const ir::Recovery& last = ir::last_step(m.recovery);
+      if (last.kind == ir::RecoveryKind::retreat || last.kind == ir::RecoveryKind::loiter) {
+        s.lookahead_max_us = lookahead_max_us(decision, module[last.zone].widest_mm,
                                               standoffs_of(decision).fence_mm);
       }
     }

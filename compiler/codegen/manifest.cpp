@@ -35,6 +35,7 @@ Json monitor(const Monitor& m, const Decision& d) {
   j["return_clearance_mm"] = m.recovery.return_clearance_mm;
   if (m.recovery.leave_us > 0) j["leave_us"] = m.recovery.leave_us;
   if (!m.return_text.empty()) j["return_when"] = m.return_text;
+  if (!m.hold_reason.empty()) j["hold_when_violated"] = m.hold_reason;
   return j;
 }
 
@@ -75,6 +76,14 @@ Json assumptions(const Module& module, const sema::RobotKind& k) {
   sense("velocity", "m/s", k.velocity);
   sense("heading", "rad", k.heading);
   sense("battery", "of full", k.battery);
+  for (const Decision& d : module.decisions) {
+    for (const Monitor& m : d.monitors) {
+      if (d.kind != k.name || !m.recovery.claims) continue;
+      add(m.recovery.name + " stays inside " + module[m.recovery.zone].name + ", speed",
+          Rational(static_cast<long>(m.recovery.speed_mmps), 1000), "m/s",
+          "runtime: every tick under its own motion; where it fails, the robot is braked");
+    }
+  }
   if (k.open_fleet) {
     add("absence of others, max_age", k.hears_max_age->value, "s",
         "UNCHECKED: who comes back moves only when the others have heard of it");

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "compiler/analysis/derive.h"
+#include "compiler/analysis/liveness.h"
 #include "compiler/codegen/decision_bytes.h"
 #include "compiler/codegen/watch.h"
 #include "compiler/driver/explain_line.h"
@@ -188,6 +189,7 @@ class RobotRemarks {
     } else {
       lookahead(m, analysis::summarise(module_, d)[k], details);
       recovery(m.recovery, details);
+      comes_back(from, d, m, details);
       if (!m.return_text.empty()) details.push_back("returns only when " + m.return_text);
       details.push_back(cost(d, m));
     }
@@ -272,6 +274,11 @@ class RobotRemarks {
         break;
       case RecoveryKind::external:
         to.push_back("recovery " + r.name + ": external");
+        if (!r.claims) return;
+        to.push_back("assumed: it stays inside " + module_[r.zone].name + ", at " +
+                     speed(r.speed_mmps) +
+                     " at most; checked in every tick, and braked where it "
+                     "does not");
         return;
       case RecoveryKind::retreat:
         to.push_back("recovery " + r.name + ": retreats within " + module_[r.zone].name);
@@ -287,6 +294,20 @@ class RobotRemarks {
     }
     to.back() += ", at " + speed(r.speed_mmps) + " at most";
     to.push_back("it keeps a clearance of " + metres(r.route_clearance_mm) + " on its way");
+  }
+
+  // theory, P2b.
+  void comes_back(const sema::Monitor& from, const Decision& d, const Monitor& m,
+                  std::vector<std::string>& to) const {
+    if (!m.hold_reason.empty()) to.push_back("accepted where it is false: " + m.hold_reason);
+    const auto seconds = analysis::return_seconds(spec_[from.kind], module_, d, m.recovery);
+    if (seconds) {
+      to.push_back("control comes back within " +
+                   to_decimal(Rational(ceil_to_int(Rational(*seconds * 10)), 10)) +
+                   " s, where no other robot is near and nothing else keeps it");
+    } else {
+      to.emplace_back("nothing bounds the time until control comes back");
+    }
   }
 
   const Compilation& c_;

@@ -69,6 +69,11 @@ std::string summary(const ir::Module& module) {
       out += "  inputs and the past, judged now: " + bytes(codegen::facts_state_bytes(d.facts)) +
              " of state for each robot\n";
     }
+    for (const ir::Monitor& m : d.monitors) {
+      if (m.hold_reason.empty()) continue;
+      out += "  accepted: where " + m.name + " is false, " + m.recovery.name + " holds (" +
+             m.hold_reason + ")\n";
+    }
     for (const auto& a : d.acknowledgements) {
       out += "  acknowledged: " + a.recovery + " may break " + a.monitor + " (" + a.reason + ")\n";
     }

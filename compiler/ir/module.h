@@ -492,6 +492,7 @@ struct Recovery {
   std::int64_t speed_mmps = 0;
   // Clearances of the centre (retreat, route, yield) and distance of centres (yield).
   std::int64_t route_clearance_mm = 0, return_clearance_mm = 0, pass_gap_mm = 0;
+  bool claims = false;          // external: to stay inside `zone`, at most at `speed_mmps`
   std::int64_t lasts_us = 0;    // as a step of a sequence; 0: until control is given back
   std::vector<Recovery> steps;  // of a sequence
   // Of a monitor that speaks of zones that come and go: from taking over until the robot has left
@@ -531,6 +532,8 @@ struct Monitor {
   Recovery recovery;
   // Largest standoff that a separation atom of the property asks for; none: no such atom.
   std::optional<std::int64_t> separation_mm;
+  // Why it is accepted that the recovery does not lead out of a violation; "": it does.
+  std::string hold_reason;
 };
 struct Acknowledgement {
   std::string recovery, monitor, reason;

@@ -22,8 +22,15 @@ class ControllerChecker {
   }
 
  private:
-  void implementation(const syntax::ExternTemplate&) {
-    controller_.implementation = ExternController{};
+  void implementation(const syntax::ExternTemplate& node) {
+    ExternController external;
+    if (node.zone) {
+      range_ = written_.implementation_range;
+      built_in("keeps");
+      const auto zone = zone_in_frame(context_, *node.zone);
+      external.claim = {zone.value_or(ZoneId{}), speed(node.speed, "keeps")};
+    }
+    controller_.implementation = std::move(external);
   }
   void implementation(const syntax::SequenceTemplate& sequence) {
     Sequence all;

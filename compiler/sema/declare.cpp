@@ -177,7 +177,7 @@ class Declarer {
   // Clauses that only a robot can have say that the robot was forgotten.
   static bool is_watch(const syntax::MonitorItem& written) {
     return !written.variable && !written.kind && written.ahead.empty() && written.recover.empty() &&
-           written.return_when.empty();
+           written.return_when.empty() && written.hold.empty();
   }
 
   Spec& spec() { return context_.spec; }

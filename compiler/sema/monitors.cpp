@@ -24,6 +24,7 @@ class MonitorChecker {
     monitor_.ahead = check_ahead(context_, written_, kind_);
     check_recovery();
     check_return();
+    check_hold();
   }
 
  private:
@@ -102,6 +103,16 @@ class MonitorChecker {
     } else {
       monitor_.recover = *id;
     }
+  }
+
+  void check_hold() {
+    if (written_.hold.empty()) return;
+    if (written_.hold.size() > 1) {
+      context_.duplicate_clause(written_.hold[1].range, written_.hold[0].range,
+                                "`hold when violated`");
+    }
+    monitor_.hold_reason = written_.hold.front().text;
+    monitor_.hold_range = written_.hold.front().range;
   }
 
   void check_return() {

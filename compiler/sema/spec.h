@@ -210,7 +210,14 @@ struct Site {
 
 // ---- controllers ------------------------------------------------------------------------------
 
-struct ExternController {};
+struct ExternController {
+  // What its author claims: a robot that it drives stays inside the zone, at most this fast.
+  struct Claim {
+    ZoneId zone;
+    Quantity speed;
+  };
+  std::optional<Claim> claim;
+};
 struct Retreat {
   ZoneId zone;
   Quantity speed;
@@ -495,6 +502,9 @@ struct Monitor {
   std::optional<ControllerId> recover;
   SourceRange recover_range;
   ExprPtr return_when;  // may be null
+  // Why it is accepted that the recovery does not lead out of a violation.
+  std::optional<std::string> hold_reason;
+  std::optional<SourceRange> hold_range;
 };
 struct Acknowledgement {
   ControllerId recovery;

@@ -139,7 +139,10 @@ class SpecPrinter {
       return " within " + exprs_.zone(zone) + " speed " + si_text(speed, dims::speed);
     };
     const auto text = Overloaded{
-        [](const ExternController&) { return std::string("extern"); },
+        [&](const ExternController& node) {
+          return std::string("extern") +
+                 (node.claim ? " keeps" + within(node.claim->zone, node.claim->speed) : "");
+        },
         [&](const Retreat& retreat) { return "retreat" + within(retreat.zone, retreat.speed); },
         [&](const Route& route) {
           return "route to " + spec_[route.site].name + within(route.zone, route.speed);
@@ -177,6 +180,7 @@ class SpecPrinter {
     print(monitor.ahead);
     if (monitor.recover) line(1, "recover " + spec_[*monitor.recover].name);
     if (monitor.return_when) line(1, "return when " + exprs_.expr(*monitor.return_when));
+    if (monitor.hold_reason) line(1, "hold when violated " + quoted(*monitor.hold_reason));
   }
 
   void print(const Ahead& ahead) {

@@ -17,6 +17,11 @@ std::vector<Template> templates_of(const Controller& controller) {
                     controller.implementation);
 }
 
+std::optional<ExternController::Claim> claim_of(const Controller& controller) {
+  const auto* external = std::get_if<ExternController>(&controller.implementation);
+  return external ? external->claim : std::nullopt;
+}
+
 std::optional<Moves> moves_of(const Template& what) {
   return std::visit(Overloaded{
                         [](const BrakeAndHold&) { return std::optional<Moves>{}; },

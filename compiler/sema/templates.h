@@ -8,6 +8,9 @@ namespace rtac::sema {
 // The manoeuvres of a controller, in order; none: it is external.
 std::vector<Template> templates_of(const Controller& controller);
 
+// What an external controller claims; none: nothing, or it is built in.
+std::optional<ExternController::Claim> claim_of(const Controller& controller);
+
 // Where a manoeuvre moves, and how fast; none: it stands.
 struct Moves {
   ZoneId zone;

@@ -245,7 +245,10 @@ struct RobotClause {
 
 // ---- controllers ------------------------------------------------------------------------------
 
-struct ExternTemplate {};
+struct ExternTemplate {  // extern;   extern keeps inside free speed <= 0.3 m/s
+  std::optional<Name> zone;
+  ExprPtr speed;
+};
 struct RetreatTemplate {  // retreat within free speed 0.1 m/s
   Name zone;
   ExprPtr speed;
@@ -428,6 +431,7 @@ struct MonitorItem {
   std::vector<Name> recover;
   std::vector<ExprPtr> return_when;
   std::vector<SourceRange> margin_full;  // `margin full`
+  std::vector<Text> hold;                // hold when violated "why"
 };
 struct DecisionItem {
   Name name, kind;

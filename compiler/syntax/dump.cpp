@@ -216,7 +216,11 @@ class Dumper {
     std::visit([&](const auto& part) { add(part, node.implementation_range); },
                node.implementation);
   }
-  void add(const ExternTemplate&, const SourceRange& range) { line("Extern", range); }
+  void add(const ExternTemplate& node, const SourceRange& range) {
+    line(node.zone ? "Extern keeps inside " + node.zone->text : "Extern", range);
+    Level level{text_};
+    part("Speed", node.speed);
+  }
   void add(const RetreatTemplate& node, const SourceRange& range) {
     line("Retreat within " + node.zone.text, range);
     Level level{text_};
@@ -262,6 +266,7 @@ class Dumper {
     parts("Recover", node.recover);
     parts("ReturnWhen", node.return_when);
     for (const SourceRange& written : node.margin_full) line("MarginFull", written);
+    parts("HoldWhenViolated", node.hold);
   }
   void add(const AheadDuration& node, const SourceRange& range) {
     line("AheadDuration", range);

@@ -36,6 +36,7 @@ constexpr Construct kTemplates[] = {
     {T::RETREAT, "retreat within free speed 0.1 m/s"},
     {T::ROUTE, "route to dock within free speed 0.1 m/s"},
     {T::YIELD, "yield within free speed 0.1 m/s order id"},
+    {T::KEEPS, "extern keeps inside free speed <= 0.1 m/s"},
     {T::LOITER, "loiter within free speed 0.1 m/s"},
     {T::SEQUENCE, "sequence brake_and_hold for 2 s then retreat within free speed 0.1 m/s"},
 };
@@ -188,6 +189,7 @@ const std::vector<Form>& all_forms() {
       {Block::monitor, T::RECOVER, "recover turn_back;"},
       {Block::monitor, T::RETURN, "return when clearance(r, room) >= 5 cm for 1 s;"},
       {Block::monitor, T::MARGIN, "margin full;"},
+      {Block::monitor, T::HOLD, "hold when violated \"a person carries it back\";"},
       {Block::decision, T::PRIORITY, "priority collision > fence;"},
       {Block::decision, T::ADVANCED, "advanced pilot;"},
       {Block::decision, T::SAFE, "safe certified_planner;"},

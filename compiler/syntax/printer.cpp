@@ -58,8 +58,9 @@ std::string print_node(const EnergyClause& node) {
 
 // ---- controllers
 
-std::string print_node(const ExternTemplate&) {
-  return "extern";
+std::string print_node(const ExternTemplate& node) {
+  if (!node.zone) return "extern";
+  return "extern keeps inside " + node.zone->text + optional_part("speed <=", node.speed);
 }
 std::string print_node(const RetreatTemplate& node) {
   return "= retreat within " + node.zone.text + optional_part("speed", node.speed);
@@ -234,6 +235,9 @@ std::string print_node(const MonitorItem& node) {
     result += "  return when " + print_expr(*expr) + ";\n";
   }
   for (std::size_t i = 0; i < node.margin_full.size(); ++i) result += "  margin full;\n";
+  for (const Text& reason : node.hold) {
+    result += "  hold when violated " + spell_text(reason.text) + ";\n";
+  }
   return result + "}\n";
 }
 std::string print_node(const DecisionItem& node) {

@@ -119,6 +119,9 @@ void write_reason(const DecisionRecord& record, TextWriter& out) {
     case Reason::tracking:
       out.text("tracking");
       break;
+    case Reason::claim:
+      out.text("recovery breaks its claim");
+      break;
   }
   if (record.reason_other >= 0) write_robot(record, out);
 }

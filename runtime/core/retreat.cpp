@@ -62,12 +62,21 @@ void RetreatManoeuvre::look(const Observation& observation) {
 
 bool RetreatManoeuvre::find(const RouteQuery& from_here, double now_m, double wanted_m) {
   if (find_straight(from_here, now_m, wanted_m)) return true;
+  // A leg in sight that is short enough, or else the shorter one of that and of what is searched:
+  // so the compiler knows how long a way can be (analysis: liveness).
   const ClearanceAtLeast test(wanted_m);
-  if (route_.straight_to_place(from_here, test, now_m - loss_m, way_)) return true;
-  if (now_m < setting_.limits.radius_m) return false;  // no detours outside
-  RouteQuery along = from_here;
-  along.clearance_m = std::min(setting_.route_clearance_m, now_m);
-  return route_.to_place(along, test, way_);
+  Path straight;
+  const bool in_sight = route_.straight_to_place(from_here, test, now_m - loss_m, straight);
+  const double straight_m = in_sight ? length_m(from_here.start, straight) : 0;
+  const bool outside = now_m < setting_.limits.radius_m;  // no detours there
+  if (!outside && !(in_sight && straight_m <= 2 * wanted_m)) {
+    RouteQuery along = from_here;
+    along.clearance_m = std::min(setting_.route_clearance_m, now_m);
+    const bool found = route_.to_place(along, test, way_);
+    if (!in_sight || (found && route_.way_length_m() < straight_m)) return found;
+  }
+  way_ = straight;
+  return in_sight;
 }
 
 // Straight away from the nearest point of the boundary, or straight in through it. Clearance cannot

@@ -145,9 +145,14 @@ void PlanExecutor<Output>::decide() {
     record_.decision_ns =
         std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin).count();
   }
-  observer_.on_decision(record_);
   const int recoveries = static_cast<int>(parts_.recoveries.size());
   const int mode = std::clamp(record_.mode, 0, recoveries);
+  if (mode != 0 &&
+      !parts_.recoveries[static_cast<std::size_t>(mode - 1)]->keeps_claim(observation_)) {
+    record_.gate = Gate::hold;
+    record_.reason = Reason::claim;
+  }
+  observer_.on_decision(record_);
   switch_to(options_.protect ? mode : 0);
 }
 

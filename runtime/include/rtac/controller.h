@@ -27,6 +27,8 @@ class SafeController {
   // `gate` is binding: `hold` means brake and hold, `away_only` allows motion only along which no
   // distance to a HELD robot shrinks.
   virtual Output command(const Observation& observation, Gate gate) = 0;
+  // False: it is not, or not known to be, where it claims to stay, and brakes whatever the gate.
+  [[nodiscard]] virtual bool keeps_claim(const Observation&) const { return true; }
   // Latched in its position hold: at rest, and meaning to stay. False as soon as it wants to move,
   // so that the decision module stops renewing the HELD lease.
   [[nodiscard]] virtual bool holding() const = 0;

@@ -23,7 +23,8 @@ enum class Reason : std::int8_t {
   starting,       // no return condition was established yet since the start
   over_capacity,  // a plan is longer than the declared capacity
   surrendered,    // the advanced side gave control up by itself (it waits, or it is parked)
-  tracking        // the robot is further off its plan than the declared `tracking`
+  tracking,       // the robot is further off its plan than the declared `tracking`
+  claim           // an external recovery does not keep what it claims: it is braked
 };
 
 // Which input failed, for Reason::input. Numbers beyond those named here are of the plain inputs of

@@ -69,7 +69,7 @@ TEST(Zones, OffsetsErrToTheSafeSideOnBothSides) {
 
 TEST(Zones, TwoZonesWrittenOnOneLineHaveTablesOfTheirOwn) {
   const auto c = compiled(edited(drone_spec(), "clearance(d, room) >= 10 cm",
-                                 "d inside shrink(room, 20 cm) and d inside shrink(room, 10 cm)"));
+                                 "d inside grow(room, 20 cm) and d inside grow(room, 10 cm)"));
   ASSERT_TRUE(c->module) << reports(*c);
   ASSERT_EQ(c->module->zones.size(), 3u);
   EXPECT_NE(c->module->zones[1].name, c->module->zones[2].name);

@@ -155,7 +155,8 @@ TEST_F(Simulations, WhatCannotBeSimulatedIsInconclusive) {
   write("door.rta",
         "spec door; period 10 ms; input open : bool;\n"
         "monitor shut { \"R1: closed\" always not open; }\n");
-  write("own.rta", edited(yard("100 ms"), "= retreat within yard speed 0.3 m/s", "extern"));
+  write("own.rta", edited(yard("100 ms"), "= retreat within yard speed 0.3 m/s",
+                          "extern keeps inside yard speed <= 0.3 m/s"));
   write("facts.rta", edited(yard("50 ms", "r inside yard or open"), "zone yard",
                             "input open : bool;\nzone yard"));
   for (const std::string name : {"door.rta", "own.rta", "facts.rta"}) {

@@ -43,7 +43,8 @@ class Fly final : public rtac::DecisionModule {
 
 // Zones, as baked.
 const rtac::ZoneView& room_zone();
-const rtac::ZoneView& zone_of_line_8_zone();
+const rtac::ZoneView& ring_zone();
+const rtac::ZoneView& zone_of_line_11_zone();
 
 // Limits of the robots, as declared.
 const rtac::RobotLimits& Drone_limits();

@@ -177,7 +177,8 @@ typedef struct derived_lookahead_area {
 } derived_lookahead_area;
 
 extern const derived_lookahead_area derived_lookahead_room_area;
-extern const derived_lookahead_area derived_lookahead_zone_of_line_8_area;
+extern const derived_lookahead_area derived_lookahead_ring_area;
+extern const derived_lookahead_area derived_lookahead_zone_of_line_11_area;
 
 /* How far in mm a disc, or for radius 0 a place, may move from (x, y) to (to_x, to_y): at most
  * as far as it stays in the zone without touching the boundary; 0: not at all; INT64_MAX: all

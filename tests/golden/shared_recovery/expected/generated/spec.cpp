@@ -27,16 +27,16 @@ const rtac::RobotLimits limits_of_Drone = [] {
 const rtac::MonitorInfo fly_monitors[] = {
   {"walls", "SR-1",
    "the drone stays clear of the walls",
-   "spec.rta", 10, "back_off", "", "m"},
+   "spec.rta", 11, "inwards", "", "m"},
   {"inner_walls", "SR-2",
    "the drone stays in the inner room",
-   "spec.rta", 16, "back_off", "", "m"},
+   "spec.rta", 17, "inwards", "", "m"},
   {"ring", "SR-3",
    "the drone stays in the room, judged for itself",
-   "spec.rta", 22, "land_now", "", "m"},
+   "spec.rta", 23, "land_now", "", "m"},
   {"wide_ring", "SR-4",
    "the same, further ahead",
-   "spec.rta", 28, "land_now", "", "m"},
+   "spec.rta", 29, "land_now", "", "m"},
 };
 const char* const fly_robots[] = {
   "d1",

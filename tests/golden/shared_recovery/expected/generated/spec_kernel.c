@@ -973,10 +973,10 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {300, 1000, 1}, /* back_off */
-  {300, 1000, 1}, /* back_off */
-  {1000, 1000, 1}, /* land_now */
-  {1000, 1000, 1} /* land_now */
+  {300, 1000, 1}, /* inwards */
+  {300, 1000, 1}, /* inwards */
+  {500, 1000, 1}, /* land_now */
+  {500, 1000, 1} /* land_now */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */
 static const int64_t fly_horizons_us[] = {120000, 140000};
@@ -998,7 +998,7 @@ typedef struct fly_view {
   place at_inner; /* of the robot itself */
 } fly_view;
 
-/* SR-1: the drone stays clear of the walls (spec.rta:10). clearance(d, room) >= 10 cm */
+/* SR-1: the drone stays clear of the walls (spec.rta:11). clearance(d, room) >= 10 cm */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(100, 100);
@@ -1006,7 +1006,7 @@ static margin fly_walls_now(const fly_view *v) {
   return v2;
 }
 
-/* Everything within reach; recovery: back_off */
+/* Everything within reach; recovery: inwards */
 static margin fly_walls_ahead(const fly_view *v) {
   const margin v0 = zone_reach(&zone_room, &v->at_room, &v->within, 100);
   const margin v1 = v->legs != 0 ? legs_in_zone(&zone_room, &v->at_room, &v->self, &v->in->plan, 2, 281) : margin_true();
@@ -1016,7 +1016,7 @@ static margin fly_walls_ahead(const fly_view *v) {
   return v4;
 }
 
-/* SR-2: the drone stays in the inner room (spec.rta:16). d inside inner */
+/* SR-2: the drone stays in the inner room (spec.rta:17). d inside inner */
 static margin fly_inner_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_inner, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1024,13 +1024,13 @@ static margin fly_inner_walls_now(const fly_view *v) {
   return v2;
 }
 
-/* Everything within reach; recovery: back_off */
+/* Everything within reach; recovery: inwards */
 static margin fly_inner_walls_ahead(const fly_view *v) {
   const margin v0 = zone_reach(&zone_inner, &v->at_inner, &v->within, 0);
   return v0;
 }
 
-/* SR-3: the drone stays in the room, judged for itself (spec.rta:22). d inside room */
+/* SR-3: the drone stays in the room, judged for itself (spec.rta:23). d inside room */
 static margin fly_ring_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1044,7 +1044,7 @@ static margin fly_ring_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-4: the same, further ahead (spec.rta:28). d inside room */
+/* SR-4: the same, further ahead (spec.rta:29). d inside room */
 static margin fly_wide_ring_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);

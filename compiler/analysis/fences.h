@@ -1,0 +1,20 @@
+// Which zones a property keeps a robot in.
+#pragma once
+
+#include <vector>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// The zones that a centre is in wherever the property holds, each once.
+std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
+                                     const std::vector<ir::Param>& params);
+
+// Whether some comparison of the property, of any branch, asks for a clearance or a distance.
+struct Asks {
+  bool clearance = false, distance = false;
+};
+Asks asks_of(const ir::Block& property, const std::vector<ir::Param>& params);
+
+}  // namespace rtac::analysis

@@ -1,0 +1,43 @@
+// When control comes back (theory, P2b): how far a recovery has to drive over the cells of its
+// zone, how long that takes, and from where no way leads to a place where control can be given
+// back.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compiler/ir/module.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+// A part of a zone where the robot can be and from where no way leads to a goal.
+struct Stranded {
+  std::int64_t x_mm = 0, y_mm = 0;  // its widest cell
+  std::int64_t clearance_mm = 0;    // of all of that cell
+  std::int64_t cells = 0;
+};
+struct Ways {
+  // The longest one, of those places that have one; none: no bound was found.
+  std::optional<std::int64_t> longest_mm = 0;
+  std::vector<Stranded> stranded;  // the largest first
+};
+// The ways that the search of a recovery finds (rtac/safe/grid_route.h): over cells as clear as
+// `route_mm`, or as the cell it starts from; from every cell as clear as `body_mm`.
+Ways ways_to(const ir::Cells& cells, const std::vector<bool>& goals, std::int64_t body_mm,
+             std::int64_t route_mm);
+
+// Corridors and rooms that are wide enough for a body, and nowhere wide enough for control to be
+// given back: what is more than two clearances of return away from where it is.
+std::vector<Stranded> narrow_parts(const ir::Cells& cells, std::int64_t body_mm,
+                                   std::int64_t return_mm);
+
+// Where a recovery leads and for how long; of one that stands nothing.
+Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery);
+
+// Upper bound of the time from taking over until control is given back, as long as no other robot
+// is near and nothing else keeps it: braking, looking, driving, dwelling. none: there is no bound.
+std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,
+                                       const ir::Decision& decision, const ir::Recovery& recovery);
+
+}  // namespace rtac::analysis

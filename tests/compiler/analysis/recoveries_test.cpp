@@ -1,0 +1,194 @@
+// What is said of a recovery that cannot do what its monitor needs it for; the numbers of the help
+// work, and a little beyond them nothing does.
+#include "compiler/analysis/recoveries.h"
+
+#include "compiler/analysis/liveness.h"
+#include "tests/compiler/analysis/testing.h"
+
+namespace rtac::analysis {
+namespace {
+
+using diag::Code;
+using test::compiled;
+using test::has;
+using test::reports;
+
+struct Text {
+  std::string recovery = "retreat within room speed 0.3 m/s", zones, latency = "20 ms",
+              property = "d inside room", clauses;
+};
+std::string text_of(const Text& t) {
+  return R"(spec test;
+zone room = rectangle (0 m, 0 m) to (5 m, 5 m);
+)" + t.zones +
+         R"(
+robot Drone {
+  body     radius 8 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 2 cm    max_age 50 ms;
+  sense    velocity : vector  error 2 cm/s  max_age 50 ms;
+  output   thrust : acceleration;
+  latency  )" +
+         t.latency + R"(;
+}
+fleet d1 : Drone;
+site  home = (2.5 m, 2.5 m);
+controller pilot : advanced for Drone extern;
+controller rec   : safe for Drone )" +
+         (t.recovery.starts_with("extern") ? "" : "= ") + t.recovery + R"(;
+monitor walls for d : Drone {
+  "SR-1: in" always )" +
+         t.property + "; recover rec; " + t.clauses + R"(
+}
+decision fly for Drone { advanced pilot; period 50 ms; priority walls; }
+)";
+}
+// The codes of all reports, in order.
+std::vector<int> codes(const Text& t) {
+  std::vector<int> all;
+  const auto c = compiled(text_of(t));
+  for (const auto& d : c->diagnostics.all()) all.push_back(static_cast<int>(d.code));
+  return all;
+}
+using Codes = std::vector<int>;
+
+TEST(Recoveries, MoveWhereTheirPropertyHolds) {
+  const std::string other = "zone other = rectangle (4 m, 4 m) to (6 m, 6 m);";
+  const std::string inner = "zone inner = shrink(room, 30 cm);";
+  for (const std::string moves : {"retreat", "loiter", "route to home"}) {
+    EXPECT_EQ(codes({moves + " within inner speed 0.3 m/s", inner}), Codes{});
+    Text beyond{moves + " within other speed 0.3 m/s", other};
+    beyond.zones += "site elsewhere = (5 m, 5 m);";
+    if (moves == "route to home") beyond.recovery = "route to elsewhere within other speed 0.3 m/s";
+    EXPECT_TRUE(has(*compiled(text_of(beyond)), Code::recovery_elsewhere)) << moves;
+  }
+  // 3 of its 4 m^2, and a place that is one of them
+  const auto c = compiled(text_of({"retreat within other speed 0.3 m/s", other}));
+  ASSERT_FALSE(c->diagnostics.all().empty());
+  EXPECT_NE(c->diagnostics.all().front().notes.front().text.find("3 m^2 of `other`"),
+            std::string::npos);
+}
+
+// A pillar in the middle of a room: the room is where the recovery may go, and the pillar is not.
+TEST(Recoveries, DoNotCrossWhatThePropertyTakesOut) {
+  Text pillar;
+  pillar.zones = "zone pillar = rectangle (2 m, 2 m) to (3 m, 3 m);";
+  pillar.property = "d inside room - pillar";
+  EXPECT_EQ(codes(pillar), Codes{5016});
+  pillar.zones += " zone ring = room - pillar;";
+  pillar.recovery = "retreat within ring speed 0.3 m/s";
+  EXPECT_EQ(codes(pillar), Codes{});
+}
+
+TEST(Recoveries, LeadOutOfAViolationOrAreAccepted) {
+  const std::string why = "hold when violated \"it is carried back\";";
+  for (const std::string stands :
+       {"brake_and_hold", "yield within room speed 0.1 m/s order id",
+        "sequence retreat within room speed 0.3 m/s for 9 s then brake_and_hold"}) {
+    Text t{stands};
+    EXPECT_EQ(codes(t), Codes{5017}) << stands;
+    t.clauses = why;
+    EXPECT_EQ(codes(t), Codes{}) << stands;
+  }
+  Text moves{"sequence brake_and_hold for 2 s then retreat within room speed 0.3 m/s"};
+  EXPECT_EQ(codes(moves), Codes{});
+  moves.clauses = why;
+  EXPECT_EQ(codes(moves), Codes{2022});
+}
+
+TEST(Recoveries, ActBeforeTheLookAheadEnds) {
+  Text late;
+  late.latency = "100 ms";
+  EXPECT_EQ(codes(late), Codes{5018});
+  late.clauses = "ahead 99 ms;";
+  EXPECT_EQ(codes(late), Codes{5018});
+  late.clauses = "ahead 100 ms;";
+  EXPECT_EQ(codes(late), Codes{});
+  late.clauses = "";
+  late.latency = "50 ms";  // what the help says
+  EXPECT_EQ(codes(late), Codes{});
+}
+
+TEST(Recoveries, ExternalOnesClaimSomethingThatLiesInTheProperty) {
+  EXPECT_EQ(codes({"extern"}), Codes{5019});
+  EXPECT_EQ(codes({"extern keeps inside room speed <= 1 m/s"}), Codes{});
+  EXPECT_EQ(codes({"extern keeps inside wide speed <= 1 m/s", "zone wide = grow(room, 1 m);"}),
+            Codes{5016});
+  EXPECT_EQ(codes({"extern keeps inside room speed <= 1.1 m/s"}), Codes{5005});
+}
+
+// 5007 for every recovery: what can be had by none of them.
+TEST(Recoveries, NoneReturnsWhereNoPlaceIsWideEnough) {
+  for (const std::string recovery :
+       {"brake_and_hold", "extern keeps inside room speed <= 1 m/s",
+        "loiter within room speed 0.3 m/s", "retreat within room speed 0.3 m/s"}) {
+    Text t{recovery};
+    if (recovery == "brake_and_hold") t.clauses = "hold when violated \"why\";";
+    t.property = "clearance(d, room) >= 2.5 m";
+    EXPECT_TRUE(has(*compiled(text_of(t)), Code::return_set_empty)) << recovery;
+    t.property = "clearance(d, room) >= 2 m";
+    EXPECT_EQ(codes(t), Codes{}) << recovery;
+  }
+}
+
+// A room that a body fits in but nobody can be given control in: cut off, or at a corridor's end.
+TEST(Recoveries, NameThePlaceWhereControlIsNeverGivenBack) {
+  const std::string recovery = "retreat within yard speed 0.3 m/s";
+  const auto in = [&](const std::string& more) {
+    Text t{recovery, "zone yard = room | " + more + ";"};
+    t.property = "d inside yard";
+    return codes(t);
+  };
+  EXPECT_EQ(in("rectangle (8 m, 0 m) to (8.5 m, 0.5 m)"), Codes{5020});
+  EXPECT_EQ(in("rectangle (5 m, 2 m) to (9 m, 2.5 m)"), Codes{5021});
+  EXPECT_EQ(in("rectangle (5 m, 2 m) to (9 m, 3 m)"), Codes{});
+  EXPECT_EQ(in("rectangle (8 m, 0 m) to (9 m, 1 m)"), Codes{});
+}
+
+// ---- ways
+
+ir::Cells cells_of(const std::vector<std::vector<int>>& rows) {
+  ir::Cells cells;
+  cells.rows = static_cast<std::int32_t>(rows.size());
+  cells.columns = static_cast<std::int32_t>(rows[0].size());
+  for (const auto& row : rows) {
+    cells.clearance_mm_lo.insert(cells.clearance_mm_lo.end(), row.begin(), row.end());
+  }
+  return cells;
+}
+std::vector<bool> at_least(const ir::Cells& cells, int least) {
+  std::vector<bool> goals;
+  for (const std::int32_t c : cells.clearance_mm_lo) goals.push_back(c >= least);
+  return goals;
+}
+
+TEST(Ways, TheLongestIsThatOfTheFarthestPlace) {
+  const ir::Cells cells = cells_of({{300, 200, 200, 100}, {-1, -1, -1, 100}});
+  const Ways ways = ways_to(cells, at_least(cells, 300), 100, 200);
+  EXPECT_EQ(ways.longest_mm, 400);
+  EXPECT_TRUE(ways.stranded.empty());
+}
+
+// What is less clear than where a way starts is not on it, unless that is as clear as ways are.
+TEST(Ways, NoneLeadsThroughWhatIsNarrower) {
+  const ir::Cells narrow = cells_of({{300, 100, 150}});
+  const Ways none = ways_to(narrow, at_least(narrow, 300), 100, 200);
+  ASSERT_EQ(none.stranded.size(), 1U);
+  EXPECT_EQ(none.stranded[0].x_mm, 250);
+  EXPECT_EQ(none.stranded[0].clearance_mm, 150);
+  EXPECT_EQ(none.longest_mm, 100);  // of the others
+  const ir::Cells wide = cells_of({{300, 200, 250}});
+  EXPECT_TRUE(ways_to(wide, at_least(wide, 300), 100, 200).stranded.empty());
+}
+
+// Up, down again and up: the search goes there, but no bound is claimed for it.
+TEST(Ways, WhatDoesNotClimbHasAWayAndNoBound) {
+  const ir::Cells cells = cells_of({{300, 110, 150, 100}});
+  const Ways ways = ways_to(cells, at_least(cells, 300), 100, 200);
+  ASSERT_EQ(ways.stranded.size(), 1U);  // from 150 nothing leads on
+  EXPECT_EQ(ways.stranded[0].cells, 1);
+  EXPECT_EQ(ways.longest_mm, std::nullopt);
+}
+
+}  // namespace
+}  // namespace rtac::analysis
