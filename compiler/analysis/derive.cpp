@@ -27,6 +27,8 @@ using diag::Code;
 
 // A recovery hands back after its return condition held for this many ticks (hysteresis).
 constexpr std::int64_t dwell_ticks = 5;
+// The part of the period that a step may be late where nothing else is declared.
+constexpr std::int64_t jitter_share = 10;
 // How long a HELD robot promises to stay; renewed every tick.
 constexpr std::int64_t lease_us = 1'000'000;
 // A connector leads from a place that a moving recovery avoids back to its cells, in mm between
@@ -323,22 +325,44 @@ class Deriver {
     d.robots = fleet_size(from.kind);
     d.open_fleet = kind.open_fleet;
     d.plan_capacity = kind.plan ? kind.plan->capacity : 0;
-    d.body = body_of(kind, d.period_us);
+    d.body = body_of(kind, d.period_us, from.on_plan ? 0 : jitter_us(from));
     if (kind.energy) {
       const auto& e = *kind.energy;
       d.hold_reserve_ppm = ceil_to_int(
           Rational((e.idle.value * e.held.value + e.drive.value * e.detour.value) * 1'000'000));
     }
+    d.pushed_mmps = ceil_to_int(Rational(pushed_speed(kind, d.period_us) * 1000));
     if (!from.on_plan) d.motions.push_back(any_control(kind));
     for (const sema::MonitorId id : from.priority) {
       need_drain(spec_[id], kind);
       d.monitors.push_back(monitor(spec_[id], d));
-      if (!from.on_plan) d.motions.push_back(motion(spec_[id], kind));
+      if (!from.on_plan) d.motions.push_back(motion(spec_[id], kind, d.period_us));
     }
     for (const auto& a : from.acknowledgements) {
       d.acknowledgements.push_back({spec_[a.recovery].name, spec_[a.monitor].name, a.reason});
     }
     return d;
+  }
+  // theory, horizon: a template is computed every tick and issued in the failing one (k = 1); an
+  // external recovery is asynchronous (k = 2).
+  std::int64_t periods_of(const sema::Monitor& m) const {
+    return m.recover && is_template(*m.recover) ? 1 : 2;
+  }
+  static std::int64_t duration_us(const sema::Monitor& m, std::int64_t k, std::int64_t period_us) {
+    return m.ahead.duration ? ceil_to_int(m.ahead.duration->value * 1'000'000) : k * period_us;
+  }
+  // No timer is exact. Where nothing is declared and a look-ahead leaves no room, a step may still
+  // be late by a part of the period, for which every horizon gets longer.
+  std::int64_t jitter_us(const sema::Decision& from) const {
+    if (from.jitter) return ceil_to_int(from.jitter->value * 1'000'000);
+    const std::int64_t period_us = ceil_to_int(from.period->value * 1'000'000);
+    std::int64_t jitter = 0;
+    for (const sema::MonitorId id : from.priority) {
+      const std::int64_t k = periods_of(spec_[id]);
+      const std::int64_t room_us = duration_us(spec_[id], k, period_us) - k * period_us;
+      if (room_us >= 0) jitter = std::max(jitter, period_us / jitter_share - room_us);
+    }
+    return jitter;
   }
   std::uint32_t fleet_size(sema::KindId kind) const {
     return static_cast<std::uint32_t>(
@@ -359,12 +383,12 @@ class Deriver {
     m.source = from.always_range;
     m.lookahead_source = from.ahead.range;
     m.lookahead.duration = !from.ahead.waypoints_only && !d.on_plan;
-    // theory, horizon: templates are computed every tick and issued in the failing one (k = 1);
-    // an external recovery is asynchronous (k = 2)
-    const std::int64_t k = from.recover && is_template(*from.recover) ? 1 : 2;
-    m.lookahead.duration_us =
-        from.ahead.duration ? ceil_to_int(from.ahead.duration->value * 1'000'000) : k * d.period_us;
+    const std::int64_t k = periods_of(from);
+    m.lookahead.duration_us = duration_us(from, k, d.period_us);
     m.lookahead.too_short = m.lookahead.duration && m.lookahead.duration_us < k * d.period_us;
+    // what is left for the time between two steps; never less than what every step takes
+    m.lookahead.gap_us =
+        std::max(m.lookahead.duration_us - (k - 1) * d.period_us, d.period_us) + d.body.jitter_us;
     if (m.lookahead.too_short && !from.ahead.duration_unsound) {
       const auto millis = [](std::int64_t us) { return to_decimal(Rational(us, 1000)) + " ms"; };
       const std::string least = millis(k * d.period_us);
@@ -427,18 +451,38 @@ class Deriver {
     }
     return r;
   }
-  ir::Motion motion(const sema::Monitor& from, const sema::RobotKind& kind) const {
+  ir::Motion motion(const sema::Monitor& from, const sema::RobotKind& kind,
+                    std::int64_t period_us) {
     const sema::Controller& c = spec_[*from.recover];
     const std::vector<sema::Template> all = sema::templates_of(c);
     if (all.empty()) {
       const auto claim = sema::claim_of(c);
-      return recovery_motion(kind, c.name, claim ? claim->speed.value : kind.motion.speed.value);
+      return recovery_motion(kind, c.name, claim ? claim->speed.value : kind.motion.speed.value,
+                             period_us);
     }
+    const Rational pushed = pushed_speed(kind, period_us);
     Rational speed = 0;  // whoever stands never gets faster than it was found
     for (const sema::Template& what : all) {
-      if (const auto moves = sema::moves_of(what)) speed = std::max(speed, moves->speed);
+      const auto moves = sema::moves_of(what);
+      if (!moves) continue;
+      speed = std::max(speed, moves->speed);
+      if (moves->speed <= pushed) report_pushed_back(c, pushed, kind);
     }
-    return recovery_motion(kind, c.name, speed);
+    return recovery_motion(kind, c.name, speed, period_us);
+  }
+  void report_pushed_back(const sema::Controller& c, const Rational& pushed,
+                          const sema::RobotKind& kind) {
+    if (!kind.motion.disturbance) return;
+    const Rational works = ceil_to_int(Rational(pushed * 1000)) + 1;
+    diagnostics_.report({Code::limit_contradictory,
+                         c.name_range,
+                         "`" + c.name + "` makes no way against the disturbance",
+                         "no faster than it may be pushed back",
+                         {{kind.motion.disturbance->range,
+                           "pushes it back at up to " + to_decimal(pushed) + " m/s"}},
+                         "a speed of at least " + to_decimal(Rational(works / 1000)) +
+                             " m/s works, or less disturbance",
+                         {}});
   }
 
   // A sample of the battery is of use only with a bound on how fast it runs down.

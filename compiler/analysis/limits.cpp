@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/travel.h"
 
 namespace rtac::analysis {
 namespace {
 
 // Lateral deviation of a moving recovery from its path, in mm: the tests of the pilots hold it.
-constexpr std::int64_t tracking_of_recovery_mm = 50;
+constexpr std::int64_t tracking_mm = 50;
 // A hold keeps within twice the position error and this, in mm (latched position, see the pilots).
 constexpr std::int64_t hold_slack_mm = 10;
 
@@ -31,23 +32,54 @@ std::int64_t div_up(std::int64_t a, std::int64_t b) {
   return (a + b - 1) / b;
 }
 
-// Acceleration of the reference point when the speed is at most `speed`: driving and turning.
+// Of a recovery, what pushes the robot included: it settles where the correction to its path (1/s)
+// makes up for the speed that it is pushed with; half of it more until then.
+std::int64_t tracking_of_recovery_mm(const ir::Decision& decision) {
+  return tracking_mm + div_up(3 * decision.pushed_mmps, 2);
+}
+// Acceleration of the reference point when the speed is at most `speed`: driving and turning, or,
+// of a point mass, what any controller commands and what pushes it. A point mass that slows down as
+// hard as its brake may do so sideways, too; wheels brake along the way.
 std::int64_t planar_accel(const sema::RobotKind& kind, std::int64_t speed_mmps) {
+  if (!kind.motion.turn) {
+    return up(std::max(kind.motion.accel.value, kind.motion.brake.value) + disturbance_of(kind),
+              1000);
+  }
   const std::int64_t accel = up(kind.motion.accel.value, 1000);
-  if (!kind.motion.turn) return accel;
   const std::int64_t lateral = div_up(speed_mmps * up(kind.motion.turn->value, 1000), 1000);
   return root_up(accel * accel + lateral * lateral);
 }
 
+// theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h. The lag
+// runs from the measurement on, so that the age of the sample is part of it. What pushes the robot
+// at d changes its speed in the meantime, leaves b - d to brake with, and moves it about its hold:
+// by d / omega^2 at most for a spring and a critical damper, by twice that with their delay.
+void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
+  const std::int64_t d_mmps2 = b.disturbance_mmps2, left_mmps2 = b.brake_mmps2 - d_mmps2;
+  if (left_mmps2 <= 0) return;  // reported
+  const std::int64_t delay_us = b.velocity_age_us + period_us + b.jitter_us + b.latency_us;
+  const std::int64_t eta =
+      b.velocity_error_mmps + div_up((b.brake_mmps2 + d_mmps2) * delay_us, 1'000'000);
+  b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
+  b.hold_mm = div_up(eta * eta, left_mmps2) + 2 * b.position_error_mm + hold_slack_mm;
+  if (d_mmps2 == 0) return;
+  // omega: see Pilot<Acceleration>
+  const Rational loop_s(std::max<std::int64_t>(delay_us + b.position_age_us, 10'000), 1'000'000);
+  const Rational omega = std::min(Rational(2), Rational(Rational(1, 4) / loop_s));
+  b.hold_mm += ceil_to_int(Rational(2 * d_mmps2 / (omega * omega)));
+}
+
 }  // namespace
 
-ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us) {
+ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64_t jitter_us) {
   ir::Body b;
+  b.jitter_us = jitter_us;
   b.radius_mm = up(kind.radius.value, 1000);
   b.position_error_mm = kind.position ? up(kind.position->error.value, 1000) : 0;
   b.velocity_error_mmps = kind.velocity ? up(kind.velocity->error.value, 1000) : 0;
   b.accel_mmps2 = planar_accel(kind, up(kind.motion.speed.value, 1000));
   b.brake_mmps2 = down(kind.motion.brake.value, 1000);
+  b.disturbance_mmps2 = up(disturbance_of(kind), 1000);
   b.latency_us = micros(kind.latency.value);
   if (kind.position) b.position_age_us = micros(kind.position->max_age.value);
   if (kind.heading) b.heading_age_us = micros(kind.heading->max_age.value);
@@ -71,12 +103,7 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us) {
     b.brake_lag_permille = std::min<std::int64_t>(2000, up(lag, 1000));
     b.hold_mm = hold_slack_mm;
   } else {
-    // theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h. The lag
-    // runs from the measurement on, so that the age of the sample is part of it.
-    const std::int64_t delay_us = b.velocity_age_us + period_us + b.latency_us;
-    const std::int64_t eta = b.velocity_error_mmps + div_up(b.brake_mmps2 * delay_us, 1'000'000);
-    b.brake_lag_ms = div_up(1000 * eta, b.brake_mmps2);
-    b.hold_mm = div_up(eta * eta, b.brake_mmps2) + 2 * b.position_error_mm + hold_slack_mm;
+    add_sampled_brake(period_us, b);
   }
   return b;
 }
@@ -87,10 +114,13 @@ ir::Motion any_control(const sema::RobotKind& kind) {
 }
 
 ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
-                           const Rational& speed) {
+                           const Rational& speed, std::int64_t period_us) {
+  // twice what it is faster when its velocity has settled: until it has
+  const Rational most =
+      std::min(kind.motion.speed.value, Rational(speed + 2 * pushed_speed(kind, period_us)));
   // while it brakes, the recovery may still turn at the speed that it found
-  return {name, up(speed, 1000), planar_accel(kind, up(kind.motion.speed.value, 1000)), true,
-          kind.motion.range};
+  return {name, up(std::max(speed, most), 1000),
+          planar_accel(kind, up(kind.motion.speed.value, 1000)), true, kind.motion.range};
 }
 
 std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us) {
@@ -108,7 +138,8 @@ std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion&
   const std::int64_t t_us = horizon_us_max(decision.body, lookahead_us);
   return disc_mm(decision.body, motion, motion.speed_mmps + decision.body.velocity_error_mmps,
                  t_us) +
-         decision.body.position_error_mm + (motion.recovery ? tracking_of_recovery_mm : 0);
+         decision.body.position_error_mm +
+         (motion.recovery ? tracking_of_recovery_mm(decision) : 0);
 }
 
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
@@ -119,7 +150,7 @@ std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us
       disc_mm(b, decision.motions[0], decision.motions[0].speed_mmps, t_us) + b.position_error_mm;
   const std::int64_t held = 2 * b.position_error_mm + 2 + b.hold_mm + b.radius_mm;
   const std::int64_t legs = 2 * b.radius_mm + 4 * b.position_error_mm + b.tracking_mm + b.hold_mm;
-  return std::max(mover + held, legs) + standoff_mm + tracking_of_recovery_mm;
+  return std::max(mover + held, legs) + standoff_mm + tracking_of_recovery_mm(decision);
 }
 
 std::int64_t shown_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,

@@ -7,12 +7,14 @@
 
 namespace rtac::analysis {
 
-// `period_us`: of the decision; it is the sampling period of the brake.
-ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us);
+// `period_us`: of the decision; it is the sampling period of the brake. `jitter_us`: how much later
+// than due a step may come.
+ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64_t jitter_us = 0);
 ir::Motion any_control(const sema::RobotKind& kind);
-// Limits while the named recovery drives at most at `speed`.
+// Limits while the named recovery drives at most at `speed`; what pushes the robot may make it
+// faster.
 ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
-                           const Rational& speed);
+                           const Rational& speed, std::int64_t period_us);
 
 // Measured clearance of the centre that lets every fence of the decision hand control back to a
 // robot at rest, in spite of noise (theory: rho_ret + r_eff, plus one more position error because

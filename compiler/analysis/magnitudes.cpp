@@ -40,6 +40,7 @@ class Checker {
     least("the acceleration", k.motion.accel, least_accel_mps2, "m/s^2");
     most("the brake", k.motion.brake, accel_max_mps2, "m/s^2");
     least("the brake", k.motion.brake, least_accel_mps2, "m/s^2");
+    if (k.motion.disturbance) check_disturbance(k.motion);
     if (k.motion.turn) {
       most("the turn rate", *k.motion.turn, turn_max, "rad/s");
       // a millionth: the time of a turn stays below a year
@@ -56,6 +57,14 @@ class Checker {
     if (k.plan) most("the tracking", k.plan->tracking, length_max_m, "m");
     most("the latency", k.latency, time_max_s, "s");
     if (k.energy) energy(*k.energy);
+  }
+  // What the brake has left divides, and is rounded down to the grid.
+  void check_disturbance(const sema::Motion& motion) {
+    const sema::Quantity& d = *motion.disturbance;
+    const Rational room = std::min(motion.brake.value, motion.accel.value) - 2 * least_accel_mps2;
+    if (d.value <= room) return;
+    report("the disturbance", d,
+           "at most " + to_decimal(std::max(room, Rational(0))) + " m/s^2 works");
   }
   void energy(const sema::Energy& e) {
     most("`drive`", e.drive, energy_max, "of a full battery per m");

@@ -25,7 +25,7 @@ Speeds speeds(const ir::Body& body, const ir::Motion& motion, std::int64_t measu
 }  // namespace
 
 std::int64_t horizon_us_max(const ir::Body& body, std::int64_t lookahead_us) {
-  return body.position_age_us + lookahead_us + body.latency_us;
+  return body.position_age_us + lookahead_us + body.latency_us + body.jitter_us;
 }
 
 std::int64_t way_mm(const ir::Body& body, const ir::Motion& motion, std::int64_t measured_mmps,
@@ -45,7 +45,8 @@ std::int64_t disc_mm(const ir::Body& body, const ir::Motion& motion, std::int64_
   const std::int64_t last = std::min(s.cap_mmps, s.first_mmps + s.gain_mmps);
   const std::int64_t stop = div_up(last * last, 2 * body.brake_mmps2);
   const std::int64_t tube = body.radius_mm + div_up(last * body.brake_lag_ms, 1000) +
-                            div_up(stop * body.brake_lag_permille, 1000) + body.hold_mm;
+                            div_up(stop * body.brake_lag_permille, 1000) + body.hold_mm +
+                            div_up(stop * ir::sway_permille(body), 1000);
   return body.position_error_mm + off_grid + way_mm(body, motion, measured_mmps, t_us) + stop +
          tube;
 }

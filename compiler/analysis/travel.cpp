@@ -23,6 +23,12 @@ Rational delay(const sema::RobotKind& kind, const Rational& period) {
   return kind.motion.turn ? acts : Rational(acts + seconds_of(kind.velocity));
 }
 
+// The velocity of a point mass follows its set-point with this time constant.
+Rational settling(const sema::RobotKind& kind, const Rational& period) {
+  return std::max(Rational(pace::velocity_time_ms, 1000),
+                  Rational(pace::velocity_time_delays * delay(kind, period)));
+}
+
 // The pilot turns at a rate proportional to the error (gain g), limited, until the error is e. From
 // an error x that is log(x / e) / g, or longer where the limit binds, and never above the tangent
 // at an eighth of a circle, log(pi / 4 / e) - 1 + x / (pi / 4), over g; or than x at the limit on
@@ -51,26 +57,41 @@ Rational log_of_creep(const Rational& speed) {
 // set-point v leaves v r + v^2 / (2 d) to go, so that dt = dv / d + r dv / v. That is w / (2 d) + r
 // log(w / c) more than at full speed, at most; then the creep, over what c leaves to go.
 Leg leg_of(const sema::RobotKind& kind, const Rational& speed, const Rational& period) {
-  const Rational up = std::min(kind.motion.accel.value, kind.motion.brake.value);
+  const Rational up =
+      std::min(kind.motion.accel.value, kind.motion.brake.value) - disturbance_of(kind);
   const Rational planned = up * Rational(pace::planned_braking_permille, 1000);
   const Rational creep(pace::creep_mmps, 1000), reaction = delay(kind, period);
   Leg leg;
   leg.seconds = speed / up + speed / (2 * planned) + creep / (2 * planned) +
                 reaction * (log_of_creep(speed) + 1);
   if (kind.motion.model == sema::MotionModel::point) {
-    leg.seconds += std::max(Rational(pace::velocity_time_ms, 1000),
-                            Rational(pace::velocity_time_delays * reaction));
+    leg.seconds += settling(kind, period);
   }
   add_turn(kind, period, leg);
   return leg;
 }
 
+// A stop against whatever pushes.
+Rational braking(const sema::RobotKind& kind) {
+  return kind.motion.brake.value - disturbance_of(kind);
+}
+
 }  // namespace
+
+Rational disturbance_of(const sema::RobotKind& kind) {
+  return kind.motion.disturbance ? kind.motion.disturbance->value : Rational(0);
+}
+
+Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us) {
+  const Rational period(static_cast<long>(period_us), 1'000'000);
+  return disturbance_of(kind) * settling(kind, period);
+}
 
 Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
                         std::int32_t cell_mm, std::int64_t distance_mm) {
   const Rational period(static_cast<long>(period_us), 1'000'000);
   const Rational metres(distance_mm, 1000), cells(distance_mm, cell_mm);
+  const Rational slowest = speed - pushed_speed(kind, period_us);  // above 0, see `derive`
   const Leg leg = leg_of(kind, speed, period);
   // at most a leg begins at each cell, the place that the way starts from included
   const Rational legs = cells + 1;
@@ -78,11 +99,11 @@ Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std:
   const Rational turning = (cells + 4) * Rational(7854, 10000) * leg.turn_s_per_rad;
   // It brakes first, rests, and looks for its way; at the end of each piece of a way that has more
   // points than fit, and more points than cells it has not, again.
-  const Rational rest = kind.motion.speed.value / kind.motion.brake.value +
+  const Rational rest = kind.motion.speed.value / braking(kind) +
                         pace::rest_samples * (delay(kind, period) + seconds_of(kind.velocity)) +
                         Rational(pace::look_every_ms, 1000);
   const Rational stops = 2 + cells / pace::waypoints;
-  return metres / speed + legs * leg.seconds + turning + stops * rest;
+  return metres / slowest + legs * leg.seconds + turning + stops * rest;
 }
 
 std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
@@ -91,8 +112,7 @@ std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
   const sema::Energy& energy = *kind.energy;
   const Rational& v = kind.motion.speed.value;
   const Rational metres(distance_mm, 1000);
-  const Rational stop =
-      v * v / (2 * kind.motion.brake.value);  // the way starts where it has stopped
+  const Rational stop = v * v / (2 * braking(kind));  // the way starts where it has stopped
   const Rational seconds = travel_seconds(kind, speed, period_us, cell_mm, distance_mm);
   return ceil_to_int(
       Rational((energy.drive.value * (metres + stop) + energy.idle.value * seconds) * 1'000'000));

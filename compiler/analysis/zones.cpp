@@ -399,7 +399,7 @@ std::int64_t exact_wanted_mm(const sema::Spec& spec) {
   for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, named);
   for (const sema::RobotKind& kind : spec.kinds) {
     const ir::Body body = body_of(kind, ahead_us);
-    if (body.brake_mmps2 <= 0) continue;  // reported
+    if (body.brake_mmps2 <= body.disturbance_mmps2) continue;  // reported
     const ir::Motion motion = any_control(kind);
     most_mm = std::max(
         most_mm, 2 * disc_mm(body, motion, motion.speed_mmps, horizon_us_max(body, ahead_us)));

@@ -46,7 +46,7 @@ DecisionPrinter::DecisionPrinter(const Module& module, const Decision& decision,
   for (const Monitor& m : d_.monitors) {
     if (m.separation_mm) separation_ = std::max(separation_.value_or(0), *m.separation_mm);
     pairs_ = pairs_ || judges_others(m);
-    const std::int64_t us = m.lookahead.duration_us + d_.body.latency_us;
+    const std::int64_t us = horizon_us(d_, m);
     if (std::find(horizons_.begin(), horizons_.end(), us) == horizons_.end()) {
       horizons_.push_back(us);
     }
@@ -89,7 +89,7 @@ std::vector<ZoneIndex> DecisionPrinter::own_places() const {
 }
 
 std::size_t DecisionPrinter::horizon_of(const Monitor& m) const {
-  const std::int64_t us = m.lookahead.duration_us + d_.body.latency_us;
+  const std::int64_t us = horizon_us(d_, m);
   return std::size_t(std::find(horizons_.begin(), horizons_.end(), us) - horizons_.begin());
 }
 
@@ -113,13 +113,15 @@ void DecisionPrinter::print_body(const std::string& name, std::int64_t position_
                 num(b.position_error_mm) + ", " + num(b.velocity_error_mmps) + ", " +
                 num(b.accel_mmps2) + ", " + num(b.brake_mmps2) + ", " + num(b.brake_lag_ms) + ", " +
                 num(b.brake_lag_permille) + ", " + num(b.hold_mm) + ", " + num(position_age_us) +
-                ", " + num(velocity_age_us));
+                ", " + num(velocity_age_us) +
+                (is_disturbed(module_) ? ", " + num(sway_permille(b)) : ""));
       },
       "};");
 }
 
 void DecisionPrinter::print_constants() {
   use({"body_type", "motion_type"});
+  if (is_disturbed(module_)) use({"disturbed"});
   out_.comment("---- decision " + d_.name + " for " + d_.kind + " ----");
   const auto define = [&](const std::string& key, const std::string& value) {
     out_.line("#define " + key + " " + value);
@@ -133,7 +135,8 @@ void DecisionPrinter::print_constants() {
   const Body& b = d_.body;
   out_.comment(
       "radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake "
-      "mm/s^2, brake lag ms and permille, hold mm, largest ages us");
+      "mm/s^2, brake lag ms and permille, hold mm, largest ages us" +
+      std::string(is_disturbed(module_) ? ", sway permille" : ""));
   print_body("BODY", b.position_age_us, b.velocity_age_us);
   if (pairs()) {
     out_.comment("The same of another robot, whose samples are as old as `hears` allows.");
@@ -152,7 +155,8 @@ void DecisionPrinter::print_constants() {
         if (pairs()) to.line("{0, 1, 1} /* holding, and bound by its promise to stay */");
       },
       "};");
-  out_.comment("From the decision until its recovery acts: look-ahead and latency, us.");
+  out_.comment(std::string("From the decision until its recovery acts: look-ahead") +
+               (b.jitter_us > 0 ? ", jitter" : "") + " and latency, us.");
   std::string list;
   for (const std::int64_t h : horizons_) list += (list.empty() ? "" : ", ") + num(h);
   out_.line("static const int64_t " + id_ + "_horizons_us[] = {" + list + "};").blank();

@@ -191,7 +191,9 @@ class StepPrinter : public CheckPrinter {
   // robot does.
   void count_ticks(Code& to) {
     const std::string call = "next_tick(&s->clock, now_us, " + num(d_.period_us) + ", ";
-    const std::string longest = num(*std::min_element(horizons_.begin(), horizons_.end()));
+    std::int64_t gap_us = INT64_MAX;
+    for (const Monitor& m : d_.monitors) gap_us = std::min(gap_us, m.lookahead.gap_us);
+    const std::string longest = num(gap_us);
     if (!has_signals(d_)) {
       to.line("const int64_t elapsed = " + call + longest + ");");
       return;

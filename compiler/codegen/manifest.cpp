@@ -28,7 +28,7 @@ Json monitor(const Monitor& m, const Decision& d) {
   j["recovery"] = m.recovery.name;
   if (m.lookahead.duration) {
     j["lookahead_us"] = m.lookahead.duration_us;
-    j["horizon_us"] = m.lookahead.duration_us + d.body.latency_us + d.body.position_age_us;
+    j["horizon_us"] = ir::horizon_us(d, m) + d.body.position_age_us;
   }
   if (m.lookahead.waypoints > 0) j["lookahead_waypoints"] = m.lookahead.waypoints;
   j["sound"] = m.lookahead.duration && !m.lookahead.too_short && !m.lookahead.points_only;
@@ -65,6 +65,7 @@ Json assumptions(const Module& module, const sema::RobotKind& k) {
       k.velocity ? "decision module: a faster measurement is unknown" : "UNCHECKED");
   add("accel", k.motion.accel.value, "m/s^2", "UNCHECKED");
   add("brake", k.motion.brake.value, "m/s^2", "UNCHECKED");
+  if (k.motion.disturbance) add("disturbance", k.motion.disturbance->value, "m/s^2", "UNCHECKED");
   add("latency", k.latency.value, "s", "UNCHECKED");
   const auto sense = [&](const std::string& name, const std::string& unit,
                          const std::optional<sema::Sense>& s) {

@@ -97,11 +97,23 @@ class RobotRemarks {
     }
   }
 
+  static std::string jitter(const sema::Decision& from, const Decision& d) {
+    std::int64_t gap_us = INT64_MAX;
+    for (const Monitor& m : d.monitors) gap_us = std::min(gap_us, m.lookahead.gap_us);
+    std::string text =
+        "a step is missed when it comes later than " + time(gap_us) + " after the one before";
+    if (d.body.jitter_us == 0) return text;
+    text += ", " + time(d.body.jitter_us) + " of it for jitter, part of every horizon";
+    if (!from.jitter) text += " (not declared: a tenth of the period)";
+    return text;
+  }
+
   void decision(const sema::Decision& from, const Decision& d) {
     std::vector<std::string> details;
     if (!d.on_plan) {
       details.push_back("every " + time(d.period_us) + ", " + std::to_string(d.robots) +
                         (d.robots == 1 ? " robot" : " robots"));
+      details.push_back(jitter(from, d));
       details.push_back("control returns after " + std::to_string(d.dwell_ticks) +
                         " ticks on which every return condition holds, " + time(d.return_extra_us) +
                         " further ahead");
@@ -166,6 +178,14 @@ class RobotRemarks {
                                             " and " + accel(b.accel_mmps2) +
                                             " in the plane, turning included",
                                         "brakes with " + accel(b.brake_mmps2) + " at least"};
+    if (b.disturbance_mmps2 > 0) {
+      details.push_back("is pushed with up to " + accel(b.disturbance_mmps2) +
+                        ": a stop is longer and bends by up to " +
+                        std::to_string(sway_permille(b)) +
+                        " permille of its length, a recovery is "
+                        "off its speed by up to " +
+                        speed(d.pushed_mmps));
+    }
     if (b.brake_lag_ms > 0) {
       details.push_back("samples and noise delay the brake by up to " +
                         time(b.brake_lag_ms * 1000));

@@ -90,7 +90,15 @@ struct Body {
   std::int64_t latency_us = 0, tracking_mm = 0;
   std::optional<std::int64_t> heading_age_us;  // none: not sensed
   std::int64_t battery_error_ppm = 0, drain_ppm_per_s = 0;
+  std::int64_t jitter_us = 0;          // a step of the decision may come this much later than due
+  std::int64_t disturbance_mmps2 = 0;  // of whatever pushes it; below its brake
 };
+// What pushes the robot adds this share to its stopping distance, d / (b - d), and bends it away by
+// as much. theory, the brake: d s^2 / (2 b (b - d)) = s^2 / (2 b) d / (b - d)
+inline std::int64_t sway_permille(const Body& b) {
+  const std::int64_t left_mmps2 = b.brake_mmps2 - b.disturbance_mmps2;
+  return b.disturbance_mmps2 == 0 ? 0 : (1000 * b.disturbance_mmps2 + left_mmps2 - 1) / left_mmps2;
+}
 struct Motion {
   std::string name;  // "any" or the name of the recovery
   std::int64_t speed_mmps = 0, accel_mmps2 = 0;
@@ -481,7 +489,8 @@ struct Lookahead {
   std::int64_t duration_us = 0;  // D
   std::int64_t waypoints = 0;    // n, 0: the plan is not looked at
   bool points_only = false;
-  bool too_short = false;  // for its recovery to act in time, as the author accepts
+  bool too_short = false;   // for its recovery to act in time, as the author accepts
+  std::int64_t gap_us = 0;  // longest time between two steps that it covers
 };
 enum class RecoveryKind { external, retreat, route, yield, brake, loiter, sequence };
 struct Recovery {
@@ -546,6 +555,8 @@ struct Decision {
   bool open_fleet = false;   // messages say whether their sender is present
   std::int64_t plan_capacity = 0;
   Body body;
+  // By how much what pushes it makes a recovery faster or slower than it means to be.
+  std::int64_t pushed_mmps = 0;
   // Clearance of the centre at which a robot at full speed never fails a fence: for planners.
   std::int64_t cruise_clearance_mm = 0;
   std::int64_t hold_reserve_ppm = 0;  // charge that held time and detours may take
@@ -560,6 +571,10 @@ struct Decision {
   // Its schedules are those of the zones that the monitors hold robots against, too.
   Watch facts;
 };
+// From a decision until its recovery acts, the age of the sample apart.
+inline std::int64_t horizon_us(const Decision& d, const Monitor& m) {
+  return m.lookahead.duration_us + d.body.latency_us + d.body.jitter_us;
+}
 // The mode that the robot takes when the advanced side gives control up by itself: a recovery that
 // makes way for others if there is one, else that of the highest priority.
 inline std::int64_t surrender_mode(const Decision& d) {
@@ -583,6 +598,13 @@ struct Module {
   }
 };
 
+// Is some robot pushed by what nobody commands?
+inline bool is_disturbed(const Module& module) {
+  for (const Decision& d : module.decisions) {
+    if (d.body.disturbance_mmps2 > 0) return true;
+  }
+  return false;
+}
 // Does some decision hear whether other robots are present?
 inline bool has_open_fleet(const Module& module) {
   for (const Decision& d : module.decisions) {

@@ -270,7 +270,9 @@ class Printer {
     line("  body radius " + num(b.radius_mm) + ", errors " + num(b.position_error_mm) + " mm " +
          num(b.velocity_error_mmps) + " mm/s, accel " + num(b.accel_mmps2) + ", brake " +
          num(b.brake_mmps2) + ", brake lag " + num(b.brake_lag_ms) + " ms " +
-         num(b.brake_lag_permille) + " permille, hold " + num(b.hold_mm));
+         num(b.brake_lag_permille) + " permille, hold " + num(b.hold_mm) +
+         (b.disturbance_mmps2 > 0 ? ", disturbance " + num(b.disturbance_mmps2) : "") +
+         (b.jitter_us > 0 ? ", jitter " + num(b.jitter_us) + " us" : ""));
     for (const Motion& m : d.motions) {
       line("  motion " + m.name + " speed " + num(m.speed_mmps) + " accel " + num(m.accel_mmps2));
     }

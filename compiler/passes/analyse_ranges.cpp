@@ -115,9 +115,9 @@ void analyse_ranges(ir::Module& module, diag::Engine& diagnostics) {
       ranges.block(monitor.property);
       if (monitor.ahead) ranges.block(*monitor.ahead);
       if (monitor.return_when) ranges.block(*monitor.return_when);
-      check_limit(monitor.lookahead_source, "a horizon (look-ahead, sample age, latency, period)",
-                  monitor.lookahead.duration_us + d.body.position_age_us + d.body.latency_us +
-                      d.return_extra_us,
+      check_limit(monitor.lookahead_source,
+                  "a horizon (look-ahead, sample age, latency, jitter, period)",
+                  horizon_us(d, monitor) + d.body.position_age_us + d.return_extra_us,
                   horizon_limit_us, 1'000'000, "s", diagnostics);
     }
     for (const Motion& m : d.motions) {

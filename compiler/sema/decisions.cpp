@@ -51,6 +51,33 @@ class DecisionChecker {
     } else {
       check_period(*written_.period.front());
     }
+    check_jitter();
+  }
+
+  void check_jitter() {
+    for (std::size_t i = 1; i < written_.jitter.size(); ++i) {
+      context_.duplicate_clause(written_.jitter[i]->range, written_.jitter.front()->range,
+                                "`jitter`");
+    }
+    if (written_.jitter.empty()) return;
+    const syntax::Expr& expr = *written_.jitter.front();
+    if (decision_.on_plan) {
+      context_.report(Finding(Code::clause_without_effect, expr.range,
+                              "`jitter` has no effect on a decision on a plan")
+                          .label("it has no period")
+                          .help("leave it out"));
+      return;
+    }
+    decision_.jitter = quantity(context_, expr, {dims::time, "the jitter", Limit::not_negative});
+    if (!decision_.jitter || !decision_.period) return;
+    if (decision_.jitter->value < decision_.period->value) return;
+    const std::string most = show(decision_.period->value, dims::time);
+    context_.report(Finding(Code::limit_contradictory, expr.range,
+                            "a step that is late by " + show(decision_.jitter->value, dims::time) +
+                                " comes after the next one")
+                        .label("not below the period")
+                        .note(decision_.period->range, "the period is " + most)
+                        .help("less than " + most + " works, or a longer period"));
   }
 
   void report_trigger(const SourceRange& range, const std::string& message,

@@ -92,8 +92,11 @@ class KindChecker {
           {"turn", Relation::at_most, dims::turn_rate, Limit::positive, true, "turn <= 2 rad/s"});
       rules.push_back({"turn_accel", Relation::at_most, dims::turn_acceleration, Limit::positive,
                        false, "turn_accel <= 10 rad/s^2"});
+    } else {
+      rules.push_back({"disturbance", Relation::at_most, dims::acceleration, Limit::not_negative,
+                       false, "disturbance <= 0.1 m/s^2"});
     }
-    BoundValues values = check_bounds(context_, without_turns(written.bounds, unicycle), rules,
+    BoundValues values = check_bounds(context_, suited(written.bounds, unicycle), rules,
                                       "the motion of " + owner(), range);
     kind_.motion.speed = values["speed"].quantity;
     kind_.motion.accel = values["accel"].quantity;
@@ -101,24 +104,54 @@ class KindChecker {
     if (values["turn"].good) kind_.motion.turn = values["turn"].quantity;
     if (values["turn_accel"].good) kind_.motion.turn_accel = values["turn_accel"].quantity;
     if (values["brake"].good && kind_.motion.brake.value == 0) report_no_brake();
+    if (values["disturbance"].good) {
+      kind_.motion.disturbance = values["disturbance"].quantity;
+      if (values["accel"].good && values["brake"].good) check_disturbance();
+    }
   }
 
-  // A point that moves has no turn rate; says so rather than that the limit is unknown.
-  std::vector<const syntax::Bound*> without_turns(const std::vector<syntax::Bound>& bounds,
-                                                  bool unicycle) {
+  // Whatever pushes must be weaker than what the robot can do against it.
+  void check_disturbance() {
+    const Quantity& d = *kind_.motion.disturbance;
+    for (const auto& [name, own] :
+         {std::pair{"brake", kind_.motion.brake}, std::pair{"accel", kind_.motion.accel}}) {
+      if (d.value < own.value || own.value == 0) continue;
+      const std::string most = show(own.value, dims::acceleration);
+      context_.report(Finding(Code::limit_contradictory, d.range,
+                              "`disturbance` of " + show(d.value, dims::acceleration) +
+                                  " is not below `" + name + "` of " + most)
+                          .label("nothing can hold against it")
+                          .note(own.range, "`" + std::string(name) + "` is declared here")
+                          .help("less than " + most + " works"));
+      return;
+    }
+  }
+
+  // Limits of the other motion model: says so rather than that the limit is unknown.
+  std::vector<const syntax::Bound*> suited(const std::vector<syntax::Bound>& bounds,
+                                           bool unicycle) {
     std::vector<const syntax::Bound*> kept;
     for (const syntax::Bound& bound : bounds) {
-      const bool turn = bound.name.text == "turn" || bound.name.text == "turn_accel";
-      if (unicycle || !turn) {
+      const std::string& name = bound.name.text;
+      if (!unicycle && (name == "turn" || name == "turn_accel")) {
+        report_unsuited(bound, "point", "a point has no heading",
+                        "leave it out, or write `motion unicycle`");
+      } else if (unicycle && name == "disturbance") {
+        report_unsuited(bound, "unicycle", "wheels do not drift",
+                        "declare as `accel` and `brake` what the base keeps in spite of it, or "
+                        "write `motion point`");
+      } else {
         kept.push_back(&bound);
-        continue;
       }
-      context_.report(Finding(Code::clause_without_effect, bound.name.range,
-                              "`" + bound.name.text + "` has no effect on `motion point`")
-                          .label("a point has no heading")
-                          .help("leave it out, or write `motion unicycle`"));
     }
     return kept;
+  }
+  void report_unsuited(const syntax::Bound& bound, const std::string& model,
+                       const std::string& label, const std::string& help) {
+    context_.report(Finding(Code::clause_without_effect, bound.name.range,
+                            "`" + bound.name.text + "` has no effect on `motion " + model + "`")
+                        .label(label)
+                        .help(help));
   }
 
   void report_no_brake() {

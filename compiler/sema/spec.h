@@ -157,6 +157,7 @@ struct Motion {
   SourceRange range;
   Quantity speed, accel, brake;
   std::optional<Quantity> turn, turn_accel;  // unicycle only; turn_accel may be left out
+  std::optional<Quantity> disturbance{};     // point only: acceleration that nobody commands
 };
 struct Sense {
   Quantity error, max_age;
@@ -522,6 +523,7 @@ struct Decision {
   std::optional<Quantity> period;   // absent with `on plan`
   std::vector<MonitorId> priority;  // highest first
   std::vector<Acknowledgement> acknowledgements;
+  std::optional<Quantity> jitter{};  // a step comes so much later than due; none: derived
 };
 
 struct Spec {

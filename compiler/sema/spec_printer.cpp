@@ -109,6 +109,8 @@ class SpecPrinter {
     if (motion.turn) text += " turn " + si_text(*motion.turn, dims::turn_rate);
     if (motion.turn_accel)
       text += " turn_accel " + si_text(*motion.turn_accel, dims::turn_acceleration);
+    if (motion.disturbance)
+      text += " disturbance " + si_text(*motion.disturbance, dims::acceleration);
     line(1, text);
   }
 

@@ -439,6 +439,7 @@ struct DecisionItem {
   std::vector<ExprPtr> period;
   std::vector<std::vector<Name>> priority;
   std::vector<Acknowledge> acknowledge;
+  std::vector<ExprPtr> jitter;
 };
 struct Item {
   SourceRange range;

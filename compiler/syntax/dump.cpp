@@ -297,6 +297,7 @@ class Dumper {
     parts("Safe", node.safe);
     parts("On", node.on);
     parts("Period", node.period);
+    parts("Jitter", node.jitter);
     for (const auto& ranking : node.priority) {
       line("Priority " + join(ranking, " > "), ranking.front().range);
     }

@@ -195,6 +195,7 @@ const std::vector<Form>& all_forms() {
       {Block::decision, T::SAFE, "safe certified_planner;"},
       {Block::decision, T::ON, "on plan;"},
       {Block::decision, T::PERIOD, "period 100 ms;"},
+      {Block::decision, T::JITTER, "jitter 5 ms;"},
       {Block::decision, T::ACKNOWLEDGE,
        "acknowledge give_way may break battery \"the reserve covers it\";"},
       {Block::values, T::IDENT, "park, drive, reverse"},

@@ -246,6 +246,7 @@ std::string print_node(const DecisionItem& node) {
   for (const Name& name : node.safe) result += "  safe " + name.text + ";\n";
   for (const Name& name : node.on) result += "  on " + name.text + ";\n";
   for (const ExprPtr& expr : node.period) result += "  period " + print_expr(*expr) + ";\n";
+  for (const ExprPtr& expr : node.jitter) result += "  jitter " + print_expr(*expr) + ";\n";
   for (const auto& ranking : node.priority) result += "  priority " + join(ranking, " > ") + ";\n";
   for (const Acknowledge& entry : node.acknowledge) {
     result += "  acknowledge " + entry.recovery.text + " may break " + entry.monitor.text + ' ' +

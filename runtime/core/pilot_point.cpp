@@ -21,7 +21,9 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
   reaction_s_ =
       static_cast<double>(limits_.velocity_age_us + period_us_ + limits_.latency_us) * s_per_us;
   // theory: sampled brake, eta = eps_v + b (h + l), the age of the sample being part of the lag.
-  rest_mps_ = limits_.velocity_error_mps + limits_.brake_mps2 * reaction_s_;
+  // What pushes the robot changes the speed in the meantime, too.
+  rest_mps_ =
+      limits_.velocity_error_mps + (limits_.brake_mps2 + limits_.disturbance_mps2) * reaction_s_;
   // Critically damped; a quarter of a radian per delay leaves a phase margin above 60 degrees.
   const double age_s = static_cast<double>(limits_.position_age_us) * s_per_us;
   omega_radps_ = std::min(2.0, 0.25 / std::max(reaction_s_ + age_s, 0.01));
@@ -96,9 +98,11 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
   last_velocity_ = v;
   last_seen_us_ = observation.velocity.stamp_us;
   const LegTracker::Leg leg = tracker_.leg(way, p);
+  // What is left of it slows down against whatever pushes; the set-point is planned with that.
   const double limit = limits_.accel_mps2 > 0 ? std::min(limits_.accel_mps2, limits_.brake_mps2)
                                               : limits_.brake_mps2;
-  const double speed = approach_speed(leg, speed_mps_, limit, reaction_s_);
+  const double speed =
+      approach_speed(leg, speed_mps_, limit - limits_.disturbance_mps2, reaction_s_);
   const Vec2 left{-leg.direction.y, leg.direction.x};
   Vec2 wanted = speed * leg.direction + (-lateral_gain_per_s * leg.lateral_m) * left;
   if (const double size = norm(wanted); size > speed_mps_) wanted = (speed_mps_ / size) * wanted;

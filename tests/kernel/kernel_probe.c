@@ -24,6 +24,7 @@ static body to_body(const probe_body* b) {
   to.hold_mm = b->hold_mm;
   to.position_age_us = b->position_age_us;
   to.velocity_age_us = b->velocity_age_us;
+  to.sway_permille = b->sway_permille;
   return to;
 }
 static motion to_motion(const probe_motion* m) {
@@ -227,6 +228,7 @@ static probe_robot declared(const body* b, const motion* any) {
   r.body.hold_mm = b->hold_mm;
   r.body.position_age_us = b->position_age_us;
   r.body.velocity_age_us = b->velocity_age_us;
+  r.body.sway_permille = b->sway_permille;
   r.motion.speed_mmps = any->speed_mmps;
   r.motion.accel_mmps2 = any->accel_mmps2;
   r.motion.recovery = any->recovery;
@@ -238,6 +240,9 @@ probe_robot probe_cart(void) {
 }
 probe_robot probe_kite(void) {
   return declared(&pilot_body, &pilot_motions[0]);
+}
+probe_robot probe_leaf(void) {
+  return declared(&drift_body, &drift_motions[0]);
 }
 probe_robot probe_drone(void) {
   return declared(&hover_body, &hover_motions[0]);

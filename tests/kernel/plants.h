@@ -100,6 +100,30 @@ struct PointPlant {
   [[nodiscard]] Real velocity() const { return v; }
 };
 
+// The same, pushed with up to `push` besides: while anybody controls it (its `accel` contains that)
+// and while it brakes.
+struct PushedPlant : PointPlant {
+  double push;
+  Real wind{};
+
+  void free(Whim& whim, double t_s) {
+    PointPlant::free(whim, t_s);
+    // the most while it brakes is across the way, or along it
+    wind = push * heading(std::atan2(v.y, v.x) + (whim.bold() ? 0 : whim.angle()));
+    if (whim.angle() > 0) wind = {-wind.y, wind.x};
+  }
+  void stop() {
+    const double speed = norm(v);
+    const Real before = v;
+    if (speed <= brake * dt_s) {
+      v = {};  // it can hold its place
+    } else {
+      v = (1 - brake * dt_s / speed) * v + dt_s * wind;
+    }
+    p = p + (0.5 * dt_s) * (before + v);
+  }
+};
+
 // Unicycle: |speed| <= cap in either direction, |turn| <= turn_max. The advanced side may turn at
 // once; the brake sets the turn to 0, which takes its time.
 struct CartPlant {

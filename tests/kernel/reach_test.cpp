@@ -131,6 +131,30 @@ TEST(Reach, HoldsRandomPointMasses) {
   EXPECT_GT(worst.capsule, 0.9);
 }
 
+TEST(Reach, HoldsPointMassesThatArePushed) {
+  // theory, the brake: pushed with d, it stops within d v^2 / (2 b (b - d)) of the path of a free
+  // one.
+  Random random(27);
+  Tightness worst;
+  for (int i = 0; i < 20'000 && !HasFatalFailure(); ++i) {
+    probe_robot robot = probe_leaf();
+    const std::int64_t brake = random.in(300, 3'000), push = random.in(0, 3 * brake / 4);
+    robot.body.position_error_mm = random.in(0, 50);
+    robot.body.velocity_error_mmps = random.in(0, 100);
+    robot.body.accel_mmps2 = robot.motion.accel_mmps2 = random.in(100, 2'000) + push;
+    robot.body.brake_mmps2 = brake;
+    robot.body.sway_permille = (1'000 * push + brake - push - 1) / (brake - push);
+    robot.body.brake_lag_ms = robot.body.hold_mm = 0;
+    robot.body.speed_mmps = robot.motion.speed_mmps = random.in(50, 3'000);
+    const Timing timing = random_timing(random, robot.body, 2'000 * random.in(0, 150));
+    PushedPlant plant{point_plant(random, robot), static_cast<double>(push)};
+    chase(random, robot, plant, timing, worst);
+  }
+  RecordProperty("disc_share", std::to_string(worst.disc));
+  RecordProperty("capsule_share", std::to_string(worst.capsule));
+  EXPECT_GT(worst.disc, 0.95);
+}
+
 TEST(Reach, HoldsAUnicycleThatTurnsReversesAndStopsWithALag) {
   Random random(23);
   Tightness worst;
@@ -162,10 +186,11 @@ TEST(Reach, HoldsARecoveryThatStartsFasterThanItMayDrive) {
   }
 }
 
-// The pilot of the safe controllers, on samples of some age, with latency.
+// The pilot of the safe controllers, on samples of some age, with latency, pushed about.
 class SampledBrake {
  public:
-  SampledBrake(Random& random, const probe_robot& robot) : random_(random), body_(robot.body) {
+  SampledBrake(Random& random, const probe_robot& robot, double push_mmps2 = 0)
+      : random_(random), body_(robot.body), push_(push_mmps2) {
     limits_.speed_mps = 1e-3 * static_cast<double>(robot.motion.speed_mmps);
     limits_.accel_mps2 = 1e-3 * static_cast<double>(robot.motion.accel_mmps2);
     limits_.brake_mps2 = 1e-3 * static_cast<double>(robot.body.brake_mmps2);
@@ -174,6 +199,7 @@ class SampledBrake {
     limits_.position_age_us = robot.body.position_age_us;
     limits_.velocity_age_us = robot.body.velocity_age_us;
     limits_.latency_us = latency_us;
+    limits_.disturbance_mps2 = 1e-3 * push_mmps2;
   }
   // From the tick at which the recovery takes over; until then the last command of the adversary
   // acts. Returns the path.
@@ -182,9 +208,23 @@ class SampledBrake {
   static constexpr std::int64_t period_us = 50'000, latency_us = 20'000;
 
  private:
+  // Steady, turning with the motion, or against what brings it back to where it was.
+  Real wind(double t_s, Real away) {
+    if (t_s >= until_s_) {
+      style_ = static_cast<int>(random_.in(0, 2));
+      angle_ = random_.real(-3.2, 3.2);
+      until_s_ = t_s + random_.real(0.5, 5);
+    }
+    if (style_ == 0 || norm(away) == 0) return push_ * heading(angle_);
+    return push_ * heading(std::atan2(away.y, away.x) + (style_ == 1 ? 0.0 : 1.6));
+  }
+
   Random& random_;
   probe_body body_;
+  double push_;
   RobotLimits limits_;
+  int style_ = 0;
+  double angle_ = 0, until_s_ = -1;
 };
 
 std::vector<Real> SampledBrake::run(PointPlant plant, double seconds, bool delayed) {
@@ -213,39 +253,50 @@ std::vector<Real> SampledBrake::run(PointPlant plant, double seconds, bool delay
       coming = {1e3 * a.value_mps2.x, 1e3 * a.value_mps2.y};
     }
     if (step % period == latency) acting = coming;
-    plant.move(acting);
+    plant.move(acting + wind(step * dt_s, plant.v));
     history.push_back(plant);
     path.push_back(plant.p);
   }
   return path;
 }
 
-void sampled(std::uint64_t seed, bool delayed, Tightness& worst) {
+void sampled(std::uint64_t seed, const probe_robot& robot, double push_mmps2, bool delayed,
+             Tightness& worst) {
   Random random(seed);
   for (int i = 0; i < 2'000 && !::testing::Test::HasFatalFailure(); ++i) {
-    const probe_robot robot = probe_drone();
-    SampledBrake brake(random, robot);
+    SampledBrake brake(random, robot, push_mmps2);
     PointPlant plant = point_plant(random, robot);
     probe_robot seen = robot;
     seen.position = measured(plant.p, 0);
     seen.velocity = measured(plant.v, 0);
     // the decision has just been made: what remains is the latency, the brake and its hold
     const probe_reach r = probe_reach_of(&seen, 0, SampledBrake::latency_us);
-    for (const Real& p : brake.run(plant, 6, delayed)) watch(p, r, robot.body, worst);
+    for (const Real& p : brake.run(plant, push_mmps2 > 0 ? 12 : 6, delayed))
+      watch(p, r, robot.body, worst);
   }
 }
 
 TEST(Reach, HoldsTheSampledBrakeAndItsPositionHold) {
   // theory, sampled brake: rho_sc = eta s / b + eta^2 / b + rho_h around the ideal stopping path.
   Tightness worst;
-  sampled(25, false, worst);
+  sampled(25, probe_drone(), 0, false, worst);
   RecordProperty("capsule_share", std::to_string(worst.capsule));
 }
 
 TEST(Reach, HoldsTheSampledBrakeOnSamplesAsOldAsAllowed) {
   Tightness worst;
-  sampled(26, true, worst);
+  sampled(26, probe_drone(), 0, true, worst);
   RecordProperty("capsule_share", std::to_string(worst.capsule));
+}
+
+TEST(Reach, HoldsTheSampledBrakeOfARobotThatIsPushed) {
+  // the disturbance of `Leaf`, against the brake and against the hold that follows
+  for (const bool delayed : {false, true}) {
+    Tightness worst;
+    sampled(28, probe_leaf(), 300, delayed, worst);
+    RecordProperty(delayed ? "capsule_share_delayed" : "capsule_share",
+                   std::to_string(worst.capsule));
+  }
 }
 
 }  // namespace

@@ -315,6 +315,23 @@ TEST(Rule1, AGapThatTheLookAheadDoesNotCoverIsAMissedTick) {
   EXPECT_FALSE(advanced);
 }
 
+// The latency passes after the decision: it is no time in which a step may be late.
+TEST(Rule9, TheLatencyIsNoRoomForLateSteps) {
+  // `Leaf` looks 50 ms ahead, with 10 ms for jitter and a latency of 20 ms
+  for (const TimeUs gap_us : {60'000, 60'001, 70'000}) {
+    probe::Drift drift(0);
+    Observation o;
+    bool advanced = false;
+    for (const TimeUs now_us : {TimeUs{1'000'000}, 1'000'000 + gap_us}) {
+      o.now_us = now_us;
+      o.position = {{10, 5}, now_us};
+      o.velocity = {{0, 0}, now_us};
+      advanced = drift.step(o, false, false).advanced();
+    }
+    EXPECT_EQ(advanced, gap_us == 60'000) << gap_us;
+  }
+}
+
 TEST(Rule1, StepsWithinATickDoNotSpeedUpTheReturn) {
   GuardScene s;
   s.other[1] = {5.5, 5};

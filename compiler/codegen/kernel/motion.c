@@ -23,6 +23,7 @@ static int64_t dot(vec a, vec b) {
 static int64_t cross(vec a, vec b) {
   return a.x * b.y - a.y * b.x;
 }
+/*= disturbed */
 /*= body_type */
 /* What is declared of a kind of robot, rounded to the safe side. */
 typedef struct body {
@@ -35,6 +36,7 @@ typedef struct body {
   int64_t brake_lag_permille;  /* share of the stopping distance that a turn still bends away */
   int64_t hold_mm;             /* stays within this of its hold */
   int64_t position_age_us, velocity_age_us;
+  /*? disturbed */ int64_t sway_permille; /* what pushes it lengthens and bends a stop so much */
 } body;
 /*= motion_type */
 /* Limits of whoever drives: any control, or one recovery. */
@@ -169,6 +171,7 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
   const int64_t stop = div_up(s1 * s1, 2 * b->brake_mmps2);
   /* the tube around the ideal stopping path, see the brake of the theory */
   const int64_t tube = b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
+                       /*? disturbed */ div_up(stop * b->sway_permille, 1000) +
                        div_up(stop * b->brake_lag_permille, 1000) + b->hold_mm;
   const int64_t centre = s->p_error_mm + travel_of(s0, t_ms, cap, m) + stop + tube - b->radius_mm;
   const int64_t along_us = t_us + div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);

@@ -51,7 +51,8 @@ TEST(Rounding, DemandsAreRoundedUpAndSuppliesDown) {
   up(b.radius_mm, k.radius.value, 1000);
   up(b.position_error_mm, k.position->error.value, 1000);
   up(b.velocity_error_mmps, k.velocity->error.value, 1000);
-  up(b.accel_mmps2, k.motion.accel.value, 1000);
+  // a point mass slows down as hard as it brakes, in any direction
+  up(b.accel_mmps2, std::max(k.motion.accel.value, k.motion.brake.value), 1000);
   up(b.position_age_us, k.position->max_age.value, 1'000'000);
   up(b.velocity_age_us, k.velocity->max_age.value, 1'000'000);
   up(b.battery_age_us, k.battery->max_age.value, 1'000'000);
@@ -63,7 +64,7 @@ TEST(Rounding, DemandsAreRoundedUpAndSuppliesDown) {
   EXPECT_LE(exact(b.brake_mmps2), k.motion.brake.value * 1000);
   EXPECT_GT(exact(b.brake_mmps2 + 1), k.motion.brake.value * 1000);
   up(any_control(k).speed_mmps, k.motion.speed.value, 1000);
-  up(recovery_motion(k, "slow", Rational(1, 9)).speed_mmps, Rational(1, 9), 1000);
+  up(recovery_motion(k, "slow", Rational(1, 9), 50'000).speed_mmps, Rational(1, 9), 1000);
 }
 
 // theory, unicycle: A_eff = sqrt(A^2 + (V W)^2)
@@ -72,9 +73,10 @@ TEST(Rounding, TheAccelerationOfAUnicycleContainsItsTurning) {
   const Rational a = k.motion.accel.value * 1000;
   const Rational lateral = k.motion.speed.value * k.motion.turn->value * 1000;
   const Rational least_squared = a * a + lateral * lateral;
-  for (const std::int64_t derived : {body_of(k, 50'000).accel_mmps2, any_control(k).accel_mmps2,
-                                     // a recovery may still turn at the speed that it found
-                                     recovery_motion(k, "slow", Rational(1, 100)).accel_mmps2}) {
+  for (const std::int64_t derived :
+       {body_of(k, 50'000).accel_mmps2, any_control(k).accel_mmps2,
+        // a recovery may still turn at the speed that it found
+        recovery_motion(k, "slow", Rational(1, 100), 50'000).accel_mmps2}) {
     EXPECT_GE(exact(derived) * exact(derived), least_squared);
     EXPECT_LT(exact(derived - 4) * exact(derived - 4), least_squared);
   }
@@ -89,6 +91,34 @@ TEST(Rounding, TheTubeOfASampledBrakeIsNotTooNarrow) {
   const Rational eta = k.velocity->error.value * 1000 + brake * delay;
   EXPECT_GE(exact(b.brake_lag_ms), 1000 * eta / brake);
   EXPECT_GE(exact(b.hold_mm), eta * eta / brake + 2 * k.position->error.value * 1000);
+}
+
+// theory, disturbance: A + d, b - d, eta = e_v + (b + d) (h + l)
+TEST(Rounding, WhatPushesAPointMassCountsEverywhere) {
+  sema::RobotKind k = kind_of(sema::MotionModel::point);
+  const ir::Body calm = body_of(k, 50'000);
+  k.motion.disturbance = sema::Quantity{Rational(1, 9), {}};
+  const ir::Body b = body_of(k, 50'000);
+  const Rational d = Rational(1000, 9), brake = exact(b.brake_mmps2), left = brake - d;
+  EXPECT_EQ(calm.disturbance_mmps2, 0);
+  EXPECT_EQ(ir::sway_permille(calm), 0);
+  EXPECT_GE(exact(b.disturbance_mmps2), d);
+  EXPECT_GE(exact(b.accel_mmps2), (Rational(8, 9) + Rational(1, 9)) * 1000);
+  EXPECT_EQ(any_control(k).accel_mmps2, b.accel_mmps2);
+  EXPECT_GE(exact(ir::sway_permille(b)), 1000 * d / left);
+  const Rational delay = Rational(50, 1000) + k.latency.value + k.velocity->max_age.value;
+  const Rational eta = k.velocity->error.value * 1000 + (brake + d) * delay;
+  EXPECT_GE(exact(b.brake_lag_ms), 1000 * eta / left);
+  EXPECT_GE(exact(b.hold_mm), eta * eta / left + 2 * k.position->error.value * 1000);
+  EXPECT_GT(recovery_motion(k, "slow", Rational(1, 9), 50'000).speed_mmps, 112);
+}
+
+// theory, horizon: the jitter is part of it, and of the lag of the sampled brake
+TEST(Rounding, JitterIsPartOfTheHorizonAndOfTheBrake) {
+  const sema::RobotKind k = kind_of(sema::MotionModel::point);
+  const ir::Body exact_ticks = body_of(k, 50'000), late = body_of(k, 50'000, 7'000);
+  EXPECT_EQ(horizon_us_max(late, 100'000), horizon_us_max(exact_ticks, 100'000) + 7'000);
+  EXPECT_GT(late.brake_lag_ms, exact_ticks.brake_lag_ms);
 }
 
 // theory, disc: e_p + S + s1^2 / (2 b) + r_eff, exactly.
@@ -106,7 +136,8 @@ Rational exact_disc(const ir::Body& b, const ir::Motion& m, std::int64_t measure
                               : Rational(s0 * t + a * t * t / 2);
   const Rational stop = s1 * s1 / (2 * brake);
   const Rational tube = exact(b.radius_mm) + s1 * exact(b.brake_lag_ms) / 1000 +
-                        stop * exact(b.brake_lag_permille) / 1000 + exact(b.hold_mm);
+                        stop * exact(b.brake_lag_permille) / 1000 + exact(b.hold_mm) +
+                        stop * exact(b.disturbance_mmps2) / (brake - exact(b.disturbance_mmps2));
   return exact(b.position_error_mm) + way + stop + tube;
 }
 
@@ -121,6 +152,7 @@ TEST(Rounding, TheDiscIsNeverSmallerThanTheExactOneAndLittleLarger) {
     b.position_error_mm = within(0, 100);
     b.velocity_error_mmps = within(0, 100);
     b.brake_mmps2 = within(200, 5000);
+    b.disturbance_mmps2 = within(0, 1) * within(0, b.brake_mmps2 / 2);
     b.brake_lag_ms = within(0, 300);
     b.brake_lag_permille = within(0, 2000);
     b.hold_mm = within(0, 100);

@@ -1155,7 +1155,7 @@ static void int__report(const int__view *v, const std_int__state *s, const check
 
 void std_int__step(std_int__state *s, const std_int__in *in, int64_t now_us, std_int__out *out) {
   const int32_t first = s->clock.started == 0;
-  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
+  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 100000);
   const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
   const int32_t back = first || s->mode != 0; /* control might be given back */
   const int32_t before = s->mode; /* who has driven until now */

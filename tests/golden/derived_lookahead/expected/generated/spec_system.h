@@ -27,9 +27,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.345;
-  static constexpr double cruise_clearance_m = 1.002;
-  static constexpr double pass_gap_m = 1.244;
+  static constexpr double return_clearance_m = 0.352;
+  static constexpr double cruise_clearance_m = 1.014;
+  static constexpr double pass_gap_m = 1.258;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -58,9 +58,9 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stay_out(setting(0.3, ring_zone(), 0.441, 0.345, 1.244)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.446, 0.352, 1.258)) {}
     Fly fly;
-    rtac::safe::Retreat<rtac::Acceleration> stay_out;
+    rtac::safe::Retreat<rtac::Acceleration> back_off;
   };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
@@ -79,7 +79,7 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.stay_out);
+    (void)p.recoveries.push(&robot.back_off);
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.431;
-  static constexpr double cruise_clearance_m = 1.102;
-  static constexpr double pass_gap_m = 1.294;
+  static constexpr double return_clearance_m = 0.438;
+  static constexpr double cruise_clearance_m = 1.114;
+  static constexpr double pass_gap_m = 1.308;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};

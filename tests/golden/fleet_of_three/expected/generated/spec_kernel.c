@@ -1156,8 +1156,8 @@ static const motion MOTIONS[] = {
   {200, 1415, 1}, /* inwards */
   {0, 1, 1} /* holding, and bound by its promise to stay */
 };
-/* From the decision until its recovery acts: look-ahead and latency, us. */
-static const int64_t drive_horizons_us[] = {140000};
+/* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
+static const int64_t drive_horizons_us[] = {150000};
 
 /* What a tick knows, seen with one horizon and the motion of one driver. */
 typedef struct drive_view {
@@ -1384,7 +1384,7 @@ static void drive_report(const drive_view *v, const fleet_of_three_drive_state *
 void fleet_of_three_drive_step(fleet_of_three_drive_state *s, const fleet_of_three_drive_in *in,
                                int64_t now_us, fleet_of_three_drive_out *out) {
   const int32_t first = s->clock.started == 0;
-  const int64_t elapsed = next_tick(&s->clock, now_us, 100000, 140000);
+  const int64_t elapsed = next_tick(&s->clock, now_us, 100000, 110000);
   const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
   const int32_t back = first || s->mode != 0; /* control might be given back */
   const int32_t before = s->mode; /* who has driven until now */
@@ -1399,7 +1399,7 @@ void fleet_of_three_drive_step(fleet_of_three_drive_state *s, const fleet_of_thr
   drive_measure(&v, s, elapsed);
   seen_us = v.self.input == FLEET_OF_THREE_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 40000);
-  if (before != 0 && in->holding && s->lease_end_us >= later(now_us, 140000)) {
+  if (before != 0 && in->holding && s->lease_end_us >= later(now_us, 150000)) {
     v.driver = MONITORS + 1; /* holding */
   }
   drive_check(&v, before, back, checks);

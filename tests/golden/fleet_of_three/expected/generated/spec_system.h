@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.562;
-  static constexpr double cruise_clearance_m = 0.547;
-  static constexpr double pass_gap_m = 0.999;
+  static constexpr double return_clearance_m = 0.567;
+  static constexpr double cruise_clearance_m = 0.552;
+  static constexpr double pass_gap_m = 1.004;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"a", "b", "c"};
@@ -60,7 +60,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : drive(self), give_way(setting(0.2, hall_zone(), 0.403, 0.562, 0.999)), inwards(setting(0.2, hall_zone(), 0.403, 0.562, 0.999)) {}
+        : drive(self), give_way(setting(0.2, hall_zone(), 0.405, 0.567, 1.004)), inwards(setting(0.2, hall_zone(), 0.405, 0.567, 1.004)) {}
     Drive drive;
     rtac::safe::Yield<rtac::Twist> give_way;
     rtac::safe::Retreat<rtac::Twist> inwards;

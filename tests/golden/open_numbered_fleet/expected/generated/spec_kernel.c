@@ -1357,11 +1357,11 @@ static const cells cells_to_home[] = {
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  150, 1000, 20, 20, 2000, 2000, 90, 0, 67, 40000, 40000
+  150, 1000, 20, 20, 2000, 2000, 92, 0, 67, 40000, 40000
 };
 /* The same of another robot, whose samples are as old as `hears` allows. */
 static const body fly_heard_body = {
-  150, 1000, 20, 20, 2000, 2000, 90, 0, 67, 60000, 60000
+  150, 1000, 20, 20, 2000, 2000, 92, 0, 67, 60000, 60000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -1371,8 +1371,8 @@ static const motion MOTIONS[] = {
   {300, 2000, 1}, /* go_home */
   {0, 1, 1} /* holding, and bound by its promise to stay */
 };
-/* From the decision until its recovery acts: look-ahead and latency, us. */
-static const int64_t fly_horizons_us[] = {60000, 40000};
+/* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
+static const int64_t fly_horizons_us[] = {62000, 42000};
 
 /* What a tick knows, seen with one horizon and the motion of one driver. */
 typedef struct fly_view {
@@ -1646,7 +1646,7 @@ void open_numbered_fleet_fly_step(open_numbered_fleet_fly_state *s,
                                   const open_numbered_fleet_fly_in *in, int64_t now_us,
                                   open_numbered_fleet_fly_out *out) {
   const int32_t first = s->clock.started == 0;
-  const int64_t elapsed = next_tick(&s->clock, now_us, 20000, 40000);
+  const int64_t elapsed = next_tick(&s->clock, now_us, 20000, 22000);
   const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
   const int32_t back = first || s->mode != 0; /* control might be given back */
   const int32_t before = s->mode; /* who has driven until now */
@@ -1661,7 +1661,7 @@ void open_numbered_fleet_fly_step(open_numbered_fleet_fly_state *s,
   fly_measure(&v, s, elapsed);
   seen_us = v.self.input == OPEN_NUMBERED_FLEET_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 20000);
-  if (before != 0 && in->holding && s->lease_end_us >= later(now_us, 60000)) {
+  if (before != 0 && in->holding && s->lease_end_us >= later(now_us, 62000)) {
     v.driver = MONITORS + 1; /* holding */
   }
   fly_check(&v, before, back, checks);

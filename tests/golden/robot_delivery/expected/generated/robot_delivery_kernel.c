@@ -2863,7 +2863,7 @@ void robot_delivery_plan_executor_step(robot_delivery_plan_executor_state *s,
                                        const robot_delivery_plan_executor_in *in, int64_t now_us,
                                        robot_delivery_plan_executor_out *out) {
   const int32_t first = s->clock.started == 0;
-  const int64_t elapsed = next_tick(&s->clock, now_us, 100000, 240000);
+  const int64_t elapsed = next_tick(&s->clock, now_us, 100000, 200000);
   const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
   const int32_t back = first || s->mode != 0; /* control might be given back */
   const int32_t before = s->mode; /* who has driven until now */

@@ -1568,7 +1568,7 @@ static const zone zone_zone_of_line_25 = {zone_zone_of_line_25_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  80, 1000, 20, 20, 1000, 1000, 140, 0, 70, 50000, 50000
+  80, 1000, 20, 20, 1000, 1000, 145, 0, 72, 50000, 50000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -1577,8 +1577,8 @@ static const motion MOTIONS[] = {
   {300, 1000, 1}, /* back_off */
   {300, 1000, 1} /* back_off */
 };
-/* From the decision until its recovery acts: look-ahead and latency, us. */
-static const int64_t fly_horizons_us[] = {70000};
+/* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
+static const int64_t fly_horizons_us[] = {75000};
 
 /* What a tick knows of its inputs. */
 typedef struct fly_facts_view {
@@ -1949,7 +1949,7 @@ void facts_fly_step(facts_fly_state *s, const facts_fly_in *in, int64_t now_us,
                     facts_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int32_t late = first == 0 && now_us > s->clock.last_us &&
-                       elapsed_us(s->clock.last_us, now_us) > 70000;
+                       elapsed_us(s->clock.last_us, now_us) > 55000;
   const int64_t ticks = next_tick(&s->clock, now_us, 50000, INT64_MAX);
   /* a gap that the look-ahead does not cover has missed a tick, whatever the count */
   const int64_t elapsed = late != 0 && ticks < 2 ? 2 : ticks;

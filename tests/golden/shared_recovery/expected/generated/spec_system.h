@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "rtac/safe/claim.h"
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
 #include "spec.h"
@@ -29,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.447;
-  static constexpr double cruise_clearance_m = 1.122;
-  static constexpr double pass_gap_m = 1.314;
+  static constexpr double return_clearance_m = 0.454;
+  static constexpr double cruise_clearance_m = 1.134;
+  static constexpr double pass_gap_m = 1.328;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -60,17 +59,10 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), inwards(setting(0.3, inner_zone(), 0.514, 0.447, 1.314)), land_now(standing(), {&room_zone(), 0.5, 140000, 1.0, 0.14, 0.0, 0.07}) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.52, 0.454, 1.328)) {}
     Fly fly;
-    rtac::safe::Retreat<rtac::Acceleration> inwards;
-    rtac::safe::Claimed<rtac::Acceleration> land_now;
+    rtac::safe::Retreat<rtac::Acceleration> back_off;
   };
-  static rtac::safe::Setting standing() {
-    rtac::safe::Setting s;
-    s.limits = Drone_limits();
-    s.period_us = 50000;
-    return s;
-  }
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -88,11 +80,10 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    robot.land_now.attach(controllers.land_now);
-    (void)p.recoveries.push(&robot.inwards);
-    (void)p.recoveries.push(&robot.inwards);
-    (void)p.recoveries.push(&robot.land_now);
-    (void)p.recoveries.push(&robot.land_now);
+    (void)p.recoveries.push(&robot.back_off);
+    (void)p.recoveries.push(&robot.back_off);
+    (void)p.recoveries.push(&controllers.land_now);
+    (void)p.recoveries.push(&controllers.land_now);
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

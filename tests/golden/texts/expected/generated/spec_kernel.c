@@ -1114,7 +1114,7 @@ static void fly_report(const fly_view *v, const texts_fly_state *s, const check 
 void texts_fly_step(texts_fly_state *s, const texts_fly_in *in, int64_t now_us,
                     texts_fly_out *out) {
   const int32_t first = s->clock.started == 0;
-  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 120000);
+  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 100000);
   const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
   const int32_t back = first || s->mode != 0; /* control might be given back */
   const int32_t before = s->mode; /* who has driven until now */

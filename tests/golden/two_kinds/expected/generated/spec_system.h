@@ -27,9 +27,9 @@ class DroneSystem {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.395;
-  static constexpr double cruise_clearance_m = 1.052;
-  static constexpr double pass_gap_m = 1.244;
+  static constexpr double return_clearance_m = 0.402;
+  static constexpr double cruise_clearance_m = 1.064;
+  static constexpr double pass_gap_m = 1.258;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -58,7 +58,7 @@ class DroneSystem {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.491, 0.395, 1.244)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.496, 0.402, 1.258)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
   };
@@ -112,9 +112,9 @@ class CartSystem {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.562;
-  static constexpr double cruise_clearance_m = 0.547;
-  static constexpr double pass_gap_m = 0.899;
+  static constexpr double return_clearance_m = 0.567;
+  static constexpr double cruise_clearance_m = 0.552;
+  static constexpr double pass_gap_m = 0.904;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"c1", "c2"};
@@ -143,7 +143,7 @@ class CartSystem {
   private:
   struct Robot {
     explicit Robot(int self)
-        : drive(self), route_check(self), inwards(setting(0.2, room_zone(), 0.403, 0.562, 0.899)) {}
+        : drive(self), route_check(self), inwards(setting(0.2, room_zone(), 0.405, 0.567, 0.904)) {}
     Drive drive;
     RouteCheck route_check;
     rtac::safe::Retreat<rtac::Twist> inwards;
