@@ -66,6 +66,7 @@ class Deriver {
     out_.module.watch = ir::build_watch(spec_, signals, sources_, std::move(regions),
                                         std::move(solids), out_.tables, diagnostics_);
     for (ir::Decision& d : out_.module.decisions) fill_clearances(d);
+    count_commands();
     fill_costs();
     fill_windows();
     check_well_formed(spec_, out_.module, out_.tables, diagnostics_);
@@ -403,11 +404,23 @@ class Deriver {
                            "`" + least + "` works, or `unsound \"why\"`",
                            {}});
     }
+    m.lookahead.command = from.ahead.command;
+    if (from.ahead.command && k > 1) report_command_late(from);
     m.lookahead.waypoints = from.ahead.waypoints;
     m.lookahead.points_only = from.ahead.points_only;
     if (from.recover) m.recovery = recovery(spec_[*from.recover], from.kind);
     m.hold_reason = from.hold_reason.value_or("");
     return m;
+  }
+  // theory, commanded input: only a recovery of the failing tick stops the last command in time
+  void report_command_late(const sema::Monitor& from) {
+    diagnostics_.report({Code::lookahead_too_short,
+                         from.ahead.range,
+                         "`ahead command` needs a recovery that acts within one period",
+                         "an external recovery acts within two periods",
+                         {},
+                         "a template as recovery works, or `ahead` without `command`",
+                         {}});
   }
   bool is_template(sema::ControllerId id) const {
     return !std::holds_alternative<sema::ExternController>(spec_[id].implementation);
@@ -526,6 +539,17 @@ class Deriver {
         step.route_clearance_mm = r.route_clearance_mm;
         step.pass_gap_mm = r.pass_gap_mm;
       }
+    }
+  }
+  // A step may come early, within a period, too; where there are more, any control is assumed.
+  void count_commands() {
+    std::int64_t most = 0;
+    for (const ir::Decision& d : out_.module.decisions) {
+      if (!ir::judges_commands(d) || d.on_plan) continue;
+      most = std::max(most, (d.body.position_age_us + d.body.latency_us) / d.period_us + 3);
+    }
+    for (ir::Decision& d : out_.module.decisions) {
+      if (ir::judges_commands(d)) d.commands = most;
     }
   }
   // Ways to sites are priced for the recovery that drives them; of several, for the dearest.

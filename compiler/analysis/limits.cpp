@@ -81,6 +81,11 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
   b.brake_mmps2 = down(kind.motion.brake.value, 1000);
   b.disturbance_mmps2 = up(disturbance_of(kind), 1000);
   b.latency_us = micros(kind.latency.value);
+  if (kind.output_error) {
+    b.command_mmps2 = up(kind.motion.accel.value, 1000);
+    // 2: a command off the grid
+    b.command_error_mmps2 = up(kind.output_error->value + disturbance_of(kind), 1000) + 2;
+  }
   if (kind.position) b.position_age_us = micros(kind.position->max_age.value);
   if (kind.heading) b.heading_age_us = micros(kind.heading->max_age.value);
   if (kind.velocity) b.velocity_age_us = micros(kind.velocity->max_age.value);

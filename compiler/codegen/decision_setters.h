@@ -10,7 +10,7 @@ inline SignalSetters decision_setters(const ir::Decision& d, const Names& names)
   return {d.facts,
           names,
           {name, "in_.facts.", "state_.facts."},
-          {name, "position", "velocity", "battery", "heading", "plan", "heard", "step", "info",
+          {name, "position", "velocity", "battery", "heading", "plan", "heard", "sent", "proposed", "step", "info",
            "reset", "state_", "in_", "record_"}};
 }
 

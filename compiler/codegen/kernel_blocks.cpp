@@ -240,6 +240,14 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
       return p.use("zone_reach", zone(z.zone) + ", " + place(z.zone) + ", &v->within, " +
                                      limit(z.least_mm, z.more));
     }
+    std::string operator()(const ZoneCourse& z) const {
+      return p.use("zone_course", zone(z.zone) + ", " + place(z.zone) + ", &v->told, " +
+                                      limit(z.least_mm, z.more));
+    }
+    std::string operator()(const PairCourse& r) const {
+      return p.use("pair_course",
+                   "&v->told, &v->others[j], &BODY, " + limit(r.least_mm, r.more) + ", j");
+    }
     std::string operator()(const LegsInZone& z) const {
       return p.use("legs_in_zone", zone(z.zone) + ", " + place(z.zone) +
                                        ", &v->self, &v->in->plan, " + num(z.legs) + ", " +

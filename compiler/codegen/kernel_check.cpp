@@ -48,6 +48,7 @@ void CheckPrinter::print_look() {
     to.line("v->m = m;");
     to.line("v->horizon_us = horizon_us;");
     to.line("v->within = reach_of(&v->self, &BODY, m, horizon_us);");
+    if (judges_commands(d_)) print_course(to);
     if (pairs()) {
       use({"other_of"});
       to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
@@ -65,6 +66,14 @@ void CheckPrinter::print_look() {
     }
   });
   out_.blank();
+}
+
+// A recovery decides by itself what it commands next: only its limits are known.
+void CheckPrinter::print_course(Code& to) {
+  use({"course_of"});
+  to.line("v->told = course_of(&v->self, &BODY, &" + id_ + "_order, v->commands,");
+  to.line("                      &v->in->proposed, v->now_us, horizon_us);");
+  to.block("if (m->recovery != 0)", [&](Code& body) { body.line("v->told.usable = 0;"); });
 }
 
 void CheckPrinter::print_measure() {

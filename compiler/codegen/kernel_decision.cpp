@@ -62,7 +62,7 @@ void collect_places(const Block& block, std::vector<ZoneIndex>& zones) {
         [&](const auto& op) {
           using Node = std::decay_t<decltype(op)>;
           if constexpr (std::is_same_v<Node, Clearance> || std::is_same_v<Node, ZoneReach> ||
-                        std::is_same_v<Node, LegsInZone>) {
+                        std::is_same_v<Node, ZoneCourse> || std::is_same_v<Node, LegsInZone>) {
             if (std::find(zones.begin(), zones.end(), op.zone) == zones.end()) {
               zones.push_back(op.zone);
             }
@@ -142,6 +142,12 @@ void DecisionPrinter::print_constants() {
     out_.comment("The same of another robot, whose samples are as old as `hears` allows.");
     print_body(id_ + "_heard_body", b.hears_age_us, b.hears_age_us);
   }
+  if (judges_commands(d_)) {
+    use({"order_type"});
+    out_.comment("Commands that the robot follows, mm/s^2, with which error, and latency, us.");
+    out_.line("static const order " + id_ + "_order = {" + num(b.command_mmps2) + ", " +
+              num(b.command_error_mmps2) + ", " + num(b.latency_us) + "};");
+  }
   out_.comment("Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority.");
   out_.block(
       "static const motion MOTIONS[] =",
@@ -206,8 +212,15 @@ void DecisionPrinter::print_view() {
         to.line("int32_t legs;   /* judge the plan too */");
         to.line("int32_t new_tick; /* not a second step within one */");
         to.line("int32_t *runs; /* of `for`, two each */");
+        if (judges_commands(d_)) {
+          to.line("const " + p_ + "_command *commands; /* that were sent, the newest first */");
+        }
         to.line("estimate self;");
         to.line("reach within;");
+        if (judges_commands(d_)) {
+          use({"course_type"});
+          to.line("course told; /* under the commands that are known */");
+        }
         to.line("span charge;");
         for (const ZoneIndex zone : own_places()) {
           use({"place_type"});

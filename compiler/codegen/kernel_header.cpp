@@ -150,6 +150,18 @@ class Header {
       other.push_back("int32_t present;");
     }
     record("other", other);
+    if (commands() == 0) return;
+    code_.comment("An acceleration in the map frame, that was sent or is proposed, as a point.");
+    code_.block(
+        "enum", [&](Code& body) { body.line(up_ + "_COMMANDS = " + std::to_string(commands())); },
+        "};");
+    code_.blank();
+    record("command", {"int64_t time_us, x_mmps2, y_mmps2;", "int32_t known;"});
+  }
+  [[nodiscard]] std::int64_t commands() const {
+    std::int64_t most = 0;
+    for (const Decision& d : module_.decisions) most = std::max(most, d.commands);
+    return most;
   }
 
   void state() {
@@ -204,6 +216,11 @@ class Header {
         p_ + "_scalar battery" + (headed ? ", heading; /* ppm, mrad */" : ";"),
         p_ + "_plan plan;",
         p_ + "_other others[" + up + "_ROBOTS];"};
+    if (ir::judges_commands(d)) {
+      given.push_back(p_ +
+                      "_point sent;     /* after the last step, mm/s^2; no stamp is needed */");
+      given.push_back(p_ + "_point proposed; /* by the advanced controller, to be sent now */");
+    }
     if (has_signals(d)) given.push_back(name + "_facts_in facts;");
     record(id + "_in", given);
     code_.comment("Opaque; start with _init.");
@@ -220,6 +237,9 @@ class Header {
       fields.push_back("int64_t last_other_presence_us[" + up + "_ROBOTS];");
     }
     if (headed) fields.push_back("int64_t last_heading_us;");
+    if (ir::judges_commands(d)) {
+      fields.push_back(p_ + "_command commands[" + up_ + "_COMMANDS];");
+    }
     if (d.held_slots > 0) {
       fields.push_back("int32_t runs[" + std::to_string(2 * d.held_slots) + "];");
     }
@@ -227,7 +247,7 @@ class Header {
     record(id + "_state", fields);
     outputs(id, up, headed);
     code_.comment(
-        "Step once a period, in time: what the timer jitters is part of the declared latency. "
+        "Step once a period, in time: by how much a step may be late is declared. "
         "now_us "
         "is of the clock of all stamps. Any input is fine: what is missing, too old or out of "
         "range "

@@ -88,6 +88,12 @@ class Source {
     out.line("#define WEIGHT_MM INT64_C(1000)");
     out.line("#define WEIGHT_PPM INT64_C(100)");
     out.line("#define PLAN_CAPACITY " + upper(p_) + "_PLAN_CAPACITY");
+    if (std::any_of(module_.decisions.begin(), module_.decisions.end(), judges_commands)) {
+      out.line("#define COMMANDS " + upper(p_) + "_COMMANDS");
+      out.comment("Places on a course: a leg a command, one for now, two for the last one.");
+      out.line("#define COURSE_MAX (COMMANDS + 4)");
+      out.line("#define GAINED_MAX_UMPS INT64_C(1000000000)");
+    }
     out.line("#define NO_BODY INT64_C(" + num(no_body) + ")");
     out.line("#define NO_WAY INT64_C(" + num(no_way) + ")");
     out.blank();

@@ -62,6 +62,14 @@ class StepPrinter : public CheckPrinter {
         each.line("s->last_other_lease_us[k] = INT64_MIN;");
         if (d_.open_fleet) each.line("s->last_other_presence_us[k] = INT64_MIN;");
       });
+      if (judges_commands(d_)) {
+        to.block("for (k = 0; k < " + up_ + "_COMMANDS; ++k)", [&](Code& each) {
+          each.line("s->commands[k].time_us = INT64_MIN;");
+          each.line("s->commands[k].x_mmps2 = 0;");
+          each.line("s->commands[k].y_mmps2 = 0;");
+          each.line("s->commands[k].known = 0;");
+        });
+      }
       if (d_.held_slots > 0) {
         to.block("for (k = 0; k < " + num(2 * d_.held_slots) + "; ++k)",
                  [&](Code& each) { each.line("s->runs[k] = 0;"); });
@@ -208,6 +216,7 @@ class StepPrinter : public CheckPrinter {
   // What the tick knows, and whose motion it is judged with.
   void begin_tick(Code& to) {
     to.line("const int32_t first = s->clock.started == 0;");
+    if (judges_commands(d_)) to.line("const int64_t sent_us = s->clock.last_us;");
     count_ticks(to);
     to.line(
         "const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */");
@@ -220,6 +229,14 @@ class StepPrinter : public CheckPrinter {
     to.line("v.now_us = now_us;");
     to.line("v.me = in->self > 0 && in->self < ROBOTS ? in->self : 0;");
     to.line("v.new_tick = elapsed > 0;");
+    if (judges_commands(d_)) {
+      use({"keep_command"});
+      to.comment("what followed from the last step acts since then, or will soon");
+      to.block("if (!first)", [&](Code& body) {
+        body.line("keep_command(s->commands, &in->sent, sent_us, &" + id_ + "_order);");
+      });
+      to.line("v.commands = s->commands;");
+    }
     to.line(d_.held_slots > 0 ? "v.runs = s->runs;" : "v.runs = 0;");
     to.line(id_ + "_measure(&v, s, elapsed);");
     to.line("seen_us = v.self.input == " + up_ +

@@ -30,6 +30,7 @@ Json monitor(const Monitor& m, const Decision& d) {
     j["lookahead_us"] = m.lookahead.duration_us;
     j["horizon_us"] = ir::horizon_us(d, m) + d.body.position_age_us;
   }
+  if (m.lookahead.command) j["lookahead_command"] = true;
   if (m.lookahead.waypoints > 0) j["lookahead_waypoints"] = m.lookahead.waypoints;
   j["sound"] = m.lookahead.duration && !m.lookahead.too_short && !m.lookahead.points_only;
   j["return_clearance_mm"] = m.recovery.return_clearance_mm;
@@ -66,6 +67,7 @@ Json assumptions(const Module& module, const sema::RobotKind& k) {
   add("accel", k.motion.accel.value, "m/s^2", "UNCHECKED");
   add("brake", k.motion.brake.value, "m/s^2", "UNCHECKED");
   if (k.motion.disturbance) add("disturbance", k.motion.disturbance->value, "m/s^2", "UNCHECKED");
+  if (k.output_error) add("output error", k.output_error->value, "m/s^2", "UNCHECKED");
   add("latency", k.latency.value, "s", "UNCHECKED");
   const auto sense = [&](const std::string& name, const std::string& unit,
                          const std::optional<sema::Sense>& s) {

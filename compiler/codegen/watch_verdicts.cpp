@@ -37,8 +37,8 @@ concept NeverAsked =
               Aggregate> || is_one_of<T, InputTruth, Open, InputSame, PointInside, SolidInside,
                                       Previously, Once, Historically, Since> ||
     is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
-              LegsApart, OnTrack, SpeedReach, ZoneThere, ThereThroughout, GoneThroughout,
-              EnergyReach, ChargeReach, Fact>;
+              ZoneCourse, PairCourse, LegsApart, OnTrack, SpeedReach, ZoneThere, ThereThroughout,
+              GoneThroughout, EnergyReach, ChargeReach, Fact>;
 
 // An operand of && and || stands in brackets when it is the other of both.
 struct Text {

@@ -30,6 +30,11 @@ void periodic_class(const Decision& d, const Names& names, const std::string& pr
           body.line(name + "& heading(rtac::Angle value, rtac::TimeUs stamp_us);");
         }
         body.line(name + "& plan(const rtac::Path& value);");
+        if (judges_commands(d)) {
+          body.comment("What was sent after the last step, and what is to be sent after this one.");
+          body.line(name + "& sent(rtac::Vec2 mps2, rtac::TimeUs step_us);");
+          body.line(name + "& proposed(rtac::Vec2 mps2, rtac::TimeUs step_us);");
+        }
         body.line("// goes_first: see rtac::goes_first");
         body.line(name + "& heard(int robot, const rtac::Announcement& value, bool goes_first);");
         if (has_signals(d)) decision_setters(d, names).declare(body);

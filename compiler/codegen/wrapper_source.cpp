@@ -81,14 +81,15 @@ class WrapperSource {
                     num(d.period_us) + ", &limits_of_" + names_(d.kind) + ",");
           body.line((robots.empty() ? "nullptr" : names_(d.name) + "_robots") + ", " +
                     num(std::int64_t(robots.size())) + ", " + num(surrender_mode(d)) +
-                    (has_signals(d) ? "," : ""));
-          if (!has_signals(d)) return;
+                    (has_signals(d) || judges_commands(d) ? "," : ""));
+          if (!has_signals(d) && !judges_commands(d)) return;
           const auto list = [&](const char* what, std::size_t count) {
             return count == 0 ? std::string("nullptr, 0")
                               : names_(d.name) + what + ", " + num(std::int64_t(count));
           };
           body.line(list("_inputs", d.facts.inputs.size()) + ", " +
-                    list("_units", d.facts.units.size()));
+                    list("_units", has_signals(d) ? d.facts.units.size() : 0) +
+                    (judges_commands(d) ? ", true" : ""));
         },
         "};");
     out_.blank();
@@ -239,6 +240,54 @@ class WrapperSource {
     });
   }
 
+  void input_setters(const Decision& d, const std::string& kernel, const std::string& name) {
+    const auto setter = [&](const std::string& field, const std::string& parameters,
+                            const std::string& statement) {
+      out_.block(name + "& " + name + "::" + field + "(" + parameters + ")", [&](Code& body) {
+        body.line(statement);
+        body.line("return *this;");
+      });
+      out_.blank();
+    };
+    const std::string stamped = " value, rtac::TimeUs stamp_us";
+    const std::string pair = ", rtac::Sample<rtac::Vec2>{{value.x.si(), value.y.si()}, stamp_us});";
+    setter("position", "rtac::Position" + stamped, "rtac::bridge::put(in_.position" + pair);
+    setter("velocity", "rtac::Velocity" + stamped, "rtac::bridge::put(in_.velocity" + pair);
+    setter("battery", "rtac::Charge" + stamped,
+           "rtac::bridge::put_ratio(in_.battery, rtac::Sample<double>{value.si(), stamp_us});");
+    if (d.body.heading_age_us) {
+      setter("heading", "rtac::Angle" + stamped,
+             "rtac::bridge::put_angle(in_.heading, rtac::Sample<double>{value.si(), stamp_us});");
+    }
+    setter("plan", "const rtac::Path& value",
+           "rtac::bridge::put(in_.plan, value, " + num(d.plan_capacity) + ");");
+    if (judges_commands(d)) {
+      for (const std::string field : {"sent", "proposed"}) {
+        setter(field, "rtac::Vec2 mps2, rtac::TimeUs step_us",
+               "rtac::bridge::put(in_." + field + ", rtac::Sample<rtac::Vec2>{mps2, step_us});");
+      }
+    }
+    out_.block(
+        name + "& " + name + "::heard(int robot, const rtac::Announcement& value, bool goes_first)",
+        [&](Code& body) {
+          body.line("if (robot < 0 || robot >= " + upper(kernel) + "_ROBOTS) return *this;");
+          body.line("auto& other = in_.others[robot];");
+          body.line("rtac::bridge::put(other.position, value.position);");
+          body.line("rtac::bridge::put(other.velocity, value.velocity);");
+          body.line("other.lease_end_us = value.lease_end_us;");
+          body.line("other.goes_first = goes_first;");
+          body.line("rtac::bridge::put(other.plan, value.plan, " + num(d.plan_capacity) + ");");
+          if (d.open_fleet) {
+            body.line("other.presence_us = value.present.stamp_us == rtac::never_us");
+            body.line("                        ? INT64_MIN");
+            body.line("                        : value.present.stamp_us;");
+            body.line("other.present = value.present.value ? 1 : 0;");
+          }
+          body.line("return *this;");
+        });
+    out_.blank();
+  }
+
   void periodic(const Decision& d) {
     const std::string kernel = p_ + "_" + names_(d.name);
     const std::string name = camel(names_(d.name));
@@ -265,45 +314,7 @@ class WrapperSource {
       body.line("record_.robot = in_.self;");
     });
     out_.blank();
-    const auto setter = [&](const std::string& field, const std::string& parameters,
-                            const std::string& statement) {
-      out_.block(name + "& " + name + "::" + field + "(" + parameters + ")", [&](Code& body) {
-        body.line(statement);
-        body.line("return *this;");
-      });
-      out_.blank();
-    };
-    const std::string stamped = " value, rtac::TimeUs stamp_us";
-    const std::string pair = ", rtac::Sample<rtac::Vec2>{{value.x.si(), value.y.si()}, stamp_us});";
-    setter("position", "rtac::Position" + stamped, "rtac::bridge::put(in_.position" + pair);
-    setter("velocity", "rtac::Velocity" + stamped, "rtac::bridge::put(in_.velocity" + pair);
-    setter("battery", "rtac::Charge" + stamped,
-           "rtac::bridge::put_ratio(in_.battery, rtac::Sample<double>{value.si(), stamp_us});");
-    if (d.body.heading_age_us) {
-      setter("heading", "rtac::Angle" + stamped,
-             "rtac::bridge::put_angle(in_.heading, rtac::Sample<double>{value.si(), stamp_us});");
-    }
-    setter("plan", "const rtac::Path& value",
-           "rtac::bridge::put(in_.plan, value, " + num(d.plan_capacity) + ");");
-    out_.block(
-        name + "& " + name + "::heard(int robot, const rtac::Announcement& value, bool goes_first)",
-        [&](Code& body) {
-          body.line("if (robot < 0 || robot >= " + upper(kernel) + "_ROBOTS) return *this;");
-          body.line("auto& other = in_.others[robot];");
-          body.line("rtac::bridge::put(other.position, value.position);");
-          body.line("rtac::bridge::put(other.velocity, value.velocity);");
-          body.line("other.lease_end_us = value.lease_end_us;");
-          body.line("other.goes_first = goes_first;");
-          body.line("rtac::bridge::put(other.plan, value.plan, " + num(d.plan_capacity) + ");");
-          if (d.open_fleet) {
-            body.line("other.presence_us = value.present.stamp_us == rtac::never_us");
-            body.line("                        ? INT64_MIN");
-            body.line("                        : value.present.stamp_us;");
-            body.line("other.present = value.present.value ? 1 : 0;");
-          }
-          body.line("return *this;");
-        });
-    out_.blank();
+    input_setters(d, kernel, name);
     setters.define(out_);
     out_.block("const rtac::DecisionInfo& " + name + "::info() const",
                [&](Code& body) { body.line("return " + names_(d.name) + "_info;"); });
@@ -323,6 +334,10 @@ class WrapperSource {
             body.line("rtac::bridge::put_angle(in_.heading, observation.heading);");
           }
           body.line("plan(observation.plan);");
+          if (judges_commands(d)) {
+            body.line("rtac::bridge::put(in_.sent, observation.sent);");
+            body.line("rtac::bridge::put(in_.proposed, observation.proposed);");
+          }
           body.block("for (int j = 0; j < " + upper(kernel) + "_ROBOTS; ++j)", [&](Code& each) {
             each.line("if (j == in_.self) continue;");
             each.line("heard(j, observation.others[static_cast<std::size_t>(j)],");

@@ -256,7 +256,7 @@ class RobotRemarks {
                         std::vector<std::string>& to) {
     if (m.lookahead.duration) {
       to.push_back("looks " + time(s.lookahead_us) + " ahead; horizon " + time(s.horizon_us) +
-                   ", with sample age and latency");
+                   ", with sample age, latency and jitter");
       to.push_back("stopping from full speed takes a clearance of " + metres(s.stopping_mm));
       to.push_back("control returns at a clearance of " + metres(s.return_clearance_mm));
       if (s.lookahead_max_us > 0) {
@@ -272,7 +272,11 @@ class RobotRemarks {
                    (m.lookahead.points_only ? " way-points, no legs"
                                             : " legs of the plan behind the present one"));
     }
-    const bool sound = m.lookahead.duration && !m.lookahead.points_only;
+    if (m.lookahead.command) {
+      to.emplace_back("judges the commands that are known and the one that is proposed, too");
+    }
+    const bool sound =
+        m.lookahead.duration && !m.lookahead.too_short && !m.lookahead.points_only;
     if (!sound) to.emplace_back("unsound, as it is written");
   }
   void recovery(const Recovery& r, std::vector<std::string>& to) const {

@@ -54,7 +54,7 @@ std::string summary(const ir::Module& module) {
         continue;
       }
       out += ": looks " + millis(s.lookahead_us) + " ahead, " + millis(s.horizon_us) +
-             " with sample age and latency\n";
+             " with sample age, latency and jitter\n";
       out += "    full speed needs a clearance of " + metres(s.stopping_mm) +
              ", control returns at " + metres(s.return_clearance_mm) + "\n";
       if (s.lookahead_max_us > 0) {

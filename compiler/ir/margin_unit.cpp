@@ -11,6 +11,8 @@ struct UnitOfAtom {
   std::optional<Unit> operator()(const AtLeast& v) const { return block[v.a].unit; }
   std::optional<Unit> operator()(const PlanInZone&) const { return Unit::mm; }
   std::optional<Unit> operator()(const ZoneReach&) const { return Unit::mm; }
+  std::optional<Unit> operator()(const ZoneCourse&) const { return Unit::mm; }
+  std::optional<Unit> operator()(const PairCourse&) const { return Unit::mm; }
   std::optional<Unit> operator()(const LegsInZone&) const { return Unit::mm; }
   std::optional<Unit> operator()(const PointsInZone&) const { return Unit::mm; }
   std::optional<Unit> operator()(const PairReach&) const { return Unit::mm; }

@@ -92,6 +92,9 @@ struct Body {
   std::int64_t battery_error_ppm = 0, drain_ppm_per_s = 0;
   std::int64_t jitter_us = 0;          // a step of the decision may come this much later than due
   std::int64_t disturbance_mmps2 = 0;  // of whatever pushes it; below its brake
+  // Of commands: the robot follows those up to `command_mmps2`, within the error, what pushes it
+  // included.
+  std::int64_t command_mmps2 = 0, command_error_mmps2 = 0;
 };
 // What pushes the robot adds this share to its stopping distance, d / (b - d), and bends it away by
 // as much. theory, the brake: d s^2 / (2 b (b - d)) = s^2 / (2 b) d / (b - d)
@@ -184,6 +187,17 @@ struct PointsInZone {
   std::optional<ValueId> more{};
 };
 struct PairReach {
+  std::int64_t least_mm;
+  std::optional<ValueId> more{};
+};
+// The same under the commands that are known and the one that is proposed; false where they are
+// not.
+struct ZoneCourse {
+  ZoneIndex zone;
+  std::int64_t least_mm;
+  std::optional<ValueId> more{};
+};
+struct PairCourse {
   std::int64_t least_mm;
   std::optional<ValueId> more{};
 };
@@ -349,7 +363,7 @@ using Op =
                  InputIs, InputSame, Open, Elapsed, Age, SensedAge, ParamValue, Multiply, Minimum,
                  Maximum, Absolute, Root, PointClearance, PointInside, SolidClearance, SolidInside,
                  Norm, Between, Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since,
-                 Aggregate>;
+                 Aggregate, ZoneCourse, PairCourse>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;
@@ -491,6 +505,7 @@ struct Lookahead {
   bool points_only = false;
   bool too_short = false;   // for its recovery to act in time, as the author accepts
   std::int64_t gap_us = 0;  // longest time between two steps that it covers
+  bool command = false;     // under the known commands, where that is less
 };
 enum class RecoveryKind { external, retreat, route, yield, brake, loiter, sequence };
 struct Recovery {
@@ -570,6 +585,9 @@ struct Decision {
   // 2 that of charge and 3 that of numbers of robots.
   // Its schedules are those of the zones that the monitors hold robots against, too.
   Watch facts;
+  // How many commands are kept: as many as may act after a sample was taken, and one before. The
+  // same for all decisions that judge commands, else 0.
+  std::int64_t commands = 0;
 };
 // From a decision until its recovery acts, the age of the sample apart.
 inline std::int64_t horizon_us(const Decision& d, const Monitor& m) {
@@ -598,6 +616,13 @@ struct Module {
   }
 };
 
+// Does some monitor look ahead under commands?
+inline bool judges_commands(const Decision& d) {
+  for (const Monitor& m : d.monitors) {
+    if (m.lookahead.command) return true;
+  }
+  return false;
+}
 // Is some robot pushed by what nobody commands?
 inline bool is_disturbed(const Module& module) {
   for (const Decision& d : module.decisions) {

@@ -87,6 +87,12 @@ class Printer {
   std::string operator()(const ZoneReach& v) const {
     return "zone_reach " + module_[v.zone].name + ", least " + num(v.least_mm) + more(v.more);
   }
+  std::string operator()(const ZoneCourse& v) const {
+    return "zone_course " + module_[v.zone].name + ", least " + num(v.least_mm) + more(v.more);
+  }
+  std::string operator()(const PairCourse& v) const {
+    return "pair_course least " + num(v.least_mm) + more(v.more);
+  }
   std::string operator()(const LegsInZone& v) const {
     return "legs_in_zone " + module_[v.zone].name + ", legs " + num(v.legs) + ", need " +
            num(v.need_mm) + more(v.more);
@@ -272,6 +278,9 @@ class Printer {
          num(b.brake_mmps2) + ", brake lag " + num(b.brake_lag_ms) + " ms " +
          num(b.brake_lag_permille) + " permille, hold " + num(b.hold_mm) +
          (b.disturbance_mmps2 > 0 ? ", disturbance " + num(b.disturbance_mmps2) : "") +
+         (b.command_mmps2 > 0 ? ", commands " + num(b.command_mmps2) + " error " +
+                                    num(b.command_error_mmps2)
+                              : "") +
          (b.jitter_us > 0 ? ", jitter " + num(b.jitter_us) + " us" : ""));
     for (const Motion& m : d.motions) {
       line("  motion " + m.name + " speed " + num(m.speed_mmps) + " accel " + num(m.accel_mmps2));

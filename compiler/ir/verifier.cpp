@@ -80,6 +80,8 @@ class Checker {
     if (decision_ && v.index >= decision_->facts.monitors.size()) fail("no such fact");
   }
   void operator()(const ZoneReach& v) { zone(v.zone), reach(v.more); }
+  void operator()(const ZoneCourse& v) { zone(v.zone), reach(v.more); }
+  void operator()(const PairCourse& v) { pair(), reach(v.more); }
   void operator()(const LegsInZone& v) { zone(v.zone), reach(v.more); }
   void operator()(const PointsInZone& v) { zone(v.zone), reach(v.more); }
   void operator()(const PairReach& v) { pair(), reach(v.more); }

@@ -38,6 +38,9 @@ class AheadChecker {
   }
 
   void term(const SourceRange& range, const syntax::AheadDuration& written) {
+    if (const auto* name = std::get_if<syntax::NameRef>(&written.duration->node)) {
+      if (name->name.text == "command") return command(range, written);
+    }
     if (!first("the duration of `ahead`", range)) return;
     duration_range_ = range;
     ahead_.duration = quantity(context_, *written.duration,
@@ -45,6 +48,37 @@ class AheadChecker {
     if (!written.unsound || !reason_given(range, *written.unsound)) return;
     ahead_.duration_unsound = written.unsound->text;
     warn(range, "a duration below the reaction time of the module is allowed");
+  }
+
+  // `ahead command`: where the robot will be when it does what it is told, which has to be known.
+  void command(const SourceRange& range, const syntax::AheadDuration& written) {
+    if (!first("`command`", range)) return;
+    command_range_ = range;
+    ahead_.command = true;
+    if (written.unsound) {
+      context_.report(Finding(Code::clause_without_effect, written.unsound->range,
+                              "`ahead command` is sound, whatever its reason")
+                          .label("no reason is due")
+                          .help("leave it out"));
+    }
+    if (!kind_) return;
+    const RobotKind& kind = context_.spec[*kind_];
+    if (kind.output == OutputType::twist) {
+      context_.report(Finding(Code::output_unsuited, range,
+                              "`ahead command` needs to know how `" + kind.name +
+                                  "` follows its commands, and a twist does not say")
+                          .label("a twist is followed within limits, not at once")
+                          .help("`ahead 200 ms` works: under any control"));
+    } else if (!kind.output_error) {
+      context_.report(Finding(Code::limit_missing, range,
+                              "`ahead command` needs the `error` of the output of `" + kind.name +
+                                  "`")
+                          .label("how exactly it follows commands is not declared")
+                          .note(kind.name_range, "the robot is declared here")
+                          .help("write `output " + kind.output_name +
+                                " : acceleration error 0.05 m/s^2;` with a bound between the "
+                                "commanded and the true acceleration"));
+    }
   }
 
   // `ahead 200 ms and 2 waypoints`
@@ -128,6 +162,13 @@ class AheadChecker {
                           .label("no number of `waypoints`")
                           .help("write `ahead 2 waypoints, ...`"));
     }
+    if (ahead_.waypoints_only && command_range_) {
+      context_.report(Finding(Code::clause_without_effect, *command_range_,
+                              "`command` has no effect beside `waypoints only`")
+                          .label("would be ignored")
+                          .note(*only_range_, "`waypoints only` drops what is within reach")
+                          .help("leave out one of the two"));
+    }
     if (ahead_.waypoints_only && duration_range_) {
       context_.report(Finding(Code::clause_without_effect, *duration_range_,
                               "the duration has no effect beside `waypoints only`")
@@ -142,7 +183,7 @@ class AheadChecker {
   std::optional<KindId> kind_;
   Ahead ahead_;
   std::map<std::string, SourceRange> seen_;
-  std::optional<SourceRange> duration_range_, only_range_;
+  std::optional<SourceRange> duration_range_, only_range_, command_range_;
   bool has_waypoints_ = false;
 };
 

@@ -243,6 +243,20 @@ class KindChecker {
       output_range_.reset();
       context_.unknown_word(output.type, "an output of a robot", {"twist", "acceleration"});
     }
+    if (output.error) output_error(*output.error);
+  }
+
+  // How far the robot is from doing what it is told. A twist takes its time, and how is not declared.
+  void output_error(const syntax::Expr& written) {
+    if (kind_.output == OutputType::twist) {
+      context_.report(Finding(Code::clause_without_effect, written.range,
+                              "an `error` has no effect on a twist")
+                          .label("how a base follows it is bounded by its motion")
+                          .help("leave it out"));
+      return;
+    }
+    kind_.output_error = quantity(
+        context_, written, {dims::acceleration, "the `error` of the output", Limit::not_negative});
   }
 
   // A twist is a speed along the heading and a turn rate; only a unicycle can follow it.

@@ -191,6 +191,7 @@ struct RobotKind {
   OutputType output;
   Quantity latency;
   std::optional<Energy> energy;
+  std::optional<Quantity> output_error{};  // between commanded and true acceleration, m/s^2
 };
 struct Robot {
   std::string name;  // "r1", "bots[3]"
@@ -490,6 +491,7 @@ struct Ahead {
   bool waypoints_only = false, points_only = false;
   std::string unsound_reason;  // of waypoints_only / points_only
   SourceRange range;           // of the clause, or of the monitor's name when there is none
+  bool command = false;        // under the commands that are known, where that is less
 };
 struct Monitor {
   std::string name;

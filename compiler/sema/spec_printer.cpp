@@ -96,7 +96,9 @@ class SpecPrinter {
                   si_text(kind.plan->tracking, dims::length));
     }
     line(1, "output " + kind.output_name + " : " +
-                (kind.output == OutputType::twist ? "twist" : "acceleration"));
+                (kind.output == OutputType::twist ? "twist" : "acceleration") +
+                (kind.output_error ? " error " + si_text(*kind.output_error, dims::acceleration)
+                                   : ""));
     line(1, "latency " + si_text(kind.latency, dims::time));
     if (kind.energy) print(*kind.energy);
   }

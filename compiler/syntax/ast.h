@@ -229,6 +229,7 @@ struct InputClause {  // input plan : path[64] tracking <= 10 cm
 };
 struct OutputClause {
   Name name, type;  // drive : twist, thrust : acceleration
+  ExprPtr error{};  // null: not declared
 };
 struct LatencyClause {
   ExprPtr value;

@@ -81,6 +81,8 @@ class Dumper {
   }
   void add(const OutputClause& node, const SourceRange& range) {
     line("Output " + node.name.text + " : " + node.type.text, range);
+    Level level{text_};
+    part("Error", node.error);
   }
   void add(const LatencyClause& node, const SourceRange& range) {
     line("Latency", range);

@@ -47,7 +47,8 @@ std::string print_node(const InputClause& node) {
          optional_part("tracking <=", node.tracking) + ';';
 }
 std::string print_node(const OutputClause& node) {
-  return "output " + node.name.text + " : " + node.type.text + ';';
+  return "output " + node.name.text + " : " + node.type.text + optional_part("error", node.error) +
+         ';';
 }
 std::string print_node(const LatencyClause& node) {
   return "latency " + print_expr(*node.value) + ';';

@@ -8,6 +8,17 @@
 
 namespace rtac::stack {
 
+namespace {
+
+Sample<Vec2> commanded(const Acceleration& output, TimeUs now_us) {
+  return {output.value_mps2, now_us};
+}
+Sample<Vec2> commanded(const Twist&, TimeUs) {
+  return {};  // the compiler refuses to judge twists
+}
+
+}  // namespace
+
 template <class Output>
 PlanExecutor<Output>::PlanExecutor(int index, int robots, const RobotParts<Output>& parts,
                                    const SystemOptions& options, SystemObserver& observer)
@@ -42,9 +53,12 @@ void PlanExecutor<Output>::on(const Tick& tick) {
   sense(tick.now_us);
   follow_progress();
   observation_.plan = plan_;
+  propose();
   decide();
   watchdog_.stepped(tick.now_us);
-  sdk_->actuate(command(late && options_.protect));
+  const Output output = command(late && options_.protect);
+  sdk_->actuate(output);
+  remember(output);
   announce();
   report();
 }
@@ -172,6 +186,22 @@ void PlanExecutor<Output>::switch_to(int mode) {
   robot_->post(PlanLost{observation_.now_us, rejected, waits});
 }
 
+// What the advanced controller would send is judged before it is sent, and also while a recovery
+// drives: it says whether control can go back.
+template <class Output>
+void PlanExecutor<Output>::propose() {
+  if (!parts_.decision->info().judges_commands) return;
+  proposal_ = parts_.advanced->command(observation_);
+  observation_.proposed = commanded(proposal_, observation_.now_us);
+}
+
+template <class Output>
+void PlanExecutor<Output>::remember(const Output& output) {
+  if (parts_.decision->info().judges_commands) {
+    observation_.sent = commanded(output, observation_.now_us);
+  }
+}
+
 // A velocity that arrives broken must not hide the one that came before: without it a point mass
 // cannot brake at all, and coasts.
 template <class Output>
@@ -194,7 +224,10 @@ Output PlanExecutor<Output>::command(bool late) {
     }
     return recovery->command(observation_, Gate::hold);
   }
-  if (recovery == nullptr) return parts_.advanced->command(observation_);
+  if (recovery == nullptr) {
+    const bool judged = parts_.decision->info().judges_commands;
+    return judged ? proposal_ : parts_.advanced->command(observation_);
+  }
   return recovery->command(observation_, record_.gate);
 }
 

@@ -44,6 +44,26 @@ static reach to_reach(const probe_robot* r, int64_t now_us, int64_t horizon_us) 
   const motion m = to_motion(&r->motion);
   return reach_of(&s, &b, &m, horizon_us);
 }
+probe_course probe_course_of(const probe_robot* r, const probe_command* sent,
+                             const probe_point* proposed, int64_t now_us, int64_t horizon_us,
+                             int64_t error_mmps2, int64_t latency_us) {
+  const estimate s = to_estimate(r, now_us);
+  const body b = to_body(&r->body);
+  const order o = {r->motion.accel_mmps2, error_mmps2, latency_us};
+  const course c = course_of(&s, &b, &o, sent, proposed, now_us, horizon_us);
+  probe_course to;
+  int32_t i;
+  to.usable = c.usable;
+  to.count = c.count;
+  to.first = c.first;
+  to.leg_mm = c.leg_mm;
+  to.stop_mm = c.stop_mm;
+  for (i = 0; i < c.count; ++i) {
+    to.at[i] = from_vec(c.at[i]);
+    to.stop[i] = from_vec(c.stop[i]);
+  }
+  return to;
+}
 static other to_other(const probe_robot* r, int64_t now_us, int64_t horizon_us) {
   other o;
   o.s = to_estimate(r, now_us);
@@ -243,6 +263,9 @@ probe_robot probe_kite(void) {
 }
 probe_robot probe_leaf(void) {
   return declared(&drift_body, &drift_motions[0]);
+}
+probe_robot probe_swift(void) {
+  return declared(&flit_body, &flit_motions[0]);
 }
 probe_robot probe_drone(void) {
   return declared(&hover_body, &hover_motions[0]);

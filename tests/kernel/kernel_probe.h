@@ -42,6 +42,13 @@ typedef struct probe_reach {
   probe_vec p, e;
   int64_t capsule_mm, disc_mm, centre_mm;
 } probe_reach;
+/* The way under commands: what was sent, the newest first, and what is proposed. */
+enum { PROBE_COURSE_MAX = PROBE_COMMANDS + 4 };
+typedef struct probe_course {
+  int32_t usable, count, first;
+  probe_vec at[PROBE_COURSE_MAX], stop[PROBE_COURSE_MAX];
+  int64_t leg_mm, stop_mm;
+} probe_course;
 typedef struct probe_span {
   int64_t lo, hi;
   int32_t input;
@@ -57,6 +64,9 @@ int64_t probe_boundary_gap_lo(const probe_zone* z, probe_vec p);
 int64_t probe_segment_boundary_lo(const probe_zone* z, probe_vec p, probe_vec e);
 
 probe_reach probe_reach_of(const probe_robot* r, int64_t now_us, int64_t horizon_us);
+probe_course probe_course_of(const probe_robot* r, const probe_command* sent,
+                             const probe_point* proposed, int64_t now_us, int64_t horizon_us,
+                             int64_t error_mmps2, int64_t latency_us);
 probe_span probe_clearance(const probe_zone* z, const probe_robot* r, int64_t now_us);
 /* Gap between the bodies, and the look-ahead margin for `least_mm`. */
 probe_span probe_distance(const probe_robot* r, const probe_robot* other, int64_t now_us);
@@ -88,6 +98,7 @@ probe_robot probe_cart(void);
 probe_robot probe_kite(void);
 probe_robot probe_drone(void);
 probe_robot probe_leaf(void);
+probe_robot probe_swift(void);
 int32_t probe_floor(probe_zone* z);
 
 #ifdef __cplusplus

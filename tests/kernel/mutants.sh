@@ -6,7 +6,7 @@ compiler=$1 kernel=$2 include=$3 program=$4 work=$5
 here=$(dirname "$0")
 text=$(basename "$kernel")
 # what takes milliseconds goes first: it notices most
-slow='Reach.*:PairAhead.*:EnergyAhead.*:Hostile.*:Rule10.NoPlaceFlapsUnderNoise:SegmentBoundary.*'
+slow='Course.*:Reach.*:PairAhead.*:EnergyAhead.*:Hostile.*:Rule10.NoPlaceFlapsUnderNoise:SegmentBoundary.*'
 
 # The tests' view of the kernel, as a library that goes before the true one.
 build() {

@@ -21,6 +21,10 @@ Expanded speed(Expansion& expansion, const Atom& atom);           // at most a c
 ir::ValueId window(Expansion& expansion, const ir::ZoneThere& zone, bool there,
                    const SourceRange& source, ir::Block& to);
 
+// What holds under any control, or else on the course under the commands that are known.
+ir::ValueId or_course(Expansion& expansion, ir::ValueId any_control, ir::Op course,
+                      const Atom& atom);
+
 // ---- legs of the plan
 
 // The next legs, or way-points, keep the zone's boundary away.

@@ -25,6 +25,11 @@ Block Expansion::run() {
   if (judges_legs_) on_track(*this, ahead);
   if (units_differ_) monitor_.unit.reset();
   tell_of_idle_waypoints();
+  if (look().command && !commands_judged_ && !decision_.on_plan) {
+    without_effect("`command` has no effect on monitor `" + monitor_.name + "`",
+                   "commands tell where a robot will be: `inside`, `clearance` and `distance` are "
+                   "judged under them; leave `command` out");
+  }
   return ahead;
 }
 

@@ -49,6 +49,7 @@ class Expansion {
   void keeps_apart(std::int64_t least_mm);
   // `on_legs`: they rest on the declared tracking.
   void judges_waypoints(bool on_legs);
+  void judges_commands() { commands_judged_ = true; }
   void without_effect(std::string what, std::string help);
   void report(diag::Diagnostic diagnostic) { diagnostics_.report(std::move(diagnostic)); }
   // 5006, with the forms of the registry; the margin that stands in its place.
@@ -65,6 +66,7 @@ class Expansion {
   ir::Monitor& monitor_;
   diag::Engine& diagnostics_;
   bool waypoints_judged_ = false, judges_legs_ = false, units_differ_ = false, counting_ = false;
+  bool commands_judged_ = false;
 };
 
 // Adds a margin, or a quantity, to the block.

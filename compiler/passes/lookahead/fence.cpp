@@ -15,7 +15,10 @@ Expanded fence(Expansion& expansion, const Atom& atom) {
   const std::int64_t least = bound->need.fixed;
   const auto more = expansion.more_of(bound->need, Unit::mm, atom.source, atom.to);
   std::optional<ValueId> result;
-  if (look.duration) result = add(atom.to, ZoneReach{zone, least, more}, atom.source);
+  if (look.duration) {
+    result = add(atom.to, ZoneReach{zone, least, more}, atom.source);
+    if (look.command) result = or_course(expansion, *result, ZoneCourse{zone, least, more}, atom);
+  }
   if (look.waypoints > 0) {
     const ValueId legs = zone_legs(expansion, zone, least, more, atom);
     result = result ? add(atom.to, And{*result, legs}, atom.source) : legs;

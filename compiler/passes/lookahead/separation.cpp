@@ -19,7 +19,10 @@ Expanded separation(Expansion& expansion, const Atom& atom) {
                              "out, or write the distance in a monitor of its own");
   }
   std::optional<ValueId> result;
-  if (look.duration) result = add(atom.to, PairReach{least, more}, atom.source);
+  if (look.duration) {
+    result = add(atom.to, PairReach{least, more}, atom.source);
+    if (look.command) result = or_course(expansion, *result, PairCourse{least, more}, atom);
+  }
   if (look.waypoints > 0) {
     const ValueId legs = legs_apart(expansion, least, more, atom);
     result = result ? add(atom.to, And{*result, legs}, atom.source) : legs;

@@ -84,6 +84,7 @@ struct DecisionInfo {
   int input_count = 0;
   const UnitInfo* units = nullptr;
   int unit_count = 0;
+  bool judges_commands = false;  // Observation::sent and ::proposed are asked for
 };
 
 struct MonitorRecord {

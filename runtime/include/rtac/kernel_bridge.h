@@ -14,7 +14,7 @@
 namespace rtac::bridge {
 
 // Generated code states the ABI that it was written for; see RTAC_ABI in the build.
-inline constexpr int abi = 2;
+inline constexpr int abi = 3;
 
 // As far as any grid goes: the compiler refuses limits of inputs beyond it. Every double on the way
 // is exact in int64, and so are its neighbours on the grid.

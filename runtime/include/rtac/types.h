@@ -145,6 +145,10 @@ struct Observation {
   // The place of this robot in the order of the way, as others hear it (see goes_first).
   bool claims = true;
   int urgency = 0;
+  // Of a decision that judges commands (`ahead command`): the acceleration that was sent after the
+  // last step, and the one that the advanced controller proposes to be sent after this one, in
+  // m/s^2. Both belong to the step; a stamp of never_us says that there is none.
+  Sample<Vec2> sent{}, proposed{};
 };
 
 // The order of the way: who waits to go on comes before who does not, then who has waited longer,

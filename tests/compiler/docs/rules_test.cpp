@@ -202,6 +202,9 @@ TEST(Rule9_4, IsAsShown) {
 TEST(Rule9_5, IsAsShown) {
   expect_as_shown("9.5");
 }
+TEST(Rule9_6, IsAsShown) {
+  expect_as_shown("9.6");
+}
 TEST(Rule10, IsAsShown) {
   expect_as_shown("10");
 }

@@ -45,10 +45,12 @@ class PlanExecutor final : public ExecutorMachine {
   [[nodiscard]] double passing_m() const;
   void follow_progress();
   bool in_the_way();
+  void propose();
   void decide();
   void switch_to(int mode);
   void engage(SafeController<Output>& recovery);
   Output command(bool late);
+  void remember(const Output& output);
   void announce();
   void report();
   void drop_plan();
@@ -69,6 +71,7 @@ class PlanExecutor final : public ExecutorMachine {
   Sample<Vec2> last_velocity_;  // the last one that was a number
   Path plan_;
   Situation situation_;
+  Output proposal_{};  // of the advanced controller, where commands are judged
   DecisionRecord record_;
   Announcement announcement_;
   int mode_ = 0;  // that drives; follows the record only when the system is protected

@@ -163,9 +163,9 @@ typedef struct battery_floor_drive_out {
   battery_floor_result monitors[BATTERY_FLOOR_DRIVE_MONITORS];
 } battery_floor_drive_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void battery_floor_drive_init(battery_floor_drive_state *s);
 void battery_floor_drive_step(battery_floor_drive_state *s, const battery_floor_drive_in *in,
                               int64_t now_us, battery_floor_drive_out *out);

@@ -160,9 +160,9 @@ typedef struct std_int__out {
   std_result monitors[STD_INT__MONITORS];
 } std_int__out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void std_int__init(std_int__state *s);
 void std_int__step(std_int__state *s, const std_int__in *in,
                    int64_t now_us, std_int__out *out);

@@ -158,9 +158,9 @@ typedef struct derived_lookahead_fly_out {
   derived_lookahead_result monitors[DERIVED_LOOKAHEAD_FLY_MONITORS];
 } derived_lookahead_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void derived_lookahead_fly_init(derived_lookahead_fly_state *s);
 void derived_lookahead_fly_step(derived_lookahead_fly_state *s, const derived_lookahead_fly_in *in,
                                 int64_t now_us, derived_lookahead_fly_out *out);

@@ -8,7 +8,7 @@
 #include "rtac/zone.h"
 #include "drone_paper_1_kernel.h"
 
-static_assert(rtac::bridge::abi == 2,
+static_assert(rtac::bridge::abi == 3,
               "this module was generated for another version of the runtime");
 
 namespace drone_paper_1 {

@@ -158,9 +158,9 @@ typedef struct drone_sound_1_plan_executor_out {
   drone_sound_1_result monitors[DRONE_SOUND_1_PLAN_EXECUTOR_MONITORS];
 } drone_sound_1_plan_executor_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void drone_sound_1_plan_executor_init(drone_sound_1_plan_executor_state *s);
 void drone_sound_1_plan_executor_step(drone_sound_1_plan_executor_state *s, const drone_sound_1_plan_executor_in *in,
                                       int64_t now_us, drone_sound_1_plan_executor_out *out);

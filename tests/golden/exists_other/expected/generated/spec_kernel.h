@@ -160,9 +160,9 @@ typedef struct exists_other_fly_out {
   exists_other_result monitors[EXISTS_OTHER_FLY_MONITORS];
 } exists_other_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void exists_other_fly_init(exists_other_fly_state *s);
 void exists_other_fly_step(exists_other_fly_state *s, const exists_other_fly_in *in,
                            int64_t now_us, exists_other_fly_out *out);

@@ -158,9 +158,9 @@ typedef struct external_recovery_fly_out {
   external_recovery_result monitors[EXTERNAL_RECOVERY_FLY_MONITORS];
 } external_recovery_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void external_recovery_fly_init(external_recovery_fly_state *s);
 void external_recovery_fly_step(external_recovery_fly_state *s, const external_recovery_fly_in *in,
                                 int64_t now_us, external_recovery_fly_out *out);

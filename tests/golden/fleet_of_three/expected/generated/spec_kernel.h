@@ -160,9 +160,9 @@ typedef struct fleet_of_three_drive_out {
   fleet_of_three_result monitors[FLEET_OF_THREE_DRIVE_MONITORS];
 } fleet_of_three_drive_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void fleet_of_three_drive_init(fleet_of_three_drive_state *s);
 void fleet_of_three_drive_step(fleet_of_three_drive_state *s, const fleet_of_three_drive_in *in,
                                int64_t now_us, fleet_of_three_drive_out *out);

@@ -160,9 +160,9 @@ typedef struct implication_fly_out {
   implication_result monitors[IMPLICATION_FLY_MONITORS];
 } implication_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void implication_fly_init(implication_fly_state *s);
 void implication_fly_step(implication_fly_state *s, const implication_fly_in *in,
                           int64_t now_us, implication_fly_out *out);

@@ -171,9 +171,9 @@ typedef struct mixed_units_drive_out {
   mixed_units_result monitors[MIXED_UNITS_DRIVE_MONITORS];
 } mixed_units_drive_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void mixed_units_drive_init(mixed_units_drive_state *s);
 void mixed_units_drive_step(mixed_units_drive_state *s, const mixed_units_drive_in *in,
                             int64_t now_us, mixed_units_drive_out *out);

@@ -159,9 +159,9 @@ typedef struct no_plan_drive_out {
   no_plan_result monitors[NO_PLAN_DRIVE_MONITORS];
 } no_plan_drive_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void no_plan_drive_init(no_plan_drive_state *s);
 void no_plan_drive_step(no_plan_drive_state *s, const no_plan_drive_in *in,
                         int64_t now_us, no_plan_drive_out *out);

@@ -164,9 +164,9 @@ typedef struct open_numbered_fleet_fly_out {
   open_numbered_fleet_result monitors[OPEN_NUMBERED_FLEET_FLY_MONITORS];
 } open_numbered_fleet_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void open_numbered_fleet_fly_init(open_numbered_fleet_fly_state *s);
 void open_numbered_fleet_fly_step(open_numbered_fleet_fly_state *s, const open_numbered_fleet_fly_in *in,
                                   int64_t now_us, open_numbered_fleet_fly_out *out);

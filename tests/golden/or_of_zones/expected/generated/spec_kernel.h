@@ -159,9 +159,9 @@ typedef struct or_of_zones_fly_out {
   or_of_zones_result monitors[OR_OF_ZONES_FLY_MONITORS];
 } or_of_zones_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void or_of_zones_fly_init(or_of_zones_fly_state *s);
 void or_of_zones_fly_step(or_of_zones_fly_state *s, const or_of_zones_fly_in *in,
                           int64_t now_us, or_of_zones_fly_out *out);

@@ -158,9 +158,9 @@ typedef struct yard_fly_out {
   yard_result monitors[YARD_FLY_MONITORS];
 } yard_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void yard_fly_init(yard_fly_state *s);
 void yard_fly_step(yard_fly_state *s, const yard_fly_in *in,
                    int64_t now_us, yard_fly_out *out);

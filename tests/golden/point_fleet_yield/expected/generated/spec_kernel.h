@@ -158,9 +158,9 @@ typedef struct point_fleet_yield_fly_out {
   point_fleet_yield_result monitors[POINT_FLEET_YIELD_FLY_MONITORS];
 } point_fleet_yield_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void point_fleet_yield_fly_init(point_fleet_yield_fly_state *s);
 void point_fleet_yield_fly_step(point_fleet_yield_fly_state *s, const point_fleet_yield_fly_in *in,
                                 int64_t now_us, point_fleet_yield_fly_out *out);

@@ -158,9 +158,9 @@ typedef struct points_only_fly_out {
   points_only_result monitors[POINTS_ONLY_FLY_MONITORS];
 } points_only_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void points_only_fly_init(points_only_fly_state *s);
 void points_only_fly_step(points_only_fly_state *s, const points_only_fly_in *in,
                           int64_t now_us, points_only_fly_out *out);

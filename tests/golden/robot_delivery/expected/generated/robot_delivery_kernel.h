@@ -164,9 +164,9 @@ typedef struct robot_delivery_plan_executor_out {
   robot_delivery_result monitors[ROBOT_DELIVERY_PLAN_EXECUTOR_MONITORS];
 } robot_delivery_plan_executor_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void robot_delivery_plan_executor_init(robot_delivery_plan_executor_state *s);
 void robot_delivery_plan_executor_step(robot_delivery_plan_executor_state *s, const robot_delivery_plan_executor_in *in,
                                        int64_t now_us, robot_delivery_plan_executor_out *out);

@@ -271,9 +271,9 @@ typedef struct facts_fly_out {
   facts_result monitors[FACTS_FLY_MONITORS];
 } facts_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void facts_fly_init(facts_fly_state *s);
 void facts_fly_step(facts_fly_state *s, const facts_fly_in *in,
                     int64_t now_us, facts_fly_out *out);

@@ -158,9 +158,9 @@ typedef struct scale_and_sums_fly_out {
   scale_and_sums_result monitors[SCALE_AND_SUMS_FLY_MONITORS];
 } scale_and_sums_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void scale_and_sums_fly_init(scale_and_sums_fly_state *s);
 void scale_and_sums_fly_step(scale_and_sums_fly_state *s, const scale_and_sums_fly_in *in,
                              int64_t now_us, scale_and_sums_fly_out *out);

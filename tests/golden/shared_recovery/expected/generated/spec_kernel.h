@@ -161,9 +161,9 @@ typedef struct shared_recovery_fly_out {
   shared_recovery_result monitors[SHARED_RECOVERY_FLY_MONITORS];
 } shared_recovery_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void shared_recovery_fly_init(shared_recovery_fly_state *s);
 void shared_recovery_fly_step(shared_recovery_fly_state *s, const shared_recovery_fly_in *in,
                               int64_t now_us, shared_recovery_fly_out *out);

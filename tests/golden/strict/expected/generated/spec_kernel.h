@@ -158,9 +158,9 @@ typedef struct strict_fly_out {
   strict_result monitors[STRICT_FLY_MONITORS];
 } strict_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void strict_fly_init(strict_fly_state *s);
 void strict_fly_step(strict_fly_state *s, const strict_fly_in *in,
                      int64_t now_us, strict_fly_out *out);

@@ -866,7 +866,7 @@ static const zone zone_land = {zone_land_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  200, 1000, 20, 20, 1000, 1000, 140, 0, 70, 50000, 50000
+  200, 1000, 20, 20, 1000, 1000, 145, 0, 72, 50000, 50000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -874,8 +874,8 @@ static const motion MOTIONS[] = {
   {300, 1000, 1}, /* standing */
   {300, 1000, 1} /* sequence */
 };
-/* From the decision until its recovery acts: look-ahead and latency, us. */
-static const int64_t pilot_horizons_us[] = {70000};
+/* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
+static const int64_t pilot_horizons_us[] = {75000};
 
 /* What a tick knows, seen with one horizon and the motion of one driver. */
 typedef struct pilot_view {
@@ -1038,7 +1038,7 @@ static void pilot_report(const pilot_view *v, const templates_pilot_state *s,
 void templates_pilot_step(templates_pilot_state *s, const templates_pilot_in *in, int64_t now_us,
                           templates_pilot_out *out) {
   const int32_t first = s->clock.started == 0;
-  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 70000);
+  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 55000);
   const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
   const int32_t back = first || s->mode != 0; /* control might be given back */
   const int32_t before = s->mode; /* who has driven until now */

@@ -159,9 +159,9 @@ typedef struct templates_pilot_out {
   templates_result monitors[TEMPLATES_PILOT_MONITORS];
 } templates_pilot_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void templates_pilot_init(templates_pilot_state *s);
 void templates_pilot_step(templates_pilot_state *s, const templates_pilot_in *in,
                           int64_t now_us, templates_pilot_out *out);

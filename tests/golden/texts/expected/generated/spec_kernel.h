@@ -161,9 +161,9 @@ typedef struct texts_fly_out {
   texts_result monitors[TEXTS_FLY_MONITORS];
 } texts_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void texts_fly_init(texts_fly_state *s);
 void texts_fly_step(texts_fly_state *s, const texts_fly_in *in,
                     int64_t now_us, texts_fly_out *out);

@@ -158,9 +158,9 @@ typedef struct two_kinds_fly_out {
   two_kinds_result monitors[TWO_KINDS_FLY_MONITORS];
 } two_kinds_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void two_kinds_fly_init(two_kinds_fly_state *s);
 void two_kinds_fly_step(two_kinds_fly_state *s, const two_kinds_fly_in *in,
                         int64_t now_us, two_kinds_fly_out *out);
@@ -210,9 +210,9 @@ typedef struct two_kinds_drive_out {
   two_kinds_result monitors[TWO_KINDS_DRIVE_MONITORS];
 } two_kinds_drive_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void two_kinds_drive_init(two_kinds_drive_state *s);
 void two_kinds_drive_step(two_kinds_drive_state *s, const two_kinds_drive_in *in,
                           int64_t now_us, two_kinds_drive_out *out);

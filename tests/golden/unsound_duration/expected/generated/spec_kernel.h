@@ -158,9 +158,9 @@ typedef struct unsound_duration_fly_out {
   unsound_duration_result monitors[UNSOUND_DURATION_FLY_MONITORS];
 } unsound_duration_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void unsound_duration_fly_init(unsound_duration_fly_state *s);
 void unsound_duration_fly_step(unsound_duration_fly_state *s, const unsound_duration_fly_in *in,
                                int64_t now_us, unsound_duration_fly_out *out);

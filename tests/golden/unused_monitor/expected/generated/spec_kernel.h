@@ -158,9 +158,9 @@ typedef struct unused_monitor_fly_out {
   unused_monitor_result monitors[UNUSED_MONITOR_FLY_MONITORS];
 } unused_monitor_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void unused_monitor_fly_init(unused_monitor_fly_state *s);
 void unused_monitor_fly_step(unused_monitor_fly_state *s, const unused_monitor_fly_in *in,
                              int64_t now_us, unused_monitor_fly_out *out);
