@@ -45,6 +45,7 @@ Json limits(const sema::RobotKind& k) {
   sense("battery", "", k.battery);
   if (k.hears_max_age) j["hears_age_us"] = micros(*k.hears_max_age);
   j["latency_us"] = micros(k.latency);
+  if (k.motion.disturbance) put("disturbance_mps2", *k.motion.disturbance);
   if (k.plan) put("tracking_m", k.plan->tracking);
   if (k.energy) {
     put("drive_per_m", k.energy->drive);
@@ -149,6 +150,7 @@ class Decisions {
     j["plan_capacity"] = d.plan_capacity;
     j["open_fleet"] = d.open_fleet;
     j["surrender_mode"] = ir::surrender_mode(d);
+    if (ir::judges_commands(d)) j["judges_commands"] = true;
     j["limits"] = limits(*at);
     j["robots"] = robots;
     if (at->energy) j["dock"] = dock(kind, *at->energy);

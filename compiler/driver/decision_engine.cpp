@@ -243,6 +243,7 @@ std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sem
     to.advanced = d.advanced;
     to.plan_capacity = d.plan_capacity;
     to.has_heading = d.body.heading_age_us.has_value();
+    to.judges_commands = ir::judges_commands(d);
     to.open_fleet = d.open_fleet;
     to.on_plan = d.on_plan;
     to.period_s = Rational(static_cast<long>(d.period_us), 1'000'000);

@@ -36,7 +36,7 @@ struct DecisionInterface {
   std::vector<Unit> told_units;     // by number, when some monitor mixes units
   std::vector<std::size_t> robots;  // of the specification, by index in the fleet
   std::int64_t plan_capacity = 0;
-  bool has_heading = false, open_fleet = false;
+  bool has_heading = false, open_fleet = false, judges_commands = false;
   bool on_plan = false;
   Rational period_s;  // of one that is not on plans
   // Plain inputs and parameters that its monitors speak of.

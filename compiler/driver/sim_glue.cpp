@@ -15,8 +15,8 @@ std::size_t plan_words(const DecisionInterface& d) {
 std::size_t other_words(const DecisionInterface& d) {
   return 16 + plan_words(d);
 }
-// { self, holding, surrender, position, velocity, battery, heading, plan, others }
-constexpr std::size_t own_words = 23;
+// { self, holding, surrender, position, velocity, battery, heading, sent, proposed, plan, others }
+constexpr std::size_t own_words = 35;
 std::size_t in_words(const DecisionInterface& d) {
   return own_words + plan_words(d) + d.robots.size() * other_words(d);
 }
@@ -59,6 +59,9 @@ std::string take_in(const DecisionInterface& d) {
       "  in.surrender = (int32_t)own[2];\n  rtac_point(&in.position, own + 3);\n"
       "  rtac_point(&in.velocity, own + 9);\n  rtac_scalar(&in.battery, own + 15);\n";
   if (d.has_heading) out += "  rtac_scalar(&in.heading, own + 19);\n";
+  if (d.judges_commands) {
+    out += "  rtac_point(&in.sent, own + 23);\n  rtac_point(&in.proposed, own + 29);\n";
+  }
   out += "  rtac_plan(&in.plan, own + " + num(own_words) + ", " + capacity + ");\n";
   out += "  for (j = 0; j < " + num(d.robots.size()) +
          "; ++j) {\n    const int64_t *from = own + " + num(own_words + plan_words(d)) + " + j * " +

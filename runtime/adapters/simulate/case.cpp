@@ -98,6 +98,7 @@ RobotLimits limits(const Json& j) {
                                                      {"heading_error_rad", &l.heading_error_rad},
                                                      {"battery_error", &l.battery_error},
                                                      {"tracking_m", &l.tracking_m},
+                                                     {"disturbance_mps2", &l.disturbance_mps2},
                                                      {"drive_per_m", &l.drive_per_m},
                                                      {"idle_per_s", &l.idle_per_s},
                                                      {"drain_per_s", &l.drain_per_s},
@@ -141,6 +142,7 @@ DecisionCase decision(const Json& j, const Case& all) {
   d.period_us = j.at("period_us").get<TimeUs>();
   d.plan_capacity = j.at("plan_capacity").get<std::size_t>();
   d.surrender_mode = j.at("surrender_mode").get<int>();
+  d.judges_commands = j.value("judges_commands", false);
   d.limits = limits(j.at("limits"));
   d.robots = j.at("robots").get<std::vector<std::string>>();
   if (j.contains("dock")) {

@@ -48,6 +48,7 @@ struct DecisionCase {
   TimeUs period_us = 0;
   std::size_t plan_capacity = 0;
   int surrender_mode = 1;
+  bool judges_commands = false;  // what is proposed is judged before it is sent
   RobotLimits limits;
   std::vector<std::string> robots;
   std::vector<Vec2> docks;  // by robot; empty: none

@@ -113,6 +113,7 @@ KernelDecision::KernelDecision(const Kernel::Functions& functions, const Decisio
   info_.limits = &decision.limits;
   info_.robot_count = static_cast<int>(decision.robots.size());
   info_.surrender_mode = decision.surrender_mode;
+  info_.judges_commands = decision.judges_commands;
   in_[words::self] = self;
   reset();
 }
@@ -131,6 +132,8 @@ const DecisionRecord& KernelDecision::step(const Observation& seen, bool holding
   put(seen.velocity, &in_[words::velocity]);
   put(seen.battery, battery_steps, &in_[words::battery]);
   put(seen.heading, heading_steps, &in_[words::heading]);
+  put(seen.sent, &in_[words::sent]);
+  put(seen.proposed, &in_[words::proposed]);
   put(seen.plan, capacity_, &in_[words::plan]);
   std::int64_t* other = &in_[words::plan] + words::plan_size(capacity_);
   for (int j = 0; j < info_.robot_count; ++j, other += words::other_size(capacity_)) {

@@ -6,14 +6,15 @@
 
 namespace rtac::simulate::words {
 
-inline constexpr int version = 1;
+inline constexpr int version = 2;
 
 // In: { self, holding, surrender }, position and velocity { x_lo, x_hi, y_lo, y_hi, stamp_us,
-// valid }, battery and heading { lo, hi, stamp_us, valid }, then the plan { valid, count, index,
-// x[], y[] } and the others: { position, velocity, lease end, goes first, presence stamp, present,
-// plan } each.
+// valid }, battery and heading { lo, hi, stamp_us, valid }, the commands sent and proposed as
+// points, then the plan { valid, count, index, x[], y[] } and the others: { position, velocity,
+// lease end, goes first, presence stamp, present, plan } each.
 inline constexpr std::size_t self = 0, holding = 1, surrender = 2;
-inline constexpr std::size_t position = 3, velocity = 9, battery = 15, heading = 19, plan = 23;
+inline constexpr std::size_t position = 3, velocity = 9, battery = 15, heading = 19;
+inline constexpr std::size_t sent = 23, proposed = 29, plan = 35;
 constexpr std::size_t plan_size(std::size_t capacity) {
   return 3 + 2 * capacity;
 }

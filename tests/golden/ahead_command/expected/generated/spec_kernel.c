@@ -1374,7 +1374,7 @@ typedef struct flit_view {
   const ahead_command_command *commands; /* that were sent, the newest first */
   estimate self;
   reach within;
-  course course; /* under the commands that are known */
+  course told; /* under the commands that are known */
   span charge;
   place at_hall; /* of the robot itself */
   other others[ROBOTS];
@@ -1403,7 +1403,7 @@ static margin flit_aloof_now(const flit_view *v) {
 /* Of one other robot, number j of the fleet; joined below. */
 static margin flit_aloof_ahead_v0(const flit_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 300, j);
-  const margin v1 = pair_course(&v->course, &v->others[j], &BODY, 300, j);
+  const margin v1 = pair_course(&v->told, &v->others[j], &BODY, 300, j);
   const margin v2 = margin_or(v0, v1);
   return v2;
 }
@@ -1430,7 +1430,7 @@ static margin flit_walls_now(const flit_view *v) {
 /* Everything within reach; recovery: turn_in */
 static margin flit_walls_ahead(const flit_view *v) {
   const margin v0 = zone_reach(&zone_hall, &v->at_hall, &v->within, 0);
-  const margin v1 = zone_course(&zone_hall, &v->at_hall, &v->course, 0);
+  const margin v1 = zone_course(&zone_hall, &v->at_hall, &v->told, 0);
   const margin v2 = margin_or(v0, v1);
   return v2;
 }
@@ -1442,10 +1442,10 @@ static void flit_look(flit_view *v, const motion *m, int64_t horizon_us, int32_t
   v->m = m;
   v->horizon_us = horizon_us;
   v->within = reach_of(&v->self, &BODY, m, horizon_us);
-  v->course = course_of(&v->self, &BODY, &flit_order, v->commands,
+  v->told = course_of(&v->self, &BODY, &flit_order, v->commands,
                         &v->in->proposed, v->now_us, horizon_us);
   if (m->recovery != 0) {
-    v->course.usable = 0;
+    v->told.usable = 0;
   }
   for (j = 0; j < ROBOTS; ++j) {
     if (j != v->in->self) {
