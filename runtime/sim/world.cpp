@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gusts.h"
 #include "motion.h"
 #include "radio.h"
 #include "sensor.h"
@@ -73,7 +74,9 @@ template <class Output>
 struct Agent {
   Agent(const RobotSetup& given, const TruthState& truth, const WorldOptions& options,
         std::uint64_t robot)
-      : setup(given), senses(given, truth, options, robot) {
+      : setup(given),
+        senses(given, truth, options, robot),
+        gusts(Random::stream(options.seed, robot, 6)) {
     body.position = {truth.position.x, truth.position.y};
     body.heading_rad = truth.heading_rad;
   }
@@ -84,6 +87,7 @@ struct Agent {
   Output acting{};  // the command that the actuators follow now
   CommandQueue<Output> commands;
   Senses senses;
+  Gusts gusts;
 };
 
 double next_battery(const RobotSetup& setup, const TruthState& before, Vec2 position,
@@ -242,6 +246,9 @@ void World<Output>::Impl::handle_events() {
 template <class Output>
 void World<Output>::Impl::move(Agent<Output>& agent, TruthState& truth, double dt_s) {
   const double driven_m = advance(agent.body, agent.acting, agent.setup.limits, dt_s);
+  if (agent.setup.limits.disturbance_mps2 > 0) {
+    agent.gusts.blow(agent.body, agent.setup.limits, now_us, dt_s);
+  }
   const Body& body = agent.body;
   truth.position = to_vec2(body.position);
   truth.velocity = to_vec2(body.velocity);

@@ -1,0 +1,27 @@
+// Private: what pushes a robot that declares a disturbance, always at its bound.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "motion.h"
+#include "rtac/sim/random.h"
+
+namespace rtac::sim {
+
+// A steady wind from anywhere, along the motion or across it: each for a while, by seed.
+class Gusts {
+ public:
+  explicit Gusts(Random random) : random_(random) {}
+  // Moves and speeds up `body` by what a gust does in `dt_s`, within its declared speed.
+  void blow(Body& body, const RobotLimits& limits, TimeUs now_us, double dt_s);
+
+ private:
+  [[nodiscard]] Eigen::Vector2d direction(const Eigen::Vector2d& velocity) const;
+
+  Random random_;
+  TimeUs until_us_ = 0;
+  std::int64_t style_ = 0;
+  Eigen::Vector2d steady_ = Eigen::Vector2d::Zero();
+};
+
+}  // namespace rtac::sim
