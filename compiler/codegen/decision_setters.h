@@ -10,8 +10,8 @@ inline SignalSetters decision_setters(const ir::Decision& d, const Names& names)
   return {d.facts,
           names,
           {name, "in_.facts.", "state_.facts."},
-          {name, "position", "velocity", "battery", "heading", "plan", "heard", "sent", "proposed", "step", "info",
-           "reset", "state_", "in_", "record_"}};
+          {name, "position", "velocity", "battery", "heading", "plan", "heard", "sent", "proposed",
+           "step", "info", "reset", "state_", "in_", "record_"}};
 }
 
 }  // namespace rtac::codegen

@@ -11,7 +11,7 @@ class CheckPrinter : public FactPrinter {
  public:
   using FactPrinter::FactPrinter;
   void print_monitors();
-  void print_look();     // sets what is within reach
+  void print_look();  // sets what is within reach
   void print_course(Code& to);
   void print_measure();  // inputs -> estimates
   void print_check();    // fills the findings of all monitors

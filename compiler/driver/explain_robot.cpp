@@ -275,8 +275,7 @@ class RobotRemarks {
     if (m.lookahead.command) {
       to.emplace_back("judges the commands that are known and the one that is proposed, too");
     }
-    const bool sound =
-        m.lookahead.duration && !m.lookahead.too_short && !m.lookahead.points_only;
+    const bool sound = m.lookahead.duration && !m.lookahead.too_short && !m.lookahead.points_only;
     if (!sound) to.emplace_back("unsound, as it is written");
   }
   void recovery(const Recovery& r, std::vector<std::string>& to) const {

@@ -278,9 +278,9 @@ class Printer {
          num(b.brake_mmps2) + ", brake lag " + num(b.brake_lag_ms) + " ms " +
          num(b.brake_lag_permille) + " permille, hold " + num(b.hold_mm) +
          (b.disturbance_mmps2 > 0 ? ", disturbance " + num(b.disturbance_mmps2) : "") +
-         (b.command_mmps2 > 0 ? ", commands " + num(b.command_mmps2) + " error " +
-                                    num(b.command_error_mmps2)
-                              : "") +
+         (b.command_mmps2 > 0
+              ? ", commands " + num(b.command_mmps2) + " error " + num(b.command_error_mmps2)
+              : "") +
          (b.jitter_us > 0 ? ", jitter " + num(b.jitter_us) + " us" : ""));
     for (const Motion& m : d.motions) {
       line("  motion " + m.name + " speed " + num(m.speed_mmps) + " accel " + num(m.accel_mmps2));

@@ -70,14 +70,14 @@ class AheadChecker {
                           .label("a twist is followed within limits, not at once")
                           .help("`ahead 200 ms` works: under any control"));
     } else if (!kind.output_error) {
-      context_.report(Finding(Code::limit_missing, range,
-                              "`ahead command` needs the `error` of the output of `" + kind.name +
-                                  "`")
-                          .label("how exactly it follows commands is not declared")
-                          .note(kind.name_range, "the robot is declared here")
-                          .help("write `output " + kind.output_name +
-                                " : acceleration error 0.05 m/s^2;` with a bound between the "
-                                "commanded and the true acceleration"));
+      context_.report(
+          Finding(Code::limit_missing, range,
+                  "`ahead command` needs the `error` of the output of `" + kind.name + "`")
+              .label("how exactly it follows commands is not declared")
+              .note(kind.name_range, "the robot is declared here")
+              .help("write `output " + kind.output_name +
+                    " : acceleration error 0.05 m/s^2;` with a bound between the "
+                    "commanded and the true acceleration"));
     }
   }
 

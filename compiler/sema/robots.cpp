@@ -246,13 +246,14 @@ class KindChecker {
     if (output.error) output_error(*output.error);
   }
 
-  // How far the robot is from doing what it is told. A twist takes its time, and how is not declared.
+  // How far the robot is from doing what it is told. A twist takes its time, and how is not
+  // declared.
   void output_error(const syntax::Expr& written) {
     if (kind_.output == OutputType::twist) {
-      context_.report(Finding(Code::clause_without_effect, written.range,
-                              "an `error` has no effect on a twist")
-                          .label("how a base follows it is bounded by its motion")
-                          .help("leave it out"));
+      context_.report(
+          Finding(Code::clause_without_effect, written.range, "an `error` has no effect on a twist")
+              .label("how a base follows it is bounded by its motion")
+              .help("leave it out"));
       return;
     }
     kind_.output_error = quantity(

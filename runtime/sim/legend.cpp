@@ -170,7 +170,7 @@ struct Meaning {
   const char* written;  // in the legend
   const char* text;
 };
-constexpr std::array<Meaning, 11> meanings{{
+constexpr std::array<Meaning, 12> meanings{{
     {"margin", "margin", "what the robot can reach before a recovery has acted is not all safe"},
     {"waypoint ", "waypoint k", "way-point k of the plan is not safe"},
     {"leg ", "leg k", "leg k of the plan is not safe; leg 0 begins at the robot"},
@@ -183,6 +183,8 @@ constexpr std::array<Meaning, 11> meanings{{
     {"surrendered", "surrendered",
      "the advanced side gave up control by itself: it waits for a robot, or it is parked"},
     {"tracking", "tracking", "the robot is further off its plan than declared"},
+    {"recovery breaks its claim", "recovery breaks its claim",
+     "the external recovery leaves what it promised to keep; it brakes"},
 }};
 
 const Meaning* find_meaning(const std::string& reason) {

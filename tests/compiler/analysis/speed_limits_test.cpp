@@ -48,10 +48,10 @@ TEST(SpeedLimits, ARecoveryKeepsThem) {
 TEST(SpeedLimits, ARobotAtRestMayHandControlBack) {
   const std::string message = said(text_of("0.2 m/s", "0.1 m/s"));
   EXPECT_EQ(message,
-            "monitor `calm` can never hand control back: from rest the robot may reach 0.264 m/s "
+            "monitor `calm` can never hand control back: from rest the robot may reach 0.269 m/s "
             "before a recovery acts");
-  expect_works(text_of("0.264 m/s", "0.1 m/s"));
-  said(text_of("0.263 m/s", "0.1 m/s"));
+  expect_works(text_of("0.269 m/s", "0.1 m/s"));
+  said(text_of("0.268 m/s", "0.1 m/s"));
 }
 
 // Nothing is faster than the declared speed.

@@ -8,7 +8,7 @@
 #include "rtac/zone.h"
 #include "spec_kernel.h"
 
-static_assert(rtac::bridge::abi == 2,
+static_assert(rtac::bridge::abi == 3,
               "this module was generated for another version of the runtime");
 
 namespace claims {

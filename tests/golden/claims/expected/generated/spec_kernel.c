@@ -866,7 +866,7 @@ static const zone zone_room = {zone_room_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  80, 1000, 20, 20, 1000, 1000, 140, 0, 70, 50000, 50000
+  80, 1000, 20, 20, 1000, 1000, 145, 0, 72, 50000, 50000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -875,8 +875,8 @@ static const motion MOTIONS[] = {
   {500, 1000, 1}, /* escape */
   {0, 1000, 1} /* stop */
 };
-/* From the decision until its recovery acts: look-ahead and latency, us. */
-static const int64_t fly_horizons_us[] = {120000, 170000, 70000};
+/* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
+static const int64_t fly_horizons_us[] = {125000, 175000, 75000};
 
 /* What a tick knows, seen with one horizon and the motion of one driver. */
 typedef struct fly_view {
@@ -1073,7 +1073,7 @@ static void fly_report(const fly_view *v, const claims_fly_state *s, const check
 void claims_fly_step(claims_fly_state *s, const claims_fly_in *in, int64_t now_us,
                      claims_fly_out *out) {
   const int32_t first = s->clock.started == 0;
-  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 70000);
+  const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 55000);
   const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
   const int32_t back = first || s->mode != 0; /* control might be given back */
   const int32_t before = s->mode; /* who has driven until now */

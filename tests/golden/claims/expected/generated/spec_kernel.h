@@ -160,9 +160,9 @@ typedef struct claims_fly_out {
   claims_result monitors[CLAIMS_FLY_MONITORS];
 } claims_fly_out;
 
-/* Step once a period, in time: what the timer jitters is part of the declared latency. now_us is
- * of the clock of all stamps. Any input is fine: what is missing, too old or out of range is
- * unknown. *out is written whole. */
+/* Step once a period, in time: by how much a step may be late is declared. now_us is of the
+ * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
+ * *out is written whole. */
 void claims_fly_init(claims_fly_state *s);
 void claims_fly_step(claims_fly_state *s, const claims_fly_in *in,
                      int64_t now_us, claims_fly_out *out);

@@ -58,9 +58,9 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.446, 0.352, 1.258)) {}
+        : fly(self), stay_out(setting(0.3, ring_zone(), 0.446, 0.352, 1.258)) {}
     Fly fly;
-    rtac::safe::Retreat<rtac::Acceleration> back_off;
+    rtac::safe::Retreat<rtac::Acceleration> stay_out;
   };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
@@ -79,7 +79,7 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.back_off);
+    (void)p.recoveries.push(&robot.stay_out);
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "rtac/safe/claim.h"
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
 #include "spec.h"
@@ -59,10 +60,17 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.52, 0.454, 1.328)) {}
+        : fly(self), inwards(setting(0.3, inner_zone(), 0.52, 0.454, 1.328)), land_now(standing(), {&room_zone(), 0.5, 140000, 1.0, 0.145, 0.0, 0.072}) {}
     Fly fly;
-    rtac::safe::Retreat<rtac::Acceleration> back_off;
+    rtac::safe::Retreat<rtac::Acceleration> inwards;
+    rtac::safe::Claimed<rtac::Acceleration> land_now;
   };
+  static rtac::safe::Setting standing() {
+    rtac::safe::Setting s;
+    s.limits = Drone_limits();
+    s.period_us = 50000;
+    return s;
+  }
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -80,10 +88,11 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.back_off);
-    (void)p.recoveries.push(&robot.back_off);
-    (void)p.recoveries.push(&controllers.land_now);
-    (void)p.recoveries.push(&controllers.land_now);
+    robot.land_now.attach(controllers.land_now);
+    (void)p.recoveries.push(&robot.inwards);
+    (void)p.recoveries.push(&robot.inwards);
+    (void)p.recoveries.push(&robot.land_now);
+    (void)p.recoveries.push(&robot.land_now);
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;
