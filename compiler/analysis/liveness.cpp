@@ -64,7 +64,8 @@ std::vector<std::int64_t> climbing_ways(const Grid& grid, const std::vector<bool
     open.emplace(0, i);
   }
   while (!open.empty()) {
-    const auto [so_far, to] = open.top();
+    const std::int64_t so_far = open.top().first;
+    const std::size_t to = open.top().second;
     open.pop();
     if (so_far > length[to]) continue;
     grid.steps_into(to, [&](std::size_t from, std::int64_t step_mm) {

@@ -195,7 +195,7 @@ probe_robot swift() {
 TEST(Course, HoldsARobotThatIsToldWhatToDo) {
   Random random(31);
   double legs = 0, stops = 0;
-  for (int i = 0; i < 4'000 && !HasFatalFailure(); ++i) {
+  for (int i = 0; i < 2'000 && !HasFatalFailure(); ++i) {
     Flight(random, swift(), 150, 20'000, 50'000).fly(legs, stops);
   }
   RecordProperty("legs", std::to_string(legs));
@@ -208,7 +208,7 @@ TEST(Course, HoldsRobotsOfEverySort) {
   // Bounds of every size, so that no term hides behind another.
   Random random(32);
   double legs = 0, stops = 0;
-  for (int i = 0; i < 8'000 && !HasFatalFailure(); ++i) {
+  for (int i = 0; i < 5'000 && !HasFatalFailure(); ++i) {
     probe_robot robot = swift();
     robot.body.position_error_mm = random.one_in(2) ? 0 : random.in(0, 30);
     robot.body.velocity_error_mmps = random.one_in(2) ? 0 : random.in(0, 50);

@@ -14,7 +14,7 @@ build() {
     -DPROBE_KERNEL_TEXT="\"$1/$text\"" "$here/kernel_probe.c" -o "$work/mutant.so"
 }
 run() {
-  LD_PRELOAD="$work/mutant.so" timeout 20 "$program" --gtest_brief=1 --gtest_fail_fast \
+  LD_PRELOAD="$work/mutant.so" timeout 60 "$program" --gtest_brief=1 --gtest_fail_fast \
     --gtest_filter="$1" >"$work/log" 2>&1
 }
 passes() {
