@@ -29,8 +29,9 @@ inline constexpr const char* quads = R"(robot Quad {
 }
 fleet q1, q2, q3 : Quad;
 site home = (-1 m, -1 m);
+zone nest = rectangle (-2.2 m, -2.2 m) to (-0.6 m, -0.6 m);  // within all zones of the monitors
 controller policy  : advanced for Quad extern;
-controller inwards : safe for Quad = retreat within field speed 0.2 m/s;
+controller inwards : safe for Quad = retreat within nest speed 0.2 m/s;
 )";
 
 // Of robots q1, q2 and q3 of an open fleet, which sense position, velocity and battery, within 4 m
