@@ -567,12 +567,8 @@ class Deriver {
   }
   // How long recoveries take to lead out of zones that come and go.
   void fill_windows() {
-    const WindowTables tables{[&](ir::ZoneIndex zone) -> const EvaluatedZone& {
-                                const auto& all = out_.tables.zones;
-                                const auto at = std::find(all.begin(), all.end(), zone);
-                                return *zones_[std::size_t(at - all.begin())];
-                              },
-                              connector_mm};
+    const WindowTables tables{
+        [this](ir::ZoneIndex zone) -> const EvaluatedZone& { return zone_of(zone); }, connector_mm};
     for (std::size_t i = 0; i < spec_.decisions.size(); ++i) {
       plan_windows(spec_, spec_.decisions[i], out_.module, out_.module.decisions[i], tables,
                    diagnostics_);

@@ -63,9 +63,10 @@ void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
   b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
   b.hold_mm = div_up(eta * eta, left_mmps2) + 2 * b.position_error_mm + hold_slack_mm;
   if (d_mmps2 == 0) return;
-  // omega: see Pilot<Acceleration>
-  const Rational loop_s(std::max<std::int64_t>(delay_us + b.position_age_us, 10'000), 1'000'000);
-  const Rational omega = std::min(Rational(2), Rational(Rational(1, 4) / loop_s));
+  const Rational loop_s(
+      std::max<std::int64_t>(delay_us + b.position_age_us, pace::hold_delay_least_us), 1'000'000);
+  const Rational omega = std::min(Rational(pace::hold_max_mradps, 1000),
+                                  Rational(Rational(pace::hold_mrad_per_delay, 1000) / loop_s));
   b.hold_mm += ceil_to_int(Rational(2 * d_mmps2 / (omega * omega)));
 }
 
@@ -124,8 +125,8 @@ ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
   const Rational most =
       std::min(kind.motion.speed.value, Rational(speed + 2 * pushed_speed(kind, period_us)));
   // while it brakes, the recovery may still turn at the speed that it found
-  return {name, up(std::max(speed, most), 1000),
-          planar_accel(kind, up(kind.motion.speed.value, 1000)), true, kind.motion.range};
+  return {name, up(most, 1000), planar_accel(kind, up(kind.motion.speed.value, 1000)), true,
+          kind.motion.range};
 }
 
 std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us) {

@@ -71,9 +71,12 @@ void CheckPrinter::print_look() {
 // A recovery decides by itself what it commands next: only its limits are known.
 void CheckPrinter::print_course(Code& to) {
   use({"course_of"});
-  to.line("v->told = course_of(&v->self, &BODY, &" + id_ + "_order, v->commands,");
-  to.line("                      &v->in->proposed, v->now_us, horizon_us);");
-  to.block("if (m->recovery != 0)", [&](Code& body) { body.line("v->told.usable = 0;"); });
+  to.line("v->told.input = v->self.input;");
+  to.line("v->told.usable = 0;");
+  to.block("if (m->recovery == 0)", [&](Code& body) {
+    body.line("v->told = course_of(&v->self, &BODY, &" + id_ + "_order, v->commands,");
+    body.line("                    &v->in->proposed, v->now_us, horizon_us);");
+  });
 }
 
 void CheckPrinter::print_measure() {

@@ -92,6 +92,7 @@ class Source {
       out.line("#define COMMANDS " + upper(p_) + "_COMMANDS");
       out.comment("Places on a course: a leg a command, one for now, two for the last one.");
       out.line("#define COURSE_MAX (COMMANDS + 4)");
+      out.comment("What a leg changes of a velocity, um/s: its square fits.");
       out.line("#define GAINED_MAX_UMPS INT64_C(1000000000)");
     }
     out.line("#define NO_BODY INT64_C(" + num(no_body) + ")");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/driver/glue_readers.h"
+
 namespace rtac::driver {
 namespace {
 
@@ -12,18 +14,7 @@ std::string num(std::size_t value) {
 // Structs of the kernel from words.
 std::string readers(const std::string& p, std::size_t capacity) {
   constexpr std::size_t at = RobotWords::points - RobotWords::plan;
-  return "static void rtac_point(" + p +
-         "_point *to, const int64_t *from) {\n"
-         "  to->x_lo = from[0];\n  to->x_hi = from[1];\n"
-         "  to->y_lo = from[2];\n  to->y_hi = from[3];\n"
-         "  to->stamp_us = from[4];\n  to->valid = (int32_t)from[5];\n}\n"
-         "static void rtac_scalar(" +
-         p +
-         "_scalar *to, const int64_t *from) {\n"
-         "  to->lo = from[0];\n  to->hi = from[1];\n"
-         "  to->stamp_us = from[2];\n  to->valid = (int32_t)from[3];\n}\n"
-         "static void rtac_plan(" +
-         p +
+  return glue_readers(p) + "static void rtac_plan(" + p +
          "_plan *to, const int64_t *from, int64_t capacity) {\n"
          "  int32_t k;\n"
          "  to->valid = from[0] != 0 && from[1] <= capacity;\n"

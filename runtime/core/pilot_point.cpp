@@ -24,9 +24,9 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
   // What pushes the robot changes the speed in the meantime, too.
   rest_mps_ =
       limits_.velocity_error_mps + (limits_.brake_mps2 + limits_.disturbance_mps2) * reaction_s_;
-  // Critically damped; a quarter of a radian per delay leaves a phase margin above 60 degrees.
   const double age_s = static_cast<double>(limits_.position_age_us) * s_per_us;
-  omega_radps_ = std::min(2.0, 0.25 / std::max(reaction_s_ + age_s, 0.01));
+  const double delay_s = std::max(reaction_s_ + age_s, pace::hold_delay_least_s);
+  omega_radps_ = std::min(pace::hold_max_radps, pace::hold_rad_per_delay / delay_s);
 }
 
 void Pilot<Acceleration>::engage(const Observation& observation) {

@@ -7,8 +7,10 @@
 namespace rtac {
 
 // An advanced controller: nobody has verified it, so it may do anything but block: it is called on
-// the thread of the ticks, after the decision, and its time is part of the declared latency. The
-// output takes effect as it is; what is not finite or beyond the limits is for the SDK to refuse.
+// the thread of the ticks, after the decision, or before it where the decision judges commands
+// (`ahead command`; then also while a recovery drives), and its time is part of the declared
+// latency. The output takes effect as it is; what is not finite or beyond the limits is for the SDK
+// to refuse.
 template <class Output>
 class Controller {
  public:

@@ -15,6 +15,7 @@
 #define COMMANDS AHEAD_COMMAND_COMMANDS
 /* Places on a course: a leg a command, one for now, two for the last one. */
 #define COURSE_MAX (COMMANDS + 4)
+/* What a leg changes of a velocity, um/s: its square fits. */
 #define GAINED_MAX_UMPS INT64_C(1000000000)
 #define NO_BODY INT64_C(-1)
 #define NO_WAY INT64_C(1073741824)
@@ -1442,10 +1443,11 @@ static void flit_look(flit_view *v, const motion *m, int64_t horizon_us, int32_t
   v->m = m;
   v->horizon_us = horizon_us;
   v->within = reach_of(&v->self, &BODY, m, horizon_us);
-  v->told = course_of(&v->self, &BODY, &flit_order, v->commands,
+  v->told.input = v->self.input;
+  v->told.usable = 0;
+  if (m->recovery == 0) {
+    v->told = course_of(&v->self, &BODY, &flit_order, v->commands,
                         &v->in->proposed, v->now_us, horizon_us);
-  if (m->recovery != 0) {
-    v->told.usable = 0;
   }
   for (j = 0; j < ROBOTS; ++j) {
     if (j != v->in->self) {
