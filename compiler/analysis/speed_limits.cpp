@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/reach.h"
+#include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
@@ -10,14 +11,6 @@ namespace {
 
 std::string speed_text(std::int64_t mmps) {
   return to_decimal(Rational(mmps, 1000)) + " m/s";
-}
-
-bool acknowledged(const ir::Decision& decision, const std::string& recovery,
-                  const std::string& monitor) {
-  const auto& all = decision.acknowledgements;
-  return std::any_of(all.begin(), all.end(), [&](const ir::Acknowledgement& a) {
-    return a.recovery == recovery && a.monitor == monitor;
-  });
 }
 
 // What the kernel may take a robot at rest for, until a recovery would act: it is measured to have
@@ -50,7 +43,7 @@ std::vector<diag::Diagnostic> unkept_speed_limits(const ir::Decision& decision) 
       for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
         const std::string& name = decision.monitors[k].recovery.name;
         const std::int64_t mmps = decision.motions[k + 1].speed_mmps;
-        if (mmps <= bound->most || acknowledged(decision, name, monitor.name)) continue;
+        if (mmps <= bound->most || ir::acknowledged(decision, name, monitor.name)) continue;
         all.push_back(finding(value.source,
                               "the recovery `" + name + "` drives at up to " + speed_text(mmps) +
                                   ", and `" + monitor.name + "` allows " + speed_text(bound->most),

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "compiler/analysis/company.h"
 #include "compiler/analysis/derive.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
@@ -52,6 +53,9 @@ class WellFormed {
         diagnostics_.report(std::move(found));
       }
       for (diag::Diagnostic& found : unkept_speed_limits(decision)) {
+        diagnostics_.report(std::move(found));
+      }
+      for (diag::Diagnostic& found : unkept_company(decision)) {
         diagnostics_.report(std::move(found));
       }
       for (std::size_t k = 0; k < decision.monitors.size(); ++k) {

@@ -7,6 +7,7 @@
 
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/travel.h"
+#include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/schedule.h"
 
@@ -95,14 +96,6 @@ bool keeps_apart(const ir::Decision& decision) {
   });
 }
 
-bool acknowledged(const ir::Decision& decision, const std::string& recovery,
-                  const std::string& monitor) {
-  const auto& all = decision.acknowledgements;
-  return std::any_of(all.begin(), all.end(), [&](const ir::Acknowledgement& a) {
-    return a.recovery == recovery && a.monitor == monitor;
-  });
-}
-
 // The longest time that it is there without a gap; what lasts over the end of the week is one.
 std::int64_t longest_us(const ir::Schedule& schedule) {
   std::int64_t most = 0;
@@ -136,7 +129,7 @@ class Planner {
       others(k);
       if (monitor.recovery.kind == ir::RecoveryKind::route) {
         route(monitor);
-      } else if (!acknowledged(decision_, monitor.recovery.name, monitor.name)) {
+      } else if (!ir::acknowledged(decision_, monitor.recovery.name, monitor.name)) {
         report(Code::window_without_way_out, monitor,
                "the recovery `" + monitor.recovery.name + "` does not lead out before `" +
                    zone_name(monitor) + "` changes",
@@ -159,7 +152,8 @@ class Planner {
     const ir::Monitor& monitor = decision_.monitors[k];
     for (std::size_t j = 0; j < k; ++j) {
       const std::string& other = decision_.monitors[j].recovery.name;
-      if (other == monitor.recovery.name || acknowledged(decision_, other, monitor.name)) continue;
+      if (other == monitor.recovery.name || ir::acknowledged(decision_, other, monitor.name))
+        continue;
       report(Code::window_may_pass, monitor,
              "while `" + other + "` drives for `" + decision_.monitors[j].name +
                  "`, nobody leads out before `" + zone_name(monitor) + "` changes",
@@ -168,7 +162,7 @@ class Planner {
       return;
     }
     const std::string& own = monitor.recovery.name;
-    if (!keeps_apart(decision_) || acknowledged(decision_, own, monitor.name)) return;
+    if (!keeps_apart(decision_) || ir::acknowledged(decision_, own, monitor.name)) return;
     report(Code::window_may_pass, monitor,
            "`" + own + "` stands still while another robot is near, and `" + zone_name(monitor) +
                "` changes meanwhile",

@@ -25,14 +25,16 @@ DecisionPage decision_page(const List& monitors) {
   DecisionPage page{fleet, 0};
   page.first_line =
       1 + static_cast<std::size_t>(std::count(page.text.begin(), page.text.end(), '\n'));
-  std::string priority;
+  std::string priority, acknowledged;
   for (const std::string& line : monitors) {
     page.text += line;
     const std::string name = line.substr(8, line.find(' ', 8) - 8);  // behind `monitor `
     priority += (priority.empty() ? "" : " > ") + name;
+    // what others may break is judged, too
+    acknowledged += " acknowledge inwards may break " + name + " \"a test\";";
   }
-  page.text +=
-      "decision fly for Quad { advanced policy; period 50 ms; priority " + priority + "; }\n";
+  page.text += "decision fly for Quad { advanced policy; period 50 ms; priority " + priority + ";" +
+               acknowledged + " }\n";
   return page;
 }
 

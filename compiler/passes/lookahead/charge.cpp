@@ -1,8 +1,7 @@
 // `r.battery >= c`, and `r.battery >= energy_to(site) + c`. Whoever drives from here on spends
 // charge: the recovery's own way counts. With the way in the bound, a charge that suffices now
 // suffices until the robot is there.
-#include <algorithm>
-
+#include "compiler/ir/acknowledged.h"
 #include "compiler/passes/lookahead/atoms.h"
 
 namespace rtac::passes::lookahead {
@@ -10,12 +9,9 @@ namespace {
 
 using namespace ir;
 
-bool acknowledged(const Expansion& expansion) {
-  const auto& all = expansion.decision().acknowledgements;
+bool accepted(const Expansion& expansion) {
   const Monitor& monitor = expansion.monitor();
-  return std::any_of(all.begin(), all.end(), [&](const Acknowledgement& a) {
-    return a.recovery == monitor.recovery.name && a.monitor == monitor.name;
-  });
+  return acknowledged(expansion.decision(), monitor.recovery.name, monitor.name);
 }
 
 ValueId refuse(Expansion& expansion, std::optional<SiteIndex> site, const Atom& atom) {
@@ -45,7 +41,7 @@ ValueId reserve(Expansion& expansion, std::optional<SiteIndex> site, const Need&
   const Recovery& recovery = expansion.monitor().recovery;
   const bool drives_there =
       recovery.kind == RecoveryKind::route && (!site || *site == recovery.site);
-  if (!drives_there && !acknowledged(expansion)) return refuse(expansion, site, atom);
+  if (!drives_there && !accepted(expansion)) return refuse(expansion, site, atom);
   if (!site && drives_there) site = recovery.site;
   const auto more = expansion.more_of(need, Unit::ppm, atom.source, atom.to);
   if (!site) return add(atom.to, ChargeReach{need.fixed, more}, atom.source);

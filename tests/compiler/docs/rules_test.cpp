@@ -205,6 +205,9 @@ TEST(Rule9_5, IsAsShown) {
 TEST(Rule9_6, IsAsShown) {
   expect_as_shown("9.6");
 }
+TEST(Rule9_7, IsAsShown) {
+  expect_as_shown("9.7");
+}
 TEST(Rule10, IsAsShown) {
   expect_as_shown("10");
 }

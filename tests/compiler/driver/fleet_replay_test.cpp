@@ -21,7 +21,10 @@ fleet bots : Quad[4];
 controller policy  : advanced for Quad extern;
 controller inwards : safe for Quad = retreat within field speed 0.2 m/s;
 monitor m for r : Quad { "R1: m" always PROPERTY; recover inwards; }
-decision fly for Quad { advanced policy; period 50 ms; priority m; }
+decision fly for Quad {
+  advanced policy; period 50 ms; priority m;
+  acknowledge inwards may break m "a test";
+}
 )";
 
 // One robot in the middle; the others on the axis to the right. An empty place: no message.

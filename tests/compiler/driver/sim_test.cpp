@@ -128,6 +128,26 @@ TEST_F(Simulations, RobotsStartTogetherWhereTheyMust) {
   EXPECT_NE(o.out.find("least margin"), std::string::npos) << o.out;
 }
 
+// Why a number of other robots is refused (6003): each robot keeps its own, and breaks another's.
+// What is said of each pair is kept.
+TEST_F(Simulations, ANumberOfOthersIsBrokenByAThird) {
+  const std::string three = edited(yard("50 ms", "WHAT"), "r1, r2 : Rover", "r1, r2, r3 : Rover");
+  const std::string crowd = "count(q : Rover, q != r : distance(r, q) <= 1 m) <= 1";
+  const std::string accepted = edited(
+      three, "priority fence;", "priority fence; acknowledge turn_back may break fence \"x\";");
+  write("near.json", R"({"duration_s": 20, "runs": 6, "adversary": "chase-robot",
+    "starts": {"r1": {"at": [4, 4]}, "r2": {"at": [2.7, 4]}, "r3": {"at": [7, 4]}}})");
+  const std::vector<std::string> attack = {"sim", "spec.rta", "--scenario", "near.json"};
+  write("spec.rta", edited(three, "WHAT", crowd));
+  EXPECT_EQ(rtac(attack).status, 1);
+  write("spec.rta", edited(accepted, "WHAT", crowd));
+  const Outcome broken = rtac(attack);
+  EXPECT_EQ(broken.status, 3) << broken.err << broken.out;
+  write("spec.rta", edited(three, "WHAT", "forall q : Rover, q != r : distance(r, q) >= 50 cm"));
+  const Outcome kept = rtac(attack);
+  EXPECT_EQ(kept.status, 0) << kept.err << kept.out;
+}
+
 TEST_F(Simulations, ScenariosAreRefusedWithWhatWouldWork) {
   write("spec.rta", yard("50 ms"));
   const std::pair<const char*, const char*> cases[] = {

@@ -1,0 +1,128 @@
+#include "compiler/analysis/company.h"
+
+#include <string>
+
+#include "compiler/ir/acknowledged.h"
+#include "compiler/ir/linear.h"
+
+namespace rtac::analysis {
+namespace {
+
+using namespace ir;
+
+bool of_distance(const Block& block, const AtLeast& compare) {
+  const Linear form = linear_form(block, compare);
+  return form.terms.size() == 1 && form.terms.begin()->first.kind == Leaf::Kind::distance;
+}
+
+bool of_count(const Block& block, const AtLeast& compare) {
+  const Linear form = linear_form(block, compare);
+  return form.terms.size() == 1 && form.terms.begin()->first.kind == Leaf::Kind::count;
+}
+
+// What is broken by a robot whose own check passes, of one monitor.
+class Company {
+ public:
+  Company(const Decision& decision, const Monitor& monitor)
+      : decision_(decision), monitor_(monitor) {}
+
+  std::vector<diag::Diagnostic> run() {
+    visit(monitor_.property, monitor_.property.result);
+    return std::move(found_);
+  }
+
+ private:
+  // Does it depend on where other robots are?
+  static bool of_others(const Block& block, ValueId id) {
+    const Op& op = block[id].op;
+    if (body_of(op) != nullptr) return true;
+    if (const auto* v = std::get_if<And>(&op))
+      return of_others(block, v->a) || of_others(block, v->b);
+    if (const auto* v = std::get_if<Or>(&op))
+      return of_others(block, v->a) || of_others(block, v->b);
+    if (const auto* v = std::get_if<Not>(&op)) return of_others(block, v->a);
+    if (const auto* v = std::get_if<AtLeast>(&op)) {
+      return of_distance(block, *v) || of_count(block, *v);
+    }
+    return false;
+  }
+
+  // The same condition, whichever robot of the pair looks at the other.
+  static bool of_both(const Block& block, ValueId id) {
+    const Op& op = block[id].op;
+    if (const auto* v = std::get_if<And>(&op)) return of_both(block, v->a) && of_both(block, v->b);
+    if (const auto* v = std::get_if<Or>(&op)) return of_both(block, v->a) && of_both(block, v->b);
+    if (const auto* v = std::get_if<AtLeast>(&op)) return of_distance(block, *v);
+    return std::holds_alternative<Truth>(op);
+  }
+
+  void visit(const Block& block, ValueId id) {
+    const Value& value = block[id];
+    if (!of_others(block, id)) return;
+    if (const auto* v = std::get_if<And>(&value.op)) {
+      visit(block, v->a);
+      visit(block, v->b);
+    } else if (std::holds_alternative<Or>(value.op)) {
+      if (!of_both(block, id)) report_choice(value.source);
+    } else if (const auto* v = std::get_if<ForOthers>(&value.op)) {
+      // one other robot that cannot be absent is all and some of them at once
+      const bool one = decision_.robots <= 2 && !decision_.open_fleet;
+      if (!v->universal && !one) return report_some(value.source);
+      visit(*v->body, v->body->result);
+    } else if (const auto* v = std::get_if<AtLeast>(&value.op)) {
+      if (counts(block, *v)) report_number(value.source);
+    }
+  }
+
+  // At most as many as there are is no condition; at least so many cannot be looked ahead (5006).
+  [[nodiscard]] bool counts(const Block& block, const AtLeast& compare) const {
+    if (!of_count(block, compare)) return false;
+    const auto most = upper_bound(block, compare);
+    return most && most->most + 1 < std::int64_t(decision_.robots);
+  }
+
+  void report_some(const SourceRange& source) {
+    report(source, "the robot that `" + monitor_.name + "` relies on may leave while `",
+           "it checks whom it has near itself, not who relies on it");
+  }
+  void report_number(const SourceRange& source) {
+    report(source, "other robots may change the number in `" + monitor_.name + "` while `",
+           "each robot checks its own number alone");
+  }
+  void report_choice(const SourceRange& source) {
+    report(source, "another robot may come near and break `" + monitor_.name + "` while `",
+           "it may pass by a side of the `or` that holds for it alone");
+  }
+  void report(const SourceRange& source, const std::string& what, const std::string& label) {
+    const std::string& recovery = monitor_.recovery.name;
+    found_.push_back({diag::Code::others_unkept,
+                      source,
+                      what + recovery + "` drives or holds",
+                      label,
+                      {},
+                      "`forall q : " + decision_.kind + ", q != r : distance(r, q) >= c` works, " +
+                          "joined by `and`: both robots of a pair check it; or `acknowledge " +
+                          recovery + " may break " + monitor_.name + " \"why\"`",
+                      {}});
+  }
+
+  const Decision& decision_;
+  const Monitor& monitor_;
+  std::vector<diag::Diagnostic> found_;
+};
+
+}  // namespace
+
+std::vector<diag::Diagnostic> unkept_company(const Decision& decision) {
+  std::vector<diag::Diagnostic> all;
+  if (decision.robots < 2) return all;
+  for (const Monitor& monitor : decision.monitors) {
+    if (acknowledged(decision, monitor.recovery.name, monitor.name)) continue;
+    for (diag::Diagnostic& found : Company(decision, monitor).run()) {
+      all.push_back(std::move(found));
+    }
+  }
+  return all;
+}
+
+}  // namespace rtac::analysis

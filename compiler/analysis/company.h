@@ -1,0 +1,16 @@
+// What monitors say of other robots, and whether all of them together keep it.
+#pragma once
+
+#include <vector>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// 6003, of what another robot may break that passes its own check: a monitor keeps what is a
+// condition of each pair, the same seen from either robot, since whoever of the two moves checks
+// it. A count, `exists` and an `or` with something that one of the two has to itself are none.
+std::vector<diag::Diagnostic> unkept_company(const ir::Decision& decision);
+
+}  // namespace rtac::analysis
