@@ -55,7 +55,7 @@ class Deriver {
     if (diagnostics_.has_errors()) return std::nullopt;
     number_zones(wanted);
     std::vector<ir::Region> regions = number_regions(wanted);
-    std::vector<ir::Solid> solids = number_solids(regions);
+    std::vector<ir::Solid> solids = number_solids(wanted, regions);
     keep_trees(regions);
     number_sites();
     for (const sema::Decision& decision : spec_.decisions) {
@@ -134,6 +134,10 @@ class Deriver {
     out_.tables.zones.resize(spec_.zones.size());
     for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
       if (!zones_[i] || !wanted[i].robots) continue;
+      if (zones_[i]->solid) {
+        out_.tables.zones[i] = stack(table_name(spec_.zones[i]), *zones_[i]->solid);
+        continue;
+      }
       out_.tables.zones[i] = ir::ZoneIndex(out_.module.zones.size());
       out_.module.zones.push_back(table(table_name(spec_.zones[i]), *zones_[i]));
     }
@@ -201,11 +205,12 @@ class Deriver {
     for (ir::Region& r : regions) r.tree = {};
   }
   // A zone with height: a region for each of its slabs.
-  std::vector<ir::Solid> number_solids(std::vector<ir::Region>& regions) {
+  std::vector<ir::Solid> number_solids(const std::vector<ZoneUse>& wanted,
+                                       std::vector<ir::Region>& regions) {
     std::vector<ir::Solid> solids;
     out_.tables.solids.resize(spec_.zones.size());
     for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
-      if (!zones_[i] || !zones_[i]->solid) continue;
+      if (!zones_[i] || !zones_[i]->solid || !wanted[i].points) continue;
       const EvaluatedSolid& zone = *zones_[i]->solid;
       const std::string name = table_name(spec_.zones[i], regions);
       solids.push_back(solid(name, false, zone.within, regions));
@@ -237,22 +242,43 @@ class Deriver {
     return to;
   }
   static ir::ZoneTable table(std::string name, const EvaluatedZone& zone) {
+    return table(std::move(name), zone.snapped, zone.baked, zone.tree);
+  }
+  static ir::ZoneTable table(std::string name, const geometry::SnappedZone& snapped,
+                             const geometry::BakedZone& baked, const geometry::CellTree& tree) {
     ir::ZoneTable t;
     t.name = std::move(name);
-    t.edges = edges(zone.baked.edges);
-    t.tree = tree(zone.tree);
+    t.edges = edges(baked.edges);
+    t.tree = Deriver::tree(tree);
     std::uint32_t start = 0;
-    for (const auto& ring : zone.snapped.rings) {
+    for (const auto& ring : snapped.rings) {
       t.ring_starts.push_back(start);
       start += static_cast<std::uint32_t>(ring.size());
     }
-    const auto& cells = zone.baked.cells;
+    const auto& cells = baked.cells;
     t.cells = {cells.origin.x_mm, cells.origin.y_mm, cells.cell_mm,
                cells.columns,     cells.rows,        cells.clearance_mm_lo};
-    t.widest_mm = zone.baked.widest_mm;
-    t.widest_x_mm = zone.baked.widest_at.x_mm;
-    t.widest_y_mm = zone.baked.widest_at.y_mm;
+    t.widest_mm = baked.widest_mm;
+    t.widest_x_mm = baked.widest_at.x_mm;
+    t.widest_y_mm = baked.widest_at.y_mm;
     return t;
+  }
+  // A zone with height: a table for each of its slabs, and one of the slabs.
+  ir::ZoneIndex stack(const std::string& name, const EvaluatedSolid& solid) {
+    ir::ZoneTable t;
+    t.name = name;
+    for (std::size_t k = 0; k < solid.within.size(); ++k) {
+      const BakedSlab& slab = solid.within[k];
+      t.slabs.push_back({slab.floor_mm, slab.ceiling_mm, ir::ZoneIndex(out_.module.zones.size())});
+      out_.module.zones.push_back(table(unlike_others(name + "_slab_" + std::to_string(k + 1), {}),
+                                        slab.snapped, slab.baked, slab.tree));
+    }
+    t.widest_mm = solid.widest.mm;
+    t.widest_x_mm = solid.widest.at.x_mm;
+    t.widest_y_mm = solid.widest.at.y_mm;
+    t.widest_z_mm = solid.widest.z_mm;
+    out_.module.zones.push_back(std::move(t));
+    return ir::ZoneIndex(out_.module.zones.size() - 1);
   }
 
   // A site table lives on the zone of the route that leads to it; there is one for a kind of

@@ -36,6 +36,9 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
 Asks asks_of(const ir::Block& property, const std::vector<ir::Param>& params) {
   Asks asks;
   ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
+      asks.clearance = asks.clearance || leaf.kind == Leaf::Kind::altitude;
+    }
     const auto bound = ir::lower_bound(block, compare, params);
     if (!bound) return;
     asks.clearance = asks.clearance || bound->leaf.kind == Leaf::Kind::clearance;

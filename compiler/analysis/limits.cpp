@@ -75,6 +75,7 @@ void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
 ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64_t jitter_us) {
   ir::Body b;
   b.jitter_us = jitter_us;
+  b.in_space = kind.in_space;
   b.radius_mm = up(kind.radius.value, 1000);
   b.position_error_mm = kind.position ? up(kind.position->error.value, 1000) : 0;
   b.velocity_error_mmps = kind.velocity ? up(kind.velocity->error.value, 1000) : 0;
@@ -163,8 +164,8 @@ std::int64_t shown_clearance_mm(const ir::Decision& decision, const ir::Motion& 
                                 std::int64_t least_mm) {
   const ir::Body& b = decision.body;
   // twice the position error, as it is measured and as it is judged; 2: a sample off the grid, 2:
-  // the resolution of the kernel's gap
-  return least_mm + b.radius_mm + 2 * b.position_error_mm + 4 +
+  // the resolution of the kernel's gap; in space 3 and 4
+  return least_mm + b.radius_mm + 2 * b.position_error_mm + (b.in_space ? 7 : 4) +
          way_mm(b, motion, b.velocity_error_mmps, b.position_age_us);
 }
 

@@ -10,14 +10,16 @@ std::int64_t div_up(std::int64_t a, std::int64_t b) {
 }
 
 // A sample off the grid lies between two grid values on either axis.
-constexpr std::int64_t off_grid = 2;
+std::int64_t off_grid(const ir::Body& body) {
+  return body.in_space ? 3 : 2;
+}
 
 struct Speeds {
   std::int64_t cap_mmps, first_mmps, gain_mmps;
 };
 Speeds speeds(const ir::Body& body, const ir::Motion& motion, std::int64_t measured_mmps,
               std::int64_t t_us) {
-  const std::int64_t seen = measured_mmps + body.velocity_error_mmps + off_grid;
+  const std::int64_t seen = measured_mmps + body.velocity_error_mmps + off_grid(body);
   const std::int64_t cap = motion.recovery ? std::max(motion.speed_mmps, seen) : motion.speed_mmps;
   return {cap, std::min(cap, seen), div_up(motion.accel_mmps2 * div_up(t_us, 1000), 1000)};
 }
@@ -47,8 +49,8 @@ std::int64_t disc_mm(const ir::Body& body, const ir::Motion& motion, std::int64_
   const std::int64_t tube = body.radius_mm + div_up(last * body.brake_lag_ms, 1000) +
                             div_up(stop * body.brake_lag_permille, 1000) + body.hold_mm +
                             div_up(stop * ir::sway_permille(body), 1000);
-  return body.position_error_mm + off_grid + way_mm(body, motion, measured_mmps, t_us) + stop +
-         tube;
+  return body.position_error_mm + off_grid(body) + way_mm(body, motion, measured_mmps, t_us) +
+         stop + tube;
 }
 
 }  // namespace rtac::analysis

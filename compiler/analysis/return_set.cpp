@@ -135,7 +135,8 @@ class ReturnSet {
     const ir::ZoneTable& zone = zone_of(retreat);
     return {std::nullopt, "the widest place of `" + zone.name + "` has a clearance of " +
                               metres(zone.widest_mm) + ", at (" + metres(zone.widest_x_mm) + ", " +
-                              metres(zone.widest_y_mm) + ")"};
+                              metres(zone.widest_y_mm) +
+                              (zone.has_height() ? ", " + metres(zone.widest_z_mm) : "") + ")"};
   }
 
   // Of the comparison that asks for so much.

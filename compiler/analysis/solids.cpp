@@ -133,7 +133,39 @@ void SolidEvaluator::too_many_slabs(const sema::Zone& zone, std::size_t slabs) {
          "watch parts of the zone by monitors of their own");
 }
 
-std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t exact_mm) {
+namespace {
+
+// A body that reaches through several slabs has to fit into what they have in common. Runs that
+// cannot be wider than what was found are not looked at.
+EvaluatedSolid::Widest widest_of(const geometry::Solid& solid,
+                                 const std::vector<BakedSlab>& slabs) {
+  EvaluatedSolid::Widest best;
+  const auto try_run = [&](const geometry::BakedZone& base, std::int64_t floor_mm,
+                           std::int64_t ceiling_mm) {
+    const std::int64_t mm = std::min<std::int64_t>(base.widest_mm, (ceiling_mm - floor_mm) / 2);
+    if (mm <= best.mm) return;
+    best = {static_cast<std::int32_t>(mm),
+            static_cast<std::int32_t>(floor_mm + (ceiling_mm - floor_mm) / 2), base.widest_at};
+  };
+  for (const BakedSlab& slab : slabs) try_run(slab.baked, slab.floor_mm, slab.ceiling_mm);
+  const std::vector<geometry::Slab>& exact = solid.slabs();
+  for (std::size_t i = 0; i + 1 < exact.size(); ++i) {
+    geometry::Region common = exact[i].region;
+    for (std::size_t j = i + 1; j < exact.size() && exact[j].floor == exact[j - 1].ceiling; ++j) {
+      common = common.intersect(exact[j].region);
+      const auto snapped = geometry::snap_inside(common);
+      if (!snapped || snapped->rings.empty()) break;
+      try_run(baked(*snapped), ceil_to_int(Rational(exact[i].floor * 1000)),
+              floor_to_int(Rational(exact[j].ceiling * 1000)));
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t exact_mm,
+                                                   bool robots) {
   const auto inner = zone(id, Side::inner), outer = zone(id, Side::outer);
   if (!inner || !outer) return std::nullopt;
   const sema::Zone& declared = spec_[id];
@@ -164,7 +196,11 @@ std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t
   auto inside = baked(declared, *within, exact_mm);
   auto outside = inside ? baked(declared, *around, exact_mm) : std::nullopt;
   if (!outside) return std::nullopt;
-  return EvaluatedSolid{std::move(*inside), std::move(*outside)};
+  EvaluatedSolid solid{std::move(*inside), std::move(*outside)};
+  if (!robots) return solid;
+  for (BakedSlab& slab : solid.within) slab.baked = analysis::baked(slab.snapped);
+  solid.widest = widest_of(*inner, solid.within);
+  return solid;
 }
 
 std::optional<std::vector<BakedSlab>> SolidEvaluator::baked(const sema::Zone& zone,
@@ -187,7 +223,7 @@ std::optional<std::vector<BakedSlab>> SolidEvaluator::baked(const sema::Zone& zo
       return std::nullopt;
     }
     slabs.push_back({slab.floor_mm, slab.ceiling_mm, geometry::edge_rows(slab.zone),
-                     std::move(std::get<geometry::CellTree>(grown))});
+                     std::move(std::get<geometry::CellTree>(grown)), slab.zone});
   }
   return slabs;
 }

@@ -18,11 +18,18 @@ struct BakedSlab {
   std::int32_t floor_mm = 0, ceiling_mm = 0;
   std::vector<geometry::EdgeRow> edges;
   geometry::CellTree tree;  // of its edges
+  geometry::SnappedZone snapped{};
+  geometry::BakedZone baked{};  // for robots
 };
 // Every place is held against all of them.
 inline constexpr std::size_t slabs_max = 64;
 struct EvaluatedSolid {
   std::vector<BakedSlab> within, around;  // from below to above
+  // For robots: the place from which most has to be gone to leave it, up, down or sideways.
+  struct Widest {
+    std::int32_t mm = 0, z_mm = 0;
+    geometry::GridPoint at{};
+  } widest{};
 };
 
 class SolidEvaluator : public ZoneAlgebra<SolidEvaluator, geometry::Solid> {
@@ -33,7 +40,8 @@ class SolidEvaluator : public ZoneAlgebra<SolidEvaluator, geometry::Solid> {
 
   // As tables, in which distances up to `exact_mm` are exact where they may be large enough;
   // nullopt: reported.
-  std::optional<EvaluatedSolid> bake(sema::ZoneId id, std::int64_t exact_mm);
+  // `robots`: they move in it, and need the cells of its slabs.
+  std::optional<EvaluatedSolid> bake(sema::ZoneId id, std::int64_t exact_mm, bool robots);
 
  private:
   friend ZoneAlgebra;

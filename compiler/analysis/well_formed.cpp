@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <vector>
 
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/derive.h"
@@ -120,15 +121,23 @@ class WellFormed {
       const ir::ZoneIndex zone{bound->leaf.table};
       const std::int64_t need = reach_mm + bound->need.strictest;
       const std::int64_t enough = std::min<std::int64_t>(need, module_[zone].widest_mm / 4 * 3);
-      if (const auto exact = module_[zone].tree.exact_inside_mm; exact && *exact < enough) {
-        too_short(monitor, zone, *exact, need);
+      for (const ir::ZoneTable* table : bases_of(zone)) {
+        const auto exact = table->tree.exact_inside_mm;
+        if (!exact || *exact >= enough) continue;
+        too_short(monitor, zone, *table, *exact, need);
         return;
       }
     }
   }
-  void too_short(const ir::Monitor& monitor, ir::ZoneIndex index, std::int64_t exact_mm,
-                 std::int64_t need_mm) {
-    const ir::ZoneTable& zone = module_[index];
+  // The tables of its edges.
+  std::vector<const ir::ZoneTable*> bases_of(ir::ZoneIndex zone) const {
+    if (!module_[zone].has_height()) return {&module_[zone]};
+    std::vector<const ir::ZoneTable*> all;
+    for (const auto& slab : module_[zone].slabs) all.push_back(&module_[slab.base]);
+    return all;
+  }
+  void too_short(const ir::Monitor& monitor, ir::ZoneIndex index, const ir::ZoneTable& zone,
+                 std::int64_t exact_mm, std::int64_t need_mm) {
     diag::Diagnostic d{};
     d.code = Code::too_many_edges;
     d.range = source_of(index);

@@ -24,19 +24,6 @@ std::string metres(const Rational& value) {
   return to_decimal(value) + " m";
 }
 
-geometry::BakedZone baked(const geometry::SnappedZone& zone) {
-  if (zone.rings.empty()) return {};
-  geometry::GridPoint low = zone.rings[0][0], high = low;
-  for (const auto& ring : zone.rings) {
-    for (const geometry::GridPoint& p : ring) {
-      low = {std::min(low.x_mm, p.x_mm), std::min(low.y_mm, p.y_mm)};
-      high = {std::max(high.x_mm, p.x_mm), std::max(high.y_mm, p.y_mm)};
-    }
-  }
-  return geometry::bake(
-      zone, cell_mm_for(std::int64_t{high.x_mm} - low.x_mm, std::int64_t{high.y_mm} - low.y_mm));
-}
-
 class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
  public:
   Evaluator(const sema::Spec& spec, diag::Engine& diagnostics)
@@ -279,6 +266,19 @@ diag::Diagnostic too_intricate(const SourceRange& range) {
           {}};
 }
 
+geometry::BakedZone baked(const geometry::SnappedZone& zone) {
+  if (zone.rings.empty()) return {};
+  geometry::GridPoint low = zone.rings[0][0], high = low;
+  for (const auto& ring : zone.rings) {
+    for (const geometry::GridPoint& p : ring) {
+      low = {std::min(low.x_mm, p.x_mm), std::min(low.y_mm, p.y_mm)};
+      high = {std::max(high.x_mm, p.x_mm), std::max(high.y_mm, p.y_mm)};
+    }
+  }
+  return geometry::bake(
+      zone, cell_mm_for(std::int64_t{high.x_mm} - low.x_mm, std::int64_t{high.y_mm} - low.y_mm));
+}
+
 bool fits_grid(const geometry::Region& region) {
   const Rational limit(536'870'911, 1000);  // 2^29 mm
   const auto beyond = [&](const geometry::Point& p) {
@@ -439,8 +439,9 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
     const ZoneUse& use = wanted[i];
     if (spec.zones[i].has_height) {
       const auto exact = evaluator.solids().zone(ZoneId(i), Side::inner);
-      auto solid =
-          exact && use.points ? evaluator.solids().bake(ZoneId(i), exact_mm) : std::nullopt;
+      const bool wanted_at_all = use.points || use.robots;
+      auto solid = exact && wanted_at_all ? evaluator.solids().bake(ZoneId(i), exact_mm, use.robots)
+                                          : std::nullopt;
       if (solid) {
         result[i].emplace();
         result[i]->solid = std::move(solid);

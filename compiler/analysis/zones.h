@@ -40,6 +40,9 @@ struct EvaluatedZone {
 // a wider one is only more careful.
 std::int32_t cell_mm_for(std::int64_t width_mm, std::int64_t height_mm);
 
+// With cells of that width; of no zone: nothing.
+geometry::BakedZone baked(const geometry::SnappedZone& zone);
+
 // Whether its coordinates lie on the grid that kernels compute on.
 bool fits_grid(const geometry::Region& region);
 

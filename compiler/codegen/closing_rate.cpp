@@ -22,6 +22,7 @@ class Rates {
   Rate operator()(const Const&) const { return 0; }
   Rate operator()(const ParamValue&) const { return 0; }  // as it is now
   Rate operator()(const Clearance&) const { return speed_mmps_; }
+  Rate operator()(const Altitude&) const { return speed_mmps_; }
   Rate operator()(const Distance&) const { return 2 * speed_mmps_; }
   Rate operator()(const Add& v) const { return sum(of(v.a), of(v.b)); }
   Rate operator()(const Negate& v) const { return of(v.a); }

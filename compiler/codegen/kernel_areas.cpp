@@ -38,6 +38,7 @@ void print_area_declarations(const ir::Module& module, const Names& names, Code&
           "int32_t edge_count, cell_count, list_count;",
           "int32_t x, y, shift, column, row, columns, rows, depth, leaves;", "int32_t exact;"});
   for (const ir::ZoneTable& zone : module.zones) {
+    if (zone.has_height()) continue;
     out.line("extern const " + p + "_area " + area_symbol(module, zone, names) + ";");
   }
   out.blank();

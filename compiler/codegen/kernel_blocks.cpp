@@ -237,8 +237,10 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
     std::string operator()(const ForOthers&) const { return ""; }    // printed as a loop
     std::string operator()(const CountOthers&) const { return ""; }  // likewise
     std::string operator()(const ZoneReach& z) const {
-      return p.use("zone_reach", zone(z.zone) + ", " + place(z.zone) + ", &v->within, " +
-                                     limit(z.least_mm, z.more));
+      const bool high = p.module_[z.zone].has_height();
+      return p.use(
+          high ? "solid_reach" : "zone_reach",
+          zone(z.zone) + ", " + place(z.zone) + ", &v->within, " + limit(z.least_mm, z.more));
     }
     std::string operator()(const ZoneCourse& z) const {
       return p.use("zone_course", zone(z.zone) + ", " + place(z.zone) + ", &v->told, " +
@@ -273,6 +275,13 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
     }
     std::string operator()(const SpeedReach& r) const {
       return p.use("speed_reach", "&v->self, v->m, v->horizon_us, " + num(r.most_mmps));
+    }
+    std::string operator()(const Altitude&) const {
+      return p.use("altitude_now", "&v->self, &BODY, v->m");
+    }
+    std::string operator()(const AltitudeReach& r) const {
+      return p.use("altitude_reach",
+                   "&v->within, &BODY, " + num(r.limit_mm) + (r.above ? ", 1" : ", 0"));
     }
     std::string schedule(ScheduleIndex s) const {
       return "&" + schedule_symbol(p.decision_.facts[s]);

@@ -137,8 +137,9 @@ void CheckPrinter::measure_self(Code& to) {
   in_order(to, "in->velocity", "last_velocity_us", "v->self.input = " + up_ + "_INPUT_VELOCITY;");
   for (const ZoneIndex zone : own_places()) {
     // once a tick: every horizon and every driver starts from the same place
-    use({"place_seen"});
-    to.line("v->" + place_symbol(module_[zone], names_) + " = place_seen(&" +
+    const char* const seen = module_[zone].has_height() ? "place_in_solid" : "place_seen";
+    use({seen});
+    to.line("v->" + place_symbol(module_[zone], names_) + " = " + std::string(seen) + "(&" +
             zone_symbol(module_[zone], names_) + ", &v->self);");
   }
   if (!d_.body.heading_age_us) return;

@@ -109,11 +109,12 @@ void DecisionPrinter::print_body(const std::string& name, std::int64_t position_
   out_.block(
       "static const body " + name + " =",
       [&](Code& to) {
-        to.line(num(b.radius_mm) + ", " + num(d_.motions[0].speed_mmps) + ", " +
-                num(b.position_error_mm) + ", " + num(b.velocity_error_mmps) + ", " +
-                num(b.accel_mmps2) + ", " + num(b.brake_mmps2) + ", " + num(b.brake_lag_ms) + ", " +
-                num(b.brake_lag_permille) + ", " + num(b.hold_mm) + ", " + num(position_age_us) +
-                ", " + num(velocity_age_us) +
+        // of a robot in space a step of the grid more: three axes are rounded (estimate_of)
+        const std::int64_t speed_mmps = d_.motions[0].speed_mmps + (b.in_space ? 1 : 0);
+        to.line(num(b.radius_mm) + ", " + num(speed_mmps) + ", " + num(b.position_error_mm) + ", " +
+                num(b.velocity_error_mmps) + ", " + num(b.accel_mmps2) + ", " + num(b.brake_mmps2) +
+                ", " + num(b.brake_lag_ms) + ", " + num(b.brake_lag_permille) + ", " +
+                num(b.hold_mm) + ", " + num(position_age_us) + ", " + num(velocity_age_us) +
                 (is_disturbed(module_) ? ", " + num(sway_permille(b)) : ""));
       },
       "};");
@@ -122,6 +123,7 @@ void DecisionPrinter::print_body(const std::string& name, std::int64_t position_
 void DecisionPrinter::print_constants() {
   use({"body_type", "motion_type"});
   if (is_disturbed(module_)) use({"disturbed"});
+  if (in_space(module_)) use({"in_space"});
   out_.comment("---- decision " + d_.name + " for " + d_.kind + " ----");
   const auto define = [&](const std::string& key, const std::string& value) {
     out_.line("#define " + key + " " + value);

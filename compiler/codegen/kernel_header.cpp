@@ -134,7 +134,9 @@ class Header {
 
   void inputs() {
     code_.comment("A point or a vector; valid 0: never received, or not finite.");
-    record("point", {"int64_t x_lo, x_hi, y_lo, y_hi;", "int64_t stamp_us;", "int32_t valid;"});
+    const std::string height = ir::in_space(module_) ? ", z_lo, z_hi" : "";
+    record("point", {"int64_t x_lo, x_hi, y_lo, y_hi" + height + ";", "int64_t stamp_us;",
+                     "int32_t valid;"});
     record("scalar", {"int64_t lo, hi;", "int64_t stamp_us;", "int32_t valid;"});
     code_.comment("Way-points to the nearest mm, and the index of the next one to reach.");
     record("plan", {"int32_t valid, count, index;", "int64_t x[" + up_ + "_PLAN_CAPACITY];",

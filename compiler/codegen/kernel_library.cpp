@@ -56,7 +56,8 @@ void need(const std::string& name, const std::map<std::string, const Part*>& by_
   for (const std::string& other : part->second->needs) need(other, by_name, needed);
 }
 
-// Lines that begin with `/*? name */` are there only when `name` is; the others always.
+// Lines that begin with `/*? name */` are there only when `name` is, those with `/*? !name */` only
+// when it is not; the others always.
 std::string with_options(const std::string& text, const std::set<std::string>& needed) {
   static const std::string mark = "/*? ";
   std::string out;
@@ -65,7 +66,9 @@ std::string with_options(const std::string& text, const std::set<std::string>& n
     const std::size_t indent = line.find_first_not_of(' ');
     if (indent != std::string::npos && line.compare(indent, mark.size(), mark) == 0) {
       const std::size_t name = indent + mark.size(), end = line.find(" */ ", name);
-      if (needed.count(line.substr(name, end - name)) == 0) continue;
+      const bool without = line[name] == '!';
+      const std::size_t word = name + (without ? 1 : 0);
+      if ((needed.count(line.substr(word, end - word)) == 0) != without) continue;
       line.erase(indent, end + 4 - indent);
     }
     out += line + "\n";

@@ -106,7 +106,13 @@ class Source {
   }
   static void q30(Code& out) { out.line("#define Q30 INT64_C(1073741824)"); }
 
+  // Its own, or as a slab of one with height.
   bool used(ZoneIndex index) const {
+    for (std::size_t i = 0; i < module_.zones.size(); ++i) {
+      for (const ZoneTable::Slab& slab : module_.zones[i].slabs) {
+        if (slab.base == index && used(ZoneIndex(i))) return true;
+      }
+    }
     bool found = false;
     const auto look = [&](const Block& block) {
       for (const Value& v : block.values) {
@@ -157,6 +163,10 @@ class Source {
       const ZoneTable& z = module_.zones[i];
       const bool has_tree = !z.tree.words.empty();
       if (!used(ZoneIndex(i)) && !has_tree) continue;
+      if (z.has_height()) {
+        stack(z, out);
+        continue;
+      }
       boundary("Zone " + z.name, zone_symbol(z, names_), z, out, used(ZoneIndex(i)));
       if (has_tree) print_area(module_, z, zone_symbol(z, names_), names_, out);
     }
@@ -172,22 +182,29 @@ class Source {
     for (const Solid& s : watch.solids) solid(watch, s, out);
   }
   static void solid(const Watch& watch, const Solid& s, Code& out) {
-    out.comment((s.around ? "What contains zone " : "Zone ") + s.name +
-                ": slabs from below to above, floor, ceiling (mm).");
-    const std::string symbol = solid_symbol(s);
+    std::vector<std::string> lines;
+    for (const Slab& slab : s.slabs) {
+      lines.push_back("{&" + region_symbol(watch[slab.region]) + ", " + num(slab.floor_mm) + ", " +
+                      num(slab.ceiling_mm) + "}");
+    }
+    slabs((s.around ? "What contains zone " : "Zone ") + s.name, solid_symbol(s), lines, out);
+  }
+  void stack(const ZoneTable& z, Code& out) const {
+    std::vector<std::string> lines;
+    for (const ZoneTable::Slab& slab : z.slabs) {
+      lines.push_back("{&" + zone_symbol(module_[slab.base], names_) + ", " + num(slab.floor_mm) +
+                      ", " + num(slab.ceiling_mm) + "}");
+    }
+    slabs("Zone " + z.name, zone_symbol(z, names_), lines, out);
+  }
+  static void slabs(const std::string& what, const std::string& symbol,
+                    const std::vector<std::string>& lines, Code& out) {
+    out.comment(what + ": slabs from below to above, floor, ceiling (mm).");
     out.block(
-        "static const slab " + symbol + "_slabs[] =",
-        [&](Code& body) {
-          std::vector<std::string> lines;
-          for (const Slab& slab : s.slabs) {
-            lines.push_back("{&" + region_symbol(watch[slab.region]) + ", " + num(slab.floor_mm) +
-                            ", " + num(slab.ceiling_mm) + "}");
-          }
-          rows(body, lines, 1);
-        },
+        "static const slab " + symbol + "_slabs[] =", [&](Code& body) { rows(body, lines, 1); },
         "};");
     out.line("static const solid " + symbol + " = {" + symbol + "_slabs, " +
-             num(std::int64_t(s.slabs.size())) + "};");
+             num(std::int64_t(lines.size())) + "};");
     out.blank();
   }
   void schedules(Code& out) {

@@ -46,6 +46,7 @@ Json limits(const sema::RobotKind& k) {
   if (k.hears_max_age) j["hears_age_us"] = micros(*k.hears_max_age);
   j["latency_us"] = micros(k.latency);
   if (k.motion.disturbance) put("disturbance_mps2", *k.motion.disturbance);
+  if (k.in_space) j["in_space"] = true;
   if (k.plan) put("tracking_m", k.plan->tracking);
   if (k.energy) {
     put("drive_per_m", k.energy->drive);
@@ -56,7 +57,18 @@ Json limits(const sema::RobotKind& k) {
   return j;
 }
 
+// Of a zone with height, slabs of other zones of the list.
+Json slabs(const ir::ZoneTable& z) {
+  Json all = Json::array();
+  for (const ir::ZoneTable::Slab& s : z.slabs) {
+    all.push_back({{"base", static_cast<std::uint32_t>(s.base)},
+                   {"floor_m", metres(s.floor_mm)},
+                   {"ceiling_m", metres(s.ceiling_mm)}});
+  }
+  return {{"name", z.name}, {"slabs", std::move(all)}};
+}
 Json zone(const ir::ZoneTable& z) {
+  if (z.has_height()) return slabs(z);
   Json edges = Json::array();
   for (const ir::Edge& e : z.edges) {
     for (const std::int32_t mm : {e.ax, e.ay, e.bx, e.by}) edges.push_back(mm);

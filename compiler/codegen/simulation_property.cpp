@@ -47,6 +47,7 @@ class Tree {
   }
   Json node(const Expr&, const sema::Truth& t) { return {{"op", "truth"}, {"value", t.value}}; }
   Json node(const Expr&, const sema::SignalRef& s) {
+    if (s.signal == sema::Signal::altitude) return {{"op", "altitude"}};
     return {{"op", s.signal == sema::Signal::battery ? "battery" : "speed"},
             {"other", s.subject == sema::Subject::other}};
   }

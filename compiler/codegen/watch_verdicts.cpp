@@ -31,14 +31,14 @@ inline constexpr bool is_one_of = (std::is_same_v<T, Listed> || ...);
 // would be known of it.
 template <class T>
 concept NeverAsked =
-    is_one_of<T, Const, Battery, Clearance, Distance, EnergyTo, Speed, Add, Negate, Scale,
+    is_one_of<T, Const, Battery, Clearance, Distance, EnergyTo, Speed, Add, Negate, Scale, Altitude,
               CountOthers, Input, Age, SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute,
               Root, PointClearance, SolidClearance, Norm, Between, Phase, Sine, Cosine, Choose,
               Aggregate> || is_one_of<T, InputTruth, Open, InputSame, PointInside, SolidInside,
                                       Previously, Once, Historically, Since> ||
     is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
-              ZoneCourse, PairCourse, LegsApart, OnTrack, SpeedReach, ZoneThere, ThereThroughout,
-              GoneThroughout, EnergyReach, ChargeReach, Fact>;
+              ZoneCourse, PairCourse, LegsApart, OnTrack, SpeedReach, AltitudeReach, ZoneThere,
+              ThereThroughout, GoneThroughout, EnergyReach, ChargeReach, Fact>;
 
 // An operand of && and || stands in brackets when it is the other of both.
 struct Text {

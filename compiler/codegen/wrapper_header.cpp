@@ -23,8 +23,9 @@ void periodic_class(const Decision& d, const Names& names, const std::string& pr
         body.comment("`self`: index of the robot in its fleet, from 0.");
         body.line("explicit " + name + "(int self = 0);").blank();
         body.comment("Typed inputs; each keeps its value until the next one. Stamps in us.");
-        body.line(name + "& position(rtac::Position value, rtac::TimeUs stamp_us);");
-        body.line(name + "& velocity(rtac::Velocity value, rtac::TimeUs stamp_us);");
+        const std::string space = d.body.in_space ? "3" : "";
+        body.line(name + "& position(rtac::Position" + space + " value, rtac::TimeUs stamp_us);");
+        body.line(name + "& velocity(rtac::Velocity" + space + " value, rtac::TimeUs stamp_us);");
         body.line(name + "& battery(rtac::Charge value, rtac::TimeUs stamp_us);");
         if (d.body.heading_age_us) {
           body.line(name + "& heading(rtac::Angle value, rtac::TimeUs stamp_us);");
@@ -104,7 +105,8 @@ std::string wrapper_header(const Module& module, const sema::Spec& spec, const N
   if (module.watch) print_watch_class(module, names, out);
   if (!module.zones.empty() || !module.watch) out.comment("Zones, as baked.");
   for (const ZoneTable& z : module.zones) {
-    out.line("const rtac::ZoneView& " + names(z.name) + "_zone();");
+    out.line((z.has_height() ? "const rtac::SolidView& " : "const rtac::ZoneView& ") +
+             names(z.name) + "_zone();");
   }
   if (!spec.kinds.empty() || !module.watch) {
     out.blank().comment("Limits of the robots, as declared.");

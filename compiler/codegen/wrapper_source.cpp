@@ -139,6 +139,7 @@ class WrapperSource {
   void zones() {
     std::size_t most_cells = 0;
     for (const ZoneTable& z : module_.zones) {
+      if (z.has_height()) continue;
       std::vector<std::int64_t> edges, rings, cells;
       for (const Edge& e : z.edges) edges.insert(edges.end(), {e.ax, e.ay, e.bx, e.by});
       for (const std::uint32_t r : z.ring_starts) rings.push_back(r);
@@ -157,6 +158,10 @@ class WrapperSource {
   }
   void zone_functions() {
     for (const ZoneTable& z : module_.zones) {
+      if (z.has_height()) {
+        solid_function(z);
+        continue;
+      }
       const Cells& c = z.cells;
       out_.block("const rtac::ZoneView& " + names_(z.name) + "_zone()", [&](Code& body) {
         const bool has_tree = !z.tree.words.empty();
@@ -179,6 +184,25 @@ class WrapperSource {
       });
       out_.blank();
     }
+  }
+
+  void solid_function(const ZoneTable& z) {
+    out_.block("const rtac::SolidView& " + names_(z.name) + "_zone()", [&](Code& body) {
+      body.block(
+          "static const rtac::SlabView slabs[] =",
+          [&](Code& rows) {
+            for (const ZoneTable::Slab& slab : z.slabs) {
+              const auto metres = [](std::int32_t mm) { return real(Rational(mm, 1000)); };
+              rows.line("{&" + names_(module_[slab.base].name) + "_zone(), " +
+                        metres(slab.floor_mm) + ", " + metres(slab.ceiling_mm) + "},");
+            }
+          },
+          "};");
+      body.line("static const rtac::SolidView view = {" + quoted(z.name) + ", slabs, " +
+                num(std::int64_t(z.slabs.size())) + "};");
+      body.line("return view;");
+    });
+    out_.blank();
   }
 
   template <class Each>
@@ -250,9 +274,15 @@ class WrapperSource {
       out_.blank();
     };
     const std::string stamped = " value, rtac::TimeUs stamp_us";
-    const std::string pair = ", rtac::Sample<rtac::Vec2>{{value.x.si(), value.y.si()}, stamp_us});";
-    setter("position", "rtac::Position" + stamped, "rtac::bridge::put(in_.position" + pair);
-    setter("velocity", "rtac::Velocity" + stamped, "rtac::bridge::put(in_.velocity" + pair);
+    const std::string height = d.body.in_space ? ", value.z.si()" : flat();
+    const std::string pair =
+        ", rtac::Sample<rtac::Vec2>{{value.x.si(), value.y.si()}, stamp_us}" + height + ");";
+    const std::string put = height.empty() ? "put(in_." : "put_in_space(in_.";
+    const std::string space = d.body.in_space ? "3" : "";
+    setter("position", "rtac::Position" + space + stamped,
+           "rtac::bridge::" + put + "position" + pair);
+    setter("velocity", "rtac::Velocity" + space + stamped,
+           "rtac::bridge::" + put + "velocity" + pair);
     setter("battery", "rtac::Charge" + stamped,
            "rtac::bridge::put_ratio(in_.battery, rtac::Sample<double>{value.si(), stamp_us});");
     if (d.body.heading_age_us) {
@@ -272,8 +302,7 @@ class WrapperSource {
         [&](Code& body) {
           body.line("if (robot < 0 || robot >= " + upper(kernel) + "_ROBOTS) return *this;");
           body.line("auto& other = in_.others[robot];");
-          body.line("rtac::bridge::put(other.position, value.position);");
-          body.line("rtac::bridge::put(other.velocity, value.velocity);");
+          put_vectors("other.", "value.", d, body);
           body.line("other.lease_end_us = value.lease_end_us;");
           body.line("other.goes_first = goes_first;");
           body.line("rtac::bridge::put(other.plan, value.plan, " + num(d.plan_capacity) + ");");
@@ -286,6 +315,20 @@ class WrapperSource {
           body.line("return *this;");
         });
     out_.blank();
+  }
+
+  // A robot of the plane in a module where others are in space: its height is 0.
+  std::string flat() const { return in_space(module_) ? ", 0.0" : ""; }
+  // Position and velocity, as they are observed or heard.
+  void put_vectors(const std::string& to, const std::string& from, const Decision& d,
+                   Code& body) const {
+    const std::pair<const char*, const char*> fields[] = {{"position", "height_m"},
+                                                          {"velocity", "climb_mps"}};
+    for (const auto& [field, height] : fields) {
+      const std::string z = d.body.in_space ? ", " + from + height : flat();
+      body.line(std::string("rtac::bridge::") + (z.empty() ? "put" : "put_in_space") + "(" + to +
+                field + ", " + from + field + z + ");");
+    }
   }
 
   void periodic(const Decision& d) {
@@ -327,8 +370,7 @@ class WrapperSource {
               "::step(const rtac::Observation& observation,");
     out_.block(
         std::string(31 + name.size() + 8, ' ') + "bool holding, bool surrender)", [&](Code& body) {
-          body.line("rtac::bridge::put(in_.position, observation.position);");
-          body.line("rtac::bridge::put(in_.velocity, observation.velocity);");
+          put_vectors("in_.", "observation.", d, body);
           body.line("rtac::bridge::put_ratio(in_.battery, observation.battery);");
           if (d.body.heading_age_us) {
             body.line("rtac::bridge::put_angle(in_.heading, observation.heading);");
@@ -438,6 +480,7 @@ class WrapperSource {
     sense("velocity", "_mps", k.velocity);
     sense("heading", "_rad", k.heading);
     sense("battery", "", k.battery);
+    if (k.in_space) field("in_space", "true");
     if (k.hears_max_age) field("hears_age_us", micros(k.hears_max_age->value));
     field("latency_us", micros(k.latency.value));
     if (k.plan) field("tracking_m", real(k.plan->tracking.value));

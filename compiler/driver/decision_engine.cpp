@@ -70,8 +70,8 @@ class KernelDecisions : public DecisionEngine {
       std::int64_t* const to = seen_.data() + r * stride_;
       const interp::RobotColumns& at = robots[r];
       if (!at.given && !at.proposes) continue;
-      if (at.position) vector(row, *at.position, to + RobotWords::position);
-      if (at.velocity) vector(row, *at.velocity, to + RobotWords::velocity);
+      if (at.position) vector(row, *at.position, at.in_space, to + RobotWords::position);
+      if (at.velocity) vector(row, *at.velocity, at.in_space, to + RobotWords::velocity);
       if (at.battery) scalar(row, *at.battery, Rational(1, 1'000'000), to + RobotWords::battery);
       if (at.heading) scalar(row, *at.heading, Rational(1, 1000), to + RobotWords::heading);
       if (at.present) presence(row, *at.present, to + RobotWords::presence);
@@ -119,12 +119,19 @@ class KernelDecisions : public DecisionEngine {
     return true;
   }
   // Its components arrive together.
-  static void vector(const interp::TraceRow& row, std::size_t at, std::int64_t* to) {
-    const Reading &x = row.readings[at], &y = row.readings[at + 1];
-    if (x.kind == Reading::Kind::none && y.kind == Reading::Kind::none) return;
-    const bool has_x = coordinate(x, to), has_y = coordinate(y, to + 2);
+  static void vector(const interp::TraceRow& row, std::size_t at, bool in_space, std::int64_t* to) {
+    static const std::size_t axis[] = {0, 2, 6};  // of x, y and z, among the words of a point
+    bool arrived = false, known = true;
+    for (std::size_t k = 0; k < (in_space ? 3 : 2); ++k) {
+      arrived = arrived || row.readings[at + k].kind != Reading::Kind::none;
+    }
+    if (!arrived) return;
+    for (std::size_t k = 0; k < (in_space ? 3 : 2); ++k) {
+      const bool has = coordinate(row.readings[at + k], to + axis[k]);
+      known = known && has;
+    }
     to[4] = row.time_us;
-    to[5] = has_x && has_y ? 1 : 0;
+    to[5] = known ? 1 : 0;
   }
   static void scalar(const interp::TraceRow& row, std::size_t at, const Rational& step,
                      std::int64_t* to) {
@@ -244,6 +251,7 @@ std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sem
     to.plan_capacity = d.plan_capacity;
     to.has_heading = d.body.heading_age_us.has_value();
     to.judges_commands = ir::judges_commands(d);
+    to.in_space = ir::in_space(module);
     to.open_fleet = d.open_fleet;
     to.on_plan = d.on_plan;
     to.period_s = Rational(static_cast<long>(d.period_us), 1'000'000);

@@ -12,9 +12,9 @@ std::string num(std::size_t value) {
 }
 
 // Structs of the kernel from words.
-std::string readers(const std::string& p, std::size_t capacity) {
+std::string readers(const std::string& p, std::size_t capacity, bool in_space) {
   constexpr std::size_t at = RobotWords::points - RobotWords::plan;
-  return glue_readers(p) + "static void rtac_plan(" + p +
+  return glue_readers(p, in_space) + "static void rtac_plan(" + p +
          "_plan *to, const int64_t *from, int64_t capacity) {\n"
          "  int32_t k;\n"
          "  to->valid = from[0] != 0 && from[1] <= capacity;\n"
@@ -158,7 +158,7 @@ std::string decision_glue(const std::vector<DecisionInterface>& decisions,
                           const std::string& source) {
   const std::size_t capacity = plan_capacity(decisions);
   std::string out = "#include \"" + source + "\"\n";
-  out += readers(decisions.front().library, capacity);
+  out += readers(decisions.front().library, capacity, decisions.front().in_space);
   for (std::size_t k = 0; k < decisions.size(); ++k) {
     const std::size_t stride = RobotWords::size(capacity, decisions[k].components);
     const DecisionInterface& d = decisions[k];

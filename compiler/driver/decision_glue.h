@@ -10,13 +10,13 @@
 namespace rtac::driver {
 
 // What one robot is seen to be, as words of 64 bits: position and velocity { x_lo, x_hi, y_lo,
-// y_hi, stamp_us, valid }, battery and heading { lo, hi, stamp_us, valid }, then the plan { valid,
-// count, index }, presence { stamp_us, present, heard }, and the plan's coordinates x[], y[]; then
-// the plain inputs, by component of the specification { lo, hi, stamp_us, valid }, at INT64_MIN
-// when there is no number.
+// y_hi, stamp_us, valid, z_lo, z_hi }, battery and heading { lo, hi, stamp_us, valid }, then the
+// plan { valid, count, index }, presence { stamp_us, present, heard }, and the plan's coordinates
+// x[], y[]; then the plain inputs, by component of the specification { lo, hi, stamp_us, valid },
+// at INT64_MIN when there is no number.
 struct RobotWords {
-  static constexpr std::size_t position = 0, velocity = 6, battery = 12, heading = 16, plan = 20;
-  static constexpr std::size_t presence = 23, points = 26;
+  static constexpr std::size_t position = 0, velocity = 8, battery = 16, heading = 20, plan = 24;
+  static constexpr std::size_t presence = 27, points = 30;
   static constexpr std::size_t per_input = 4;
   static constexpr std::size_t inputs(std::size_t capacity) { return points + 2 * capacity; }
   static constexpr std::size_t size(std::size_t capacity, std::size_t components) {

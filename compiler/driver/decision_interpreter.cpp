@@ -104,8 +104,9 @@ class InterpDecisions : public DecisionEngine {
  private:
   static void take_robot(const interp::TraceRow& row, const interp::RobotColumns& at,
                          interp::RobotSamples& to) {
-    if (at.position) take_sample(row, *at.position, 2, to.position);
-    if (at.velocity) take_sample(row, *at.velocity, 2, to.velocity);
+    const std::size_t axes = at.in_space ? 3 : 2;
+    if (at.position) take_sample(row, *at.position, axes, to.position);
+    if (at.velocity) take_sample(row, *at.velocity, axes, to.velocity);
     if (at.battery) take_sample(row, *at.battery, 1, to.battery);
     // a message that says neither is none
     const bool says = at.present && row.readings[*at.present].kind == Reading::Kind::number;

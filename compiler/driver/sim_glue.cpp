@@ -15,17 +15,17 @@ std::size_t plan_words(const DecisionInterface& d) {
 }
 // { position, velocity, lease end, goes first, presence stamp, present, plan }
 std::size_t other_words(const DecisionInterface& d) {
-  return 16 + plan_words(d);
+  return 20 + plan_words(d);
 }
 // { self, holding, surrender, position, velocity, battery, heading, sent, proposed, plan, others }
-constexpr std::size_t own_words = 35;
+constexpr std::size_t own_words = 43;
 std::size_t in_words(const DecisionInterface& d) {
   return own_words + plan_words(d) + d.robots.size() * other_words(d);
 }
 constexpr std::size_t out_words = 12, monitor_words = 7;
 
-std::string readers(const std::string& p) {
-  return glue_readers(p) + "static void rtac_plan(" + p +
+std::string readers(const std::string& p, bool in_space) {
+  return glue_readers(p, in_space) + "static void rtac_plan(" + p +
          "_plan *to, const int64_t *from, int64_t capacity) {\n"
          "  int32_t k;\n"
          "  to->valid = from[0] != 0 && from[1] <= capacity;\n"
@@ -48,25 +48,25 @@ std::string take_in(const DecisionInterface& d) {
   std::string out =
       "  in.self = (int32_t)own[0];\n  in.holding = (int32_t)own[1];\n"
       "  in.surrender = (int32_t)own[2];\n  rtac_point(&in.position, own + 3);\n"
-      "  rtac_point(&in.velocity, own + 9);\n  rtac_scalar(&in.battery, own + 15);\n";
-  if (d.has_heading) out += "  rtac_scalar(&in.heading, own + 19);\n";
+      "  rtac_point(&in.velocity, own + 11);\n  rtac_scalar(&in.battery, own + 19);\n";
+  if (d.has_heading) out += "  rtac_scalar(&in.heading, own + 23);\n";
   if (d.judges_commands) {
-    out += "  rtac_point(&in.sent, own + 23);\n  rtac_point(&in.proposed, own + 29);\n";
+    out += "  rtac_point(&in.sent, own + 27);\n  rtac_point(&in.proposed, own + 35);\n";
   }
   out += "  rtac_plan(&in.plan, own + " + num(own_words) + ", " + capacity + ");\n";
   out += "  for (j = 0; j < " + num(d.robots.size()) +
          "; ++j) {\n    const int64_t *from = own + " + num(own_words + plan_words(d)) + " + j * " +
          num(other_words(d)) +
          ";\n    rtac_point(&in.others[j].position, from);\n"
-         "    rtac_point(&in.others[j].velocity, from + 6);\n"
-         "    in.others[j].lease_end_us = from[12];\n"
-         "    in.others[j].goes_first = (int32_t)from[13];\n";
+         "    rtac_point(&in.others[j].velocity, from + 8);\n"
+         "    in.others[j].lease_end_us = from[16];\n"
+         "    in.others[j].goes_first = (int32_t)from[17];\n";
   if (d.open_fleet) {
     out +=
-        "    in.others[j].presence_us = from[14];\n"
-        "    in.others[j].present = (int32_t)from[15];\n";
+        "    in.others[j].presence_us = from[18];\n"
+        "    in.others[j].present = (int32_t)from[19];\n";
   }
-  out += "    rtac_plan(&in.others[j].plan, from + 16, " + capacity + ");\n  }\n";
+  out += "    rtac_plan(&in.others[j].plan, from + 20, " + capacity + ");\n  }\n";
   for (const auto& [member, value] : d.params) {
     out += "  in.facts." + member + " = " + std::to_string(value) + ";\n";
   }
@@ -102,7 +102,7 @@ std::string sim_glue(const std::vector<DecisionInterface>& decisions, const std:
   std::string out = "#include \"" + source + "\"\n" +
                     "const int64_t rtac_sim_words_version = " + std::to_string(sim_words_version) +
                     ";\n";
-  if (!decisions.empty()) out += readers(decisions.front().library);
+  if (!decisions.empty()) out += readers(decisions.front().library, decisions.front().in_space);
   for (std::size_t k = 0; k < decisions.size(); ++k) {
     const DecisionInterface& d = decisions[k];
     if (d.on_plan) continue;

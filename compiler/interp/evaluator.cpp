@@ -197,13 +197,14 @@ T Evaluator::over_others(const sema::Expr& body, T start, const Join& join) {
   return start;
 }
 
-// Rule 7: the gap between the disc and the boundary.
+// Rule 7: the gap between the disc, in space the ball, and the boundary.
 Span Evaluator::clearance_of_body(sema::ZoneId zone) {
   const auto centre = robots_ == nullptr ? std::nullopt : robots_->place(robots_->self());
   if (!centre) return unknown(std::nullopt);
   const Rational error = robots_->place_error();
   const Span body = exactly(robots_->kind().radius.value);
-  const Span gap = subtract(zones_.clearance_of_robots(zone, *centre), body);
+  const std::optional<Rational> height = robots_->height(robots_->self());
+  const Span gap = subtract(zones_.clearance_of_robots(zone, *centre, height), body);
   return add(gap, between(Rational(-error), error));
 }
 
@@ -325,6 +326,7 @@ struct QuantityOf {
     if (self.robots_ == nullptr) return unknown(std::nullopt);
     const bool own = node.subject == sema::Subject::self;
     const sema::RobotId robot = own ? self.robots_->self() : self.other_;
+    if (node.signal == sema::Signal::altitude) return self.robots_->altitude();
     return node.signal == sema::Signal::battery ? self.robots_->battery(robot)
                                                 : self.robots_->speed(robot);
   }

@@ -47,8 +47,10 @@ std::vector<sema::Input> Robots::declared(const sema::Spec& spec, sema::RobotId 
   for (std::uint32_t r = 0; r < spec.robots.size(); ++r) {
     const sema::RobotKind& kind = spec[spec.robots[r].kind];
     const auto heard = sema::RobotId{r} == self ? std::nullopt : kind.hears_max_age;
-    inputs.push_back(measurement(kind.position, {"x", "y"}, heard));
-    inputs.push_back(measurement(kind.velocity, {"x", "y"}, heard));
+    std::vector<std::string> axes{"x", "y"};
+    if (kind.in_space) axes.emplace_back("z");
+    inputs.push_back(measurement(kind.position, axes, heard));
+    inputs.push_back(measurement(kind.velocity, axes, heard));
     inputs.push_back(measurement(kind.battery, {""}, heard));
     limit_charge(inputs.back());
     sema::Input presence{};
@@ -107,8 +109,20 @@ std::vector<sema::RobotId> Robots::others() const {
 std::optional<Place> Robots::place(sema::RobotId robot) const {
   const auto& x = signals_.measured(id(robot, Field::position), 0);
   const auto& y = signals_.measured(id(robot, Field::position), 1);
-  if (!x || !y) return std::nullopt;
+  if (!x || !y || (kind_.in_space && !height(robot))) return std::nullopt;
   return Place{*x, *y};
+}
+
+std::optional<Rational> Robots::height(sema::RobotId robot) const {
+  if (!kind_.in_space) return std::nullopt;
+  return signals_.measured(id(robot, Field::position), 2);
+}
+
+// Its parts arrive together: without one of them nothing is known.
+Span Robots::altitude() const {
+  const auto z = height(self_);
+  if (!place(self_) || !z) return unknown(std::nullopt);
+  return between(Rational(*z - place_error()), Rational(*z + place_error()));
 }
 
 Span Robots::distance(sema::RobotId other) const {
@@ -143,7 +157,13 @@ Span Robots::speed(sema::RobotId robot) const {
   const auto& x = signals_.measured(id(robot, Field::velocity), 0);
   const auto& y = signals_.measured(id(robot, Field::velocity), 1);
   if (!x || !y) return unknown(std::nullopt);
-  const Root speed = square_root(Rational(squared(*x) + squared(*y)));
+  Rational square = squared(*x) + squared(*y);
+  if (kind_.in_space) {
+    const auto& z = signals_.measured(id(robot, Field::velocity), 2);
+    if (!z) return unknown(std::nullopt);
+    square += squared(*z);
+  }
+  const Root speed = square_root(square);
   const Rational& error = kind_.velocity->error.value;
   return between(Rational(std::max(Rational(0), Rational(speed.below - error))),
                  Rational(speed.above + error));

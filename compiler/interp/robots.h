@@ -17,8 +17,8 @@ struct Plan {
   std::vector<Place> points;
   std::int64_t index = 0;
 };
-// The newest samples of one robot: position and velocity x, y; battery; whether it is present. The
-// plan that it proposed last; none: none that can be read.
+// The newest samples of one robot: position and velocity x, y, in space z; battery; whether it is
+// present. The plan that it proposed last; none: none that can be read.
 struct RobotSamples {
   std::optional<Sample> position, velocity, battery, presence;
   std::optional<Plan> plan;
@@ -44,6 +44,9 @@ class Robots {
 
   // The centre as measured; none: unknown.
   [[nodiscard]] std::optional<Place> place(sema::RobotId robot) const;
+  // How high that is; none: unknown, or in the plane.
+  [[nodiscard]] std::optional<Rational> height(sema::RobotId robot) const;
+  [[nodiscard]] Span altitude() const;  // of this robot
   // How far the true centre may be from that, m.
   [[nodiscard]] const Rational& place_error() const { return kind_.position->error.value; }
   // Between the bodies of this robot and another one, m; negative where they overlap.

@@ -218,6 +218,28 @@ Span Solids::clearance(sema::ZoneId zone, const Whereabouts& at) {
   return between(Rational(lower.below - half), Rational(upper.above + half));
 }
 
+Span Solids::clearance_of_robots(sema::ZoneId zone, const Place& place, const Rational& z) {
+  Known& known = known_[static_cast<std::size_t>(zone)];
+  if (!known.snapped) {
+    known.snapped = true;
+    const Solid& within = solid(zone, Bound::within);
+    const auto on_grid = within ? geometry::snap_inside(*within) : std::nullopt;
+    std::vector<geometry::Slab> slabs;
+    for (const geometry::SnappedSlab& s : on_grid.value_or(geometry::SnappedSolid{})) {
+      slabs.push_back(
+          {Rational(s.floor_mm, 1000), Rational(s.ceiling_mm, 1000), geometry::to_region(s.zone)});
+      slabs.back().floor.canonicalize();
+      slabs.back().ceiling.canonicalize();
+    }
+    if (!slabs.empty()) {
+      known.of_robots = std::make_unique<Surface>(geometry::Solid::of_slabs(slabs));
+    }
+  }
+  if (!known.of_robots) return unknown(std::nullopt);
+  const Root gap = known.of_robots->clearance(place, z);
+  return between(gap.below, gap.above);
+}
+
 bool Solids::outside(sema::ZoneId zone, const Whereabouts& at) {
   const Known& known = surfaces(zone);
   if (is_missing(at) || !known.around || !is_finite(at)) return false;

@@ -61,6 +61,7 @@ class Solids {
 
   // See Zones.
   Span clearance(sema::ZoneId zone, const Whereabouts& at);
+  Span clearance_of_robots(sema::ZoneId zone, const Place& place, const Rational& z);
   bool outside(sema::ZoneId zone, const Whereabouts& at);
   Span range(sema::ZoneId zone, const Whereabouts& at);
 
@@ -72,6 +73,8 @@ class Solids {
     std::array<std::optional<Solid>, 2> solids;  // none: not asked for yet
     bool surfaced = false;
     std::unique_ptr<Surface> within, around;
+    bool snapped = false;
+    std::unique_ptr<Surface> of_robots;
   };
   const Known& surfaces(sema::ZoneId zone);
 

@@ -124,9 +124,11 @@ void TraceReader::declare_robot(std::size_t robot) {
   const sema::RobotKind& kind = spec_[spec_.robots[robot].kind];
   const std::string prefix = spec_.robots[robot].name + ".";
   RobotColumns& to = robots_[robot];
+  to.in_space = kind.in_space;
   const auto pair = [&](const std::string& name) {
     const std::size_t x = declare(prefix + name + ".x", Form::quantity, robot);
     declare(prefix + name + ".y", Form::quantity, robot);
+    if (kind.in_space) declare(prefix + name + ".z", Form::quantity, robot);
     return x;
   };
   if (kind.position) to.position = pair("position");

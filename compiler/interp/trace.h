@@ -52,10 +52,11 @@ struct PlanReading {
 };
 // Where the readings of a robot are in those of a row; absent: its kind does not sense it.
 struct RobotColumns {
-  std::optional<std::size_t> position, velocity;  // of x; y follows
+  std::optional<std::size_t> position, velocity;  // of x; y follows, then z in space
   std::optional<std::size_t> heading, battery, plan_index, present;
   bool given = false;     // a decision is about it, and the trace has its columns
   bool proposes = false;  // it has that of its plan, and a decision judges plans
+  bool in_space = false;
 };
 struct TraceRow {
   std::int64_t time_us = 0;

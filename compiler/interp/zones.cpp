@@ -197,7 +197,11 @@ const Outline* Zones::of_robots(sema::ZoneId zone) {
   return known.of_robots.get();
 }
 
-Span Zones::clearance_of_robots(sema::ZoneId zone, const Place& place) {
+Span Zones::clearance_of_robots(sema::ZoneId zone, const Place& place,
+                                const std::optional<Rational>& height) {
+  if (spec_[zone].has_height) {
+    return height ? solids_.clearance_of_robots(zone, place, *height) : unknown(std::nullopt);
+  }
   const Outline* const outline = of_robots(zone);
   if (outline == nullptr) return unknown(std::nullopt);
   const Root gap = clearance_of(*outline, place);

@@ -26,8 +26,9 @@ class Zones {
   // more half of the diagonal; see `range` for what it cannot be.
   Span clearance(sema::ZoneId zone, const Whereabouts& at);
   // The same of the zone as robots know it, which lies within it: curves as polygons, on the grid
-  // of 1 mm. `place` is exact.
-  Span clearance_of_robots(sema::ZoneId zone, const Place& place);
+  // of 1 mm. `place` is exact, and so is how high it is, which zones of the plane do not ask for.
+  Span clearance_of_robots(sema::ZoneId zone, const Place& place,
+                           const std::optional<Rational>& height);
   // The same of the straight way between two places. It is negative where all of the way lies
   // outside; where a part of it does, it is 0.
   struct WayClearance {

@@ -175,6 +175,7 @@ class BlockBuilder {
       refuse(e, "only the robot's own `battery` and `speed` can be compared directly");
     }
     if (v.signal == sema::Signal::battery) return add(Battery{}, Unit::ppm, e.range);
+    if (v.signal == sema::Signal::altitude) return add(Altitude{}, Unit::mm, e.range);
     // margins of several units tell theirs by its place in this list
     auto& units = decision_.facts.units;
     if (std::find(units.begin(), units.end(), Unit::mmps) == units.end()) {

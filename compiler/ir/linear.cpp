@@ -44,6 +44,7 @@ Linear quantity_form(const Block& block, ValueId id) {
   }
   if (std::holds_alternative<Distance>(op)) return leaf_of(Leaf::Kind::distance, 0);
   if (std::holds_alternative<Speed>(op)) return leaf_of(Leaf::Kind::speed, 0);
+  if (std::holds_alternative<Altitude>(op)) return leaf_of(Leaf::Kind::altitude, 0);
   if (const auto* v = std::get_if<EnergyTo>(&op)) {
     return leaf_of(Leaf::Kind::energy_to, static_cast<std::uint32_t>(v->site));
   }

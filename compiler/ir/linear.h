@@ -15,7 +15,7 @@ namespace rtac::ir {
 // A leaf of a linear form: which signal, of which table (zone or site; of a count its value in the
 // block; 0 for the others).
 struct Leaf {
-  enum class Kind { battery, clearance, distance, energy_to, count, speed } kind;
+  enum class Kind { battery, clearance, distance, energy_to, count, speed, altitude } kind;
   std::uint32_t table = 0;
   friend auto operator<=>(const Leaf&, const Leaf&) = default;
 };

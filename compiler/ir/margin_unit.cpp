@@ -21,6 +21,7 @@ struct UnitOfAtom {
   std::optional<Unit> operator()(const EnergyReach&) const { return Unit::ppm; }
   std::optional<Unit> operator()(const ChargeReach&) const { return Unit::ppm; }
   std::optional<Unit> operator()(const SpeedReach&) const { return Unit::mmps; }
+  std::optional<Unit> operator()(const AltitudeReach&) const { return Unit::mm; }
   // quantities, constants, and what joins margins
   std::optional<Unit> operator()(const Const&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Battery&) const { return std::nullopt; }
@@ -28,6 +29,7 @@ struct UnitOfAtom {
   std::optional<Unit> operator()(const Distance&) const { return std::nullopt; }
   std::optional<Unit> operator()(const EnergyTo&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Speed&) const { return std::nullopt; }
+  std::optional<Unit> operator()(const Altitude&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Add&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Negate&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Scale&) const { return std::nullopt; }

@@ -56,6 +56,15 @@ struct ZoneTable {
   std::vector<std::uint32_t> ring_starts;
   Cells cells;
   std::int32_t widest_mm = 0, widest_x_mm = 0, widest_y_mm = 0;
+  // A zone with height that robots are in: slabs from below to above, whose insides are apart, each
+  // over a table of its own; it has none of the above but its name and its widest place.
+  struct Slab {
+    std::int32_t floor_mm = 0, ceiling_mm = 0;  // both belong to it
+    ZoneIndex base{};
+  };
+  std::vector<Slab> slabs{};
+  std::int32_t widest_z_mm = 0;
+  [[nodiscard]] bool has_height() const { return !slabs.empty(); }
 };
 inline constexpr std::int32_t no_body = -1;      // no body fits into the cell
 inline constexpr std::int32_t no_way = 1 << 30;  // no way from the cell to the site
@@ -95,6 +104,7 @@ struct Body {
   // Of commands: the robot follows those up to `command_mmps2`, within the error, what pushes it
   // included.
   std::int64_t command_mmps2 = 0, command_error_mmps2 = 0;
+  bool in_space = false;  // it moves up and down as well: all lengths above are of space
 };
 // What pushes the robot adds this share to its stopping distance, d / (b - d), and bends it away by
 // as much. theory, the brake: d s^2 / (2 b (b - d)) = s^2 / (2 b) d / (b - d)
@@ -123,7 +133,8 @@ struct Distance {};  // to the robot of the enclosing for_others
 struct EnergyTo {
   SiteIndex site;
 };
-struct Speed {};  // of the robot itself
+struct Speed {};     // of the robot itself
+struct Altitude {};  // of its centre, in space
 struct Add {
   ValueId a, b;
 };
@@ -233,6 +244,10 @@ struct GoneThroughout {
 };
 struct SpeedReach {  // the robot is never faster
   std::int64_t most_mmps;
+};
+struct AltitudeReach {  // its centre is never above the limit, or never below it
+  std::int64_t limit_mm;
+  bool above;  // it has to stay above
 };
 struct Fact {  // a margin: what Decision::facts judges under this index, once a tick
   std::uint32_t index;
@@ -363,7 +378,7 @@ using Op =
                  InputIs, InputSame, Open, Elapsed, Age, SensedAge, ParamValue, Multiply, Minimum,
                  Maximum, Absolute, Root, PointClearance, PointInside, SolidClearance, SolidInside,
                  Norm, Between, Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since,
-                 Aggregate, ZoneCourse, PairCourse>;
+                 Aggregate, ZoneCourse, PairCourse, Altitude, AltitudeReach>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;
@@ -620,6 +635,13 @@ struct Module {
 inline bool judges_commands(const Decision& d) {
   for (const Monitor& m : d.monitors) {
     if (m.lookahead.command) return true;
+  }
+  return false;
+}
+// Does some robot move up and down as well?
+inline bool in_space(const Module& module) {
+  for (const Decision& d : module.decisions) {
+    if (d.body.in_space) return true;
   }
   return false;
 }

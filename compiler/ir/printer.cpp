@@ -112,6 +112,10 @@ class Printer {
   std::string operator()(const SpeedReach& v) const {
     return "speed_reach most " + num(v.most_mmps);
   }
+  std::string operator()(const Altitude&) const { return "altitude"; }
+  std::string operator()(const AltitudeReach& v) const {
+    return std::string("altitude_reach ") + (v.above ? "least " : "most ") + num(v.limit_mm);
+  }
   std::string operator()(const ZoneThere& v) const { return "there " + (*watch_)[v.schedule].name; }
   std::string operator()(const ThereThroughout& v) const {
     return "there_throughout " + (*watch_)[v.schedule].name + ", after " + num(v.after_us);
@@ -199,6 +203,10 @@ class Printer {
 
   void tables() {
     for (const ZoneTable& z : module_.zones) {
+      if (z.has_height()) {
+        stack(z);
+        continue;
+      }
       line("zone " + z.name + " edges " + num(std::int64_t(z.edges.size())) + " cells " +
            num(z.cells.columns) + "x" + num(z.cells.rows) + " of " + num(z.cells.cell_mm) +
            " mm, widest " + num(z.widest_mm) + " mm at (" + num(z.widest_x_mm) + ", " +
@@ -359,6 +367,13 @@ class Printer {
            (p.tightens > 0   ? ", up only"
             : p.tightens < 0 ? ", down only"
                              : ", fixed"));
+    }
+  }
+  void stack(const ZoneTable& z) {
+    line("zone " + z.name + " of slabs, widest " + num(z.widest_mm) + " mm at (" +
+         num(z.widest_x_mm) + ", " + num(z.widest_y_mm) + ", " + num(z.widest_z_mm) + ")");
+    for (const ZoneTable::Slab& s : z.slabs) {
+      line("  [" + num(s.floor_mm) + ", " + num(s.ceiling_mm) + "] " + module_[s.base].name);
     }
   }
   std::string component(std::uint32_t channel, std::uint32_t index) const {

@@ -91,6 +91,8 @@ class Checker {
     if (v.tracking_mm < 0) fail("on_track within a negative length");
   }
   void operator()(const SpeedReach&) { robot(), reach(std::nullopt); }
+  void operator()(const Altitude&) { in_space(), quantity(); }
+  void operator()(const AltitudeReach&) { in_space(), reach(std::nullopt); }
   void operator()(const ZoneThere& v) { scheduled(v.schedule); }
   void operator()(const ThereThroughout& v) { scheduled(v.schedule), after(v.after_us); }
   void operator()(const GoneThroughout& v) { scheduled(v.schedule), after(v.after_us); }
@@ -285,9 +287,17 @@ class Checker {
       if (watch_ && static_cast<std::uint32_t>(i) >= watch_->solids.size()) fail("no such solid");
     }
   }
+  void in_space() {
+    robot();
+    if (decision_ && !decision_->body.in_space) fail("the height of a robot in the plane");
+  }
   void zone(ZoneIndex i) {
     robot();
-    if (static_cast<std::uint32_t>(i) >= module_.zones.size()) fail("no such zone");
+    if (static_cast<std::uint32_t>(i) >= module_.zones.size()) {
+      fail("no such zone");
+    } else if (module_[i].has_height()) {
+      in_space();
+    }
   }
   void site(SiteIndex i) {
     robot();
@@ -348,6 +358,17 @@ bool is_stack(const Watch& watch, const Solid& solid) {
   return !solid.slabs.empty();
 }
 
+bool is_stack(const Module& module, const ZoneTable& zone) {
+  std::int64_t top_mm = INT64_MIN;
+  for (const ZoneTable::Slab& slab : zone.slabs) {
+    if (slab.floor_mm < top_mm || slab.ceiling_mm <= slab.floor_mm) return false;
+    const bool known = static_cast<std::uint32_t>(slab.base) < module.zones.size();
+    if (!known || module[slab.base].has_height()) return false;
+    top_mm = slab.ceiling_mm;
+  }
+  return true;
+}
+
 std::optional<std::string> verify_watch(const Module& module, const Watch& watch) {
   if (auto problem = verify_signals(watch)) return problem;
   std::set<std::tuple<std::string, bool, std::uint32_t>> regions;
@@ -382,6 +403,10 @@ std::optional<std::string> verify(const Module& module) {
   std::set<std::string> names;
   for (const ZoneTable& zone : module.zones) {
     if (!names.insert("zone " + zone.name).second) return "two zones named " + zone.name;
+    if (zone.has_height()) {
+      if (!is_stack(module, zone)) return zone.name + ": slabs out of order";
+      continue;
+    }
     if (!leads_to_edges(zone.tree, zone.edges.size())) return zone.name + ": no such edges";
   }
   for (const SiteTable& site : module.sites) {

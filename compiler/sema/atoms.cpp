@@ -35,6 +35,13 @@ bool PropertyChecker::robot_allowed(const SourceRange& range, const std::string&
   return false;
 }
 
+// A zone that the monitored robot is held against: in space it may have height.
+std::optional<ZoneId> PropertyChecker::zone_of_robot(const syntax::Expr& expr) {
+  if (!in_space()) return zone_in_property(context_, expr, map_frame, Change::timed);
+  const Change change = has_height(context_, expr) ? Change::refused : Change::timed;
+  return zone_in_property(context_, expr, map_frame, change, Height::allowed);
+}
+
 bool PropertyChecker::is_self(const syntax::Expr& expr, const std::string& user) {
   const auto who = subject(expr);
   if (who == Subject::self) return true;
@@ -85,6 +92,32 @@ Value PropertyChecker::robot_name(const syntax::Expr& expr) {
           .label("a robot")
           .help("write a signal such as `" + scope_.self.text + ".battery`, or `clearance(" +
                 scope_.self.text + ", zone)`"));
+  return nullptr;
+}
+
+bool PropertyChecker::in_space() const {
+  return scope_.kind && context_.spec[*scope_.kind].in_space;
+}
+
+// `r.position.z`: how high the centre is. Other components of a position say where it is on a map,
+// which zones do.
+bool PropertyChecker::is_altitude(const syntax::Member& member) const {
+  const auto* position = std::get_if<syntax::Member>(&member.base->node);
+  return sees_robot() && position != nullptr && position->field.text == "position" &&
+         member.field.text == "z" && subject(*position->base) == Subject::self;
+}
+
+ExprPtr PropertyChecker::altitude(const syntax::Expr& expr) {
+  require_motion(expr.range, "`position.z`");
+  if (in_space()) {
+    return make_quantity(expr.range, dims::length, SignalRef{Subject::self, Signal::altitude});
+  }
+  const std::string kind = kind_name();
+  context_.report(Finding(Code::spaces_differ, expr.range, "`" + kind + "` has no height")
+                      .label("robots in the plane have none")
+                      .help("declare `sense position : point3 ...` and `sense velocity : vector3 "
+                            "...` of `" +
+                            kind + "`"));
   return nullptr;
 }
 
@@ -145,7 +178,7 @@ ExprPtr PropertyChecker::inside(const syntax::Expr& expr, const syntax::Binary& 
   const auto* member = std::get_if<syntax::Member>(&binary.left->node);
   if (member != nullptr) return plan_inside(expr, *member, *binary.right);
   const bool self = is_self(*binary.left, "`inside`");
-  const auto zone = zone_in_property(context_, *binary.right, map_frame, Change::timed);
+  const auto zone = zone_of_robot(*binary.right);
   if (!self || !zone) return nullptr;
   require_motion(expr.range, "`inside`");
   if (!complemented(context_.spec, *zone)) {
@@ -216,7 +249,7 @@ ExprPtr PropertyChecker::clearance(const syntax::Expr& expr, const syntax::Call&
     return nullptr;
   }
   const bool self = is_self(first, "`clearance`");
-  const auto zone = zone_in_property(context_, second, map_frame, Change::timed);
+  const auto zone = zone_of_robot(second);
   if (!self || !zone) return nullptr;
   require_motion(expr.range, "`clearance`");
   return gap_while_open(expr.range, *zone, false,
@@ -259,7 +292,7 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
 
 // The gap between the body and a zone to keep out of, negative on overlap.
 ExprPtr PropertyChecker::distance_from_zone(const syntax::Expr& expr, const syntax::Expr& written) {
-  const auto zone = zone_in_property(context_, written, map_frame, Change::timed);
+  const auto zone = zone_of_robot(written);
   if (!zone) return nullptr;
   require_motion(expr.range, "`distance`");
   const ZoneId outside = complement_of(context_, *zone, written.range);

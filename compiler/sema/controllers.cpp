@@ -113,6 +113,7 @@ class ControllerChecker {
                                 "of your own"));
     }
     if (!kind_known_) return;
+    if (name != "brake_and_hold") knows_space(name);
     const std::string user = "`" + name + "`";
     const SourceRange& range = range_;
     context_.require(controller_.kind, Need::position, range, user);
@@ -120,6 +121,16 @@ class ControllerChecker {
     if (context_.spec[controller_.kind].motion.model == MotionModel::unicycle) {
       context_.require(controller_.kind, Need::heading, range, user + " on a unicycle");
     }
+  }
+
+  void knows_space(const std::string& name) {
+    const RobotKind& kind = context_.spec[controller_.kind];
+    if (!kind.in_space) return;
+    context_.report(
+        Finding(Code::not_in_space, range_, "`" + name + "` does not know robots in space yet")
+            .label("`" + kind.name + "` has a height")
+            .note(kind.name_range, "the robot is declared here")
+            .help("`brake_and_hold` works"));
   }
 
   Quantity speed(const syntax::ExprPtr& expr, const std::string& name) {

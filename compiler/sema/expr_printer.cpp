@@ -218,8 +218,9 @@ std::string ExprPrinter::expr(const Expr& expr) const {
           [&](const Constant& constant) { return si_text(constant.value, expr.dimension); },
           [](const Truth& truth) { return std::string(truth.value ? "true" : "false"); },
           [](const SignalRef& reference) {
-            return std::string(reference.subject == Subject::self ? "self" : "other") +
-                   (reference.signal == Signal::battery ? ".battery" : ".speed");
+            const std::string who = reference.subject == Subject::self ? "self" : "other";
+            if (reference.signal == Signal::altitude) return who + ".position.z";
+            return who + (reference.signal == Signal::battery ? ".battery" : ".speed");
           },
           [&](const Clearance& atom) { return "clearance(self, " + zone(atom.zone) + ")"; },
           [](const Distance&) { return std::string("distance(self, other)"); },

@@ -77,8 +77,9 @@ void report_height(Context& context, const SourceRange& range, const std::string
   context.report(
       Finding(Code::spaces_differ, range, zone + " has height, " + due + " has none")
           .label("a zone of the plane is due here")
-          .help("write a zone of the plane, without `prism`; points of space, "
-                "`point3`, are judged in zones with height by monitors without a robot"));
+          .help("write a zone of the plane, without `prism`; robots whose position is a `point3` "
+                "are judged in zones with height, and inputs of that type by monitors without a "
+                "robot"));
 }
 
 bool heights_agree(Context& context, const syntax::Binary& joined) {

@@ -95,6 +95,16 @@ std::optional<InputId> PropertyChecker::robot_input(RobotId robot, const std::st
   context_.require(owner.kind, known->need, range, "`" + signal + "`");
   const auto& sense = kind.*known->sense;
   if (!sense) return std::nullopt;
+  if (kind.in_space && known->need != Need::battery) {
+    context_.report(Finding(Code::not_in_space, range,
+                            "monitors without a robot cannot see where robots in space are yet")
+                        .label("`" + owner.name + "` has a height")
+                        .note(sense->error.range, "it is declared here")
+                        .help("an input works, `input at : point3 in -50 .. 50 m;`, or a monitor "
+                              "`for r : " +
+                              kind.name + "`"));
+    return std::nullopt;
+  }
   const InputId next{static_cast<std::uint32_t>(context_.spec.inputs.size())};
   const auto [place, added] = context_.robot_inputs.emplace(std::pair(robot, signal), next);
   context_.used_inputs.insert(place->second);

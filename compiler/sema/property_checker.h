@@ -291,6 +291,10 @@ class PropertyChecker {
   bool place_belongs_to_self(const syntax::Expr& robot, const std::string& site);
   // Reports `what` in a monitor without a robot.
   bool robot_allowed(const SourceRange& range, const std::string& what);
+  [[nodiscard]] bool in_space() const;  // the monitored robot
+  std::optional<ZoneId> zone_of_robot(const syntax::Expr& expr);
+  [[nodiscard]] bool is_altitude(const syntax::Member& member) const;
+  ExprPtr altitude(const syntax::Expr& expr);
 
   // The kind of the monitored robot, for examples in messages.
   [[nodiscard]] std::string kind_name() const {

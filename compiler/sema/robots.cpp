@@ -1,6 +1,8 @@
 #include "compiler/sema/robots.h"
 
 #include <map>
+#include <string_view>
+#include <utility>
 
 #include "compiler/sema/bounds.h"
 #include "compiler/sema/quantity.h"
@@ -29,6 +31,7 @@ class KindChecker {
     demand("output", unicycle ? "output drive : twist;" : "output thrust : acceleration;");
     demand("latency", "latency 40 ms;");
     check_output();
+    check_space();
   }
 
  private:
@@ -166,16 +169,19 @@ class KindChecker {
     struct Known {
       const char* name;
       const char* type;
+      const char* in_space;  // the type with three components; "": none
       Dimension dimension;
       Limit limit;
       std::optional<Sense> RobotKind::*member;
       const char* example;
     };
     static const Known known[] = {
-        {"position", "point", dims::length, Limit::not_negative, &RobotKind::position, "2 cm"},
-        {"heading", "angle", dims::angle, Limit::not_negative, &RobotKind::heading, "2 deg"},
-        {"velocity", "vector", dims::speed, Limit::not_negative, &RobotKind::velocity, "1 cm/s"},
-        {"battery", "ratio", dims::ratio, Limit::share, &RobotKind::battery, "0.5 %"}};
+        {"position", "point", "point3", dims::length, Limit::not_negative, &RobotKind::position,
+         "2 cm"},
+        {"heading", "angle", "", dims::angle, Limit::not_negative, &RobotKind::heading, "2 deg"},
+        {"velocity", "vector", "vector3", dims::speed, Limit::not_negative, &RobotKind::velocity,
+         "1 cm/s"},
+        {"battery", "ratio", "", dims::ratio, Limit::share, &RobotKind::battery, "0.5 %"}};
     const Known* signal = nullptr;
     for (const Known& candidate : known) {
       if (sense.name.text == candidate.name) signal = &candidate;
@@ -187,8 +193,14 @@ class KindChecker {
     }
     const std::string name = signal->name;
     if (!first("sense " + name, range)) return;
-    if (sense.type.text != signal->type) {
-      context_.unknown_word(sense.type, "the type of `" + name + "`", {signal->type});
+    if (std::string_view(signal->in_space) != "" && sense.type.text == signal->in_space) {
+      spaces_[name] = {sense.type.range, true};
+    } else if (sense.type.text != signal->type) {
+      std::vector<std::string> types{signal->type};
+      if (std::string_view(signal->in_space) != "") types.emplace_back(signal->in_space);
+      context_.unknown_word(sense.type, "the type of `" + name + "`", types);
+    } else {
+      spaces_[name] = {sense.type.range, false};
     }
     const std::string owner = "sense " + name;
     const Quantity error = part(range, sense.error,
@@ -198,6 +210,55 @@ class KindChecker {
         part(range, sense.max_age,
              {"max_age", owner, dims::time, Limit::not_negative, "max_age 200 ms"});
     kind_.*signal->member = Sense{error, age};
+  }
+
+  // Position and velocity are both of the plane or both of space, and wheels drive in the plane.
+  void check_space() {
+    const auto position = spaces_.find("position"), velocity = spaces_.find("velocity");
+    if (position == spaces_.end()) return;
+    const bool high = position->second.second;
+    if (velocity != spaces_.end() && velocity->second.second != high) {
+      const std::string due = high ? "vector3" : "vector";
+      context_.report(Finding(Code::spaces_differ, velocity->second.first,
+                              "the position of " + owner() +
+                                  (high ? " is in space" : " is in the plane") +
+                                  ", and its velocity is not")
+                          .label(high ? "of the plane" : "of space")
+                          .note(position->second.first, "the position is declared here")
+                          .help("write `" + due + "`")
+                          .replace(velocity->second.first, due));
+      return;
+    }
+    if (!high) return;
+    kind_.in_space = true;
+    if (motion_known_ && kind_.motion.model == MotionModel::unicycle) {
+      context_.report(Finding(Code::spaces_differ, position->second.first,
+                              "a unicycle drives in the plane, and its position is in space")
+                          .label("has a height")
+                          .note(kind_.motion.range, "the motion is declared here")
+                          .help("write `point` and `vector`, or `motion point`"));
+      return;
+    }
+    if (kind_.plan) {
+      report_not_in_space(kind_.plan->range, "follow plans",
+                          "way-points have no height: leave the plan out");
+    }
+    if (kind_.energy) {
+      report_not_in_space(kind_.energy->range, "have `energy`",
+                          "ways are priced in the plane: leave it out");
+    }
+    if (const auto hears = seen_.find("hears"); hears != seen_.end()) {
+      report_not_in_space(hears->second, "hear others", "leave it out");
+    }
+  }
+  void report_not_in_space(const SourceRange& range, const std::string& what,
+                           const std::string& help) {
+    context_.report(
+        Finding(Code::not_in_space, range, "robots in space cannot " + what + " yet")
+            .label(owner() + " has a height")
+            .note(spaces_.at("position").first, "its position is in space")
+            .help(help + "; or write `point` and `vector`, which works for a robot that keeps its "
+                         "height"));
   }
 
   void clause(const SourceRange& range, const syntax::HearsClause& hears) {
@@ -348,6 +409,8 @@ class KindChecker {
   const syntax::RobotItem& written_;
   KindId id_;
   std::map<std::string, SourceRange> seen_;
+  // Of position and velocity: where the type is written, and whether it is one of space.
+  std::map<std::string, std::pair<SourceRange, bool>> spaces_;
   std::optional<SourceRange> output_range_;
   bool motion_known_ = false;
 };

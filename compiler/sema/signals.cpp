@@ -277,6 +277,7 @@ std::string components_of(const Value& base) {
 Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Member& member) {
   if (is_error(*member.base)) return nullptr;
   if (sees_fleets() && names_robot(*member.base)) return robot_signal(expr, member);
+  if (is_altitude(member)) return altitude(expr);
   const syntax::Name* name = name_in(*member.base);
   const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
   const bool bound = name != nullptr && local(name->text) != nullptr;

@@ -192,6 +192,7 @@ struct RobotKind {
   Quantity latency;
   std::optional<Energy> energy;
   std::optional<Quantity> output_error{};  // between commanded and true acceleration, m/s^2
+  bool in_space = false;                   // position and velocity have three components
 };
 struct Robot {
   std::string name;  // "r1", "bots[3]"
@@ -324,7 +325,7 @@ struct Expr;
 using ExprPtr = std::unique_ptr<Expr>;
 
 enum class Subject { self, other };  // the monitored robot, or the bound variable of `forall`
-enum class Signal { battery, speed };
+enum class Signal { battery, speed, altitude };     // altitude: of the centre, position.z
 enum class Sensed { position, velocity, battery };  // what has a stamp
 
 struct Constant {
@@ -334,7 +335,7 @@ struct Constant {
 struct Truth {
   bool value;
 };
-struct SignalRef {  // r.battery, r.speed
+struct SignalRef {  // r.battery, r.speed, r.position.z
   Subject subject;
   Signal signal;
 };

@@ -14,6 +14,10 @@ namespace {
 constexpr double s_per_us = 1e-6;
 constexpr double lateral_gain_per_s = 1.0;
 
+Acceleration commanded(Vec3 a) {
+  return {{a.x, a.y}, a.z};
+}
+
 }  // namespace
 
 Pilot<Acceleration>::Pilot(const Setting& setting)
@@ -34,11 +38,11 @@ void Pilot<Acceleration>::engage(const Observation& observation) {
   rest_.reset();
   // Also when it can steer: the very first command may have to do without a measurement. An older
   // velocity, of an earlier engagement, must not steer the blind brake.
-  if (observation.velocity.stamp_us == never_us || !is_finite(observation.velocity.value)) {
+  if (observation.velocity.stamp_us == never_us || !is_finite(velocity_of(observation))) {
     last_velocity_ = {};
     last_seen_us_ = never_us;
   } else {
-    last_velocity_ = observation.velocity.value;
+    last_velocity_ = velocity_of(observation);
     last_seen_us_ = observation.velocity.stamp_us;
   }
 }
@@ -46,12 +50,13 @@ void Pilot<Acceleration>::engage(const Observation& observation) {
 bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
   const TimeUs now_us = observation.now_us;
   return usable(observation.position, now_us, limits_.position_age_us, period_us_) &&
-         usable(observation.velocity, now_us, limits_.velocity_age_us, period_us_);
+         usable(observation.velocity, now_us, limits_.velocity_age_us, period_us_) &&
+         is_finite(observation.height_m) && is_finite(observation.climb_mps);
 }
 
-Acceleration Pilot<Acceleration>::limited(Vec2 a, double limit_mps2) const {
+Acceleration Pilot<Acceleration>::limited(Vec3 a, double limit_mps2) const {
   const double size = norm(a);
-  return {size > limit_mps2 ? (limit_mps2 / size) * a : a};
+  return commanded(size > limit_mps2 ? (limit_mps2 / size) * a : a);
 }
 
 // Brakes along the last known direction for as long as that speed takes to vanish.
@@ -66,12 +71,12 @@ Acceleration Pilot<Acceleration>::brake_blind(const Observation& observation) {
   }
   const double blind_s = static_cast<double>(observation.now_us - last_seen_us_) * s_per_us;
   if (speed - limits_.brake_mps2 * blind_s <= 0) return {};
-  return {(-limits_.brake_mps2 / speed) * last_velocity_};
+  return commanded((-limits_.brake_mps2 / speed) * last_velocity_);
 }
 
 Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
   driving_ = false;
-  const Vec2 v = observation.velocity.value, p = observation.position.value;
+  const Vec3 v = velocity_of(observation), p = position_of(observation);
   last_velocity_ = v;
   last_seen_us_ = observation.velocity.stamp_us;
   const double speed = norm(v), b = limits_.brake_mps2;
@@ -80,9 +85,9 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
     // Where the remaining speed comes to rest, so that the hold begins without a step back.
     hold_at_ = p + (reaction_s_ / 2) * v;
   }
-  if (!latched_) return {(-b / std::max(speed, b * reaction_s_)) * v};
-  const Vec2 spring = (omega_radps_ * omega_radps_) * (hold_at_ - p);
-  const Vec2 damper = (-2 * omega_radps_) * v;
+  if (!latched_) return commanded((-b / std::max(speed, b * reaction_s_)) * v);
+  const Vec3 spring = (omega_radps_ * omega_radps_) * (hold_at_ - p);
+  const Vec3 damper = (-2 * omega_radps_) * v;
   return limited(spring + damper, b);
 }
 
@@ -95,7 +100,7 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
   driving_ = true;
   latched_ = false;
   rest_.reset();
-  last_velocity_ = v;
+  last_velocity_ = velocity_of(observation);
   last_seen_us_ = observation.velocity.stamp_us;
   const LegTracker::Leg leg = tracker_.leg(way, p);
   // What is left of it slows down against whatever pushes; the set-point is planned with that.
@@ -107,7 +112,8 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
   Vec2 wanted = speed * leg.direction + (-lateral_gain_per_s * leg.lateral_m) * left;
   if (const double size = norm(wanted); size > speed_mps_) wanted = (speed_mps_ / size) * wanted;
   const double time_s = std::max(pace::velocity_time_s, pace::velocity_time_delays * reaction_s_);
-  return limited((1 / time_s) * (wanted - v), limit);
+  const Vec2 pull = (1 / time_s) * (wanted - v);
+  return limited({pull.x, pull.y, 0}, limit);
 }
 
 bool Pilot<Acceleration>::recedes(const Observation& observation, Vec2 target, Vec2 from) const {

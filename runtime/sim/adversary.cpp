@@ -34,7 +34,13 @@ void push(Vec2 direction, const Observation& observation, const RobotLimits& lim
 }
 
 void draw(Random& random, const RobotLimits& limits, Acceleration& output) {
-  output.value_mps2 = random.on_circle(std::max(limits.accel_mps2, limits.brake_mps2));
+  const double most_mps2 = std::max(limits.accel_mps2, limits.brake_mps2);
+  if (limits.in_space) {
+    const Vec3 push = random.on_sphere(most_mps2);
+    output = {{push.x, push.y}, push.z};
+    return;
+  }
+  output.value_mps2 = random.on_circle(most_mps2);
 }
 
 void draw(Random& random, const RobotLimits& limits, Twist& output) {

@@ -34,8 +34,8 @@ void Arena::found(const DecisionRecord& record) {
   records_[static_cast<std::size_t>(record.robot)] = record;
 }
 
-double Arena::margin(std::size_t monitor, int robot, Vec2 at) const {
-  return margin_of(properties_[monitor], {surroundings_, *truths_, robot, at});
+double Arena::margin(std::size_t monitor, int robot, Vec3 at) const {
+  return margin_of(properties_[monitor], {surroundings_, *truths_, robot, {at.x, at.y}, at.z});
 }
 
 bool Arena::is_aim(std::size_t monitor, Aim aim) const {
@@ -50,10 +50,10 @@ bool Arena::has(Aim aim) const {
 }
 
 Vec2 Arena::steepest(std::size_t monitor, int robot, double reach_m) const {
-  const Vec2 here = truth(robot).position;
+  const Vec3 here = position_of(truth(robot));
   const auto margin_towards = [&](double angle_rad) {
     const SinCos unit = sin_cos(angle_rad);
-    return margin(monitor, robot, here + reach_m * Vec2{unit.cos, unit.sin});
+    return margin(monitor, robot, here + reach_m * Vec3{unit.cos, unit.sin, 0});
   };
   double best_rad = 0, least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < directions; ++k) {
@@ -84,7 +84,7 @@ Threat Arena::threat(int robot, Aim aim) const {
   threat.margin = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < properties_.size(); ++m) {
     if (!is_aim(m, aim)) continue;
-    const double found = margin(m, robot, truth(robot).position);
+    const double found = margin(m, robot, position_of(truth(robot)));
     if (!(found < threat.margin)) continue;
     threat.margin = found;
     threat.monitor = static_cast<int>(m);
@@ -92,9 +92,45 @@ Threat Arena::threat(int robot, Aim aim) const {
   if (threat.monitor < 0) return threat;
   const double reach_m =
       kinds_[static_cast<std::size_t>(threat.monitor)] == Aim::charge ? 1 : threat.margin;
-  threat.direction = steepest(static_cast<std::size_t>(threat.monitor), robot,
-                              clamp(std::abs(reach_m) + nearest_m, nearest_m, farthest_m));
+  const auto monitor = static_cast<std::size_t>(threat.monitor);
+  const double look_m = clamp(std::abs(reach_m) + nearest_m, nearest_m, farthest_m);
+  if (limits_.in_space) {
+    threat.direction = steepest_in_space(monitor, robot, look_m);
+  } else {
+    const Vec2 level = steepest(monitor, robot, look_m);
+    threat.direction = {level.x, level.y, 0};
+  }
   return threat;
+}
+
+// Straight up and down, and rings of directions between; then around the best of them.
+Vec3 Arena::steepest_in_space(std::size_t monitor, int robot, double reach_m) const {
+  const Vec3 here = position_of(truth(robot));
+  constexpr int tilts = 8;
+  Vec3 best{0, 0, 1};
+  double least = std::numeric_limits<double>::infinity(), best_tilt = 0, best_turn = 0;
+  const auto look = [&](double tilt_rad, double turn_rad) {
+    const SinCos tilt = sin_cos(tilt_rad), turn = sin_cos(turn_rad);
+    const Vec3 way{tilt.cos * turn.cos, tilt.cos * turn.sin, tilt.sin};
+    const double m = margin(monitor, robot, here + reach_m * way);
+    if (!(m < least)) return;
+    least = m;
+    best = way;
+    best_tilt = tilt_rad;
+    best_turn = turn_rad;
+  };
+  for (int t = -tilts / 2; t <= tilts / 2; ++t) {
+    for (int k = 0; k < directions; ++k) look(pi * t / tilts, 2 * pi * k / directions);
+  }
+  double by_rad = pi / directions;
+  for (int k = 0; k < refinements; ++k, by_rad /= 2) {
+    const double tilt_rad = best_tilt, turn_rad = best_turn;
+    for (const double by : {-by_rad, by_rad}) {
+      look(tilt_rad + by, turn_rad);
+      look(tilt_rad, turn_rad + by);
+    }
+  }
+  return best;
 }
 
 }  // namespace rtac::sim

@@ -15,20 +15,18 @@ constexpr double creep_time_s = 0.4;
 constexpr double burst_m_max = 0.02;
 
 // A velocity that is wanted, or full effort that way.
-void drive(Vec2 wanted, bool all_out, const TruthState& truth, const RobotLimits& limits,
+void drive(Vec3 wanted, bool all_out, const TruthState& truth, const RobotLimits& limits,
            Acceleration& output) {
   const double size = length(wanted);
-  if (all_out) {
-    const double most = limits.accel_mps2;
-    output.value_mps2 = size > 0 ? (most / size) * wanted : Vec2{};
-    return;
-  }
   constexpr double response_s = 0.1;
-  output.value_mps2 = (1 / response_s) * (wanted - truth.velocity);
+  Vec3 push = (1 / response_s) * (wanted - velocity_of(truth));
+  if (all_out) push = size > 0 ? (limits.accel_mps2 / size) * wanted : Vec3{};
+  output = {{push.x, push.y}, push.z};
 }
 
-void drive(Vec2 wanted, bool all_out, const TruthState& truth, const RobotLimits& limits,
+void drive(Vec3 wanted_in_space, bool all_out, const TruthState& truth, const RobotLimits& limits,
            Twist& output) {
+  const Vec2 wanted{wanted_in_space.x, wanted_in_space.y};
   const double speed = all_out ? limits.speed_mps : std::min(length(wanted), limits.speed_mps);
   output = {speed, 0};
   double error = wrap_angle(angle_of(wanted) - truth.heading_rad);
@@ -61,9 +59,11 @@ void Chase<Output>::choose(TimeUs now_us) {
 }
 
 template <class Output>
-Vec2 Chase<Output>::wanted(const Threat& threat, bool& all_out) {
+Vec3 Chase<Output>::wanted(const Threat& threat, bool& all_out) {
   const double speed = arena_.limits().speed_mps;
-  const Vec2 across = side_ * Vec2{-threat.direction.y, threat.direction.x};
+  Vec3 across = side_ * Vec3{-threat.direction.y, threat.direction.x, 0};
+  // towards a floor or a ceiling: any way on its level
+  if (length(across) < 0.1) across = {side_, 0, 0};
   switch (phase_) {
     case Phase::push:
       return threat.direction;
@@ -91,7 +91,7 @@ Output Chase<Output>::command(const Observation& observation) {
   Output output{};
   if (threat.monitor < 0) return output;
   bool all_out = true;
-  const Vec2 way = wanted(threat, all_out);
+  const Vec3 way = wanted(threat, all_out);
   drive(way, all_out, arena_.truth(robot_), arena_.limits(), output);
   return output;
 }

@@ -1,15 +1,19 @@
 #include "gusts.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace rtac::sim {
 
-Eigen::Vector2d Gusts::direction(const Eigen::Vector2d& velocity) const {
+Eigen::Vector3d Gusts::direction(const Eigen::Vector3d& velocity) const {
   const double speed = velocity.norm();
   if (style_ == 0 || speed < 1e-6) return steady_;
-  const Eigen::Vector2d along = velocity / speed;
+  const Eigen::Vector3d along = velocity / speed;
   if (style_ == 1) return along;
-  return {-along.y(), along.x()};
+  // across: any way that is not along, in space
+  const Eigen::Vector3d across = along.cross(steady_.z() != 0 ? steady_ : Eigen::Vector3d::UnitZ());
+  if (steady_.z() != 0 && across.norm() > 1e-6) return across.normalized();
+  return {-along.y(), along.x(), 0};
 }
 
 void Gusts::blow(Body& body, const RobotLimits& limits, TimeUs now_us, double dt_s) {
@@ -17,11 +21,16 @@ void Gusts::blow(Body& body, const RobotLimits& limits, TimeUs now_us, double dt
     constexpr std::int64_t shortest_us = 200'000, longest_us = 5'000'000;
     until_us_ = now_us + shortest_us + random_.below(longest_us - shortest_us);
     style_ = random_.below(3);
-    const Vec2 from = random_.on_circle(1);
-    steady_ = {from.x, from.y};
+    if (limits.in_space) {
+      const Vec3 from = random_.on_sphere(1);
+      steady_ = {from.x, from.y, from.z};
+    } else {
+      const Vec2 from = random_.on_circle(1);
+      steady_ = {from.x, from.y, 0};
+    }
   }
-  const Eigen::Vector2d push = limits.disturbance_mps2 * direction(body.velocity);
-  Eigen::Vector2d next = body.velocity + dt_s * push;
+  const Eigen::Vector3d push = limits.disturbance_mps2 * direction(body.velocity);
+  Eigen::Vector3d next = body.velocity + dt_s * push;
   const double speed = next.norm();
   if (speed > limits.speed_mps) next *= limits.speed_mps / speed;
   body.position += 0.5 * dt_s * (next - body.velocity);

@@ -16,12 +16,12 @@ class Gusts {
   void blow(Body& body, const RobotLimits& limits, TimeUs now_us, double dt_s);
 
  private:
-  [[nodiscard]] Eigen::Vector2d direction(const Eigen::Vector2d& velocity) const;
+  [[nodiscard]] Eigen::Vector3d direction(const Eigen::Vector3d& velocity) const;
 
   Random random_;
   TimeUs until_us_ = 0;
   std::int64_t style_ = 0;
-  Eigen::Vector2d steady_ = Eigen::Vector2d::Zero();
+  Eigen::Vector3d steady_ = Eigen::Vector3d::Zero();
 };
 
 }  // namespace rtac::sim

@@ -87,7 +87,13 @@ class HostileFleet<Output>::Impl {
     std::vector<double> real{observation.position.value.x, observation.position.value.y,
                              observation.velocity.value.x, observation.velocity.value.y,
                              observation.heading.value,    observation.battery.value};
+    const bool in_space = arena_.limits().in_space;
+    if (in_space) real.insert(real.end(), {observation.height_m, observation.climb_mps});
     if (tape_.playing() && tape_.read("sense", whole, real)) {
+      if (in_space) {
+        observation.height_m = real[6];
+        observation.climb_mps = real[7];
+      }
       observation.position = {{real[0], real[1]}, whole[1]};
       observation.velocity = {{real[2], real[3]}, whole[2]};
       observation.heading = {real[4], whole[3]};

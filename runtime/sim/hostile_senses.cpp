@@ -13,9 +13,17 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 // Of a run: how often aimed noise is aimed exactly.
 constexpr double aimed_share = 0.6;
 
-Vec2 turned(Vec2 v, double angle_rad) {
+Vec3 turned(Vec3 v, double angle_rad) {
   const SinCos turn = sin_cos(angle_rad);
-  return {turn.cos * v.x - turn.sin * v.y, turn.sin * v.x + turn.cos * v.y};
+  return {turn.cos * v.x - turn.sin * v.y, turn.sin * v.x + turn.cos * v.y, v.z};
+}
+
+Vec2 level(Vec3 v) {
+  return {v.x, v.y};
+}
+
+Vec3 level_offset(Vec2 v) {
+  return {v.x, v.y, 0};
 }
 
 }  // namespace
@@ -59,14 +67,15 @@ void HostileSenses::aim(TimeUs now_us) {
   if (threat.monitor >= 0) away_ = turned(-1.0 * threat.direction, turn_rad_);
 }
 
-Vec2 HostileSenses::offset(double error, Vec2 away) {
+Vec3 HostileSenses::offset(double error, Vec3 away) {
+  const bool in_space = arena_.limits().in_space;
   switch (hostility_.noise) {
     case Noise::none:
       return {};
     case Noise::uniform:
-      return random_.in_disc(error);
+      return in_space ? random_.in_ball(error) : level_offset(random_.in_disc(error));
     case Noise::extreme:
-      return random_.on_circle(error);
+      return in_space ? random_.on_sphere(error) : level_offset(random_.on_circle(error));
     case Noise::aimed:
       // What rounding may have added to the unit vector stays within the error.
       return (error * (1 - 1e-12)) * away;
@@ -104,11 +113,11 @@ void HostileSenses::measure(TimeUs now_us, const TruthLog& log, Observation& obs
   aim(now_us);
   if (const TruthState* truth =
           take(Sense::position, now_us, limits.position_age_us, log, position_)) {
-    position_.value = truth->position + offset(limits.position_error_m, away_);
+    position_.value = position_of(*truth) + offset(limits.position_error_m, away_);
   }
   if (const TruthState* truth =
           take(Sense::velocity, now_us, limits.velocity_age_us, log, velocity_)) {
-    velocity_.value = truth->velocity + offset(limits.velocity_error_mps, away_);
+    velocity_.value = velocity_of(*truth) + offset(limits.velocity_error_mps, away_);
   }
   if (const TruthState* truth =
           take(Sense::heading, now_us, limits.heading_age_us, log, heading_)) {
@@ -120,8 +129,10 @@ void HostileSenses::measure(TimeUs now_us, const TruthLog& log, Observation& obs
         hostility_.noise == Noise::aimed ? limits.battery_error : offset(limits.battery_error);
     battery_.value = clamp(truth->battery + error, 0, 1);
   }
-  observation.position = position_;
-  observation.velocity = velocity_;
+  observation.position = {level(position_.value), position_.stamp_us};
+  observation.velocity = {level(velocity_.value), velocity_.stamp_us};
+  observation.height_m = position_.value.z;
+  observation.climb_mps = velocity_.value.z;
   observation.heading = heading_;
   observation.battery = battery_;
   if (!fault_.broken) return;
@@ -144,10 +155,12 @@ void HostileSenses::announce(TimeUs now_us, TimeUs max_age_us, const TruthLog& l
   const TruthLog::Moment& p = stamp(old_position_ ? older_us : 0, announced_position_us_);
   const TruthLog::Moment& v = stamp(old_position_ ? 0 : older_us, announced_velocity_us_);
   const auto self = static_cast<std::size_t>(robot_);
-  announcement.position = {p.truths[self].position + offset(limits.position_error_m, away_),
-                           p.time_us};
-  announcement.velocity = {v.truths[self].velocity + offset(limits.velocity_error_mps, away_),
-                           v.time_us};
+  const Vec3 at = position_of(p.truths[self]) + offset(limits.position_error_m, away_);
+  const Vec3 moves = velocity_of(v.truths[self]) + offset(limits.velocity_error_mps, away_);
+  announcement.position = {level(at), p.time_us};
+  announcement.velocity = {level(moves), v.time_us};
+  announcement.height_m = at.z;
+  announcement.climb_mps = moves.z;
 }
 
 }  // namespace rtac::sim

@@ -36,7 +36,7 @@ class HostileSenses {
   template <class T>
   const TruthState* take(Sense sense, TimeUs now_us, TimeUs max_age_us, const TruthLog& log,
                          Sample<T>& sample);
-  [[nodiscard]] Vec2 offset(double error, Vec2 away);
+  [[nodiscard]] Vec3 offset(double error, Vec3 away);
   [[nodiscard]] double offset(double error);
   void aim(TimeUs now_us);
 
@@ -44,12 +44,12 @@ class HostileSenses {
   Hostility hostility_;
   int robot_;
   Random random_;
-  bool old_position_;  // which sense is the old one, where they differ
-  double turn_rad_;    // by which aimed noise misses its direction
-  Vec2 away_{1, 0};    // from the threat
+  bool old_position_;   // which sense is the old one, where they differ
+  double turn_rad_;     // by which aimed noise misses its direction
+  Vec3 away_{1, 0, 0};  // from the threat
   TimeUs aimed_us_ = never_us;
   Fault fault_;
-  Sample<Vec2> position_, velocity_;
+  Sample<Vec3> position_, velocity_;
   Sample<double> heading_, battery_;
   TimeUs announced_position_us_ = never_us, announced_velocity_us_ = never_us;
 };

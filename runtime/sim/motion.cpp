@@ -8,16 +8,16 @@
 namespace rtac::sim {
 namespace {
 
-Eigen::Vector2d limited(const Eigen::Vector2d& v, double bound) {
+Eigen::Vector3d limited(const Eigen::Vector3d& v, double bound) {
   const double squared = v.squaredNorm();
   if (squared <= bound * bound) return v;
   return v * (bound / std::sqrt(squared));
 }
 
 // One stretch of constant acceleration; returns the metres driven.
-double accelerate(Body& body, const Eigen::Vector2d& u, double speed_max, double dt_s) {
-  const Eigen::Vector2d next = limited(body.velocity + dt_s * u, speed_max);
-  const Eigen::Vector2d moved = 0.5 * dt_s * (body.velocity + next);
+double accelerate(Body& body, const Eigen::Vector3d& u, double speed_max, double dt_s) {
+  const Eigen::Vector3d next = limited(body.velocity + dt_s * u, speed_max);
+  const Eigen::Vector3d moved = 0.5 * dt_s * (body.velocity + next);
   body.position += moved;
   body.velocity = next;
   return moved.norm();
@@ -68,7 +68,7 @@ double advance_turn(double& turn, double target, const RobotLimits& limits, doub
 }  // namespace
 
 Acceleration accepted(const Acceleration& command) {
-  return is_finite(command.value_mps2) ? command : Acceleration{};
+  return is_finite(command.value_mps2) && std::isfinite(command.up_mps2) ? command : Acceleration{};
 }
 
 Twist accepted(const Twist& command) {
@@ -77,7 +77,8 @@ Twist accepted(const Twist& command) {
 }
 
 double advance(Body& body, const Acceleration& command, const RobotLimits& limits, double dt_s) {
-  const Eigen::Vector2d wanted(command.value_mps2.x, command.value_mps2.y);
+  const double up_mps2 = limits.in_space ? command.up_mps2 : 0;
+  const Eigen::Vector3d wanted(command.value_mps2.x, command.value_mps2.y, up_mps2);
   const double accel = limits.accel_mps2;
   const double brake = std::max(accel, limits.brake_mps2);
   double driven = 0;
@@ -85,7 +86,7 @@ double advance(Body& body, const Acceleration& command, const RobotLimits& limit
   const double slowing = wanted.dot(body.velocity);
   if (slowing < 0) {
     // It slows until u . (v + u t) = 0; what remains of the step speeds it up again.
-    const Eigen::Vector2d u = limited(wanted, brake);
+    const Eigen::Vector3d u = limited(wanted, brake);
     const double turning_s = -u.dot(body.velocity) / u.squaredNorm();
     const double braking_s = std::min(left_s, turning_s);
     driven += accelerate(body, u, limits.speed_mps, braking_s);
@@ -104,10 +105,10 @@ double advance(Body& body, const Twist& command, const RobotLimits& limits, doub
   const double moved = advance_speed(body.speed_mps, speed_target, limits, dt_s);
   const double turned = advance_turn(body.turn_radps, turn_target, limits, dt_s);
   const SinCos middle = sin_cos(body.heading_rad + 0.5 * turned);
-  body.position += moved * Eigen::Vector2d(middle.cos, middle.sin);
+  body.position += moved * Eigen::Vector3d(middle.cos, middle.sin, 0);
   body.heading_rad = wrap_angle(body.heading_rad + turned);
   const SinCos ahead = turned == 0 ? middle : sin_cos(body.heading_rad);
-  body.velocity = body.speed_mps * Eigen::Vector2d(ahead.cos, ahead.sin);
+  body.velocity = body.speed_mps * Eigen::Vector3d(ahead.cos, ahead.sin, 0);
   return std::abs(moved);
 }
 

@@ -8,8 +8,8 @@
 namespace rtac::sim {
 
 struct Body {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // m, map frame
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // m/s, map frame
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // m, map frame; z: robots in space alone
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, map frame
   double heading_rad = 0;
   double speed_mps = 0;  // along the heading, signed; point mass: norm of the velocity
   double turn_radps = 0;

@@ -37,6 +37,7 @@ class Evaluation {
       case PropertyOp::speed:
       case PropertyOp::clearance:
       case PropertyOp::distance:
+      case PropertyOp::altitude:
       case PropertyOp::energy_to:
       case PropertyOp::add:
       case PropertyOp::subtract:
@@ -78,11 +79,13 @@ class Evaluation {
       case PropertyOp::battery:
         return truth(p, other).battery;
       case PropertyOp::speed:
-        return length(truth(p, other).velocity);
+        return length(velocity_of(truth(p, other)));
       case PropertyOp::clearance:
         return clearance(p.index);
       case PropertyOp::distance:
         return distance(other);
+      case PropertyOp::altitude:
+        return scene_.height_m;
       case PropertyOp::energy_to:
         return energy_to(p.index);
       case PropertyOp::add:
@@ -120,12 +123,19 @@ class Evaluation {
     return scene_.truths[static_cast<std::size_t>(p.flag ? other : scene_.self)];
   }
   double clearance(int zone) const {
+    const auto& solids = scene_.surroundings.solids;
+    const auto index = static_cast<std::size_t>(zone);
+    if (index < solids.size() && solids[index].slab_count > 0) {
+      return signed_clearance(solids[index], {scene_.at.x, scene_.at.y, scene_.height_m}) -
+             scene_.surroundings.radius_m;
+    }
     return signed_clearance(scene_.surroundings.zones[static_cast<std::size_t>(zone)], scene_.at) -
            scene_.surroundings.radius_m;
   }
   double distance(int other) const {
-    const Vec2 there = scene_.truths[static_cast<std::size_t>(other)].position;
-    return length(there - scene_.at) - 2 * scene_.surroundings.radius_m;
+    const Vec3 there = position_of(scene_.truths[static_cast<std::size_t>(other)]);
+    const Vec3 here{scene_.at.x, scene_.at.y, scene_.height_m};
+    return length(there - here) - 2 * scene_.surroundings.radius_m;
   }
   double energy_to(int site) const {
     const auto& places = scene_.surroundings.sites[static_cast<std::size_t>(site)];
@@ -137,10 +147,16 @@ class Evaluation {
 };
 
 bool is_length(const Property& p) {
-  return p.op == PropertyOp::clearance || p.op == PropertyOp::distance;
+  return p.op == PropertyOp::clearance || p.op == PropertyOp::distance ||
+         p.op == PropertyOp::altitude;
 }
 
 }  // namespace
+
+Scene scene_of(const Surroundings& surroundings, const std::vector<TruthState>& truths, int self) {
+  const TruthState& own = truths[static_cast<std::size_t>(self)];
+  return {surroundings, truths, self, own.position, own.height_m};
+}
 
 double margin_of(const Property& property, const Scene& scene) {
   return Evaluation(scene).margin(property, nobody);

@@ -19,4 +19,20 @@ Vec2 Random::on_circle(double radius) {
   }
 }
 
+Vec3 Random::unit_ball() {
+  for (;;) {
+    const Vec3 v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+    if (v.x * v.x + v.y * v.y + v.z * v.z <= 1.0 - 0x1p-48) return v;
+  }
+}
+
+Vec3 Random::on_sphere(double radius) {
+  for (;;) {
+    const Vec3 v = unit_ball();
+    const double norm_v = length(v);
+    if (norm_v < 0.1) continue;
+    return (radius * (1 - 0x1p-50) / norm_v) * v;
+  }
+}
+
 }  // namespace rtac::sim

@@ -18,13 +18,13 @@ Referee::Referee(const Surroundings& surroundings, const std::vector<Property>& 
 
 void Referee::count_ways(const std::vector<TruthState>& truths) {
   if (before_.size() != way_m_.size()) {
-    for (const TruthState& truth : truths) before_.push_back(truth.position);
+    for (const TruthState& truth : truths) before_.push_back(position_of(truth));
     before_.resize(way_m_.size());
   }
   double fastest_m = 0;
   for (std::size_t i = 0; i < way_m_.size(); ++i) {
-    const double moved_m = length(truths[i].position - before_[i]);
-    before_[i] = truths[i].position;
+    const double moved_m = length(position_of(truths[i]) - before_[i]);
+    before_[i] = position_of(truths[i]);
     way_m_[i] += moved_m;
     fastest_m = std::max(fastest_m, moved_m);
   }
@@ -41,7 +41,7 @@ void Referee::judge(std::size_t monitor, std::size_t robot, TimeUs now_us,
     const double at_least = anchor.margin - steepness_per_m_[monitor] * moved_m;
     if (at_least > std::max(least.value, 0.0)) return;
   }
-  const Scene scene{surroundings_, truths, static_cast<int>(robot), truths[robot].position};
+  const Scene scene = scene_of(surroundings_, truths, static_cast<int>(robot));
   anchor = {margin_of(properties_[monitor], scene), way_m};
   if (anchor.margin < least.value) least = {anchor.margin, now_us, static_cast<int>(robot)};
   // Written so that a value that is not a number counts as a violation.

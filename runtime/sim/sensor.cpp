@@ -8,18 +8,27 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-Vec2 noise_of(const Vec2& /*kind*/, double error, NoiseModel model, Random& random) {
+Vec3 noise_of(const Vec3& /*kind*/, double error, NoiseModel model, ValueRange range,
+              Random& random) {
   if (model == NoiseModel::none || !(error > 0)) return {};
-  return model == NoiseModel::uniform ? random.in_disc(error) : random.on_circle(error);
+  const bool uniform = model == NoiseModel::uniform;
+  if (range != ValueRange::level) return uniform ? random.in_ball(error) : random.on_sphere(error);
+  const Vec2 off = uniform ? random.in_disc(error) : random.on_circle(error);
+  return {off.x, off.y, 0};
 }
 
-double noise_of(double /*kind*/, double error, NoiseModel model, Random& random) {
+double noise_of(double /*kind*/, double error, NoiseModel model, ValueRange /*range*/,
+                Random& random) {
   if (model == NoiseModel::none || !(error > 0)) return 0;
   return model == NoiseModel::uniform ? random.uniform(-error, error) : error * random.sign();
 }
 
 Vec2 offset_of(const Vec2& /*kind*/, double jump, Random& random) {
   return random.on_circle(jump);
+}
+Vec3 offset_of(const Vec3& /*kind*/, double jump, Random& random) {
+  const Vec2 level = random.on_circle(jump);
+  return {level.x, level.y, 0};
 }
 double offset_of(double /*kind*/, double jump, Random& /*random*/) {
   return jump;
@@ -28,11 +37,14 @@ double offset_of(double /*kind*/, double jump, Random& /*random*/) {
 void set_nan(Vec2& value) {
   value = {not_a_number, not_a_number};
 }
+void set_nan(Vec3& value) {
+  value = {not_a_number, not_a_number, not_a_number};
+}
 void set_nan(double& value) {
   value = not_a_number;
 }
 
-Vec2 ranged(const Vec2& value, ValueRange /*range*/) {
+Vec3 ranged(const Vec3& value, ValueRange /*range*/) {
   return value;
 }
 double ranged(double value, ValueRange range) {
@@ -105,7 +117,7 @@ Sensor<T>::Sensor(TimeUs max_age_us, double error, NoiseModel noise, ValueRange 
 
 template <class T>
 T Sensor<T>::measure(const T& truth, Random& random) const {
-  return ranged(truth + noise_of(T{}, error_, noise_, random), range_);
+  return ranged(truth + noise_of(T{}, error_, noise_, range_, random), range_);
 }
 
 template <class T>
@@ -137,8 +149,9 @@ const Sample<T>& Sensor<T>::read(TimeUs now_us, const T& truth) {
 }
 
 template class FaultList<Vec2>;
+template class FaultList<Vec3>;
 template class FaultList<double>;
-template class Sensor<Vec2>;
+template class Sensor<Vec3>;
 template class Sensor<double>;
 
 }  // namespace rtac::sim

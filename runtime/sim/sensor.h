@@ -36,6 +36,7 @@ class FaultList {
 
 enum class ValueRange {
   open,   // any value
+  level,  // of a place or a velocity: its height is 0, and the noise has none
   angle,  // wrapped to (-pi, pi]
   ratio   // clamped to [0, 1]: nearer to the truth, so still within the error
 };
@@ -72,8 +73,9 @@ class Sensor {
 };
 
 extern template class FaultList<Vec2>;
+extern template class FaultList<Vec3>;
 extern template class FaultList<double>;
-extern template class Sensor<Vec2>;
+extern template class Sensor<Vec3>;
 extern template class Sensor<double>;
 
 }  // namespace rtac::sim

@@ -14,7 +14,10 @@ namespace {
 constexpr std::size_t command_capacity = 256;  // under way at once; latency over period is < 10
 constexpr double us_to_s = 1e-6;
 
-Vec2 to_vec2(const Eigen::Vector2d& v) {
+Vec2 level(Vec3 v) {
+  return {v.x, v.y};
+}
+Vec2 to_vec2(const Eigen::Vector3d& v) {
   return {v.x(), v.y()};
 }
 
@@ -41,13 +44,17 @@ class CommandQueue {
   std::size_t first_ = 0, size_ = 0;
 };
 
+ValueRange space_of(const RobotSetup& setup) {
+  return setup.limits.in_space ? ValueRange::open : ValueRange::level;
+}
+
 struct Senses {
   Senses(const RobotSetup& setup, const TruthState& truth, const WorldOptions& options,
          std::uint64_t robot)
       : position(setup.limits.position_age_us, setup.limits.position_error_m, options.noise,
-                 ValueRange::open, Random::stream(options.seed, robot, 0), truth.position),
+                 space_of(setup), Random::stream(options.seed, robot, 0), position_of(truth)),
         velocity(setup.limits.velocity_age_us, setup.limits.velocity_error_mps, options.noise,
-                 ValueRange::open, Random::stream(options.seed, robot, 1), truth.velocity),
+                 space_of(setup), Random::stream(options.seed, robot, 1), velocity_of(truth)),
         heading(setup.limits.heading_age_us, setup.limits.heading_error_rad, options.noise,
                 ValueRange::angle, Random::stream(options.seed, robot, 2), truth.heading_rad),
         battery(setup.limits.battery_age_us, setup.limits.battery_error, options.noise,
@@ -59,13 +66,13 @@ struct Senses {
                     std::min(heading.next_us(), battery.next_us()));
   }
   void take_due(TimeUs now_us, const TruthState& truth) {
-    if (position.next_us() <= now_us) position.take(now_us, truth.position);
-    if (velocity.next_us() <= now_us) velocity.take(now_us, truth.velocity);
+    if (position.next_us() <= now_us) position.take(now_us, position_of(truth));
+    if (velocity.next_us() <= now_us) velocity.take(now_us, velocity_of(truth));
     if (heading.next_us() <= now_us) heading.take(now_us, truth.heading_rad);
     if (battery.next_us() <= now_us) battery.take(now_us, truth.battery);
   }
 
-  Sensor<Vec2> position, velocity;
+  Sensor<Vec3> position, velocity;
   Sensor<double> heading, battery;
   Random odometry;  // of announcements
 };
@@ -77,7 +84,7 @@ struct Agent {
       : setup(given),
         senses(given, truth, options, robot),
         gusts(Random::stream(options.seed, robot, 6)) {
-    body.position = {truth.position.x, truth.position.y};
+    body.position = {truth.position.x, truth.position.y, truth.height_m};
     body.heading_rad = truth.heading_rad;
   }
   [[nodiscard]] TimeUs next_us() const { return std::min(commands.next_us(), senses.next_us()); }
@@ -156,6 +163,7 @@ World<Output>::Impl::Impl(const std::vector<RobotSetup>& robots, const WorldOpti
   for (std::size_t i = 0; i < robots.size(); ++i) {
     TruthState truth;
     truth.position = robots[i].start;
+    truth.height_m = robots[i].height_m;
     truth.heading_rad = wrap_angle(robots[i].heading_rad);
     truth.battery = clamp(robots[i].battery, 0, 1);
     agents_.emplace_back(robots[i], truth, options, i);
@@ -171,8 +179,12 @@ void World<Output>::Impl::sense(int robot, Observation& observation) {
   Senses& senses = agents_[i].senses;
   const TruthState& truth = truths[i];
   observation.now_us = now_us;
-  observation.position = senses.position.read(now_us, truth.position);
-  observation.velocity = senses.velocity.read(now_us, truth.velocity);
+  const Sample<Vec3>& position = senses.position.read(now_us, position_of(truth));
+  const Sample<Vec3>& velocity = senses.velocity.read(now_us, velocity_of(truth));
+  observation.position = {level(position.value), position.stamp_us};
+  observation.velocity = {level(velocity.value), velocity.stamp_us};
+  observation.height_m = position.value.z;
+  observation.climb_mps = velocity.value.z;
   observation.heading = senses.heading.read(now_us, truth.heading_rad);
   observation.battery = senses.battery.read(now_us, truth.battery);
   radio_.receive(robot, now_us, observation);
@@ -196,8 +208,12 @@ void World<Output>::Impl::announce(int robot, const Announcement& announcement) 
   const auto i = static_cast<std::size_t>(robot);
   Senses& senses = agents_[i].senses;
   Announcement sent = announcement;
-  sent.position = {senses.position.measure(truths[i].position, senses.odometry), now_us};
-  sent.velocity = {senses.velocity.measure(truths[i].velocity, senses.odometry), now_us};
+  const Vec3 at = senses.position.measure(position_of(truths[i]), senses.odometry);
+  const Vec3 moves = senses.velocity.measure(velocity_of(truths[i]), senses.odometry);
+  sent.position = {level(at), now_us};
+  sent.velocity = {level(moves), now_us};
+  sent.height_m = at.z;
+  sent.climb_mps = moves.z;
   if (!radio_.send(robot, sent, now_us)) ++lost;
 }
 
@@ -252,6 +268,8 @@ void World<Output>::Impl::move(Agent<Output>& agent, TruthState& truth, double d
   const Body& body = agent.body;
   truth.position = to_vec2(body.position);
   truth.velocity = to_vec2(body.velocity);
+  truth.height_m = body.position.z();
+  truth.climb_mps = body.velocity.z();
   truth.heading_rad = body.heading_rad;
   truth.speed_mps = body.speed_mps;
   truth.turn_radps = body.turn_radps;

@@ -94,7 +94,10 @@ void PlanExecutor<Output>::sense(TimeUs now_us) {
   observation_.now_us = now_us;
   observation_.claims = claims();
   observation_.urgency = situation_.urgency;
-  if (is_finite(observation_.velocity.value)) last_velocity_ = observation_.velocity;
+  if (is_finite(velocity_of(observation_))) {
+    last_velocity_ = observation_.velocity;
+    last_climb_mps_ = observation_.climb_mps;
+  }
   has_position_ =
       usable(observation_.position, now_us, parts_.limits.position_age_us, parts_.period_us);
 }
@@ -207,9 +210,12 @@ void PlanExecutor<Output>::remember(const Output& output) {
 template <class Output>
 void PlanExecutor<Output>::engage(SafeController<Output>& recovery) {
   const Sample<Vec2> measured = observation_.velocity;
+  const double measured_climb_mps = observation_.climb_mps;
   observation_.velocity = last_velocity_;
+  observation_.climb_mps = last_climb_mps_;
   recovery.engage(observation_);
   observation_.velocity = measured;
+  observation_.climb_mps = measured_climb_mps;
 }
 
 template <class Output>
@@ -263,6 +269,8 @@ void PlanExecutor<Output>::announce() {
   Announcement& out = announcement_;
   out.position = observation_.position;
   out.velocity = observation_.velocity;
+  out.height_m = observation_.height_m;
+  out.climb_mps = observation_.climb_mps;
   out.present = {true, observation_.now_us};
   // Without protection nothing keeps the promise that the record speaks of.
   out.lease_end_us = options_.protect ? record_.lease_end_us : never_us;

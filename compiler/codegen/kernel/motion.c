@@ -24,6 +24,9 @@ static int64_t cross(vec a, vec b) {
   return a.x * b.y - a.y * b.x;
 }
 /*= disturbed */
+/*= in_space */
+/* Robots move up and down, too: lengths, speeds and accelerations are those of space. `p` and `v`
+ * are what a map shows of a place and a velocity, `z` and `vz` their heights. */
 /*= body_type */
 /* What is declared of a kind of robot, rounded to the safe side. */
 typedef struct body {
@@ -49,6 +52,7 @@ typedef struct estimate {
   int32_t input;   /* input that is missing; INPUT_NONE: usable */
   int32_t p_input; /* the same of the position alone: where the robot is now takes no velocity */
   vec p, v;
+  /*? in_space */ int64_t z, vz;
   int64_t p_error_mm, v_error_mmps;
   int64_t off_map_mm; /* how far beyond the extent it may be, where `p` saturates */
   int64_t speed_mmps; /* of the measured velocity, rounded up */
@@ -59,12 +63,14 @@ typedef struct estimate {
 static int32_t usable(const KERNEL_point *s, int64_t now_us, int64_t max_age_us) {
   return s->valid != 0 && s->stamp_us <= now_us &&
          elapsed_us(s->stamp_us, now_us) <= max_age_us && s->x_lo <= s->x_hi &&
+         /*? in_space */ s->z_lo <= s->z_hi &&
          s->y_lo <= s->y_hi;
 }
 /*= within_speeds */
 /* A velocity whose square fits. */
 static int32_t within_speeds(const KERNEL_point *v) {
   return v->x_lo >= -SPEED_MAX_MMPS && v->x_hi <= SPEED_MAX_MMPS && v->y_lo >= -SPEED_MAX_MMPS &&
+         /*? in_space */ v->z_lo >= -SPEED_MAX_MMPS && v->z_hi <= SPEED_MAX_MMPS &&
          v->y_hi <= SPEED_MAX_MMPS;
 }
 /*= on_map : clamp_of */
@@ -98,6 +104,8 @@ static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *ve
   }
   s.p = vec_of(0, 0);
   s.v = vec_of(0, 0);
+  /*? in_space */ s.z = 0;
+  /*? in_space */ s.vz = 0;
   s.p_error_mm = 0;
   s.off_map_mm = 0;
   s.v_error_mmps = 0;
@@ -109,6 +117,9 @@ static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *ve
                    (on_map(position->y_hi) - s.p.y);
     s.off_map_mm = off_map(position->x_lo) + off_map(position->x_hi) + off_map(position->y_lo) +
                    off_map(position->y_hi);
+    /*? in_space */ s.z = on_map(position->z_lo);
+    /*? in_space */ s.p_error_mm += on_map(position->z_hi) - s.z;
+    /*? in_space */ s.off_map_mm += off_map(position->z_lo) + off_map(position->z_hi);
     s.age_us = elapsed_us(position->stamp_us, now_us);
   }
   if (s.input == INPUT_NONE) {
@@ -117,7 +128,11 @@ static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *ve
     s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
                      (velocity->y_hi - velocity->y_lo) +
                      min_of(div_up(b->accel_mmps2 * apart_ms, 1000), 2 * SPEED_MAX_MMPS);
-    s.speed_mmps = root_up(dot(s.v, s.v));
+    /*? in_space */ s.vz = velocity->z_lo;
+    /*? in_space */ s.v_error_mmps += velocity->z_hi - velocity->z_lo;
+    /*? in_space */ /* one step of the grid more than in the plane, which is in the body's speed */
+    /*? in_space */ s.speed_mmps = root_up(dot(s.v, s.v) + s.vz * s.vz);
+    /*? !in_space */ s.speed_mmps = root_up(dot(s.v, s.v));
     if (s.speed_mmps > b->speed_mmps + b->velocity_error_mmps + 2) {
       s.input = INPUT_VELOCITY;
     }
@@ -130,6 +145,7 @@ static estimate estimate_of(const KERNEL_point *position, const KERNEL_point *ve
 typedef struct reach {
   int32_t input;
   vec p, e;
+  /*? in_space */ int64_t z, z_end; /* heights of p and e */
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
 } reach;
@@ -178,6 +194,9 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
   r.input = s->input;
   r.p = s->p;
   r.e = vec_of(s->p.x + s->v.x * along_us / 1000000, s->p.y + s->v.y * along_us / 1000000);
+  /*? in_space */ r.z = s->z;
+  /*? in_space */ r.z_end = s->z + s->vz * along_us / 1000000;
+  /*? in_space */ r.e.x = r.z_end == on_map(r.z_end) ? r.e.x : EXTENT_MM + 1; /* off the map, too */
   /* 2 mm: the division towards zero moves the end point by less than 1 mm per axis */
   r.capsule_mm = s->p_error_mm + div_up(s->v_error_mmps * t_ms, 1000) +
                  div_up(m->accel_mmps2 * t_ms * t_ms, 2000000) +
@@ -185,6 +204,7 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
   r.centre_mm = centre;
   r.disc_mm = centre + b->radius_mm;
   if (r.e.x != on_map(r.e.x) || r.e.y != on_map(r.e.y)) {
+    /*? in_space */ r.z_end = r.z;
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
     r.capsule_mm = r.disc_mm;
   }

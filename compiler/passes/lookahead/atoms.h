@@ -16,6 +16,7 @@ Expanded charge(Expansion& expansion, const Atom& atom);          // at least a 
 Expanded charge_for_way(Expansion& expansion, const Atom& atom);  // at least what a way takes
 Expanded count(Expansion& expansion, const Atom& atom);           // of other robots
 Expanded speed(Expansion& expansion, const Atom& atom);           // at most a constant
+Expanded altitude(Expansion& expansion, const Atom& atom);        // at most, at least a constant
 
 // A zone that is there at certain times; `there`: that it is, or that it is not.
 ir::ValueId window(Expansion& expansion, const ir::ZoneThere& zone, bool there,

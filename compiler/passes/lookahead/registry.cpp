@@ -17,14 +17,15 @@ struct Transformer {
   Expanded (*expand)(Expansion&, const Atom&);
 };
 
-const std::array<Transformer, 6>& registry() {
-  static const std::array<Transformer, 6> all = {{
+const std::array<Transformer, 7>& registry() {
+  static const std::array<Transformer, 7> all = {{
       {{Kind::clearance}, {"`inside`", "`clearance(r, zone) >= c`"}, fence},
       {{Kind::distance}, {"`distance(r, q) >= c`"}, separation},
       {{Kind::battery}, {"`r.battery >= c`"}, charge},
       {{Kind::battery, Kind::energy_to}, {"`r.battery >= energy_to(site) + c`"}, charge_for_way},
       {{Kind::count}, {"`count(q : Kind, q != r : distance(r, q) <= c) <= n`"}, count},
       {{Kind::speed}, {"`r.speed <= c`"}, speed},
+      {{Kind::altitude}, {"`r.position.z <= c`"}, altitude},
   }};
   return all;
 }

@@ -17,13 +17,14 @@ const std::map<std::string, PropertyOp>& ops() {
       {"const", PropertyOp::constant},    {"battery", PropertyOp::battery},
       {"speed", PropertyOp::speed},       {"clearance", PropertyOp::clearance},
       {"distance", PropertyOp::distance}, {"energy_to", PropertyOp::energy_to},
-      {"add", PropertyOp::add},           {"subtract", PropertyOp::subtract},
-      {"multiply", PropertyOp::multiply}, {"divide", PropertyOp::divide},
-      {"negate", PropertyOp::negate},     {"count", PropertyOp::count},
-      {"truth", PropertyOp::truth},       {"inside", PropertyOp::inside},
-      {"at_least", PropertyOp::at_least}, {"not", PropertyOp::logical_not},
-      {"and", PropertyOp::logical_and},   {"or", PropertyOp::logical_or},
-      {"forall", PropertyOp::forall},     {"exists", PropertyOp::exists}};
+      {"altitude", PropertyOp::altitude}, {"add", PropertyOp::add},
+      {"subtract", PropertyOp::subtract}, {"multiply", PropertyOp::multiply},
+      {"divide", PropertyOp::divide},     {"negate", PropertyOp::negate},
+      {"count", PropertyOp::count},       {"truth", PropertyOp::truth},
+      {"inside", PropertyOp::inside},     {"at_least", PropertyOp::at_least},
+      {"not", PropertyOp::logical_not},   {"and", PropertyOp::logical_and},
+      {"or", PropertyOp::logical_or},     {"forall", PropertyOp::forall},
+      {"exists", PropertyOp::exists}};
   return all;
 }
 
@@ -65,8 +66,17 @@ Vec2 place(const Json& j) {
   return {j.at(0).get<double>(), j.at(1).get<double>()};
 }
 
-void read_zone(const Json& j, Zone& to) {
+void read_slabs(const Json& j, const std::deque<Zone>& before, Zone& to) {
+  for (const Json& s : j) {
+    to.slabs.push_back({&before.at(s.at("base").get<std::size_t>()).view,
+                        s.at("floor_m").get<double>(), s.at("ceiling_m").get<double>()});
+  }
+  to.solid = {to.name.c_str(), to.slabs.data(), to.slabs.size()};
+}
+
+void read_zone(const Json& j, const std::deque<Zone>& before, Zone& to) {
   to.name = j.at("name").get<std::string>();
+  if (j.contains("slabs")) return read_slabs(j.at("slabs"), before, to);
   to.edges_mm = j.at("edges_mm").get<std::vector<std::int32_t>>();
   to.ring_starts = j.at("ring_starts").get<std::vector<std::size_t>>();
   const Json& cells = j.at("cells");
@@ -110,6 +120,7 @@ RobotLimits limits(const Json& j) {
       {"hears_age_us", &l.hears_age_us},       {"latency_us", &l.latency_us}};
   for (const auto& [name, time] : times) *time = j.value(name, TimeUs{0});
   l.unicycle = j.at("unicycle").get<bool>();
+  l.in_space = j.value("in_space", false);
   return l;
 }
 
@@ -157,6 +168,7 @@ DecisionCase decision(const Json& j, const Case& all) {
   for (const Zone& zone : all.zones) {
     // Every edge is looked at: a mistake in the tables of the kernel must not judge itself.
     d.surroundings.zones.push_back(zone.view);
+    d.surroundings.solids.push_back(zone.solid);
   }
   d.surroundings.sites = all.sites;
   d.surroundings.radius_m = d.limits.radius_m;
@@ -185,7 +197,7 @@ Problem read_manifest(const std::string& text, Case& to) {
     to.specification = j.at("specification").get<std::string>();
     to.source = j.at("source").get<std::string>();
     to.hash = hash_of(text);
-    for (const Json& z : j.at("zones")) read_zone(z, to.zones.emplace_back());
+    for (const Json& z : j.at("zones")) read_zone(z, to.zones, to.zones.emplace_back());
     for (const Json& s : j.at("sites")) {
       to.sites.emplace_back();
       for (const Json& p : s.at("places")) to.sites.back().push_back(place(p));

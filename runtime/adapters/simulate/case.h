@@ -24,6 +24,9 @@ struct Zone {
   std::vector<std::int32_t> edges_mm, clearance_mm;
   std::vector<std::size_t> ring_starts;
   ZoneView view;  // of the above: a zone stays where it is
+  // Of a zone with height instead: slabs over other zones.
+  std::vector<SlabView> slabs;
+  SolidView solid;
 };
 
 struct Recovery {

@@ -19,13 +19,15 @@ F function_of(void* symbol) {
   return function;
 }
 
-void put(const Sample<Vec2>& sample, std::int64_t* to) {
+// `height`: in the plane 0.
+void put(const Sample<Vec2>& sample, double height, std::int64_t* to) {
   struct {
-    std::int64_t x_lo = 0, x_hi = 0, y_lo = 0, y_hi = 0, stamp_us = 0, valid = 0;
+    std::int64_t x_lo = 0, x_hi = 0, y_lo = 0, y_hi = 0, stamp_us = 0, valid = 0, z_lo = 0,
+                 z_hi = 0;
   } point;
-  bridge::put(point, sample);
-  const std::int64_t all[] = {point.x_lo, point.x_hi,     point.y_lo,
-                              point.y_hi, point.stamp_us, point.valid};
+  bridge::put_in_space(point, sample, height);
+  const std::int64_t all[] = {point.x_lo,     point.x_hi,  point.y_lo, point.y_hi,
+                              point.stamp_us, point.valid, point.z_lo, point.z_hi};
   std::copy(std::begin(all), std::end(all), to);
 }
 
@@ -128,19 +130,19 @@ void KernelDecision::reset() {
 const DecisionRecord& KernelDecision::step(const Observation& seen, bool holding, bool surrender) {
   in_[words::holding] = holding ? 1 : 0;
   in_[words::surrender] = surrender ? 1 : 0;
-  put(seen.position, &in_[words::position]);
-  put(seen.velocity, &in_[words::velocity]);
+  put(seen.position, seen.height_m, &in_[words::position]);
+  put(seen.velocity, seen.climb_mps, &in_[words::velocity]);
   put(seen.battery, battery_steps, &in_[words::battery]);
   put(seen.heading, heading_steps, &in_[words::heading]);
-  put(seen.sent, &in_[words::sent]);
-  put(seen.proposed, &in_[words::proposed]);
+  put(seen.sent, 0, &in_[words::sent]);
+  put(seen.proposed, 0, &in_[words::proposed]);
   put(seen.plan, capacity_, &in_[words::plan]);
   std::int64_t* other = &in_[words::plan] + words::plan_size(capacity_);
   for (int j = 0; j < info_.robot_count; ++j, other += words::other_size(capacity_)) {
     if (j == seen.self) continue;
     const Announcement& heard = seen.others[static_cast<std::size_t>(j)];
-    put(heard.position, other + words::other_position);
-    put(heard.velocity, other + words::other_velocity);
+    put(heard.position, heard.height_m, other + words::other_position);
+    put(heard.velocity, heard.climb_mps, other + words::other_velocity);
     other[words::lease_end] = heard.lease_end_us;
     other[words::goes_first] = rtac::goes_first(seen, j) ? 1 : 0;
     other[words::presence] = heard.present.stamp_us;

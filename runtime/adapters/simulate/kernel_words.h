@@ -6,20 +6,20 @@
 
 namespace rtac::simulate::words {
 
-inline constexpr int version = 2;
+inline constexpr int version = 3;
 
 // In: { self, holding, surrender }, position and velocity { x_lo, x_hi, y_lo, y_hi, stamp_us,
-// valid }, battery and heading { lo, hi, stamp_us, valid }, the commands sent and proposed as
-// points, then the plan { valid, count, index, x[], y[] } and the others: { position, velocity,
-// lease end, goes first, presence stamp, present, plan } each.
+// valid, z_lo, z_hi }, battery and heading { lo, hi, stamp_us, valid }, the commands sent and
+// proposed as points, then the plan { valid, count, index, x[], y[] } and the others: { position,
+// velocity, lease end, goes first, presence stamp, present, plan } each.
 inline constexpr std::size_t self = 0, holding = 1, surrender = 2;
-inline constexpr std::size_t position = 3, velocity = 9, battery = 15, heading = 19;
-inline constexpr std::size_t sent = 23, proposed = 29, plan = 35;
+inline constexpr std::size_t position = 3, velocity = 11, battery = 19, heading = 23;
+inline constexpr std::size_t sent = 27, proposed = 35, plan = 43;
 constexpr std::size_t plan_size(std::size_t capacity) {
   return 3 + 2 * capacity;
 }
-inline constexpr std::size_t other_position = 0, other_velocity = 6, lease_end = 12;
-inline constexpr std::size_t goes_first = 13, presence = 14, present = 15, other_plan = 16;
+inline constexpr std::size_t other_position = 0, other_velocity = 8, lease_end = 16;
+inline constexpr std::size_t goes_first = 17, presence = 18, present = 19, other_plan = 20;
 constexpr std::size_t other_size(std::size_t capacity) {
   return other_plan + plan_size(capacity);
 }

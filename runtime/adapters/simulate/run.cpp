@@ -74,11 +74,11 @@ class Taped final : public Controller<Output> {
 
  private:
   static std::vector<double> numbers(const Acceleration& a) {
-    return {a.value_mps2.x, a.value_mps2.y};
+    return {a.value_mps2.x, a.value_mps2.y, a.up_mps2};
   }
   static std::vector<double> numbers(const Twist& t) { return {t.speed_mps, t.turn_radps}; }
   static void give(const std::vector<double>& from, Acceleration& to) {
-    to.value_mps2 = {from[0], from[1]};
+    to = {{from[0], from[1]}, from[2]};
   }
   static void give(const std::vector<double>& from, Twist& to) { to = {from[0], from[1]}; }
 
@@ -105,7 +105,7 @@ class Watcher final : public SystemObserver {
                 {});
     tape_.write("truth", {record.robot},
                 {truth.position.x, truth.position.y, truth.velocity.x, truth.velocity.y,
-                 truth.heading_rad, truth.battery});
+                 truth.heading_rad, truth.battery, truth.height_m, truth.climb_mps});
   }
 
  private:
@@ -241,6 +241,7 @@ std::vector<sim::RobotSetup> bodies(const DecisionCase& decision, const Setup& s
     sim::RobotSetup body;
     body.limits = decision.limits;
     body.start = start.place;
+    body.height_m = start.height_m;
     body.heading_rad = start.heading_rad;
     body.battery = start.battery;
     body.has_dock = i < decision.docks.size();

@@ -16,6 +16,7 @@ namespace rtac::simulate {
 struct RobotStart {
   Vec2 place;
   double heading_rad = 0, battery = 1;
+  double height_m = 0;  // in space
 };
 // Everything that a run depends on, apart from the kernel.
 struct Setup {

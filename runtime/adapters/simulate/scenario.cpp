@@ -71,7 +71,8 @@ Start start(const Json& j) {
   constexpr double far_m = 1e5, turn_deg = 360;
   Start s;
   for (const auto& [key, value] : j.items()) {
-    if (key == "at" && value.is_array() && value.size() == 2) {
+    if (key == "at" && value.is_array() && (value.size() == 2 || value.size() == 3)) {
+      if (value.size() == 3) s.height_m = number(value[2], key, -far_m, far_m);
       s.place = Vec2{number(value[0], key, -far_m, far_m), number(value[1], key, -far_m, far_m)};
     } else if (key == "heading_deg") {
       s.heading_rad = number(value, key, -turn_deg, turn_deg) * sim::pi / (turn_deg / 2);
@@ -79,7 +80,8 @@ Start start(const Json& j) {
       s.battery = number(value, key, 0, 1);
     } else {
       throw Unfit{"a start of the scenario has `" + key + "`: " + value.dump(),
-                  "there are `at`, two numbers in m, `heading_deg` and `battery`, 1 = full"};
+                  "there are `at`, two numbers in m and in space three, `heading_deg` and "
+                  "`battery`, 1 = full"};
     }
   }
   return s;
@@ -166,6 +168,8 @@ std::vector<const Adversary*> applicable(const DecisionCase& decision) {
     if (a.aim == Aim::fence && !fence) continue;
     if (a.aim == Aim::robot && !has(decision, PropertyOp::distance)) continue;
     if (a.aim == Aim::charge && !charge) continue;
+    if (a.drive == Drive::plans && decision.limits.in_space)
+      continue;  // way-points are of the plane
     fit.push_back(&a);
   }
   return fit;

@@ -31,6 +31,7 @@ std::vector<const Adversary*> applicable(const DecisionCase& decision);
 struct Start {
   std::optional<Vec2> place;
   std::optional<double> heading_rad, battery;
+  double height_m = 0;  // of the place, in space
 };
 struct Scenario {
   TimeUs duration_us = 30'000'000;

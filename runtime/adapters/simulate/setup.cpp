@@ -29,18 +29,45 @@ constexpr double battery_least = 0.3;  // at the start
 struct Box {
   Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Vec2 hi{-lo.x, -lo.y};
+  double bottom = std::numeric_limits<double>::infinity(), top = -bottom;  // in space
+  void hold_height(double z) {
+    bottom = std::min(bottom, z);
+    top = std::max(top, z);
+  }
   void hold(Vec2 p) {
     lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
     hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
   }
 };
 
-void hold_zones(const sim::Property& p, const DecisionCase& d, Box& box) {
+void hold_zone(const ZoneView& zone, Box& box) {
   constexpr double m_per_mm = 1e-3;
+  for (std::size_t e = 0; e < 4 * zone.edge_count; e += 2) {
+    box.hold({m_per_mm * zone.edges_mm[e], m_per_mm * zone.edges_mm[e + 1]});
+  }
+}
+
+// On either side of a height that a property speaks of.
+constexpr double beside_height_m = 10;
+
+void hold_zones(const sim::Property& p, const DecisionCase& d, Box& box) {
   if (p.op == sim::PropertyOp::inside || p.op == sim::PropertyOp::clearance) {
-    const ZoneView& zone = d.surroundings.zones[static_cast<std::size_t>(p.index)];
-    for (std::size_t e = 0; e < 4 * zone.edge_count; e += 2) {
-      box.hold({m_per_mm * zone.edges_mm[e], m_per_mm * zone.edges_mm[e + 1]});
+    const auto index = static_cast<std::size_t>(p.index);
+    hold_zone(d.surroundings.zones[index], box);
+    const SolidView& solid = d.surroundings.solids[index];
+    for (std::size_t k = 0; k < solid.slab_count; ++k) {
+      hold_zone(*solid.slabs[k].base, box);
+      box.hold_height(solid.slabs[k].floor_m);
+      box.hold_height(solid.slabs[k].ceiling_m);
+    }
+  }
+  if (p.op == sim::PropertyOp::at_least) {
+    const bool left = p.of[0].op == sim::PropertyOp::altitude;
+    const sim::Property& limit = p.of[left ? 1 : 0];
+    if ((left || p.of[1].op == sim::PropertyOp::altitude) &&
+        limit.op == sim::PropertyOp::constant) {
+      box.hold_height(limit.value - beside_height_m);
+      box.hold_height(limit.value + beside_height_m);
     }
   }
   for (const sim::Property& each : p.of) hold_zones(each, d, box);
@@ -54,6 +81,10 @@ Box field(const DecisionCase& d) {
     box.hold({-half_m, -half_m});
     box.hold({half_m, half_m});
   }
+  if (box.bottom > box.top) {
+    box.hold_height(-open_field_m);
+    box.hold_height(open_field_m);
+  }
   return box;
 }
 
@@ -62,8 +93,7 @@ double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths
   double least = std::numeric_limits<double>::infinity();
   for (const sim::Property& p : d.properties) {
     for (std::size_t i = 0; i < truths.size(); ++i) {
-      least = std::min(
-          least, margin_of(p, {d.surroundings, truths, static_cast<int>(i), truths[i].position}));
+      least = std::min(least, margin_of(p, scene_of(d.surroundings, truths, static_cast<int>(i))));
     }
   }
   return least;
@@ -77,12 +107,15 @@ const Start* named(const Scenario& scenario, const std::string& robot) {
 }
 
 // Where the scenario says, else anywhere.
-void draw(const Box& box, const Start* fixed, Random& random, TruthState& truth) {
+void draw(const DecisionCase& d, const Box& box, const Start* fixed, Random& random,
+          TruthState& truth) {
   truth.position = {random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y)};
   truth.heading_rad = random.uniform(-sim::pi, sim::pi);
   truth.battery = random.uniform(battery_least, 1);
+  if (d.limits.in_space) truth.height_m = random.uniform(box.bottom, box.top);
   if (fixed == nullptr) return;
   truth.position = fixed->place.value_or(truth.position);
+  if (fixed->place) truth.height_m = fixed->height_m;
   truth.heading_rad = fixed->heading_rad.value_or(truth.heading_rad);
   truth.battery = fixed->battery.value_or(truth.battery);
 }
@@ -95,7 +128,7 @@ bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& ra
   truths.emplace_back();
   for (int k = 0; k < tries_max; ++k) {
     TruthState& truth = truths.back();
-    draw(box, fixed, random, truth);
+    draw(d, box, fixed, random, truth);
     if (fixed != nullptr && fixed->place) return true;  // as the author of the scenario wants it
     const double margin = least_margin(d, truths);
     if (margin < 0) continue;
@@ -116,7 +149,7 @@ bool place_together(const DecisionCase& d, const Box& box, const Scenario& scena
   truths.assign(d.robots.size(), {});
   for (int n = 0; n < tries_together; ++n) {
     for (std::size_t i = 0; i < truths.size(); ++i) {
-      draw(box, named(scenario, d.robots[i]), random, truths[i]);
+      draw(d, box, named(scenario, d.robots[i]), random, truths[i]);
     }
     if (least_margin(d, truths) >= 0) return true;
   }
@@ -171,7 +204,9 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
         R"(say where robots start: `"starts": {")" + d.robots.front() + R"(": {"at": [1, 2]}}`)",
         true};
   }
-  for (const TruthState& t : truths) to.starts.push_back({t.position, t.heading_rad, t.battery});
+  for (const TruthState& t : truths) {
+    to.starts.push_back({t.position, t.heading_rad, t.battery, t.height_m});
+  }
   return {};
 }
 

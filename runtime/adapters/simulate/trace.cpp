@@ -9,7 +9,7 @@
 namespace rtac::simulate {
 namespace {
 
-constexpr const char* first_line = "rtac-sim-trace 1";
+constexpr const char* first_line = "rtac-sim-trace 2";
 
 std::string hex(double value) {
   constexpr std::size_t widest = 32;
@@ -20,7 +20,7 @@ std::string hex(double value) {
 
 std::string start_line(const std::string& robot, const RobotStart& s) {
   return "start " + robot + hex(s.place.x) + hex(s.place.y) + hex(s.heading_rad) + hex(s.battery) +
-         "\n";
+         hex(s.height_m) + "\n";
 }
 
 double real(std::istream& in) {
@@ -57,6 +57,7 @@ bool read_head(const std::string& word, std::istream& in, Trace& to) {
     s.place.y = real(in);
     s.heading_rad = real(in);
     s.battery = real(in);
+    s.height_m = real(in);
     to.setup.starts.push_back(s);
   } else {
     return false;

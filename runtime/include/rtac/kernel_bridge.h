@@ -49,6 +49,13 @@ void put(KernelPoint& to, const Sample<Vec2>& from) {
   to.stamp_us = from.stamp_us;
   to.valid = from.stamp_us != never_us && x && y;
 }
+// The same in space, KernelPoint { ..., z_lo, z_hi }; `height`: the third component.
+template <class KernelPoint>
+void put_in_space(KernelPoint& to, const Sample<Vec2>& from, double height) {
+  put(to, from);
+  const bool z = grid_coordinate(height, to.z_lo, to.z_hi);
+  to.valid = to.valid != 0 && z;
+}
 // KernelScalar { lo, hi, stamp_us, valid }, in ppm
 template <class KernelScalar>
 void put_ratio(KernelScalar& to, const Sample<double>& from) {

@@ -14,6 +14,10 @@ inline bool is_finite(Vec2 value) {
   return std::isfinite(value.x) && std::isfinite(value.y);
 }
 
+inline bool is_finite(Vec3 value) {
+  return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+}
+
 // Received, finite, not from the future, and not older than declared; at least one period is always
 // granted, because an input without a declared age has to arrive every tick.
 template <class T>

@@ -31,6 +31,22 @@ inline double norm(Vec2 a) {
   return std::hypot(a.x, a.y);
 }
 
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+};
+inline Vec3 operator+(Vec3 a, Vec3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec3 operator-(Vec3 a, Vec3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec3 operator*(double k, Vec3 a) {
+  return {k * a.x, k * a.y, k * a.z};
+}
+inline double norm(Vec3 a) {
+  return std::hypot(std::hypot(a.x, a.y), a.z);  // of the plane to the last bit where z is 0
+}
+
 // Outputs of a controller.
 struct Twist {  // body frame
   double speed_mps = 0;
@@ -38,6 +54,7 @@ struct Twist {  // body frame
 };
 struct Acceleration {  // map frame, m/s^2
   Vec2 value_mps2;
+  double up_mps2 = 0;  // of robots in space
 };
 
 // A value with the time it was true at. `stamp_us == never_us`: none yet.
@@ -106,6 +123,7 @@ struct Announcement {
   bool errand = false;   // a recovery has somewhere to go (to charge): others nearby claim nothing
   bool blocked = false;  // it found no way around the others and asks for passage
   Path plan;             // what it follows, or would follow if the way were free
+  double height_m = 0, climb_mps = 0;  // as those of an observation
 };
 
 // What each robot of a fleet has said, by fleet index (below max_robots). It holds those that were
@@ -149,7 +167,16 @@ struct Observation {
   // last step, and the one that the advanced controller proposes to be sent after this one, in
   // m/s^2. Both belong to the step; a stamp of never_us says that there is none.
   Sample<Vec2> sent{}, proposed{};
+  // Of robots in space: the third components of position and velocity, of the same samples.
+  double height_m = 0, climb_mps = 0;
 };
+
+inline Vec3 position_of(const Observation& seen) {
+  return {seen.position.value.x, seen.position.value.y, seen.height_m};
+}
+inline Vec3 velocity_of(const Observation& seen) {
+  return {seen.velocity.value.x, seen.velocity.value.y, seen.climb_mps};
+}
 
 // The order of the way: who waits to go on comes before who does not, then who has waited longer,
 // then the smaller index. Manners only: who is wrong about it waits too long, or meets the
@@ -175,6 +202,7 @@ struct RobotLimits {
   double tracking_m = 0;
   double drive_per_m = 0, idle_per_s = 0, drain_per_s = 0, charge_per_s = 0;  // of a full battery
   double disturbance_mps2 = 0;  // pushes the robot, whoever drives
+  bool in_space = false;        // it moves up and down, too: all of these are of space
 };
 
 }  // namespace rtac

@@ -26,6 +26,12 @@ struct Position {  // map frame
 struct Velocity {  // map frame
   Speed x, y;
 };
+struct Position3 {  // map frame, z up
+  Length x, y, z;
+};
+struct Velocity3 {  // map frame, z up
+  Speed x, y, z;
+};
 struct Pose {  // of one frame in another
   Length x, y;
   Angle heading;  // from the x axis, counter-clockwise

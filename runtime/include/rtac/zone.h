@@ -32,6 +32,17 @@ struct ZoneView {
   const ZoneOutline* tree = nullptr;
 };
 
+// A zone with height: zones of the plane, each from one height to another, from below to above.
+struct SlabView {
+  const ZoneView* base = nullptr;
+  double floor_m = 0, ceiling_m = 0;  // both belong to it
+};
+struct SolidView {
+  const char* name = "";
+  const SlabView* slabs = nullptr;
+  std::size_t slab_count = 0;
+};
+
 // Signed distance (m) from `p` to the boundary: positive inside, negative outside. Exact up to
 // double rounding: for controllers and for judging the true state, not for decisions. With a tree,
 // places inside that are farther from the boundary than it tells (the manifest's `exact_mm`) get a
@@ -41,6 +52,8 @@ double signed_clearance(const ZoneView& zone, Vec2 p);
 // zone, up to the same bound; at most 0, and within 1 mm of the true minimum, for one that meets or
 // crosses the boundary.
 double signed_clearance(const ZoneView& zone, Vec2 a, Vec2 b);
+// Of a zone with height, in space, likewise.
+double signed_clearance(const SolidView& zone, Vec3 p);
 // Closest point of the boundary.
 Vec2 nearest_boundary(const ZoneView& zone, Vec2 p);
 // Unit vector out of danger: outside towards the closest point of the boundary, inside away from

@@ -79,7 +79,7 @@ class Pilot<Acceleration> {
   [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
 
  private:
-  [[nodiscard]] Acceleration limited(Vec2 a, double limit_mps2) const;
+  [[nodiscard]] Acceleration limited(Vec3 a, double limit_mps2) const;
 
   RobotLimits limits_;
   TimeUs period_us_;
@@ -90,8 +90,8 @@ class Pilot<Acceleration> {
   LegTracker tracker_;
   bool latched_ = false, driving_ = false;
   RestWitness rest_;
-  Vec2 hold_at_;
-  Vec2 last_velocity_;
+  Vec3 hold_at_;
+  Vec3 last_velocity_;
   TimeUs last_seen_us_ = never_us;
 };
 

@@ -11,7 +11,7 @@ namespace rtac::sim {
 
 // Where a property fails soonest.
 struct Threat {
-  Vec2 direction;     // unit vector in which the robot's margin falls fastest
+  Vec3 direction;     // unit vector in which the robot's margin falls fastest; in the plane z is 0
   double margin = 0;  // that it has, in scales of its unit
   int monitor = -1;   // -1: no property depends on where the robot is
 };
@@ -41,9 +41,10 @@ class Arena {
   [[nodiscard]] bool has(Aim aim) const;
 
  private:
-  [[nodiscard]] double margin(std::size_t monitor, int robot, Vec2 at) const;
+  [[nodiscard]] double margin(std::size_t monitor, int robot, Vec3 at) const;
   [[nodiscard]] bool is_aim(std::size_t monitor, Aim aim) const;
   [[nodiscard]] Vec2 steepest(std::size_t monitor, int robot, double reach_m) const;
+  [[nodiscard]] Vec3 steepest_in_space(std::size_t monitor, int robot, double reach_m) const;
 
   const Surroundings& surroundings_;
   const std::vector<Property>& properties_;

@@ -21,7 +21,7 @@ class Chase final : public Controller<Output> {
  private:
   enum class Phase { push, run_up, slide, creep };
   void choose(TimeUs now_us);
-  [[nodiscard]] Vec2 wanted(const Threat& threat, bool& all_out);
+  [[nodiscard]] Vec3 wanted(const Threat& threat, bool& all_out);
 
   const Arena& arena_;
   int robot_;

@@ -27,6 +27,10 @@ inline double length(Vec2 v) {
   return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
+inline double length(Vec3 v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
 inline double clamp(double value, double lo, double hi) {
   return value < lo ? lo : (value > hi ? hi : value);
 }

@@ -16,6 +16,7 @@ enum class PropertyOp {
   speed,
   clearance,  // of the body from the boundary of zone `index`, negative outside
   distance,   // between the bodies of the robot and the other one
+  altitude,   // of the centre
   energy_to,  // to site `index`: at least what the straight way takes
   add,
   subtract,
@@ -48,6 +49,8 @@ struct Surroundings {
   std::vector<std::vector<Vec2>> sites;  // by site, then by robot
   double radius_m = 0;
   double drive_per_m = 0;
+  // By zone: those with height have slabs, the others none.
+  std::vector<SolidView> solids{};
 };
 
 // A robot `self` that stands at `at` while everything else is as in `truths`.
@@ -56,7 +59,10 @@ struct Scene {
   const std::vector<TruthState>& truths;
   int self = 0;
   Vec2 at;
+  double height_m = 0;
 };
+// Where it is.
+Scene scene_of(const Surroundings& surroundings, const std::vector<TruthState>& truths, int self);
 
 // Signed: not negative where it holds. Atoms without a quantity are infinite. Zones are looked at
 // edge by edge, whatever tables there are.

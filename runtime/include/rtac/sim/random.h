@@ -48,6 +48,9 @@ class Random {
   Vec2 in_disc(double radius) { return radius * unit_disc(); }
   // A direction, uniform, times the radius; its length exceeds the radius by no rounding.
   Vec2 on_circle(double radius);
+  // The same in space.
+  Vec3 in_ball(double radius) { return radius * unit_ball(); }
+  Vec3 on_sphere(double radius);
 
  private:
   static std::uint64_t split_mix(std::uint64_t& state) {
@@ -59,6 +62,7 @@ class Random {
   }
   static std::uint64_t rotate_left(std::uint64_t x, int by) { return (x << by) | (x >> (64 - by)); }
   Vec2 unit_disc();
+  Vec3 unit_ball();
 
   std::uint64_t state_[4] = {};
 };

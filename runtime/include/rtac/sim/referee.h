@@ -51,7 +51,7 @@ class Referee {
   std::vector<double> steepness_per_m_;
   std::vector<LeastMargin> least_;
   std::vector<Anchor> anchors_;  // by monitor, then robot
-  std::vector<Vec2> before_;
+  std::vector<Vec3> before_;
   std::vector<double> way_m_;
   double fastest_way_m_ = 0;
   Violation violation_;

@@ -36,6 +36,7 @@ struct RobotSetup {
   double battery = 1;  // 1 = full
   bool has_dock = false;
   Vec2 dock;
+  double height_m = 0;  // of the start, in space
 };
 
 struct WorldOptions {
@@ -69,8 +70,15 @@ struct TruthState {
   double speed_mps = 0;  // unicycle: along the heading, signed; point mass: norm of the velocity
   double turn_radps = 0;
   double battery = 1;
-  bool charging = false;  // connected to its dock and not yet full
+  bool charging = false;               // connected to its dock and not yet full
+  double height_m = 0, climb_mps = 0;  // in space: z of position and velocity
 };
+inline Vec3 position_of(const TruthState& truth) {
+  return {truth.position.x, truth.position.y, truth.height_m};
+}
+inline Vec3 velocity_of(const TruthState& truth) {
+  return {truth.velocity.x, truth.velocity.y, truth.climb_mps};
+}
 
 inline constexpr double dock_reach_m = 0.15;
 inline constexpr double dock_speed_mps = 0.02;

@@ -69,6 +69,7 @@ class PlanExecutor final : public ExecutorMachine {
 
   Observation observation_;
   Sample<Vec2> last_velocity_;  // the last one that was a number
+  double last_climb_mps_ = 0;   // of that
   Path plan_;
   Situation situation_;
   Output proposal_{};  // of the advanced controller, where commands are judged
