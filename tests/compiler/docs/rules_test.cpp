@@ -184,6 +184,9 @@ TEST(Rule7_6, IsAsShown) {
 TEST(Rule7_7, IsAsShown) {
   expect_as_shown("7.7");
 }
+TEST(Rule7_8, IsAsShown) {
+  expect_as_shown("7.8");
+}
 TEST(Rule8, IsAsShown) {
   expect_as_shown("8");
 }
