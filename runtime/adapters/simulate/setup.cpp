@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "field.h"
 #include "rtac/sim/math.h"
 #include "rtac/sim/random.h"
 #include "run.h"
@@ -17,76 +18,13 @@ constexpr std::uint64_t setup_stream = 3001;
 constexpr int tries_max = 4000;
 // Among so many admissible places the widest one is taken, unless one is wide enough before.
 constexpr int tries_wide = 40;
-constexpr double wide = 0.5;        // in scales of the margins
-constexpr double open_field_m = 4;  // half of its width, without any zone
+constexpr double wide = 0.5;  // in scales of the margins
 // How long samples are lost. A body whose speed is commanded stops by itself; one whose
 // acceleration is commanded coasts on when it does not know how fast it is, and no look-ahead
 // covers that.
 constexpr TimeUs fault_us_twist = 1'000'000;
 constexpr TimeUs fault_periods_acceleration = 3;
 constexpr double battery_least = 0.3;  // at the start
-
-struct Box {
-  Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 hi{-lo.x, -lo.y};
-  double bottom = std::numeric_limits<double>::infinity(), top = -bottom;  // in space
-  void hold_height(double z) {
-    bottom = std::min(bottom, z);
-    top = std::max(top, z);
-  }
-  void hold(Vec2 p) {
-    lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
-    hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
-  }
-};
-
-void hold_zone(const ZoneView& zone, Box& box) {
-  constexpr double m_per_mm = 1e-3;
-  for (std::size_t e = 0; e < 4 * zone.edge_count; e += 2) {
-    box.hold({m_per_mm * zone.edges_mm[e], m_per_mm * zone.edges_mm[e + 1]});
-  }
-}
-
-// On either side of a height that a property speaks of.
-constexpr double beside_height_m = 10;
-
-void hold_zones(const sim::Property& p, const DecisionCase& d, Box& box) {
-  if (p.op == sim::PropertyOp::inside || p.op == sim::PropertyOp::clearance) {
-    const auto index = static_cast<std::size_t>(p.index);
-    hold_zone(d.surroundings.zones[index], box);
-    const SolidView& solid = d.surroundings.solids[index];
-    for (std::size_t k = 0; k < solid.slab_count; ++k) {
-      hold_zone(*solid.slabs[k].base, box);
-      box.hold_height(solid.slabs[k].floor_m);
-      box.hold_height(solid.slabs[k].ceiling_m);
-    }
-  }
-  if (p.op == sim::PropertyOp::at_least) {
-    const bool left = p.of[0].op == sim::PropertyOp::altitude;
-    const sim::Property& limit = p.of[left ? 1 : 0];
-    if ((left || p.of[1].op == sim::PropertyOp::altitude) &&
-        limit.op == sim::PropertyOp::constant) {
-      box.hold_height(limit.value - beside_height_m);
-      box.hold_height(limit.value + beside_height_m);
-    }
-  }
-  for (const sim::Property& each : p.of) hold_zones(each, d, box);
-}
-
-Box field(const DecisionCase& d) {
-  Box box;
-  for (const sim::Property& p : d.properties) hold_zones(p, d, box);
-  if (box.lo.x > box.hi.x) {
-    const double half_m = open_field_m * std::sqrt(static_cast<double>(d.robots.size()));
-    box.hold({-half_m, -half_m});
-    box.hold({half_m, half_m});
-  }
-  if (box.bottom > box.top) {
-    box.hold_height(-open_field_m);
-    box.hold_height(open_field_m);
-  }
-  return box;
-}
 
 // The least margin of all robots that have a place so far.
 double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths) {
@@ -107,12 +45,12 @@ const Start* named(const Scenario& scenario, const std::string& robot) {
 }
 
 // Where the scenario says, else anywhere.
-void draw(const DecisionCase& d, const Box& box, const Start* fixed, Random& random,
+void draw(const DecisionCase& d, const Field& field, const Start* fixed, Random& random,
           TruthState& truth) {
-  truth.position = {random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y)};
+  truth.position = field.draw(random);
   truth.heading_rad = random.uniform(-sim::pi, sim::pi);
   truth.battery = random.uniform(battery_least, 1);
-  if (d.limits.in_space) truth.height_m = random.uniform(box.bottom, box.top);
+  if (d.limits.in_space) truth.height_m = field.draw_height(random);
   if (fixed == nullptr) return;
   truth.position = fixed->place.value_or(truth.position);
   if (fixed->place) truth.height_m = fixed->height_m;
@@ -120,7 +58,7 @@ void draw(const DecisionCase& d, const Box& box, const Start* fixed, Random& ran
   truth.battery = fixed->battery.value_or(truth.battery);
 }
 
-bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& random,
+bool place(const DecisionCase& d, const Field& field, const Start* fixed, Random& random,
            std::vector<TruthState>& truths) {
   TruthState best;
   double best_margin = -1;
@@ -128,7 +66,7 @@ bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& ra
   truths.emplace_back();
   for (int k = 0; k < tries_max; ++k) {
     TruthState& truth = truths.back();
-    draw(d, box, fixed, random, truth);
+    draw(d, field, fixed, random, truth);
     if (fixed != nullptr && fixed->place) return true;  // as the author of the scenario wants it
     const double margin = least_margin(d, truths);
     if (margin < 0) continue;
@@ -143,15 +81,30 @@ bool place(const DecisionCase& d, const Box& box, const Start* fixed, Random& ra
 }
 
 // All at once, for properties that hold of nobody who is alone: somebody is near.
-bool place_together(const DecisionCase& d, const Box& box, const Scenario& scenario, Random& random,
-                    std::vector<TruthState>& truths) {
+bool place_together(const DecisionCase& d, const Field& field, const Scenario& scenario,
+                    Random& random, std::vector<TruthState>& truths) {
   constexpr int tries_together = 50'000;
   truths.assign(d.robots.size(), {});
   for (int n = 0; n < tries_together; ++n) {
     for (std::size_t i = 0; i < truths.size(); ++i) {
-      draw(d, box, named(scenario, d.robots[i]), random, truths[i]);
+      draw(d, field, named(scenario, d.robots[i]), random, truths[i]);
     }
     if (least_margin(d, truths) >= 0) return true;
+  }
+  return false;
+}
+
+bool place_all(const DecisionCase& d, const Scenario& scenario, Random& random,
+               std::vector<TruthState>& truths) {
+  constexpr int widenings_max = 6;
+  Field field(d);
+  for (int n = 0; n <= widenings_max; ++n) {
+    truths.clear();
+    const bool apart = std::all_of(d.robots.begin(), d.robots.end(), [&](const std::string& robot) {
+      return place(d, field, named(scenario, robot), random, truths);
+    });
+    if (apart || place_together(d, field, scenario, random, truths)) return true;
+    if (!field.widen()) return false;
   }
   return false;
 }
@@ -160,9 +113,9 @@ bool place_together(const DecisionCase& d, const Box& box, const Scenario& scena
 
 Vec2 draw_place(const DecisionCase& d, const std::vector<TruthState>& truths, int robot,
                 Random& random) {
-  const Box box = field(d);
+  const Field field(d);
   for (int k = 0; k < tries_max; ++k) {
-    const Vec2 at{random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y)};
+    const Vec2 at = field.draw(random);
     const bool holds =
         std::all_of(d.properties.begin(), d.properties.end(), [&](const sim::Property& p) {
           return margin_of(p, {d.surroundings, truths, robot, at}) >= 0;
@@ -193,12 +146,8 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
                   scenario.fault_us_max.value_or(
                       d.twist ? fault_us_twist : fault_periods_acceleration * d.period_us)};
   Random random = Random::stream(seed, setup_stream, 0);
-  const Box box = field(d);
   std::vector<TruthState> truths;
-  const bool apart = std::all_of(d.robots.begin(), d.robots.end(), [&](const std::string& robot) {
-    return place(d, box, named(scenario, robot), random, truths);
-  });
-  if (!apart && !place_together(d, box, scenario, random, truths)) {
+  if (!place_all(d, scenario, random, truths)) {
     return {
         "no places were found where every property of `" + d.name + "` holds",
         R"(say where robots start: `"starts": {")" + d.robots.front() + R"(": {"at": [1, 2]}}`)",

@@ -31,6 +31,13 @@ decision drive for Rover { advanced patrol; period 50 ms; priority fence; }
 }
 const std::string blind = R"(1 waypoint, waypoints only unsound "for the test")";
 
+// A pillar stands in the yard, and the recovery knows of it.
+std::string with_pillar(const std::string& always) {
+  const std::string zones =
+      "zone pillar = rectangle (3 m, 3 m) to (4 m, 4 m);\nzone free = yard - pillar;\nrobot Rover";
+  return edited(edited(yard("50 ms", always), "robot Rover", zones), "within yard", "within free");
+}
+
 class Simulations : public InFolder {
  protected:
   void SetUp() override {
@@ -43,6 +50,11 @@ class Simulations : public InFolder {
   }
   // Without what depends on the machine: how many robot-hours a core-second.
   static std::string steady(const std::string& table) { return table.substr(table.find('\n')); }
+  // Of a monitor's row: `name recovery drives % margin m`.
+  static double least_m(const std::string& table, const std::string& row) {
+    const std::size_t margin = table.find('%', table.rfind(row));
+    return margin == std::string::npos ? 1e9 : std::strtod(table.c_str() + margin + 1, nullptr);
+  }
   static std::size_t count(const std::string& text, const std::string& part) {
     std::size_t found = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
@@ -118,6 +130,26 @@ TEST_F(Simulations, AScenarioSaysWhereRobotsStart) {
   const Outcome o = rtac({"sim", "spec.rta", "--scenario", "out.json"});
   EXPECT_EQ(o.status, 3) << o.err;
   EXPECT_NE(o.out.find("by r1 at 0 s, down to -1.2"), std::string::npos) << o.out;
+}
+
+// Of the only zone that is spoken of the outside goes on for hundreds of km: nobody would come
+// near.
+TEST_F(Simulations, WhatKeepsOutIsAttackedWhereItIs) {
+  write("spec.rta", with_pillar("r inside complement(pillar)"));
+  const Outcome sound = rtac({"sim", "spec.rta", "--runs", "8"});
+  EXPECT_EQ(sound.status, 0) << sound.err << sound.out;
+  EXPECT_LT(least_m(sound.out, "\nfence "), 0.4) << sound.out;
+  const Outcome mutant = rtac({"sim", "spec.rta", "--runs", "8", "--adversary", "chase-fence",
+                               "--mutate", "no-stopping-distance"});
+  EXPECT_EQ(mutant.status, 3) << mutant.err << mutant.out;
+}
+
+// Beside a zone that must hold, a hole is a hole in it.
+TEST_F(Simulations, WhatKeepsOutAndWhatKeepsInAreAttackedTogether) {
+  write("spec.rta", with_pillar("r inside yard and distance(r, pillar) >= 10 cm"));
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "8"});
+  EXPECT_EQ(o.status, 0) << o.err << o.out;
+  EXPECT_LT(least_m(o.out, "\nfence "), 0.4) << o.out;
 }
 
 // Nobody is near anybody before there are two.
