@@ -73,6 +73,12 @@ class Deriver {
     check_recoveries(
         spec_, out_.module,
         [this](ir::ZoneIndex zone) -> const geometry::Region& { return zone_of(zone).exact; },
+        [this](ir::ZoneIndex zone) {
+          const EvaluatedZone& of = zone_of(zone);
+          if (of.solid) return of.solid->exact;
+          const geometry::Slab all = geometry::Solid::everywhere().slabs().front();
+          return geometry::Solid::prism(of.exact, all.floor, all.ceiling);
+        },
         diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
     return std::move(out_);
@@ -479,8 +485,13 @@ class Deriver {
                               [](const sema::Route&) { return ir::RecoveryKind::route; },
                               [](const sema::Yield&) { return ir::RecoveryKind::yield; },
                               [](const sema::BrakeAndHold&) { return ir::RecoveryKind::brake; },
-                              [](const sema::Loiter&) { return ir::RecoveryKind::loiter; }},
+                              [](const sema::Loiter&) { return ir::RecoveryKind::loiter; },
+                              [](const sema::Land&) { return ir::RecoveryKind::land; }},
                    what);
+    if (const auto* land = std::get_if<sema::Land>(&what)) {
+      r.land_mm = ceil_to_int(Rational(land->height.value * 1000));
+      r.speed_mmps = ceil_to_int(Rational(land->speed.value * 1000));
+    }
     if (const auto moves = sema::moves_of(what)) {
       r.zone = out_.tables.zone(moves->zone);
       r.speed_mmps = ceil_to_int(Rational(moves->speed * 1000));
@@ -502,10 +513,10 @@ class Deriver {
     const Rational pushed = pushed_speed(kind, period_us);
     Rational speed = 0;  // whoever stands never gets faster than it was found
     for (const sema::Template& what : all) {
-      const auto moves = sema::moves_of(what);
-      if (!moves) continue;
-      speed = std::max(speed, moves->speed);
-      if (moves->speed <= pushed) report_pushed_back(c, pushed, kind);
+      const auto own = sema::speed_of(what);
+      if (!own) continue;
+      speed = std::max(speed, *own);
+      if (*own <= pushed) report_pushed_back(c, pushed, kind);
     }
     return recovery_motion(kind, c.name, speed, period_us);
   }

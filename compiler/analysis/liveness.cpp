@@ -259,6 +259,7 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
                                        const ir::Decision& decision, const ir::Recovery& recovery) {
   const ir::Recovery& last = ir::last_step(recovery);
   if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return std::nullopt;
+  if (decision.body.in_space) return std::nullopt;  // its ways are not those over cells
   const Ways ways = ways_of(module, decision, last);
   if (!ways.longest_mm || !ways.stranded.empty()) return std::nullopt;
   // from where it stands to the centre of a cell (connector_reach_m of the search)

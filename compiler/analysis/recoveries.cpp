@@ -45,7 +45,7 @@ class Recoveries {
   void run() {
     const auto& params = decision_.facts.params;
     for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
-      if (!ir::moves(step->kind)) continue;
+      if (!ir::moves(step->kind) || decision_.body.in_space) continue;
       for (const ir::ZoneIndex fence : fences_of(monitor_.property, params)) {
         if (elsewhere(*step, fence)) break;
       }
@@ -101,7 +101,8 @@ class Recoveries {
   // recovery has to lead out of that.
   void outward(const Asks& asks) {
     const ir::RecoveryKind last = ir::last_step(monitor_.recovery).kind;
-    const bool stays = (asks.clearance || asks.distance) && last == ir::RecoveryKind::brake;
+    const bool stands = last == ir::RecoveryKind::brake || last == ir::RecoveryKind::land;
+    const bool stays = (asks.clearance || asks.distance) && stands;
     const bool waits = asks.clearance && last == ir::RecoveryKind::yield;
     const bool holds = stays || waits;
     if (written_.hold_reason && !holds) return unneeded();
@@ -113,7 +114,10 @@ class Recoveries {
         decision_.body.radius_mm;
     const std::string name = "`" + controller_.name + "`";
     diag::Diagnostic d = finding(Code::recovery_stands,
-                                 name + (waits ? " makes way for robots alone" : " only stands") +
+                                 name +
+                                     (waits ? " makes way for robots alone"
+                                      : last == ir::RecoveryKind::land ? " only goes down"
+                                                                       : " only stands") +
                                      ": where `" + monitor_.name + "` is false, it stays false");
     d.label = "does not lead out of a violation";
     d.notes.push_back({std::nullopt, "beyond the property at full speed, it stops up to " +
@@ -169,6 +173,7 @@ class Recoveries {
   void claimed() {
     const ir::Recovery& r = monitor_.recovery;
     if (r.kind != ir::RecoveryKind::external) return;
+    if (r.claims && decision_.body.in_space) return;  // refused before
     if (r.claims) {
       ir::Recovery mover = r;
       for (const ir::ZoneIndex fence : fences_of(monitor_.property, decision_.facts.params)) {
@@ -193,6 +198,7 @@ class Recoveries {
   void way_back() {
     const ir::Recovery& last = ir::last_step(monitor_.recovery);
     if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return;
+    if (decision_.body.in_space) return;    // its ways are not those over cells
     if (diagnostics_.has_errors()) return;  // numbers that do not work out yet
     const Ways ways = ways_of(module_, decision_, last);
     if (ways.stranded.empty()) too_narrow(last);
@@ -256,7 +262,7 @@ class Recoveries {
 }  // namespace
 
 void check_recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                      diag::Engine& diagnostics) {
+                      const ExactSolid& solid, diag::Engine& diagnostics) {
   for (std::size_t i = 0; i < module.decisions.size(); ++i) {
     const ir::Decision& decision = module.decisions[i];
     if (decision.on_plan) continue;
@@ -264,6 +270,10 @@ void check_recoveries(const sema::Spec& spec, const ir::Module& module, const Ex
       const sema::Monitor& written = spec[spec.decisions[i].priority[k]];
       if (!written.recover) continue;
       Recoveries(spec, module, exact, decision, written, decision.monitors[k], diagnostics).run();
+      if (!decision.body.in_space) continue;
+      if (auto found = misplaced_in_space(written, module, decision, decision.monitors[k], solid)) {
+        diagnostics.report(std::move(*found));
+      }
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/geometry/region.h"
 #include "compiler/ir/module.h"
@@ -17,6 +18,6 @@ namespace rtac::analysis {
 using ExactZone = std::function<const geometry::Region&(ir::ZoneIndex)>;
 
 void check_recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                      diag::Engine& diagnostics);
+                      const ExactSolid& solid, diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

@@ -200,6 +200,7 @@ std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t
   if (!robots) return solid;
   for (BakedSlab& slab : solid.within) slab.baked = analysis::baked(slab.snapped);
   solid.widest = widest_of(*inner, solid.within);
+  solid.exact = *inner;
   return solid;
 }
 

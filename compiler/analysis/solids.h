@@ -30,6 +30,7 @@ struct EvaluatedSolid {
     std::int32_t mm = 0, z_mm = 0;
     geometry::GridPoint at{};
   } widest{};
+  geometry::Solid exact{};  // for robots
 };
 
 class SolidEvaluator : public ZoneAlgebra<SolidEvaluator, geometry::Solid> {

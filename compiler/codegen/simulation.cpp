@@ -108,6 +108,8 @@ const char* name_of(ir::RecoveryKind kind) {
       return "brake";
     case ir::RecoveryKind::loiter:
       return "loiter";
+    case ir::RecoveryKind::land:
+      return "land";
     case ir::RecoveryKind::sequence:
       return "sequence";
   }
@@ -118,6 +120,10 @@ Json recovery(const ir::Recovery& r, const sema::RobotKind& kind) {
   Json j{{"name", r.name}, {"kind", name_of(r.kind)}};
   j["lasts_us"] = r.lasts_us;
   for (const ir::Recovery& step : r.steps) j["steps"].push_back(recovery(step, kind));
+  if (r.kind == ir::RecoveryKind::land) {
+    j["speed_mps"] = metres(r.speed_mmps);
+    j["land_at_m"] = metres(r.land_mm);
+  }
   if (!ir::moves(r.kind)) return j;
   j["zone"] = static_cast<std::uint32_t>(r.zone);
   if (r.kind == ir::RecoveryKind::route) j["site"] = static_cast<std::uint32_t>(r.site);

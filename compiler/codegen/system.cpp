@@ -262,7 +262,14 @@ class SystemPrinter {
     body.line("std::array<rtac::RobotParts<" + output_ + ">, robots> parts_;");
     body.line("rtac::System<" + output_ + "> system_;");
   }
+  // It moves up and down as well: recoveries that move are others than those of the plane.
+  static bool flies(const Recovery& r, const Body& b) {
+    return b.in_space && (r.kind == RecoveryKind::retreat || r.kind == RecoveryKind::land);
+  }
   std::string type_of(const Recovery& r) const {
+    if (flies(r, d().body)) {
+      return r.kind == RecoveryKind::land ? "rtac::safe::Land" : "rtac::safe::RetreatInSpace";
+    }
     return "rtac::safe::" + std::string(class_of(r.kind)) + "<" + output_ + ">";
   }
   static const char* class_of(RecoveryKind kind) {
@@ -279,6 +286,8 @@ class SystemPrinter {
         return "Route";
       case RecoveryKind::yield:
         return "Yield";
+      case RecoveryKind::land:
+        return "Land";
       case RecoveryKind::external:
         return "Claimed";
     }
@@ -288,6 +297,9 @@ class SystemPrinter {
   static bool is_member(const Recovery& r) { return r.kind != RecoveryKind::external || r.claims; }
   std::string arguments_of(const Recovery& r) const {
     if (r.kind == RecoveryKind::brake) return "standing()";
+    if (r.kind == RecoveryKind::land) {
+      return "landing(" + metres(r.speed_mmps) + ", " + metres(r.land_mm) + ")";
+    }
     if (r.kind == RecoveryKind::external) return "standing(), " + claim_of(r);
     if (r.kind == RecoveryKind::sequence) {
       std::string steps;
@@ -336,8 +348,42 @@ class SystemPrinter {
       return std::any_of(steps.begin(), steps.end(), stands);
     });
   }
+  // In a zone with height; and down to a height.
+  void settings_in_space(Code& body) {
+    const auto is = [&](RecoveryKind kind, bool high) {
+      return std::any_of(recoveries_.begin(), recoveries_.end(), [&](const Recovery* r) {
+        return r->kind == kind && (!high || module_[r->zone].has_height());
+      });
+    };
+    if (is(RecoveryKind::retreat, true)) {
+      body.line(
+          "static rtac::safe::Setting setting(double speed_mps, const rtac::SolidView& zone,");
+      body.line("                                   double route_clearance_m, double give_back_m,");
+      body.block("                                   double /*pass_m*/)", [&](Code& f) {
+        f.line("rtac::safe::Setting s;");
+        f.line("s.limits = " + kind_name_ + "_limits();");
+        f.line("s.period_us = " + std::to_string(d().period_us) + ";");
+        f.line("s.speed_mps = speed_mps;");
+        f.line("s.solid = &zone;");
+        f.line("s.route_clearance_m = route_clearance_m;");
+        f.line("s.return_clearance_m = give_back_m;");
+        f.line("return s;");
+      });
+    }
+    if (!is(RecoveryKind::land, false)) return;
+    body.block("static rtac::safe::Setting landing(double speed_mps, double land_at_m)",
+               [&](Code& f) {
+                 f.line("rtac::safe::Setting s;");
+                 f.line("s.limits = " + kind_name_ + "_limits();");
+                 f.line("s.period_us = " + std::to_string(d().period_us) + ";");
+                 f.line("s.speed_mps = speed_mps;");
+                 f.line("s.land_at_m = land_at_m;");
+                 f.line("return s;");
+               });
+  }
   void setting(Code& body) {
     if (any_stands()) standing(body);
+    settings_in_space(body);
     body.line("static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,");
     body.line("                                   double route_clearance_m, double give_back_m,");
     body.block("                                   double pass_m)", [&](Code& f) {
@@ -428,7 +474,9 @@ std::string system_header(const Module& module, const sema::Spec& spec, const Na
   out.line("#pragma once").blank();
   out.line("#include <array>").blank();
   if (any_claims(module)) out.line("#include \"rtac/safe/claim.h\"");
-  out.line("#include \"rtac/safe/controllers.h\"").line("#include \"rtac/stack/system.h\"");
+  out.line("#include \"rtac/safe/controllers.h\"");
+  if (in_space(module)) out.line("#include \"rtac/safe/space.h\"");
+  out.line("#include \"rtac/stack/system.h\"");
   out.line("#include \"" + naming.stem + ".h\"").blank();
   out.line("namespace " + naming.space + " {").blank();
   const std::vector<Kind> kinds = kinds_of(module, spec);

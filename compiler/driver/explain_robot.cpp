@@ -62,6 +62,10 @@ class RobotRemarks {
         std::find_if(module_.zones.begin(), module_.zones.end(),
                      [&](const ZoneTable& z) { return !from.name.empty() && z.name == from.name; });
     if (table == module_.zones.end()) return;
+    if (table->has_height()) {
+      slabs(from, *table);
+      return;
+    }
     const Cells& cells = table->cells;
     const std::size_t size = table->edges.size() * sizeof(Edge) + table->tree.bytes() +
                              cells.clearance_mm_lo.size() * sizeof(std::int32_t);
@@ -73,6 +77,17 @@ class RobotRemarks {
          std::to_string(cells.columns) + " x " + std::to_string(cells.rows) + " cells of " +
              metres(cells.cell_mm),
          "tables: " + bytes(size)});
+  }
+  void slabs(const sema::Zone& from, const ZoneTable& table) {
+    std::vector<std::string> lines;
+    for (const ZoneTable::Slab& slab : table.slabs) {
+      lines.push_back("from " + metres(slab.floor_mm) + " to " + metres(slab.ceiling_mm) + ": " +
+                      std::to_string(module_[slab.base].edges.size()) + " edges");
+    }
+    lines.push_back("widest place: clearance " + metres(table.widest_mm) + " at (" +
+                    metres(table.widest_x_mm) + ", " + metres(table.widest_y_mm) + ", " +
+                    metres(table.widest_z_mm) + ")");
+    add(join(from.name_range, from.value->range), "zone " + from.name, std::move(lines));
   }
   static SourceRange join(const SourceRange& a, const SourceRange& b) {
     return a.file == b.file ? SourceRange{a.file, a.begin, b.end} : a;
@@ -302,6 +317,12 @@ class RobotRemarks {
                      speed(r.speed_mmps) +
                      " at most; checked in every tick, and braked where it "
                      "does not");
+        return;
+      case RecoveryKind::land:
+        to.push_back("recovery " + r.name + ": goes straight down to " + metres(r.land_mm) +
+                     " and holds, at " + speed(r.speed_mmps) + " at most");
+        to.push_back("control returns only where that place has a clearance of " +
+                     metres(r.return_clearance_mm));
         return;
       case RecoveryKind::retreat:
         to.push_back("recovery " + r.name + ": retreats within " + module_[r.zone].name);

@@ -522,7 +522,7 @@ struct Lookahead {
   std::int64_t gap_us = 0;  // longest time between two steps that it covers
   bool command = false;     // under the known commands, where that is less
 };
-enum class RecoveryKind { external, retreat, route, yield, brake, loiter, sequence };
+enum class RecoveryKind { external, retreat, route, yield, brake, loiter, sequence, land };
 struct Recovery {
   std::string name;
   RecoveryKind kind = RecoveryKind::external;
@@ -539,6 +539,7 @@ struct Recovery {
   std::int64_t leave_us = 0;
   // A route knows ways from wherever the body keeps so much from the boundary of its zone.
   std::int64_t leave_least_mm = 0;
+  std::int64_t land_mm = 0;  // of a landing: how high the centre ends
 };
 // It knows a zone and moves within it.
 inline bool moves(RecoveryKind kind) {

@@ -251,6 +251,8 @@ class Printer {
         return "loiter";
       case RecoveryKind::sequence:
         return "sequence";
+      case RecoveryKind::land:
+        return "land";
     }
     return "";
   }

@@ -33,6 +33,8 @@ class ControllerChecker {
     controller_.implementation = std::move(external);
   }
   void implementation(const syntax::SequenceTemplate& sequence) {
+    range_ = written_.implementation_range;
+    if (kind_known_) knows_space("sequence");
     Sequence all;
     for (const syntax::SequenceStep& step : sequence.steps) {
       range_ = step.range;
@@ -56,7 +58,9 @@ class ControllerChecker {
   }
   Template manoeuvre(const syntax::RetreatTemplate& retreat) {
     built_in("retreat");
-    const auto zone = zone_in_frame(context_, retreat.zone);
+    const bool in_space = kind_known_ && context_.spec[controller_.kind].in_space;
+    const auto zone = zone_in_frame(context_, retreat.zone, map_frame, Change::refused,
+                                    in_space ? Height::allowed : Height::refused);
     return Retreat{zone.value_or(ZoneId{}), speed(retreat.speed, "retreat")};
   }
   Template manoeuvre(const syntax::LoiterTemplate& loiter) {
@@ -81,15 +85,28 @@ class ControllerChecker {
     }
     return Yield{zone.value_or(ZoneId{}), speed(yield.speed, "yield")};
   }
-  // Robots move in the plane: nothing is known of how far below the ground is, and how fast it may
+  // Of a robot in the plane nothing is known of how far below the ground is, and how fast it may
   // come nearer.
-  Template manoeuvre(const syntax::LandTemplate&) {
-    context_.report(
-        Finding(Code::land_without_height, range_, "`land` needs a height, and robots have none")
-            .label("robots move in the plane")
-            .help("`brake_and_hold` works: it brings the robot to rest over a place inside the "
-                  "zone, and its autopilot may land while the record names this recovery"));
-    return BrakeAndHold{};
+  Template manoeuvre(const syntax::LandTemplate& land) {
+    built_in("land");
+    if (kind_known_ && !context_.spec[controller_.kind].in_space) {
+      const RobotKind& kind = context_.spec[controller_.kind];
+      context_.report(
+          Finding(Code::land_without_height, range_,
+                  "`land` needs a height, and `" + kind.name + "` has none")
+              .label("the robot moves in the plane")
+              .note(kind.name_range, "it is declared here")
+              .help("declare `sense position : point3 ...` and `sense velocity : vector3 ...`; or "
+                    "`brake_and_hold` works: it brings the robot to rest over a place inside the "
+                    "zone, and its autopilot may land while the record names this recovery"));
+      return BrakeAndHold{};
+    }
+    if (!land.height) {
+      context_.missing_clause(range_, "`land`", "height", "to 0.5 m");
+      return BrakeAndHold{};
+    }
+    const auto height = quantity(context_, *land.height, {dims::length, "the height of `land`"});
+    return Land{height.value_or(Quantity{0, land.height->range}), speed(land.speed, "land")};
   }
 
   void report_broken_off() {
@@ -113,7 +130,8 @@ class ControllerChecker {
                                 "of your own"));
     }
     if (!kind_known_) return;
-    if (name != "brake_and_hold") knows_space(name);
+    const bool flies = name == "brake_and_hold" || name == "retreat" || name == "land";
+    if (!flies) knows_space(name);
     const std::string user = "`" + name + "`";
     const SourceRange& range = range_;
     context_.require(controller_.kind, Need::position, range, user);
@@ -130,7 +148,8 @@ class ControllerChecker {
         Finding(Code::not_in_space, range_, "`" + name + "` does not know robots in space yet")
             .label("`" + kind.name + "` has a height")
             .note(kind.name_range, "the robot is declared here")
-            .help("`brake_and_hold` works"));
+            .help("`brake_and_hold`, `retreat within Z speed 0.3 m/s` and `land to 0.5 m speed 0.3 "
+                  "m/s` work"));
   }
 
   Quantity speed(const syntax::ExprPtr& expr, const std::string& name) {

@@ -239,7 +239,10 @@ struct Loiter {
   ZoneId zone;
   Quantity speed;
 };
-using Template = std::variant<Retreat, Route, Yield, BrakeAndHold, Loiter>;
+struct Land {  // straight down, in space
+  Quantity height, speed;
+};
+using Template = std::variant<Retreat, Route, Yield, BrakeAndHold, Loiter, Land>;
 struct Sequence {
   struct Step {
     Template what;
@@ -252,7 +255,7 @@ struct Controller {
   SourceRange name_range;
   bool advanced;
   KindId kind;
-  std::variant<ExternController, Retreat, Route, Yield, BrakeAndHold, Loiter, Sequence>
+  std::variant<ExternController, Retreat, Route, Yield, BrakeAndHold, Loiter, Sequence, Land>
       implementation;
 };
 

@@ -153,6 +153,10 @@ class SpecPrinter {
         },
         [&](const Yield& yield) { return "yield" + within(yield.zone, yield.speed) + " order id"; },
         [](const BrakeAndHold&) { return std::string("brake_and_hold"); },
+        [&](const Land& land) {
+          return "land to " + show(land.height.value, dims::length) + " speed " +
+                 show(land.speed.value, dims::speed);
+        },
         [&](const Loiter& loiter) { return "loiter" + within(loiter.zone, loiter.speed); },
     };
     const auto sequence = [&](const Sequence& all) {

@@ -25,11 +25,18 @@ std::optional<ExternController::Claim> claim_of(const Controller& controller) {
 std::optional<Moves> moves_of(const Template& what) {
   return std::visit(Overloaded{
                         [](const BrakeAndHold&) { return std::optional<Moves>{}; },
+                        [](const Land&) { return std::optional<Moves>{}; },
                         [](const auto& moving) {
                           return std::optional<Moves>{{moving.zone, moving.speed.value}};
                         },
                     },
                     what);
+}
+
+std::optional<Rational> speed_of(const Template& what) {
+  if (const auto* land = std::get_if<Land>(&what)) return land->speed.value;
+  const auto moves = moves_of(what);
+  return moves ? std::optional(moves->speed) : std::nullopt;
 }
 
 std::optional<Route> route_of(const Controller& controller) {

@@ -11,7 +11,10 @@ std::vector<Template> templates_of(const Controller& controller);
 // What an external controller claims; none: nothing, or it is built in.
 std::optional<ExternController::Claim> claim_of(const Controller& controller);
 
-// Where a manoeuvre moves, and how fast; none: it stands.
+// How fast a manoeuvre is; none: it stands.
+std::optional<Rational> speed_of(const Template& what);
+
+// The zone that a manoeuvre moves in, and how fast; none: it stands, or goes straight down.
 struct Moves {
   ZoneId zone;
   Rational speed;

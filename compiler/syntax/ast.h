@@ -268,7 +268,9 @@ struct LoiterTemplate {   // loiter within free speed 0.1 m/s
   Name zone;
   ExprPtr speed;
 };
-struct LandTemplate {};
+struct LandTemplate {     // land to 0.5 m speed 0.3 m/s
+  ExprPtr height, speed;  // null: not given
+};
 using SafeTemplate = std::variant<RetreatTemplate, RouteTemplate, YieldTemplate, BrakeTemplate,
                                   LoiterTemplate, LandTemplate>;
 struct SequenceStep {

@@ -244,7 +244,12 @@ class Dumper {
     Level level{text_};
     part("Speed", node.speed);
   }
-  void add(const LandTemplate&, const SourceRange& range) { line("Land", range); }
+  void add(const LandTemplate& node, const SourceRange& range) {
+    line("Land", range);
+    Level level{text_};
+    part("To", node.height);
+    part("Speed", node.speed);
+  }
   void add(const SequenceTemplate& node, const SourceRange& range) {
     line("Sequence", range);
     Level level{text_};

@@ -80,8 +80,8 @@ std::string print_node(const BrakeTemplate&) {
 std::string print_node(const LoiterTemplate& node) {
   return "= loiter within " + node.zone.text + optional_part("speed", node.speed);
 }
-std::string print_node(const LandTemplate&) {
-  return "= land";
+std::string print_node(const LandTemplate& node) {
+  return "= land" + optional_part("to", node.height) + optional_part("speed", node.speed);
 }
 std::string print_node(const SequenceTemplate& node) {
   std::string text = "= sequence";

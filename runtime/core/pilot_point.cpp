@@ -91,6 +91,15 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
   return limited(spring + damper, b);
 }
 
+// The spring pulls the robot after it, no faster than the place moves: it is critically damped, and
+// knows nothing of that speed.
+bool Pilot<Acceleration>::carry(Vec3 to, double step_m) {
+  const Vec3 left = to - hold_at_;
+  const double left_m = norm(left);
+  hold_at_ = left_m <= step_m ? to : hold_at_ + (step_m / left_m) * left;
+  return left_m <= step_m;
+}
+
 Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& way) {
   const Vec2 v = observation.velocity.value, p = observation.position.value;
   if (!driving_) tracker_.begin(p);

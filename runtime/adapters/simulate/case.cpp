@@ -136,6 +136,7 @@ Recovery recovery(const Json& j) {
   r.pass_gap_m = j.value("pass_gap_m", 0.0);
   r.has_detour = j.contains("detour_m");
   r.detour_m = j.value("detour_m", 0.0);
+  r.land_at_m = j.value("land_at_m", 0.0);
   r.lasts_us = j.value("lasts_us", TimeUs{0});
   if (j.contains("steps")) {
     for (const Json& step : j.at("steps")) r.steps.push_back(recovery(step));

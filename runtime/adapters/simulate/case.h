@@ -37,6 +37,7 @@ struct Recovery {
   bool has_detour = false;
   TimeUs lasts_us = 0;  // as a step
   std::vector<Recovery> steps;
+  double land_at_m = 0;  // of "land"
 };
 
 struct MonitorCase {

@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
 #include "rtac/safe/controllers.h"
+#include "rtac/safe/space.h"
 #include "rtac/sim/arena.h"
 #include "rtac/sim/attacker.h"
 #include "rtac/sim/controllers.h"
@@ -205,6 +207,12 @@ class Fleet {
     s.return_clearance_m = r.return_clearance_m;
     s.pass_gap_m = r.pass_gap_m;
     if (r.has_detour) s.detour_m = r.detour_m;
+    if (s.limits.in_space) {
+      s.land_at_m = r.land_at_m;
+      const SolidView& solid = decision_.surroundings.solids[static_cast<std::size_t>(r.zone)];
+      if (solid.slab_count > 0) s.solid = &solid;
+      return in_space<Output>(r, s);
+    }
     if (r.kind == "retreat") return std::make_unique<safe::Retreat<Output>>(s);
     if (r.kind == "loiter") return std::make_unique<safe::Loiter<Output>>(s);
     if (r.kind == "yield") return std::make_unique<safe::Yield<Output>>(s);
@@ -213,6 +221,16 @@ class Fleet {
     return std::make_unique<safe::Route<Output>>(s, places[static_cast<std::size_t>(robot)]);
   }
 
+  // Recoveries that move up and down command accelerations.
+  template <class Command>
+  static std::unique_ptr<SafeController<Command>> in_space(const Recovery& r,
+                                                           const safe::Setting& s) {
+    if constexpr (std::is_same_v<Command, Acceleration>) {
+      if (r.kind == "retreat") return std::make_unique<safe::RetreatInSpace>(s);
+      if (r.kind == "land") return std::make_unique<safe::Land>(s);
+    }
+    return nullptr;
+  }
   std::unique_ptr<SafeController<Output>> sequence(const Recovery& r, int robot) const {
     std::vector<safe::Step<Output>> steps;
     for (const Recovery& each : r.steps) {

@@ -75,6 +75,8 @@ class Pilot<Acceleration> {
   // Follows `way` from way.index on and advances it; halts at its end.
   Acceleration drive(const Observation& observation, Path& way);
   [[nodiscard]] bool latched() const { return latched_; }
+  // While it holds: the place to hold moves by at most `step_m` towards `to`. True: it is there.
+  bool carry(Vec3 to, double step_m);
   // The motion that `drive` would command leads nowhere nearer to `from`.
   [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
 

@@ -23,6 +23,8 @@ struct Setting {
   // How much longer than the direct way to its site a recovery may drive in all: what the reserve
   // of the energy monitor covers. Beyond it, it waits for the others to make room.
   double detour_m = std::numeric_limits<double>::infinity();
+  const SolidView* solid = nullptr;  // of a robot in space, instead of the zone
+  double land_at_m = 0;              // of a landing: how high the centre ends
 };
 
 }  // namespace rtac::safe

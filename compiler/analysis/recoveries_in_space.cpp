@@ -1,0 +1,216 @@
+#include "compiler/analysis/recoveries_in_space.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/analysis/fences.h"
+#include "compiler/ir/linear.h"
+
+namespace rtac::analysis {
+namespace {
+
+using diag::Code;
+using Found = std::optional<diag::Diagnostic>;
+
+std::string metres(const Rational& m) {
+  return to_decimal(m) + " m";
+}
+std::string metres(std::int64_t mm) {
+  return metres(Rational(static_cast<long>(mm), 1000));
+}
+Rational thousandths(std::int64_t mm) {
+  Rational m(static_cast<long>(mm), 1000);
+  m.canonicalize();
+  return m;
+}
+
+// A corner of what lies in one region and not in the other.
+std::string some_corner(const geometry::Region& region) {
+  for (const geometry::Ring& ring : region.rings()) {
+    for (const geometry::Point& p : ring) {
+      return "(" + metres(floor_to_int(Rational(p.x * 1000))) + ", " +
+             metres(floor_to_int(Rational(p.y * 1000))) + ")";
+    }
+  }
+  return "";
+}
+
+class InSpace {
+ public:
+  InSpace(const sema::Monitor& written, const ir::Module& module, const ir::Decision& decision,
+          const ir::Monitor& monitor, const ExactSolid& exact)
+      : written_(written),
+        module_(module),
+        decision_(decision),
+        monitor_(monitor),
+        exact_(exact),
+        recovery_(monitor.recovery) {
+    collect_heights();
+  }
+
+  Found run() const {
+    if (recovery_.kind == ir::RecoveryKind::retreat) return retreat();
+    return recovery_.kind == ir::RecoveryKind::land ? landing() : std::nullopt;
+  }
+
+ private:
+  // Between which heights the property keeps the centre.
+  void collect_heights() {
+    ir::for_each_comparison(monitor_.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+      const auto most = ir::upper_bound(block, c);
+      if (most && most->leaf.kind == ir::Leaf::Kind::altitude) {
+        most_mm_ = std::min(most_mm_.value_or(most->most), most->most);
+      }
+      const auto least = ir::lower_bound(block, c, decision_.facts.params);
+      if (least && least->leaf.kind == ir::Leaf::Kind::altitude) {
+        least_mm_ = std::max(least_mm_.value_or(least->need.fixed), least->need.fixed);
+      }
+    });
+  }
+  [[nodiscard]] std::vector<ir::ZoneIndex> fences() const {
+    return fences_of(monitor_.property, decision_.facts.params);
+  }
+
+  Found retreat() const {
+    const ir::ZoneTable& zone = module_[recovery_.zone];
+    for (const ir::ZoneIndex fence : fences()) {
+      if (fence == recovery_.zone) continue;
+      const geometry::Solid beyond = exact_(recovery_.zone).subtract(exact_(fence));
+      if (beyond.empty()) continue;
+      const geometry::Slab& slab = beyond.slabs().front();
+      const bool flat = !zone.has_height() && module_[fence].has_height();
+      return elsewhere(
+          "`" + module_[fence].name + "`",
+          flat ? "`" + zone.name + "` reaches up and down without an end"
+               : "from " + metres(slab.floor) + " to " + metres(slab.ceiling) + " a part of `" +
+                     zone.name + "` lies outside `" + module_[fence].name + "`, such as " +
+                     some_corner(slab.region),
+          "a zone that lies in `" + module_[fence].name + "` works, such as that one itself");
+    }
+    if (!zone.has_height()) return std::nullopt;  // it keeps its height
+    const std::int64_t top_mm = zone.slabs.back().ceiling_mm;
+    const std::int64_t bottom_mm = zone.slabs.front().floor_mm;
+    if (most_mm_ && top_mm > *most_mm_) {
+      return elsewhere("the heights up to " + metres(*most_mm_),
+                       "`" + zone.name + "` reaches up to " + metres(top_mm),
+                       "a zone with a ceiling of at most " + metres(*most_mm_) + " works");
+    }
+    if (least_mm_ && bottom_mm < *least_mm_) {
+      return elsewhere("the heights from " + metres(*least_mm_) + " on",
+                       "`" + zone.name + "` reaches down to " + metres(bottom_mm),
+                       "a zone with a floor of at least " + metres(*least_mm_) + " works");
+    }
+    return std::nullopt;
+  }
+  Found elsewhere(const std::string& of, std::string note, std::string help) const {
+    diag::Diagnostic d =
+        finding(Code::recovery_elsewhere, "`" + recovery_.name + "` moves within `" +
+                                              module_[recovery_.zone].name + "`, and `" +
+                                              monitor_.name + "` needs it to stay in " + of);
+    d.label = "leads out of it";
+    d.notes.push_back({std::nullopt, std::move(note)});
+    d.help = std::move(help);
+    return d;
+  }
+
+  // Over a floor it keeps what it keeps of any boundary on its way.
+  Found landing() const {
+    const std::int64_t body_mm = decision_.body.radius_mm;
+    if (least_mm_) {
+      const std::int64_t lowest_mm = *least_mm_ + recovery_.route_clearance_mm - body_mm;
+      if (recovery_.land_mm < lowest_mm) {
+        return too_low("`" + monitor_.name + "` needs the centre above " + metres(*least_mm_),
+                       lowest_mm);
+      }
+    }
+    for (const ir::ZoneIndex fence : fences()) {
+      if (!module_[fence].has_height()) continue;
+      if (Found found = column(module_[fence].name, exact_(fence))) return found;
+    }
+    return std::nullopt;
+  }
+  // Every place above has all of the way down below it.
+  Found column(const std::string& zone, const geometry::Solid& solid) const {
+    const Rational end = thousandths(recovery_.land_mm);
+    const std::vector<geometry::Slab>& slabs = solid.slabs();
+    const auto in = std::ranges::find_if(
+        slabs, [&](const geometry::Slab& s) { return s.floor <= end && end < s.ceiling; });
+    const std::int64_t need_mm = recovery_.route_clearance_mm;
+    if (in == slabs.end()) {
+      const std::int64_t floor_mm = ceil_to_int(Rational(slabs.front().floor * 1000));
+      return too_low("`" + zone + "` has no place at that height", floor_mm + need_mm);
+    }
+    auto lowest = in;
+    while (lowest != slabs.begin() && std::prev(lowest)->ceiling == lowest->floor) --lowest;
+    const std::int64_t floor_mm = ceil_to_int(Rational(lowest->floor * 1000));
+    if (recovery_.land_mm < floor_mm + need_mm) {
+      return too_low("the floor of `" + zone + "` is at " + metres(floor_mm) + ", and `" +
+                         recovery_.name + "` keeps " + metres(need_mm) + " on its way",
+                     floor_mm + need_mm);
+    }
+    // what it reaches below its end belongs to the column, too
+    const Rational reach = thousandths(recovery_.land_mm - need_mm);
+    for (auto upper = std::next(slabs.begin()); upper != slabs.end(); ++upper) {
+      if (upper->floor <= reach) continue;
+      const auto lower = std::prev(upper);
+      if (lower->ceiling == upper->floor && lower->region.contains(upper->region)) continue;
+      const geometry::Region beyond =
+          lower->ceiling == upper->floor ? upper->region.subtract(lower->region) : upper->region;
+      return obstructed(zone, upper->floor, beyond);
+    }
+    return std::nullopt;
+  }
+  Found too_low(std::string note, std::int64_t works_mm) const {
+    diag::Diagnostic d = finding(Code::landing_outside,
+                                 "`" + recovery_.name + "` lands at " + metres(recovery_.land_mm) +
+                                     ", where `" + monitor_.name + "` may be false");
+    d.label = "leads out of it";
+    d.notes.push_back({std::nullopt, std::move(note)});
+    d.help = "`land to " + metres(works_mm) + "` works, where the zone is as high";
+    return d;
+  }
+  Found obstructed(const std::string& zone, const Rational& height,
+                   const geometry::Region& beyond) const {
+    diag::Diagnostic d =
+        finding(Code::landing_outside, "straight down `" + recovery_.name + "` leaves `" + zone +
+                                           "` at " + metres(height));
+    d.label = "the way down is not all in it";
+    d.notes.push_back({std::nullopt,
+                       "what is above that height is not all above what is below it, "
+                       "such as at " +
+                           some_corner(beyond)});
+    d.help = "a landing at " + metres(height) +
+             " or above, by what it keeps, works; or a zone that gets no narrower downwards; or "
+             "`retreat within " +
+             zone + " speed 0.3 m/s`";
+    return d;
+  }
+
+  diag::Diagnostic finding(Code code, std::string message) const {
+    diag::Diagnostic d{};
+    d.code = code;
+    d.range = written_.recover_range;
+    d.message = std::move(message);
+    return d;
+  }
+
+  const sema::Monitor& written_;
+  const ir::Module& module_;
+  const ir::Decision& decision_;
+  const ir::Monitor& monitor_;
+  const ExactSolid& exact_;
+  const ir::Recovery& recovery_;
+  std::optional<std::int64_t> most_mm_, least_mm_;
+};
+
+}  // namespace
+
+Found misplaced_in_space(const sema::Monitor& written, const ir::Module& module,
+                         const ir::Decision& decision, const ir::Monitor& monitor,
+                         const ExactSolid& exact) {
+  return InSpace(written, module, decision, monitor, exact).run();
+}
+
+}  // namespace rtac::analysis

@@ -1,0 +1,181 @@
+#include "rtac/safe/space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rtac/safe/pace.h"
+
+namespace rtac::safe {
+namespace {
+
+constexpr double s_per_us = 1e-6;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// As of other retreats: the clearance "does not fall" up to the resolution of the grid.
+constexpr double loss_m = 2e-3;
+// Looks at clearances, and cells that are tried, in one search.
+constexpr int looks_max = 4000, cells_tried_max = 24;
+
+double squared(double x) {
+  return x * x;
+}
+
+// What is around a place, looked at so many times at most.
+class Sight {
+ public:
+  explicit Sight(const Setting& setting) : solid_(setting.solid), flat_(setting.zone) {}
+
+  double clearance_m(Vec3 p) {
+    if (looks_-- <= 0) return -infinite;
+    return solid_ != nullptr ? signed_clearance(*solid_, p) : signed_clearance(*flat_, {p.x, p.y});
+  }
+  // No place of the leg is closer to the boundary: a clearance changes by no more than the way.
+  bool leg_is_clear(Vec3 a, Vec3 b, double least_m) {
+    const double length_m = norm(b - a);
+    const double middle_m = clearance_m(0.5 * (a + b));
+    if (!(middle_m >= least_m)) return false;
+    if (middle_m - length_m / 2 >= least_m || length_m <= 2 * loss_m) return true;
+    const Vec3 middle = 0.5 * (a + b);
+    return leg_is_clear(a, middle, least_m) && leg_is_clear(middle, b, least_m);
+  }
+  // Heights where a place may be `wanted_m` away from floors and ceilings, each as near to `z` as
+  // it gets.
+  template <class Visit>
+  void heights(double z, double wanted_m, const Visit& visit) const {
+    visit(z);
+    for (std::size_t i = 0; solid_ != nullptr && i < solid_->slab_count; ++i) {
+      for (std::size_t j = i; j < solid_->slab_count; ++j) {
+        if (j > i && solid_->slabs[j].floor_m != solid_->slabs[j - 1].ceiling_m) break;
+        const double low_m = solid_->slabs[i].floor_m + wanted_m;
+        const double high_m = solid_->slabs[j].ceiling_m - wanted_m;
+        if (low_m <= high_m) visit(std::clamp(z, low_m, high_m));
+      }
+    }
+  }
+  // The zone of the plane at a height; null: there is none.
+  [[nodiscard]] const ZoneView* at_height(double z) const {
+    if (solid_ == nullptr) return flat_;
+    for (std::size_t i = 0; i < solid_->slab_count; ++i) {
+      const SlabView& slab = solid_->slabs[i];
+      if (slab.floor_m <= z && z <= slab.ceiling_m) return slab.base;
+    }
+    return nullptr;
+  }
+
+ private:
+  const SolidView* solid_;
+  const ZoneView* flat_;
+  int looks_ = looks_max;
+};
+
+// The middles of cells that are clear enough on their level, the nearest first.
+template <class Accept>
+bool nearest_cell(const ZoneView& zone, Vec3 from, double wanted_m, const Accept& accept) {
+  double beyond = -1;  // squares of distances
+  for (int tries = 0; tries < cells_tried_max; ++tries) {
+    double nearest = infinite;
+    Vec3 best;
+    for (std::int32_t row = 0; row < zone.rows; ++row) {
+      for (std::int32_t column = 0; column < zone.columns; ++column) {
+        if (1e-3 * zone.clearance_mm_lo[row * zone.columns + column] < wanted_m) continue;
+        const Vec3 middle{1e-3 * (zone.origin_x_mm + (column + 0.5) * zone.cell_mm),
+                          1e-3 * (zone.origin_y_mm + (row + 0.5) * zone.cell_mm), from.z};
+        const double square = squared(middle.x - from.x) + squared(middle.y - from.y);
+        if (square <= beyond || square >= nearest) continue;
+        nearest = square;
+        best = middle;
+      }
+    }
+    if (nearest == infinite) return false;
+    if (accept(best)) return true;
+    beyond = nearest;
+  }
+  return false;
+}
+
+}  // namespace
+
+void Carried::engage(const Observation& observation) {
+  pilot_.engage(observation);
+  legs_.clear();
+  next_look_us_ = never_us;
+}
+
+Acceleration Carried::command(const Observation& observation, Gate gate) {
+  if (!pilot_.can_steer(observation)) {
+    legs_.clear();
+    return pilot_.brake_blind(observation);
+  }
+  if (!pilot_.latched()) {
+    legs_.clear();
+    return pilot_.halt(observation);
+  }
+  const Vec3 here = position_of(observation);
+  if (legs_.empty() && observation.now_us >= next_look_us_) {
+    next_look_us_ = observation.now_us + pace::look_every_us;
+    look(here, legs_);
+    leg_ = 0;
+  }
+  if (!legs_.empty() && gate == Gate::free) {
+    const Vec3 end = legs_[leg_];
+    const double step_m = setting_.speed_mps * static_cast<double>(setting_.period_us) * s_per_us;
+    // the hold comes to the end first, and the robot after it
+    if (pilot_.carry(end, step_m) && norm(end - here) <= end_reach_m(setting_.limits)) {
+      if (++leg_ == legs_.size()) legs_.clear();
+    }
+  }
+  return pilot_.halt(observation);
+}
+
+void Land::look(Vec3 from, Legs& legs) {
+  if (from.z <= setting_.land_at_m + end_reach_m(setting_.limits)) return;
+  (void)legs.push({from.x, from.y, setting_.land_at_m});
+}
+
+void RetreatInSpace::look(Vec3 from, Legs& legs) {
+  Sight sight(setting_);
+  const double now_m = sight.clearance_m(from);
+  if (now_m >= setting_.return_clearance_m) return;
+  const bool outside = now_m < setting_.limits.radius_m;
+  const double least_m = (outside ? now_m : std::min(now_m, setting_.route_clearance_m)) - loss_m;
+  // it ends a little short of its aim, by a measurement: deeper is better
+  const double slack_m = end_reach_m(setting_.limits) + setting_.limits.position_error_m;
+  FixedList<double, 4> wishes;
+  (void)wishes.push(setting_.return_clearance_m + slack_m);
+  (void)wishes.push(setting_.return_clearance_m);
+  if (outside) {
+    (void)wishes.push(setting_.route_clearance_m);
+    (void)wishes.push(setting_.limits.radius_m + slack_m);
+  }
+  for (const double wanted_m : wishes) {
+    double best_m = infinite;
+    sight.heights(from.z, wanted_m, [&](double z) {
+      const Vec3 level{from.x, from.y, z};
+      const double up_m = std::abs(z - from.z);
+      if (up_m >= best_m || (up_m > 0 && !sight.leg_is_clear(from, level, least_m))) return;
+      if (sight.clearance_m(level) >= wanted_m) {
+        best_m = up_m;
+        legs.clear();
+        (void)legs.push(level);
+        return;
+      }
+      const ZoneView* const zone = sight.at_height(z);
+      if (zone == nullptr) return;
+      (void)nearest_cell(*zone, level, wanted_m, [&](Vec3 aim) {
+        const double way_m = up_m + norm(aim - level);
+        if (way_m >= best_m) return true;  // whatever comes after it is no nearer
+        if (!(sight.clearance_m(aim) >= wanted_m) || !sight.leg_is_clear(level, aim, least_m)) {
+          return false;
+        }
+        best_m = way_m;
+        legs.clear();
+        if (up_m > 0) (void)legs.push(level);
+        (void)legs.push(aim);
+        return true;
+      });
+    });
+    if (!legs.empty()) return;
+  }
+}
+
+}  // namespace rtac::safe
