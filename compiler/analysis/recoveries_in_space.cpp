@@ -181,10 +181,10 @@ class InSpace {
                        "what is above that height is not all above what is below it, "
                        "such as at " +
                            some_corner(beyond)});
-    d.help = "a landing at " + metres(height) +
-             " or above, by what it keeps, works; or a zone that gets no narrower downwards; or "
-             "`retreat within " +
-             zone + " speed 0.3 m/s`";
+    const std::int64_t works_mm =
+        ceil_to_int(Rational(height * 1000)) + recovery_.route_clearance_mm;
+    d.help = "`land to " + metres(works_mm) +
+             "` works, or a zone that gets no narrower downwards, or a `retreat`";
     return d;
   }
 

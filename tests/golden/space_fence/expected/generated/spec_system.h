@@ -4,6 +4,7 @@
 #include <array>
 
 #include "rtac/safe/controllers.h"
+#include "rtac/safe/space.h"
 #include "rtac/stack/system.h"
 #include "spec.h"
 
