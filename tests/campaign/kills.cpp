@@ -50,7 +50,7 @@ const std::vector<Row>& kill_table() {
       {"no-message-age", "pair", "chase-robot", 20},
       {"others-stand", "pair", "chase-robot", 20},
       {"open-gate", "gate", "drop-outs", 60},
-      {"level-flight", "attic", "chase-fence", 20},
+      {"level-flight", "attic", "chase-fence", 20, "templates/short.json"},
       {"stale-charge", "fuel", "drain", 20},
   };
   return all;
