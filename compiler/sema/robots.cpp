@@ -193,11 +193,11 @@ class KindChecker {
     }
     const std::string name = signal->name;
     if (!first("sense " + name, range)) return;
-    if (std::string_view(signal->in_space) != "" && sense.type.text == signal->in_space) {
+    if (!std::string_view(signal->in_space).empty() && sense.type.text == signal->in_space) {
       spaces_[name] = {sense.type.range, true};
     } else if (sense.type.text != signal->type) {
       std::vector<std::string> types{signal->type};
-      if (std::string_view(signal->in_space) != "") types.emplace_back(signal->in_space);
+      if (!std::string_view(signal->in_space).empty()) types.emplace_back(signal->in_space);
       context_.unknown_word(sense.type, "the type of `" + name + "`", types);
     } else {
       spaces_[name] = {sense.type.range, false};
