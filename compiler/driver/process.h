@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "compiler/driver/ending.h"
+
 namespace rtac::driver {
 
-// A folder of its own below the temporary folder, removed with what is in it.
+// A folder of its own below the temporary folder, removed with what is in it, also when a signal
+// ends the program.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -17,6 +20,7 @@ class TemporaryFolder {
   [[nodiscard]] const std::string& problem() const { return problem_; }  // empty: it is there
 
  private:
+  Ending ending_;  // goes last, when the folder is removed
   std::string path_, problem_;
 };
 

@@ -1,0 +1,116 @@
+// A signal to the program ends what it has started and removes what lies about.
+#include "compiler/driver/ending.h"
+
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "compiler/driver/process.h"
+#include "tests/compiler/driver/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Endings : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    fs::create_directory("tmp");
+    ::setenv("TMPDIR", fs::absolute("tmp").c_str(), 1);
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // an orphan comes to us
+  }
+  void TearDown() override {
+    ::prctl(PR_SET_CHILD_SUBREAPER, 0);
+    ::unsetenv("TMPDIR");
+    InFolder::TearDown();
+  }
+  // A process that runs `script` in a folder of its own; it is running when this returns.
+  static pid_t start(const std::string& script) {
+    const pid_t pid = ::fork();
+    if (pid != 0) {
+      for (int k = 0; k < patience && !fs::exists("started"); ++k) rest();
+      return pid;
+    }
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+    {
+      const TemporaryFolder folder;
+      (void)run_program({"sh", "-c", script + " echo $$ > pid; mv pid started; exec sleep 100"},
+                        folder.path() + "/said");
+    }
+    ::_exit(0);
+  }
+  static void rest() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
+  // How it ended; -1: not within two seconds.
+  static int end_of(pid_t pid) {
+    int status = -1;
+    for (int k = 0; k < patience; ++k) {
+      if (::waitpid(pid, &status, WNOHANG) == pid) return status;
+      rest();
+    }
+    ::kill(pid, SIGKILL);
+    ::waitpid(pid, &status, 0);
+    return -1;
+  }
+  static constexpr int patience = 400;
+};
+
+TEST_F(Endings, ASignalEndsTheChildAndRemovesTheFolder) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const pid_t pid = start("");
+    const pid_t child = std::atoi(read("started").c_str());
+    EXPECT_FALSE(fs::is_empty("tmp"));
+    ::kill(pid, signal);
+    const int status = end_of(pid);
+    ASSERT_TRUE(WIFSIGNALED(status)) << signal;
+    EXPECT_EQ(WTERMSIG(status), signal);
+    EXPECT_NE(::kill(child, 0), 0) << "it is still there";
+    EXPECT_TRUE(fs::is_empty("tmp"));
+    fs::remove("started");
+  }
+}
+
+TEST_F(Endings, AChildThatDoesNotListenIsEndedByTheSecondSignal) {
+  const pid_t pid = start("trap '' TERM;");
+  ::kill(pid, SIGTERM);
+  rest();
+  EXPECT_EQ(::waitpid(pid, nullptr, WNOHANG), 0);
+  ::kill(pid, SIGTERM);
+  EXPECT_EQ(WTERMSIG(end_of(pid)), SIGTERM);
+  EXPECT_TRUE(fs::is_empty("tmp"));
+}
+
+TEST_F(Endings, AChildDiesWithItsParent) {
+  const pid_t pid = start("");
+  const pid_t child = std::atoi(read("started").c_str());
+  ::kill(pid, SIGKILL);
+  EXPECT_EQ(WTERMSIG(end_of(pid)), SIGKILL);
+  const int status = end_of(child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGKILL);
+}
+
+TEST_F(Endings, IgnoredSignalsStayIgnored) {
+  std::signal(SIGHUP, SIG_IGN);
+  {
+    const Ending ending;
+    ::raise(SIGHUP);
+    int status = -1;
+    EXPECT_EQ(run_child({"sh", "-c", "kill -HUP $$; exit 7"}, "out", "", status), 0);
+    EXPECT_EQ(WEXITSTATUS(status), 7);
+  }
+  std::signal(SIGHUP, SIG_DFL);
+}
+
+TEST_F(Endings, WhatCannotBeStartedIsTold) {
+  int status = 0;
+  EXPECT_EQ(run_child({"./no_such_program"}, "out", "", status), ENOENT);
+  EXPECT_EQ(run_child({"true"}, "no/such/folder", "", status), ENOENT);
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
