@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -85,17 +86,22 @@ std::vector<std::string> command(const Options& options, const std::string& fold
   return words;
 }
 
-// What the program has not understood, as it says itself: a line, and after a tab what would work.
+// What the program has not understood, as it says itself: a line, after a tab what would work, and
+// perhaps after another one which diagnostic it is.
 int report_refusal(Compilation& c, const std::string& said, int status) {
-  const std::size_t tab = said.find('\t');
-  std::string message = said.substr(0, tab);
-  std::string help = tab == std::string::npos ? "" : said.substr(tab + 1);
+  std::istringstream words(said);
+  std::string message, help, number;
+  std::getline(words, message, '\t');
+  std::getline(words, help, '\t');
+  std::getline(words, number);
   for (std::string* text : {&message, &help}) {
     while (!text->empty() && text->back() == '\n') text->pop_back();
   }
-  const bool input = status == exit_usage;
-  return refuse(c, input ? diag::Code::bad_scenario : diag::Code::cannot_simulate,
-                std::move(message), std::move(help), status);
+  auto code = status == exit_usage ? diag::Code::bad_scenario : diag::Code::cannot_simulate;
+  for (const auto named : {diag::Code::cannot_read, diag::Code::cannot_write}) {
+    if (number == std::to_string(static_cast<int>(named))) code = named;
+  }
+  return refuse(c, code, std::move(message), std::move(help), status);
 }
 
 }  // namespace

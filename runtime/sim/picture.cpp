@@ -1,8 +1,11 @@
 #include "rtac/sim/picture.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include "legend.h"
@@ -148,14 +151,33 @@ std::string draw_svg(const Picture& picture, const Recorder& recorder) {
   return svg.finish();
 }
 
-bool write_text_file(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".tmp";
-  std::FILE* file = std::fopen(beside.c_str(), "wb");
+namespace {
+
+bool write_all(const std::string& path, const std::string& text) {
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) return false;
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const int error = errno;
   const bool closed = std::fclose(file) == 0;
-  if (written && closed && std::rename(beside.c_str(), path.c_str()) == 0) return true;
+  if (!written) errno = error;
+  return written && closed;
+}
+
+}  // namespace
+
+bool write_text_file(const std::string& path, const std::string& text) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status there = fs::status(path, error);
+  // A device or a pipe stays what it is.
+  if (fs::exists(there) && !fs::is_regular_file(there)) return write_all(path, text);
+  // Renaming onto a link would replace the link.
+  const fs::path target = fs::exists(there) ? fs::canonical(path, error) : fs::path(path);
+  const std::string beside = target.string() + ".tmp";
+  if (write_all(beside, text) && std::rename(beside.c_str(), target.c_str()) == 0) return true;
+  const int why = errno;
   static_cast<void>(std::remove(beside.c_str()));
+  errno = why;
   return false;
 }
 

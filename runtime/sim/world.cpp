@@ -1,6 +1,7 @@
 #include "rtac/sim/world.h"
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 #include "gusts.h"
@@ -11,7 +12,6 @@
 namespace rtac::sim {
 namespace {
 
-constexpr std::size_t command_capacity = 256;  // under way at once; latency over period is < 10
 constexpr double us_to_s = 1e-6;
 
 Vec2 level(Vec3 v) {
@@ -25,23 +25,24 @@ Vec2 to_vec2(const Eigen::Vector3d& v) {
 template <class Output>
 class CommandQueue {
  public:
-  CommandQueue() : ring_(command_capacity) {}
+  explicit CommandQueue(std::size_t most) : most_(most) {}
   bool push(const Output& command, TimeUs due_us) {
-    if (size_ == ring_.size()) return false;
-    ring_[(first_ + size_++) % ring_.size()] = {command, due_us};
+    if (queue_.size() >= most_) return false;
+    queue_.emplace_back(command, due_us);
     return true;
   }
-  [[nodiscard]] TimeUs next_us() const { return size_ == 0 ? INT64_MAX : ring_[first_].second; }
+  [[nodiscard]] TimeUs next_us() const {
+    return queue_.empty() ? INT64_MAX : queue_.front().second;
+  }
   Output pop() {
-    const Output command = ring_[first_].first;
-    first_ = (first_ + 1) % ring_.size();
-    --size_;
+    const Output command = queue_.front().first;
+    queue_.pop_front();
     return command;
   }
 
  private:
-  std::vector<std::pair<Output, TimeUs>> ring_;
-  std::size_t first_ = 0, size_ = 0;
+  std::deque<std::pair<Output, TimeUs>> queue_;
+  std::size_t most_;
 };
 
 ValueRange space_of(const RobotSetup& setup) {
@@ -82,6 +83,7 @@ struct Agent {
   Agent(const RobotSetup& given, const TruthState& truth, const WorldOptions& options,
         std::uint64_t robot)
       : setup(given),
+        commands(options.commands_max),
         senses(given, truth, options, robot),
         gusts(Random::stream(options.seed, robot, 6)) {
     body.position = {truth.position.x, truth.position.y, truth.height_m};

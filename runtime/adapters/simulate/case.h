@@ -16,6 +16,7 @@ namespace rtac::simulate {
 struct Problem {
   std::string message, help;
   bool inconclusive = false;  // it is understood, and cannot be simulated
+  int code = 0;               // of the diagnostic, where it is neither of the two usual ones
   explicit operator bool() const { return !message.empty(); }
 };
 

@@ -1,10 +1,12 @@
 #include "program.h"
 
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <map>
+#include <memory>
 #include <ostream>
 
 #include "rtac/sim/picture.h"
@@ -16,11 +18,23 @@ namespace {
 
 using sim::Tape;
 
-bool read_file(const std::string& path, std::string& text) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return false;
-  text.assign(std::istreambuf_iterator<char>(in), {});
-  return true;
+// What went wrong; empty: nothing. A folder can be opened, and not be read.
+std::string read_file(const std::string& path, std::string& text) {
+  constexpr std::size_t block_bytes = std::size_t{1} << 16, bytes_max = std::size_t{1} << 30;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  if (file == nullptr) return std::strerror(errno);
+  std::vector<char> block(block_bytes);
+  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
+    text.append(block.data(), count);
+    if (text.size() > bytes_max) return "it is larger than 1 GiB";
+  }
+  return std::ferror(file.get()) != 0 ? std::strerror(errno) : "";
+}
+
+Problem unwritten(const std::string& path) {
+  return {"cannot write the run to `" + path + "`: " + std::strerror(errno),
+          "`--trace FILE` names another place", false, cannot_write};
 }
 
 double core_seconds() {
@@ -35,8 +49,9 @@ class Program {
     for (std::size_t k = 0; k + 1 < arguments.size(); k += 2)
       flags_[arguments[k]] = arguments[k + 1];
     std::string manifest;
-    if (!read_file(flags_["--manifest"], manifest)) {
-      return {"cannot read the manifest `" + flags_["--manifest"] + "`", ""};
+    if (std::string why = read_file(flags_["--manifest"], manifest); !why.empty()) {
+      return {"cannot read the manifest `" + flags_["--manifest"] + "`: " + why, "", false,
+              cannot_read};
     }
     if (Problem problem = read_manifest(manifest, case_)) return problem;
     if (Problem problem = kernel_.load(flags_["--kernel"])) return problem;
@@ -55,8 +70,9 @@ class Program {
   Problem scenario() {
     if (flags_.count("--scenario") != 0) {
       std::string text;
-      if (!read_file(flags_["--scenario"], text)) {
-        return {"cannot read the scenario `" + flags_["--scenario"] + "`", "give a JSON file"};
+      if (std::string why = read_file(flags_["--scenario"], text); !why.empty()) {
+        return {"cannot read the scenario `" + flags_["--scenario"] + "`: " + why,
+                "give a JSON file", false, cannot_read};
       }
       if (Problem problem = read_scenario(text, scenario_)) return problem;
     }
@@ -110,7 +126,7 @@ class Program {
     const std::string path =
         flags_.count("--trace") != 0 ? flags_["--trace"] : case_.specification + ".trace";
     if (!sim::write_text_file(path, trace_text(case_, decision, setup, outcome, tape.written()))) {
-      return {"cannot write the run to `" + path + "`", "`--trace FILE` names another place"};
+      return unwritten(path);
     }
     out_ << "the run is in " << path << "; `rtac sim SPEC --replay " << path
          << "` plays it again\n";
@@ -131,9 +147,9 @@ class Program {
 
   Problem replay(int& status) {
     std::string text;
-    if (!read_file(flags_["--replay"], text)) {
-      return {"cannot read the recorded run `" + flags_["--replay"] + "`",
-              "`rtac sim` writes one when a property is violated"};
+    if (std::string why = read_file(flags_["--replay"], text); !why.empty()) {
+      return {"cannot read the recorded run `" + flags_["--replay"] + "`: " + why,
+              "`rtac sim` writes one when a property is violated", false, cannot_read};
     }
     Trace trace;
     if (Problem problem = read_trace(text, case_, trace)) return problem;
@@ -146,7 +162,7 @@ class Program {
     tell(decision, trace.setup, outcome);
     const std::string again = trace_text(case_, decision, trace.setup, outcome, tape.written());
     if (flags_.count("--trace") != 0 && !sim::write_text_file(flags_["--trace"], again)) {
-      return {"cannot write the run to `" + flags_["--trace"] + "`", "name another place"};
+      return unwritten(flags_["--trace"]);
     }
     if (again != text) return differs(text, again);
     status = outcome.violation.time_us == never_us ? exit_clean : exit_violation;
@@ -178,7 +194,9 @@ int run_program(const std::vector<std::string>& arguments, std::ostream& out, st
   Problem problem = program.prepare(arguments);
   if (!problem) problem = program.simulate(status);
   if (!problem) return status;
-  err << problem.message << "\t" << problem.help << "\n";
+  err << problem.message << "\t" << problem.help;
+  if (problem.code != 0) err << "\t" << problem.code;
+  err << "\n";
   return problem.inconclusive ? exit_inconclusive : exit_usage;
 }
 

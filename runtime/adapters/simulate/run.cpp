@@ -1,5 +1,6 @@
 #include "run.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <type_traits>
@@ -131,7 +132,9 @@ class Fleet {
   // Wires the plan executors of all robots. False: a recovery is none that is known here.
   bool start(sim::HostileFleet<Output>& world, SystemObserver& observer) {
     SystemOptions options;
-    options.pass_gap_m = decision_.monitors.front().recovery.pass_gap_m;
+    // Not 0: a plan executor goes along others' ways in steps of half of it.
+    const double gap_m = decision_.monitors.front().recovery.pass_gap_m;
+    if (gap_m > 0) options.pass_gap_m = gap_m;
     const int robots = static_cast<int>(parts_.size());
     for (int i = 0; i < robots; ++i) {
       const RobotParts<Output>& p = parts_[static_cast<std::size_t>(i)];
@@ -269,6 +272,12 @@ std::vector<sim::RobotSetup> bodies(const DecisionCase& decision, const Setup& s
   return all;
 }
 
+// A tick is late by its jitter at most, and each sends one command.
+std::size_t commands_under_way(const DecisionCase& decision, const Setup& setup) {
+  const TimeUs span_us = decision.limits.latency_us + setup.hostility.jitter_us;
+  return static_cast<std::size_t>(span_us / std::max<TimeUs>(1, decision.period_us)) + 2;
+}
+
 template <class Output>
 Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
                Tape& tape, Outcome& to) {
@@ -276,6 +285,7 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   sim::WorldOptions options;
   options.seed = setup.seed;
   options.noise = sim::NoiseModel::none;
+  options.commands_max = commands_under_way(decision, setup);
   sim::World<Output> world(bodies(decision, setup), options);
   Arena arena(decision.surroundings, decision.properties, decision.limits, robots);
   arena.watch(world.truths());
@@ -297,6 +307,11 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
     to.least.push_back(referee.least(m));
   }
   to.duration_us = world.now_us();
+  if (world.lost() > 0) {
+    return {"the simulator has lost " + std::to_string(world.lost()) + " commands of decision `" +
+                decision.name + "`",
+            "the latency is too many periods long", true};
+  }
   return {};
 }
 

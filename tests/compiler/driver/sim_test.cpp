@@ -202,6 +202,43 @@ TEST_F(Simulations, ScenariosAreRefusedWithWhatWouldWork) {
   EXPECT_EQ(rtac({"sim", "spec.rta", "--scenario", "missing.json"}).status, 2);
 }
 
+TEST_F(Simulations, WhatCannotBeReadIsToldAsSuch) {
+  write("spec.rta", yard("50 ms"));
+  fs::create_directory("folder");
+  for (const std::string flag : {"--scenario", "--replay"}) {
+    for (const std::string path : {"folder", "missing"}) {
+      const Outcome o = rtac({"sim", "spec.rta", flag, path});
+      EXPECT_EQ(o.status, 2) << flag;
+      EXPECT_NE(o.err.find("error[9002]"), std::string::npos) << o.err;
+      EXPECT_NE(o.err.find("`" + path + "`: "), std::string::npos) << o.err;
+    }
+  }
+}
+
+TEST_F(Simulations, ARunThatCannotBeWrittenIsNotSaidToBeThere) {
+  write("spec.rta", yard(blind));
+  fs::create_directory("folder");
+  std::vector<std::string> places{"folder", "no/such/folder"};
+  if (fs::is_character_file("/dev/full")) places.emplace_back("/dev/full");
+  for (const std::string& place : places) {
+    const Outcome o = rtac({"sim", "spec.rta", "--runs", "1", "--trace", place});
+    EXPECT_EQ(o.status, 2) << place;
+    EXPECT_NE(o.err.find("error[9003]"), std::string::npos) << o.err;
+    EXPECT_EQ(o.out.find("the run is in"), std::string::npos) << o.out;
+  }
+}
+
+// 400 commands are under way at once.
+TEST_F(Simulations, ALatencyOfManyPeriodsLosesNoCommand) {
+  std::string slow = edited(yard("400 ms, command"), "latency  20 ms", "latency  400 ms");
+  slow = edited(slow, "acceleration;", "acceleration error 0.05 m/s^2;");
+  slow = edited(slow, "(8 m, 8 m)", "(30 m, 30 m)");
+  write("spec.rta", edited(slow, "period 50 ms", "period 1 ms"));
+  write("s.json", R"({"duration_s": 2, "runs": 2})");
+  const Outcome o = rtac({"sim", "spec.rta", "--scenario", "s.json"});
+  EXPECT_EQ(o.status, 0) << o.err;
+}
+
 // Nothing is known then: that is not the same as no violation.
 TEST_F(Simulations, WhatCannotBeSimulatedIsInconclusive) {
   write("door.rta",

@@ -185,6 +185,14 @@ TEST(World, TheCommandQueueIsBoundedAndSaysSo) {
   EXPECT_EQ(world.lost(), 300 - 256);
 }
 
+TEST(World, TheCommandQueueIsAsLongAsIsAskedFor) {
+  WorldOptions options = quiet();
+  options.commands_max = 300;
+  World<Acceleration> world({robot_at(drone_limits(), {0, 0})}, options);
+  for (int i = 0; i <= 300; ++i) world.robot(0).actuate({{0, 0}});
+  EXPECT_EQ(world.lost(), 1);
+}
+
 TEST(World, StepsAreNeverLongerThanAMillisecond) {
   WorldOptions options;
   options.step_us = 50'000;

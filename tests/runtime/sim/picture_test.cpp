@@ -269,5 +269,26 @@ TEST(TextFile, IsWrittenWholeOrNotAtAll) {
   std::filesystem::remove(path);
 }
 
+// Renaming onto them would leave an ordinary file in their place.
+TEST(TextFile, DevicesAndLinksStayWhatTheyAre) {
+  namespace fs = std::filesystem;
+  EXPECT_TRUE(write_text_file("/dev/null", "text"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  if (fs::is_character_file("/dev/full")) {
+    EXPECT_FALSE(write_text_file("/dev/full", "text"));
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+  }
+  const fs::path folder = fs::temp_directory_path() / "rtac_sim_picture_test";
+  fs::create_directories(folder);
+  EXPECT_FALSE(write_text_file(folder.string(), "text"));
+  std::ofstream(folder / "file") << "before";
+  fs::create_symlink("file", folder / "link");
+  EXPECT_TRUE(write_text_file((folder / "link").string(), "after"));
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  std::ifstream file(folder / "file");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "after");
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace rtac::sim::testing
