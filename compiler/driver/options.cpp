@@ -211,12 +211,13 @@ struct Parser {
     }
     options.state_bytes_max = bytes;
   }
-  // At most 18 digits.
+  // Of 64 bits.
   void number(const std::string& text, const std::string& flag) {
-    constexpr std::size_t digits_most = 18;
-    const bool digits =
-        std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
-    if (digits && text.size() <= digits_most) return;
+    if (text.empty()) return;
+    std::uint64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc() && stop == end) return;
     problem = {"`" + text + "` is no number for `" + flag + "`", value_hint(flag)};
   }
   void take_operands() {

@@ -68,12 +68,19 @@ class HostileFleet<Output>::Impl {
     TimeUs late_us = hostility_.jitter_us > 0 ? random_.below(hostility_.jitter_us + 1) : 0;
     std::vector<std::int64_t> whole{time_us + late_us};
     std::vector<double> real;
-    if (tape_.playing() && !tape_.read("wait", whole, real)) return false;
+    if (tape_.playing() && !next_wait(time_us, whole)) return false;
     tape_.write("wait", whole, real);
     return world_.wait_until(whole[0]);
   }
 
  private:
+  // Of a tape: not before it is due, and no world has to run for ever.
+  bool next_wait(TimeUs due_us, std::vector<std::int64_t>& whole) {
+    constexpr TimeUs late_us_max = 86'400'000'000;
+    std::vector<double> real;
+    return tape_.read("wait", whole, real, 0) && whole[0] >= due_us &&
+           whole[0] <= due_us + late_us_max;
+  }
   void stepped(TimeUs now_us) {
     log_.push(now_us, world_.truths());
     if (on_step_) on_step_(now_us);
@@ -89,7 +96,7 @@ class HostileFleet<Output>::Impl {
                              observation.heading.value,    observation.battery.value};
     const bool in_space = arena_.limits().in_space;
     if (in_space) real.insert(real.end(), {observation.height_m, observation.climb_mps});
-    if (tape_.playing() && tape_.read("sense", whole, real)) {
+    if (tape_.playing() && tape_.read("sense", whole, real, 1)) {
       if (in_space) {
         observation.height_m = real[6];
         observation.climb_mps = real[7];
@@ -109,7 +116,7 @@ class HostileFleet<Output>::Impl {
     const std::deque<Message>& sent = sent_[static_cast<std::size_t>(from)];
     std::vector<std::int64_t> whole{to, from, choose(to, sent, heard, now)};
     std::vector<double> real;
-    if (tape_.playing()) (void)tape_.read("hear", whole, real);
+    if (tape_.playing()) (void)tape_.read("hear", whole, real, 2);
     tape_.write("hear", whole, real);
     for (const Message& message : sent) {
       if (message.sent_us == whole[2] && message.sent_us > heard.sent_us) heard = message;
@@ -147,7 +154,7 @@ class HostileFleet<Output>::Impl {
     std::vector<std::int64_t> whole{robot, a.position.stamp_us, a.velocity.stamp_us};
     std::vector<double> real{a.position.value.x, a.position.value.y, a.velocity.value.x,
                              a.velocity.value.y};
-    if (tape_.playing() && tape_.read("announce", whole, real)) {
+    if (tape_.playing() && tape_.read("announce", whole, real, 1)) {
       a.position = {{real[0], real[1]}, whole[1]};
       a.velocity = {{real[2], real[3]}, whole[2]};
     }

@@ -32,6 +32,15 @@ std::string read_file(const std::string& path, std::string& text) {
   return std::ferror(file.get()) != 0 ? std::strerror(errno) : "";
 }
 
+// Without the carriage returns that a mailer or an editor has put before the ends of lines.
+std::string lines_of_unix(const std::string& text) {
+  std::string lines;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] != '\r' || k + 1 == text.size() || text[k + 1] != '\n') lines += text[k];
+  }
+  return lines;
+}
+
 Problem unwritten(const std::string& path) {
   return {"cannot write the run to `" + path + "`: " + std::strerror(errno),
           "`--trace FILE` names another place", false, cannot_write};
@@ -74,10 +83,14 @@ class Program {
         return {"cannot read the scenario `" + flags_["--scenario"] + "`: " + why,
                 "give a JSON file", false, cannot_read};
       }
-      if (Problem problem = read_scenario(text, scenario_)) return problem;
+      if (Problem problem = read_scenario(text, scenario_)) {
+        problem.message = "`" + flags_["--scenario"] + "`: " + problem.message;
+        return problem;
+      }
     }
     if (flags_.count("--seed") != 0) scenario_.seed = whole("--seed");
     if (flags_.count("--runs") != 0) scenario_.runs = whole("--runs");
+    if (scenario_.runs == 0) return {"`--runs 0` simulates nothing", "`--runs 1` works"};
     if (flags_.count("--adversary") != 0) scenario_.adversary = flags_["--adversary"];
     return check_names(scenario_, case_);
   }
@@ -151,6 +164,7 @@ class Program {
       return {"cannot read the recorded run `" + flags_["--replay"] + "`: " + why,
               "`rtac sim` writes one when a property is violated", false, cannot_read};
     }
+    text = lines_of_unix(text);
     Trace trace;
     if (Problem problem = read_trace(text, case_, trace)) return problem;
     std::size_t index = 0;
@@ -173,6 +187,12 @@ class Program {
     std::size_t line = 1, k = 0;
     for (; k < recorded.size() && k < again.size() && recorded[k] == again[k]; ++k) {
       if (recorded[k] == '\n') ++line;
+    }
+    // The last line speaks of all the others.
+    if (again.compare(0, again.rfind("\nhash ") + 1, recorded, 0, recorded.rfind("\nhash ") + 1) ==
+        0) {
+      return {"the recorded run was changed, where nothing depends on it: its hash is another one",
+              "record it again, with the seed and the adversary that it names", true};
     }
     return {"played again, the run is another one from line " + std::to_string(line) + " on",
             "it was changed, or the kernel is not the one that it was recorded with", true};

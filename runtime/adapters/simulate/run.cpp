@@ -70,7 +70,7 @@ class Taped final : public Controller<Output> {
     Output output = attack_->command(observation);
     std::vector<std::int64_t> whole{robot_};
     std::vector<double> real = numbers(output);
-    if (tape_.playing() && tape_.read("command", whole, real)) give(real, output);
+    if (tape_.playing() && tape_.read("command", whole, real, 1)) give(real, output);
     tape_.write("command", whole, real);
     return output;
   }

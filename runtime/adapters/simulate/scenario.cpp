@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "rtac/sim/math.h"
 
@@ -16,7 +18,7 @@ using sim::Noise;
 using sim::PropertyOp;
 
 constexpr double us_per_s = 1e6, us_per_ms = 1e3;
-constexpr double duration_s_max = 86'400;
+constexpr double duration_s_min = 0.001, duration_s_max = 86'400;
 
 struct Unfit {
   std::string message, help;
@@ -51,16 +53,18 @@ double number(const Json& j, const std::string& key, double least, double most) 
   throw Unfit{"`" + key + "` of the scenario is " + j.dump(),
               "a number from " + Json(least).dump() + " to " + Json(most).dump() + " works"};
 }
-std::uint64_t whole(const Json& j, const std::string& key) {
-  if (j.is_number_unsigned()) return j.get<std::uint64_t>();
-  throw Unfit{"`" + key + "` of the scenario is " + j.dump(), "a whole number works"};
+std::uint64_t whole(const Json& j, const std::string& key, std::uint64_t least) {
+  if (j.is_number_unsigned() && j.get<std::uint64_t>() >= least) return j.get<std::uint64_t>();
+  throw Unfit{"`" + key + "` of the scenario is " + j.dump(),
+              "a whole number from " + std::to_string(least) + " to " +
+                  std::to_string(std::numeric_limits<std::uint64_t>::max()) + " works"};
 }
 std::string text(const Json& j, const std::string& key) {
   if (j.is_string()) return j.get<std::string>();
   throw Unfit{"`" + key + "` of the scenario is " + j.dump(), "a name works"};
 }
-TimeUs time(const Json& j, const std::string& key, double unit_us) {
-  return std::llround(number(j, key, 0, duration_s_max) * unit_us);
+TimeUs time(const Json& j, const std::string& key, double unit_us, double least = 0) {
+  return std::llround(number(j, key, least, duration_s_max) * unit_us);
 }
 
 Start start(const Json& j) {
@@ -89,11 +93,11 @@ Start start(const Json& j) {
 
 void take(const std::string& key, const Json& value, Scenario& to) {
   if (key == "duration_s") {
-    to.duration_us = time(value, key, us_per_s);
+    to.duration_us = time(value, key, us_per_s, duration_s_min);
   } else if (key == "seed") {
-    to.seed = whole(value, key);
+    to.seed = whole(value, key, 0);
   } else if (key == "runs") {
-    to.runs = whole(value, key);
+    to.runs = whole(value, key, 1);
   } else if (key == "adversary" && value.is_object()) {
     for (const auto& [robot, name] : value.items()) {
       to.adversary_of.emplace_back(robot, text(name, key));
@@ -117,6 +121,17 @@ void take(const std::string& key, const Json& value, Scenario& to) {
                 "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `noise`, `ages`, "
                 "`fault_every_s`, `fault_ms` and `jitter_ms`"};
   }
+}
+
+constexpr const char* an_object = R"(`{"duration_s": 60, "runs": 10}` is one)";
+
+// Of the byte before `byte`, which is how many were read.
+std::string place_of(const std::string& text, std::size_t byte) {
+  const std::size_t at = std::min(byte == 0 ? 0 : byte - 1, text.size());
+  const std::size_t begin = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+  const auto last = text.begin() + static_cast<std::ptrdiff_t>(at);
+  return "line " + std::to_string(1 + std::count(text.begin(), last, '\n')) + ", column " +
+         std::to_string(begin == std::string::npos ? at + 1 : at - begin);
 }
 
 bool has(const DecisionCase& decision, PropertyOp op) {
@@ -184,16 +199,25 @@ std::string adversary_names() {
 }
 
 Problem read_scenario(const std::string& text, Scenario& to) {
-  const Json j = Json::parse(text, nullptr, false);
-  if (!j.is_object()) {
-    return {"the scenario is no JSON object", R"(`{"duration_s": 60, "runs": 10}` is one)"};
-  }
   try {
+    std::vector<std::set<std::string>> keys;  // of the objects that are open
+    const auto look = [&](int /*depth*/, Json::parse_event_t event, Json& parsed) {
+      if (event == Json::parse_event_t::object_start) keys.emplace_back();
+      if (event == Json::parse_event_t::object_end) keys.pop_back();
+      if (event == Json::parse_event_t::key &&
+          !keys.back().insert(parsed.get<std::string>()).second) {
+        throw Unfit{"the scenario has " + parsed.dump() + " twice", "leave one of them out"};
+      }
+      return true;
+    };
+    const Json j = Json::parse(text, look);
+    if (!j.is_object()) throw Unfit{"the scenario is no JSON object", an_object};
     for (const auto& [key, value] : j.items()) take(key, value, to);
   } catch (const Unfit& unfit) {
     return {unfit.message, unfit.help};
+  } catch (const Json::parse_error& error) {
+    return {"the scenario is no JSON: " + place_of(text, error.byte), an_object};
   }
-  if (to.duration_us <= 0) return {"the scenario lasts no time", R"(`"duration_s": 30` works)"};
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -9,7 +10,7 @@
 namespace rtac::simulate {
 namespace {
 
-constexpr const char* first_line = "rtac-sim-trace 2";
+constexpr const char* first_line = "rtac-sim-trace 3";
 
 std::string hex(double value) {
   constexpr std::size_t widest = 32;
@@ -28,7 +29,7 @@ double real(std::istream& in) {
   in >> word;
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0') in.setstate(std::ios::failbit);
+  if (word.empty() || *end != '\0' || !std::isfinite(value)) in.setstate(std::ios::failbit);
   return value;
 }
 
@@ -43,7 +44,9 @@ bool read_head(const std::string& word, std::istream& in, Trace& to) {
   } else if (word == "seed") {
     in >> to.setup.seed;
   } else if (word == "duration_us") {
+    constexpr TimeUs duration_us_max = 86'400'000'000;
     in >> to.setup.duration_us;
+    if (to.setup.duration_us <= 0 || to.setup.duration_us > duration_us_max) return false;
   } else if (word == "adversary") {
     std::string name;
     in >> name;
@@ -70,6 +73,14 @@ Problem unreadable(const std::string& why) {
           "`rtac sim` writes one when a property is violated"};
 }
 
+// Whatever is changed, if only in what nobody uses, another line follows.
+std::string with_hash(std::string text) {
+  constexpr std::size_t widest = 32;
+  char hash[widest];
+  std::snprintf(hash, widest, "hash %016" PRIx64 "\n", hash_of(text));
+  return text += hash;
+}
+
 }  // namespace
 
 std::string trace_text(const Case& all, const DecisionCase& decision, const Setup& setup,
@@ -87,11 +98,11 @@ std::string trace_text(const Case& all, const DecisionCase& decision, const Setu
   text += "tape\n";
   for (const std::string& line : tape) text += line + "\n";
   const sim::Violation& v = outcome.violation;
-  if (v.time_us == never_us) return text + "end no violation\n";
+  if (v.time_us == never_us) return with_hash(text + "end no violation\n");
   const auto monitor = static_cast<std::size_t>(v.monitor);
-  return text + "end violation of " + decision.monitors[monitor].name + " by " +
-         decision.robots[static_cast<std::size_t>(v.robot)] + " at_us " +
-         std::to_string(v.time_us) + " least" + hex(outcome.least[monitor].value) + "\n";
+  return with_hash(text + "end violation of " + decision.monitors[monitor].name + " by " +
+                   decision.robots[static_cast<std::size_t>(v.robot)] + " at_us " +
+                   std::to_string(v.time_us) + " least" + hex(outcome.least[monitor].value) + "\n");
 }
 
 Problem read_trace(const std::string& text, const Case& all, Trace& to) {

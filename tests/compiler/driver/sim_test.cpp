@@ -104,6 +104,46 @@ TEST_F(Simulations, AnEditedRunIsAnotherOne) {
   EXPECT_NE(o.err.find("from line " + std::to_string(line)), std::string::npos) << line << o.err;
 }
 
+// A line is another robot's, or speaks of a robot that is not there; a number that nobody looks at.
+TEST_F(Simulations, WhatDoesNotFitIsFoundWithItsLine) {
+  write("spec.rta", yard(blind));
+  ASSERT_EQ(rtac({"sim", "spec.rta", "--runs", "1", "--trace", "run.trace"}).status, 3);
+  const std::string run = read("run.trace");
+  for (const std::string word : {"sense", "command", "announce", "decide", "truth", "hear"}) {
+    const std::size_t line = run.find("\n" + word + " 0 ", run.size() / 4) + 1;
+    ASSERT_NE(line, std::string::npos + 1) << word;
+    const auto number = count(run.substr(0, line), "\n") + 1;
+    for (const std::string robot : {"5", "-1", "1"}) {
+      write("edited.trace", std::string(run).replace(line + word.size() + 1, 1, robot));
+      const Outcome o = rtac({"sim", "spec.rta", "--replay", "edited.trace"});
+      EXPECT_EQ(o.status, 4) << word << robot << o.out;
+      EXPECT_NE(o.err.find("from line " + std::to_string(number)), std::string::npos)
+          << word << robot << number << o.err;
+    }
+  }
+  // The charge of a robot without a battery comes last.
+  const std::size_t sense = run.find("\nsense 0 ", run.size() / 4) + 1;
+  const std::size_t last = run.rfind(' ', run.find('\n', sense)) + 1;
+  std::string unused = run;
+  unused.replace(last, run.find('\n', sense) - last, "nan");
+  write("edited.trace", unused);
+  const Outcome o = rtac({"sim", "spec.rta", "--replay", "edited.trace"});
+  EXPECT_EQ(o.status, 4) << o.out;
+  EXPECT_NE(o.err.find("the recorded run was changed"), std::string::npos) << o.err;
+}
+
+TEST_F(Simulations, ARunWithCarriageReturnsIsTheSame) {
+  write("spec.rta", yard(blind));
+  ASSERT_EQ(rtac({"sim", "spec.rta", "--runs", "1", "--trace", "run.trace"}).status, 3);
+  std::string lines;
+  for (const char c : read("run.trace"))
+    lines += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  write("mailed.trace", lines);
+  const Outcome o = rtac({"sim", "spec.rta", "--replay", "mailed.trace"});
+  EXPECT_EQ(o.status, 3) << o.err;
+  EXPECT_NE(o.out.find("the same to the last bit"), std::string::npos) << o.out;
+}
+
 TEST_F(Simulations, ARunBelongsToItsSpecification) {
   write("spec.rta", yard(blind));
   ASSERT_EQ(rtac({"sim", "spec.rta", "--runs", "1", "--trace", "run.trace"}).status, 3);
@@ -183,15 +223,20 @@ TEST_F(Simulations, ANumberOfOthersIsBrokenByAThird) {
 TEST_F(Simulations, ScenariosAreRefusedWithWhatWouldWork) {
   write("spec.rta", yard("50 ms"));
   const std::pair<const char*, const char*> cases[] = {
-      {"{", "is one"},
+      {"{", "`s.json`: the scenario is no JSON: line 1, column 2"},
+      {"{\"runs\": 2,\n  \"seed\": }", "line 2, column 11"},
+      {"[1]", "is one"},
+      {R"({"seed": 1, "seed": 2})", "has \"seed\" twice"},
+      {R"({"starts": {"r1": {"at": [1, 2], "at": [2, 1]}}})", "has \"at\" twice"},
       {R"({"duration": 3})", "`duration_s`"},
-      {R"({"duration_s": 0})", "`\"duration_s\": 30` works"},
+      {R"({"duration_s": 0})", "a number from 0.001 to 86400.0 works"},
       {R"({"noise": "loud"})", "`aimed`"},
       {R"({"ages": 3})", "`wandering`"},
       {R"({"adversary": "nobody"})", "`chase-fence`"},
       {R"({"adversary": {"r3": "bang-bang"}})", "`r3`"},
       {R"({"starts": {"r1": {"at": 3}}})", "`heading_deg`"},
-      {R"({"runs": -1})", "a whole number works"}};
+      {R"({"runs": 0})", "a whole number from 1 to "},
+      {R"({"runs": -1})", "a whole number from 1 to "}};
   for (const auto& [text, help] : cases) {
     write("s.json", text);
     const Outcome o = rtac({"sim", "spec.rta", "--scenario", "s.json"});
@@ -239,6 +284,17 @@ TEST_F(Simulations, ALatencyOfManyPeriodsLosesNoCommand) {
   EXPECT_EQ(o.status, 0) << o.err;
 }
 
+// No gap is known of a recovery that stands still; plan executors went along others' ways in steps
+// of half of it, for ever.
+TEST_F(Simulations, RobotsThatOnlyBrakeFollowPlans) {
+  const std::string brake =
+      edited(yard("50 ms"), "retreat within yard speed 0.3 m/s", "brake_and_hold");
+  write("spec.rta", edited(brake, "recover turn_back;",
+                           "recover turn_back; hold when violated \"it stands\";"));
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "2", "--adversary", "follow-plans"});
+  EXPECT_EQ(o.status, 0) << o.err;
+}
+
 // Nothing is known then: that is not the same as no violation.
 TEST_F(Simulations, WhatCannotBeSimulatedIsInconclusive) {
   write("door.rta",
@@ -259,7 +315,10 @@ TEST_F(Simulations, WhatCannotBeSimulatedIsInconclusive) {
 TEST_F(Simulations, FlagsAreChecked) {
   write("spec.rta", yard("50 ms"));
   EXPECT_EQ(rtac({"sim", "spec.rta", "--runs", "many"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--runs", "0"}).status, 2);
   EXPECT_EQ(rtac({"sim", "spec.rta", "--seed", "-1"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--seed", "18446744073709551616"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--seed", "18446744073709551615", "--runs", "2"}).status, 0);
   EXPECT_EQ(rtac({"sim", "spec.rta", "--replay", "x", "--seed", "1"}).status, 2);
   EXPECT_EQ(rtac({"sim", "spec.rta", "--adversary", "nobody"}).status, 2);
   ::setenv("RTAC_SIM", "no_such_program", 1);

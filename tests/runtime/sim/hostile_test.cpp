@@ -161,15 +161,30 @@ TEST_F(Hostile, ATapeIsPlayedToTheLastBit) {
   EXPECT_EQ(second.failed_line(), -1);
 }
 
+TEST(Tape, TakesAWholeLineOfWhomItIsAskedFor) {
+  std::vector<std::int64_t> whole{0};
+  std::vector<double> real{7};
+  for (const char* line : {"sense 5 0x1p0", "sense -1 0x1p0", "sense 0", "sense 0 0x1p0 0x1p0"}) {
+    Tape tape = Tape::player({"decide 0", line});
+    EXPECT_FALSE(tape.read("sense", whole, real, 1)) << line;
+    EXPECT_EQ(tape.failed_line(), 1) << line;
+    EXPECT_EQ(whole[0], 0);
+    EXPECT_EQ(real[0], 7);
+  }
+  Tape tape = Tape::player({"decide 0", "sense 0 0x1p0"});
+  EXPECT_TRUE(tape.read("sense", whole, real, 1));
+  EXPECT_EQ(real[0], 1);
+}
+
 TEST(Tape, FailsWhereItEnds) {
   Tape tape = Tape::player({"wait 5", "sense 0 x"});
   std::vector<std::int64_t> whole{0};
   std::vector<double> none, real{0};
-  EXPECT_TRUE(tape.read("wait", whole, none));
+  EXPECT_TRUE(tape.read("wait", whole, none, 0));
   EXPECT_EQ(whole[0], 5);
-  EXPECT_FALSE(tape.read("sense", whole, real));
+  EXPECT_FALSE(tape.read("sense", whole, real, 0));
   EXPECT_EQ(tape.failed_line(), 1);
-  EXPECT_FALSE(tape.read("wait", whole, none));
+  EXPECT_FALSE(tape.read("wait", whole, none, 0));
 }
 
 }  // namespace

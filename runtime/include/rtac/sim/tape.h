@@ -32,15 +32,19 @@ class Tape {
   // One line: a word and numbers.
   void write(const char* word, const std::vector<std::int64_t>& whole,
              const std::vector<double>& real);
-  // The numbers of the next line that begins with `word`, those before it skipped. False: there is
-  // none, or it has not so many numbers; nothing is changed then, and the tape has failed.
-  bool read(const char* word, std::vector<std::int64_t>& whole, std::vector<double>& real);
+  // The numbers of the next line that begins with `word`, those before it skipped. The first
+  // `known` whole ones have to be those that are given: whose line it is. False: there is none, or
+  // it has other numbers, fewer or more; nothing is changed then, and the tape has failed.
+  bool read(const char* word, std::vector<std::int64_t>& whole, std::vector<double>& real,
+            std::size_t known);
 
   [[nodiscard]] const std::vector<std::string>& written() const { return written_; }
   // Where a tape that was played cannot be followed; -1: nowhere.
   [[nodiscard]] int failed_line() const { return failed_line_; }
 
  private:
+  static bool take(const char* at, std::vector<std::int64_t>& whole, std::vector<double>& real,
+                   std::size_t known);
   Mode mode_ = Mode::off;
   std::vector<std::string> lines_, written_;
   std::size_t next_ = 0;
