@@ -52,8 +52,8 @@ std::string draw_svg(const Picture& picture, const Recorder& recorder);
 // What the words of a reason mean ("leg 2 (r1)": a leg of the plan ...); empty for other texts.
 std::string reason_meaning(const std::string& reason);
 
-// Whole or not at all: writes beside `path` and renames; what is no ordinary file, such as a device,
-// is written to as it is. False: it could not be written, and errno says why.
+// Whole or not at all: writes beside `path` and renames; what is no ordinary file, such as a
+// device, is written to as it is. False: it could not be written, and errno says why.
 [[nodiscard]] bool write_text_file(const std::string& path, const std::string& text);
 
 }  // namespace rtac::sim

@@ -42,8 +42,8 @@ struct RobotSetup {
 struct WorldOptions {
   std::uint64_t seed = 1;
   NoiseModel noise = NoiseModel::uniform;
-  TimeUs step_us = 1000;      // clamped to 1 .. 1000
-  TimeUs end_us = INT64_MAX;  // wait_until() goes no further and then returns false
+  TimeUs step_us = 1000;           // clamped to 1 .. 1000
+  TimeUs end_us = INT64_MAX;       // wait_until() goes no further and then returns false
   std::size_t commands_max = 256;  // of a robot under way at once; more are lost
 };
 
