@@ -251,6 +251,7 @@ std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sem
     to.plan_capacity = d.plan_capacity;
     to.has_heading = d.body.heading_age_us.has_value();
     to.judges_commands = ir::judges_commands(d);
+    to.jitter_us = d.body.jitter_us;
     to.in_space = ir::in_space(module);
     to.open_fleet = d.open_fleet;
     to.on_plan = d.on_plan;

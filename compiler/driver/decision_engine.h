@@ -51,7 +51,8 @@ struct DecisionInterface {
   std::vector<Input> inputs;
   std::vector<std::pair<std::string, std::int64_t>> params;  // member, first value
   std::size_t components = 0;                                // of all inputs of the specification
-  bool in_space = false;  // points of the kernel have heights, whosever they are
+  bool in_space = false;       // points of the kernel have heights, whosever they are
+  std::int64_t jitter_us = 0;  // a step comes so much later than due at most
 };
 // Those of the module, which is to be generated under the name `prefix`, a C identifier.
 std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sema::Spec& spec,

@@ -38,7 +38,8 @@ std::string readers(const std::string& p, bool in_space) {
 std::string sizes(const DecisionInterface& d, const std::string& k) {
   const std::string head = "const int64_t rtac_sim_";
   return head + "state_bytes_" + k + " = (int64_t)sizeof(" + d.prefix + "_state);\n" + head +
-         "in_words_" + k + " = " + num(in_words(d)) + ";\n" + head + "out_words_" + k + " = " +
+         "in_words_" + k + " = " + num(in_words(d)) + ";\n" + head + "jitter_us_" + k + " = " +
+         std::to_string(d.jitter_us) + ";\n" + head + "out_words_" + k + " = " +
          num(out_words + monitor_words * d.monitors.size()) + ";\n" + "void rtac_sim_init_" + k +
          "(void *state) {\n  " + d.prefix + "_init((" + d.prefix + "_state *)state);\n}\n";
 }

@@ -82,6 +82,7 @@ Problem Kernel::find(const DecisionCase& decision, Functions& to) const {
   to.state_bytes = size("rtac_sim_state_bytes");
   to.in_words = size("rtac_sim_in_words");
   to.out_words = size("rtac_sim_out_words");
+  to.jitter_us = static_cast<TimeUs>(size("rtac_sim_jitter_us"));
   to.init = function_of<Init>(symbol("rtac_sim_init" + number));
   to.step = function_of<Step>(symbol("rtac_sim_step" + number));
   const std::size_t in = words::plan + words::plan_size(decision.plan_capacity) +

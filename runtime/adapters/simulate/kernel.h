@@ -25,6 +25,7 @@ class Kernel {
     std::size_t state_bytes = 0, in_words = 0, out_words = 0;
     Init init = nullptr;
     Step step = nullptr;
+    TimeUs jitter_us = 0;  // a step comes so much later than due at most
   };
   Problem find(const DecisionCase& decision, Functions& to) const;
 

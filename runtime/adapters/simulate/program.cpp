@@ -92,7 +92,17 @@ class Program {
     if (flags_.count("--runs") != 0) scenario_.runs = whole("--runs");
     if (scenario_.runs == 0) return {"`--runs 0` simulates nothing", "`--runs 1` works"};
     if (flags_.count("--adversary") != 0) scenario_.adversary = flags_["--adversary"];
+    for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
+      if (Problem problem = check_jitter(case_.decisions[d], functions_[d])) return problem;
+    }
     return check_names(scenario_, case_);
+  }
+  // What comes later than is declared is no attack: no look-ahead covers it.
+  Problem check_jitter(const DecisionCase& decision, const Kernel::Functions& functions) {
+    if (scenario_.jitter_us <= functions.jitter_us) return {};
+    return {"`jitter_ms` of the scenario is more than decision `" + decision.name + "` allows for",
+            "a number up to " + std::to_string(functions.jitter_us) +
+                " us works, or declare a longer `jitter` of the decision"};
   }
   std::uint64_t whole(const char* flag) {
     constexpr int decimal = 10;

@@ -235,6 +235,7 @@ TEST_F(Simulations, ScenariosAreRefusedWithWhatWouldWork) {
       {R"({"adversary": "nobody"})", "`chase-fence`"},
       {R"({"adversary": {"r3": "bang-bang"}})", "`r3`"},
       {R"({"starts": {"r1": {"at": 3}}})", "`heading_deg`"},
+      {R"({"jitter_ms": 5.1})", "up to 5000 us works"},
       {R"({"runs": 0})", "a whole number from 1 to "},
       {R"({"runs": -1})", "a whole number from 1 to "}};
   for (const auto& [text, help] : cases) {
