@@ -25,8 +25,13 @@ namespace {
 
 using diag::Code;
 
-// A recovery hands back after its return condition held for this many ticks (hysteresis).
-constexpr std::int64_t dwell_ticks = 5;
+// A recovery hands back after its return condition held for this long (hysteresis), and a tick.
+constexpr std::int64_t dwell_us = 50'000;
+// That condition looks further ahead than the check: a period, since what holds for less is lost at
+// once. Where commands are judged, more of them, within a time: the check lets the advanced
+// controller far beyond the places from which any control is safe, and a place a little deeper is
+// cheap for what it brings.
+constexpr std::int64_t return_periods_of_commands = 4, return_extra_of_commands_us = 200'000;
 // The part of the period that a step may be late where nothing else is declared.
 constexpr std::int64_t jitter_share = 10;
 // How long a HELD robot promises to stay; renewed every tick.
@@ -352,8 +357,8 @@ class Deriver {
     if (from.safe) d.safe = spec_[*from.safe].name;
     d.on_plan = from.on_plan;
     d.period_us = from.period ? ceil_to_int(from.period->value * 1'000'000) : 0;
-    d.return_extra_us = d.period_us;
-    d.dwell_ticks = from.on_plan ? 0 : dwell_ticks;
+    d.return_extra_us = return_extra_us(from, d.period_us);
+    d.dwell_ticks = from.on_plan ? 0 : (dwell_us + d.period_us - 1) / d.period_us;
     d.lease_us = lease_us;
     d.robots = fleet_size(from.kind);
     d.open_fleet = kind.open_fleet;
@@ -375,6 +380,14 @@ class Deriver {
       d.acknowledgements.push_back({spec_[a.recovery].name, spec_[a.monitor].name, a.reason});
     }
     return d;
+  }
+  std::int64_t return_extra_us(const sema::Decision& from, std::int64_t period_us) const {
+    const bool commands =
+        std::any_of(from.priority.begin(), from.priority.end(),
+                    [&](sema::MonitorId id) { return spec_[id].ahead.command; });
+    if (!commands) return period_us;
+    return std::max(period_us, std::min(return_periods_of_commands * period_us,
+                                        return_extra_of_commands_us));
   }
   // theory, horizon: a template is computed every tick and issued in the failing one (k = 1); an
   // external recovery is asynchronous (k = 2).

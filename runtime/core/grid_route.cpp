@@ -158,7 +158,7 @@ bool GridRoute::joins(const RouteQuery& query, Vec2 p, int cell, bool leaving) c
   if (!(leaving ? leg_allowed(query, p, c) : leg_allowed(query, c, p))) return false;
   if (cell == cell_of(p)) return true;
   const double floor_m = std::min(signed_clearance(zone_, p), query.clearance_m);
-  return signed_clearance(zone_, p, c) >= floor_m - connector_loss_m;
+  return keeps_clearance(zone_, p, c, floor_m - connector_loss_m);
 }
 
 // The cell at which a way ends for a goal: the goal's own, or the nearest one that joins.
@@ -343,7 +343,7 @@ bool GridRoute::straight_to_place(const RouteQuery& query, const PlaceTest& test
   const int cell = nearest_cell(query.start, [&](int at) {
     const Vec2 c = centre(at);
     return test.accepts(c, zone_.clearance_mm_lo[at] * m_per_mm) &&
-           leg_allowed(query, query.start, c) && signed_clearance(zone_, query.start, c) >= floor_m;
+           leg_allowed(query, query.start, c) && keeps_clearance(zone_, query.start, c, floor_m);
   });
   way.points.clear();
   way.index = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "rtac/zone_table.h"
 #include "zone_cells.h"
@@ -94,15 +95,17 @@ bool inside(const ZoneView& zone, Vec2 p) {
   return find_cell(zone, p, cell) ? contains(zone, cell, p) : contains(zone, p);
 }
 
-// Smallest signed clearance along a segment that leaves the zone. Signed clearance is 1-Lipschitz,
-// so an interval whose middle is high enough needs no further look.
-double deepest(const ZoneView& zone, Vec2 a, Vec2 b) {
+// Looks at places of a segment: `place(s)` is told the signed clearance of one and says from which
+// clearance on its neighbourhood need not be looked at; nothing: no other place matters. Signed
+// clearance is 1-Lipschitz, so an interval whose middle is high enough needs no further look.
+template <class Place>
+void search_along(const ZoneView& zone, Vec2 a, Vec2 b, const Place& place) {
   struct Interval {
     double lo, hi;  // fractions of the segment
   };
+  if (!place(signed_clearance(zone, a)) || !place(signed_clearance(zone, b))) return;
   // Depth first: each level leaves at most one interval behind, and halving ends at the resolution.
   FixedList<Interval, 64> open;
-  double best = std::min(signed_clearance(zone, a), signed_clearance(zone, b));
   const double length = norm(b - a);
   (void)open.push({0, 1});
   while (!open.empty()) {
@@ -110,10 +113,20 @@ double deepest(const ZoneView& zone, Vec2 a, Vec2 b) {
     open.resize_down(open.size() - 1);
     const double middle = (at.lo + at.hi) / 2, half_m = (at.hi - at.lo) / 2 * length;
     const double s = signed_clearance(zone, a + middle * (b - a));
-    best = std::min(best, s);
-    if (s - half_m >= best - outside_resolution_m || half_m <= outside_resolution_m) continue;
+    const std::optional<double> enough = place(s);
+    if (!enough) return;
+    if (s - half_m >= *enough || half_m <= outside_resolution_m) continue;
     if (!open.push({at.lo, middle}) || !open.push({middle, at.hi})) break;
   }
+}
+
+// Smallest signed clearance along a segment that leaves the zone.
+double deepest(const ZoneView& zone, Vec2 a, Vec2 b) {
+  double best = std::numeric_limits<double>::infinity();
+  search_along(zone, a, b, [&](double s) -> std::optional<double> {
+    best = std::min(best, s);
+    return best - outside_resolution_m;
+  });
   return best;
 }
 
@@ -124,15 +137,17 @@ double signed_clearance(const ZoneView& zone, Vec2 p) {
   const bool in_tree = find_cell(zone, p, cell);
   const bool is_inside = in_tree ? contains(zone, cell, p) : contains(zone, p);
   if (in_tree && cell.is_far() && is_inside) return cell.far_mm() * detail::m_per_mm;
-  double distance_m = std::numeric_limits<double>::infinity();
+  double squared_m2 = std::numeric_limits<double>::infinity();
   const auto look = [&](const Edge& e) {
-    distance_m = std::min(distance_m, norm(p - closest_on(e, p)));
+    const Vec2 d = p - closest_on(e, p);
+    squared_m2 = std::min(squared_m2, dot(d, d));
   };
   if (in_tree && !cell.is_far()) {
     for_each_edge(zone, cell, look);
   } else {  // outside, where a bound of the distance would call a place less far out than it is
     for_each_edge(zone, look);
   }
+  const double distance_m = std::sqrt(squared_m2);
   return is_inside ? distance_m : -distance_m;
 }
 
@@ -144,14 +159,26 @@ double signed_clearance(const ZoneView& zone, Vec2 a, Vec2 b) {
   return std::min(deepest(zone, a, b), 0.0);
 }
 
+bool keeps_clearance(const ZoneView& zone, Vec2 a, Vec2 b, double least_m) {
+  const Along found = look_along(zone, a, b);
+  if (!found.crosses && inside(zone, a)) return found.least_m >= least_m;
+  if (least_m > 0) return false;
+  bool keeps = true;
+  search_along(zone, a, b, [&](double s) -> std::optional<double> {
+    keeps = keeps && s >= least_m;
+    return keeps ? std::optional(least_m) : std::nullopt;
+  });
+  return keeps;
+}
+
 Vec2 nearest_boundary(const ZoneView& zone, Vec2 p) {
   Vec2 best = p;
-  double best_m = std::numeric_limits<double>::infinity();
+  double best_m2 = std::numeric_limits<double>::infinity();
   for_each_near_edge(zone, p, [&](const Edge& e) {
     const Vec2 q = closest_on(e, p);
-    const double d = norm(p - q);
-    if (d < best_m) {
-      best_m = d;
+    const Vec2 d = p - q;
+    if (dot(d, d) < best_m2) {
+      best_m2 = dot(d, d);
       best = q;
     }
   });

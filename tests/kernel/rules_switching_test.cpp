@@ -8,6 +8,9 @@
 namespace rtac::kernel_test {
 namespace {
 
+// 50 ms, in ticks of 100 ms.
+constexpr int dwell_ticks = 1;
+
 TEST(Rule10, AtStartTheAdvancedControllerDrivesWhenEveryReturnSetHolds) {
   GuardScene s;
   EXPECT_TRUE(s.tick().advanced());
@@ -140,12 +143,12 @@ TEST(Rule9, ASampleFromBeforeTheTakeoverMayShowTheDriverBefore) {
 }
 
 TEST(Rule10, ReturnTakesTheAuthorsConditionForItsTimeAndTheDwell) {
-  // `return when ... for 1 s` is ten ticks after the first good one; then six in a row give back.
+  // `return when ... for 1 s` is ten ticks after the first good one; then two in a row give back.
   GuardScene s;
   s.at = {0.3, 5};
   ASSERT_EQ(s.tick().mode, fence + 1);
   s.at = {5, 5};
-  EXPECT_EQ(s.ticks_to_advanced(), 11 + 5);
+  EXPECT_EQ(s.ticks_to_advanced(), 11 + dwell_ticks);
 }
 
 TEST(Rule10, WithoutAnAuthorsConditionTheDwellAloneCounts) {
@@ -153,7 +156,7 @@ TEST(Rule10, WithoutAnAuthorsConditionTheDwellAloneCounts) {
   s.other[1] = {5.5, 5};
   ASSERT_EQ(s.tick().mode, separation + 1);
   s.other[1] = {17, 2};
-  EXPECT_EQ(s.ticks_to_advanced(), 6);
+  EXPECT_EQ(s.ticks_to_advanced(), 1 + dwell_ticks);
 }
 
 TEST(Rule10, TheAuthorsConditionAloneDoesNotGiveBack) {
@@ -171,7 +174,7 @@ TEST(Rule10, TheReturnSetMustHoldForTheDwell) {
   s.at = {0.5, 5};
   for (int i = 0; i < 30; ++i) ASSERT_EQ(s.tick().mode, fence + 1);
   s.at = {5, 5};
-  EXPECT_EQ(s.ticks_to_advanced(), 6);
+  EXPECT_EQ(s.ticks_to_advanced(), 1 + dwell_ticks);
 }
 
 TEST(Rule10, OneBadTickStartsTheReturnAnew) {
@@ -179,11 +182,11 @@ TEST(Rule10, OneBadTickStartsTheReturnAnew) {
   s.at = {0.3, 5};
   s.tick();
   s.at = {5, 5};
-  for (int i = 0; i < 14; ++i) ASSERT_EQ(s.tick().mode, fence + 1);
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(s.tick().mode, fence + 1);
   s.at = {0.3, 5};
   ASSERT_EQ(s.tick().mode, fence + 1);
   s.at = {5, 5};
-  EXPECT_EQ(s.ticks_to_advanced(), 16);
+  EXPECT_EQ(s.ticks_to_advanced(), 11 + dwell_ticks);
 }
 
 TEST(Rule10, AReturnConditionOfAMonitorThatNeverEngagedPlaysNoPart) {
@@ -193,7 +196,7 @@ TEST(Rule10, AReturnConditionOfAMonitorThatNeverEngagedPlaysNoPart) {
   s.plan = path({{13, 5}});  // through the pool
   ASSERT_EQ(s.tick().mode, fence + 1);
   s.plan = {};
-  EXPECT_EQ(s.ticks_to_advanced(), 15);
+  EXPECT_EQ(s.ticks_to_advanced(), 10 + dwell_ticks);
 }
 
 TEST(Rule10, AReturnConditionOfAMonitorThatEngagedCounts) {
@@ -203,7 +206,7 @@ TEST(Rule10, AReturnConditionOfAMonitorThatEngagedCounts) {
   s.battery = 0.6;
   EXPECT_EQ(s.ticks_to_advanced(), 100);
   s.battery = 0.95;
-  EXPECT_EQ(s.ticks_to_advanced(), 6);
+  EXPECT_EQ(s.ticks_to_advanced(), 1 + dwell_ticks);
 }
 
 TEST(Rule10, NothingIsGivenBackWhileAnotherReturnSetDoesNotHold) {
@@ -260,9 +263,9 @@ TEST(Rule1, AMissedTickResetsWhatMustHoldWithoutAGap) {
   s.at = {0.3, 5};
   s.tick();
   s.at = {5, 5};
-  for (int i = 0; i < 13; ++i) ASSERT_FALSE(s.tick().advanced());
+  for (int i = 0; i < 9; ++i) ASSERT_FALSE(s.tick().advanced());
   s.now_us += 2 * GuardScene::period_us;
-  EXPECT_EQ(s.ticks_to_advanced(), 16);
+  EXPECT_EQ(s.ticks_to_advanced(), 11 + dwell_ticks);
 }
 
 // `not (battery < 60 % for 1 s)`: in between nobody looked, so that it may well have lasted.
@@ -272,7 +275,7 @@ TEST(Rule1, WhatIsNotFalseMayHaveLastedThroughMissedTicks) {
     int count;
     TimeUs us;
   };
-  for (const Gaps gaps : {Gaps{0, 0}, Gaps{3, 4 * tick_us}, Gaps{1, 40 * tick_us}}) {
+  for (const Gaps gaps : {Gaps{0, 0}, Gaps{5, 4 * tick_us}, Gaps{1, 40 * tick_us}}) {
     KiteScene s;
     s.at = {4, 0.05};
     s.battery = 0.55;
@@ -342,7 +345,7 @@ TEST(Rule1, StepsWithinATickDoNotSpeedUpTheReturn) {
     s.now_us -= GuardScene::period_us - 10'000;
     ++n;
   }
-  EXPECT_GT(n, 45);
+  EXPECT_GE(n, 5);
 }
 
 TEST(Rule6, AClockThatGoesBackwardsIsUnknown) {

@@ -28,7 +28,7 @@ enum {
   INPUT_CLOCK = 7
 };
 /* An engaged monitor lets go when it could for more than this many ticks. */
-enum { DWELL_TICKS = 5 };
+enum { DWELL_TICKS = 1 };
 
 typedef struct margin {
   double low, high;

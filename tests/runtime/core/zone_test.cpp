@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/runtime/core/test_zone.h"
 
 namespace rtac {
@@ -38,6 +40,17 @@ TEST(Zone, MeasuresSegmentsAcrossAHole) {
 }
 
 // The nearest point of the boundary may belong to a hole.
+TEST(Zone, ALegKeepsAClearanceThatItHas) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> at(-1, 6);
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec2 a{at(random), at(random)}, b{at(random), at(random)};
+    const double least_m = signed_clearance(room().view(), a, b);
+    EXPECT_TRUE(keeps_clearance(room().view(), a, b, least_m - 2e-3)) << i;
+    EXPECT_FALSE(keeps_clearance(room().view(), a, b, least_m + 2e-3)) << i;
+  }
+}
+
 TEST(Zone, FindsTheNearestBoundary) {
   const Vec2 q = nearest_boundary(room().view(), {1.8, 2.4});
   EXPECT_NEAR(q.x, 2.0, 1e-12);
