@@ -376,6 +376,7 @@ class Deriver {
       d.monitors.push_back(monitor(spec_[id], d));
       if (!from.on_plan) d.motions.push_back(motion(spec_[id], kind, d.period_us));
     }
+    d.heard_reach_mm = heard_reach_mm(d);
     for (const auto& a : from.acknowledgements) {
       d.acknowledgements.push_back({spec_[a.recovery].name, spec_[a.monitor].name, a.reason});
     }
@@ -388,6 +389,12 @@ class Deriver {
     if (!commands) return period_us;
     return std::max(period_us, std::min(return_periods_of_commands * period_us,
                                         return_extra_of_commands_us));
+  static std::int64_t heard_reach_mm(const ir::Decision& d) {
+    if (d.robots < 2 || d.on_plan) return 0;
+    std::int64_t horizon_us = 0;
+    for (const ir::Monitor& m : d.monitors) horizon_us = std::max(horizon_us, ir::horizon_us(d, m));
+    return disc_mm(d.body, d.motions[0], d.motions[0].speed_mmps,
+                   d.body.hears_age_us + horizon_us + d.return_extra_us);
   }
   // theory, horizon: a template is computed every tick and issued in the failing one (k = 1); an
   // external recovery is asynchronous (k = 2).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/codegen/fleet_index.h"
 #include "compiler/codegen/kernel_decision.h"
 #include "compiler/codegen/watch_values.h"
 #include "compiler/ir/margin_unit.h"
@@ -112,7 +113,8 @@ void BlockPrinter::loop(const Op& op, const std::string& target, const std::stri
   uses_.insert(join);
   out.line(type + target + " = " + start + ";");
   const std::string present =
-      decision_.open_fleet ? " && !" + use("is_absent", "&v->others[j]") : "";
+      (decision_.open_fleet ? " && !" + use("is_absent", "&v->others[j]") : "") +
+      (leaves_far_out(decision_) ? " && !" + use("is_far", "&v->others[j]") : "");
   // a property may have several quantifiers: each loop declares its own index
   out.block("for (int32_t j = 0; j < ROBOTS; ++j)", [&](Code& each) {
     each.block("if (j != v->in->self" + present + ")", [&](Code& other) {

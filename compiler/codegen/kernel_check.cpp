@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/codegen/fleet_index.h"
 #include "compiler/codegen/kernel_blocks.h"
 #include "compiler/ir/margin_unit.h"
 
@@ -52,7 +53,8 @@ void CheckPrinter::print_look() {
     if (pairs()) {
       use({"other_of"});
       to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
-        each.block("if (j != v->in->self)", [&](Code& body) {
+        const std::string near = leaves_far_out(d_) ? " && !" + is_far() : "";
+        each.block("if (j != v->in->self" + near + ")", [&](Code& body) {
           body.line("const " + p_ + "_other *heard = &v->in->others[j];");
           body.line("const estimate s = v->others[j].s;");
           if (d_.open_fleet) body.line("const int32_t absent = v->others[j].absent;");
@@ -88,12 +90,14 @@ void CheckPrinter::print_measure() {
       [&](Code& to) {
         to.line("const " + name_ + "_in *in = v->in;");
         if (pairs()) to.line("int32_t j;");
+        if (pairs() && leaves_far_out(d_)) to.line("int64_t nearest_mm2 = INT64_MAX, far_mm;");
         measure_self(to);
         measure_charge(to);
         measure_ages(to);
         if (pairs()) {
           to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) { measure_other(each); });
         }
+        if (pairs() && leaves_far_out(d_)) measure_near(to);
         to.block("if (in->self < 0 || in->self >= ROBOTS)", [&](Code& body) {
           body.line("lost(&v->self, " + up_ + "_INPUT_OTHER_ROBOT); /* nobody of the fleet */");
         });
@@ -177,9 +181,14 @@ void CheckPrinter::measure_other(Code& to) {
   use({"promise_kept"});
   const std::string missing = up_ + "_INPUT_OTHER_ROBOT";
   const std::string fault = "lost(&v->others[j].s, " + missing + ");";
+  const bool close_later = leaves_far_out(d_);
   to.line("const " + p_ + "_other *o = &in->others[j];");
-  to.line("v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, &" + id_ +
-          "_heard_body);");
+  if (close_later) {
+    to.line("v->others[j].off_mm = -1;");
+    to.line("v->others[j].s.p_input = v->others[j].s.input = " + up_ + "_INPUT_NONE;");
+  } else {
+    to.line("v->others[j].s = " + heard());
+  }
   if (d_.open_fleet) {
     use({"is_absent", "says_absent"});
     to.line("v->others[j].absent = says_absent(o, v->now_us, " + num(d_.body.hears_age_us) +
@@ -191,6 +200,46 @@ void CheckPrinter::measure_other(Code& to) {
   to.block("if (o->position.valid &&\n          !promise_kept(o->lease_end_us, v->now_us, " +
                num(d_.lease_us) + ", &s->last_other_lease_us[j]))",
            [&](Code& body) { body.line(fault); });
+  if (!close_later) return;
+  use({"nearer_of"});
+  const std::string there = d_.open_fleet ? " && !v->others[j].absent" : "";
+  to.block("if (j != in->self" + there + ")", [&](Code& body) {
+    body.line("nearest_mm2 = nearer_of(&v->others[j], o, &v->self, &" + id_ +
+              "_heard_body, v->now_us, nearest_mm2);");
+  });
+}
+
+// The estimate of robot number j.
+std::string CheckPrinter::heard() const {
+  return "estimate_of(&o->position, &o->velocity, v->now_us, &" + id_ + "_heard_body);";
+}
+
+std::string CheckPrinter::is_far() {
+  use({"is_far"});
+  return "is_far(&v->others[j])";
+}
+
+// A closer look at those that are not far off; what the stamps of their samples said stands.
+void CheckPrinter::measure_near(Code& to) {
+  use({"far_from"});
+  const std::string missing = up_ + "_INPUT_OTHER_ROBOT", none = up_ + "_INPUT_NONE";
+  std::int64_t accel_mmps2 = 0;
+  for (const Motion& m : d_.motions) accel_mmps2 = std::max(accel_mmps2, m.accel_mmps2);
+  to.line("far_mm = far_from(nearest_mm2, &v->self, &BODY, " + num(accel_mmps2) + ", " +
+          num(*std::max_element(horizons_.begin(), horizons_.end()) + d_.return_extra_us) + ", " +
+          num(d_.heard_reach_mm) + ", " + num(separation_.value_or(0)) + ");");
+  to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
+    each.line("const " + p_ + "_other *o = &in->others[j];");
+    each.line("const int32_t p_input = v->others[j].s.p_input, input = v->others[j].s.input;");
+    each.line("v->others[j].far = v->others[j].off_mm >= far_mm;");
+    each.block("if (!v->others[j].far)", [&](Code& body) {
+      body.line("v->others[j].s = " + heard());
+      body.block("if (p_input != " + none + ")",
+                 [&](Code& lost) { lost.line("lost(&v->others[j].s, " + missing + ");"); });
+      body.block("if (input != " + none + ")",
+                 [&](Code& lost) { lost.line("v->others[j].s.input = " + missing + ";"); });
+    });
+  });
 }
 
 namespace {

@@ -26,6 +26,9 @@ class CheckPrinter : public FactPrinter {
   void measure_charge(Code& to);
   void measure_ages(Code& to);
   void measure_other(Code& to);
+  void measure_near(Code& to);
+  [[nodiscard]] std::string heard() const;
+  [[nodiscard]] std::string is_far();
   void print_horizon(std::size_t horizon, Code& to);
   [[nodiscard]] bool uses_battery() const;
   template <class Each>

@@ -604,6 +604,9 @@ struct Decision {
   // How many commands are kept: as many as may act after a sample was taken, and one before. The
   // same for all decisions that judge commands, else 0.
   std::int64_t commands = 0;
+  // What another robot may cover, body included, seen from where it was heard: the most for every
+  // horizon, speed and age.
+  std::int64_t heard_reach_mm = 0;
 };
 // From a decision until its recovery acts, the age of the sample apart.
 inline std::int64_t horizon_us(const Decision& d, const Monitor& m) {

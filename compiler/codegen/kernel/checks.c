@@ -176,10 +176,59 @@ typedef struct other {
   reach r;      /* under any control */
   int32_t held; /* its promise outlasts the horizon, and may be relied upon */
   /*? is_absent */ int32_t absent; /* it says so itself, and the message is fresh */
+  /*? is_far */ int64_t off_mm; /* along the longer axis; -1: not seen well enough to tell */
+  /*? is_far */ int32_t far;    /* no margin depends on it, and nothing else of it is known */
 } other;
 /*= is_absent : other_type */
 static int32_t is_absent(const other *o) {
   return o->absent;
+}
+/*= is_far : other_type */
+static int32_t is_far(const other *o) {
+  return o->far;
+}
+/*= nearer_of : other_type estimate_type body_type usable within_speeds vec_of minus dot magnitude max_of min_of */
+/* How far off another robot is, where nothing is wrong with what was heard of it and it is as exact
+ * as the grid: only then its errors are known without a closer look. Returns the squared distance of
+ * the nearest such robot, that of those before being `nearest_mm2`. */
+static int64_t nearer_of(other *o, const KERNEL_other *in, const estimate *self, const body *b,
+                         int64_t now_us, int64_t nearest_mm2) {
+  const KERNEL_point *p = &in->position;
+  const KERNEL_point *v = &in->velocity;
+  const int64_t most_mmps = b->speed_mmps + b->velocity_error_mmps + 2; /* see estimate_of */
+  vec u, d;
+  if (o->s.input != INPUT_NONE || !usable(p, now_us, b->position_age_us) ||
+      !usable(v, now_us, b->velocity_age_us) || !within_speeds(v) || p->x_hi - p->x_lo > 1 ||
+      p->y_hi - p->y_lo > 1 || p->x_lo < -EXTENT_MM || p->x_hi > EXTENT_MM ||
+      p->y_lo < -EXTENT_MM || p->y_hi > EXTENT_MM) {
+    return nearest_mm2;
+  }
+  u = vec_of(v->x_lo, v->y_lo);
+  if (dot(u, u) > most_mmps * most_mmps) {
+    return nearest_mm2;
+  }
+  d = minus(vec_of(p->x_lo, p->y_lo), self->p);
+  o->off_mm = max_of(magnitude(d.x), magnitude(d.y));
+  return min_of(nearest_mm2, dot(d, d));
+}
+/*= far_from : reach_of estimate_type body_type motion_type max_of root_up */
+/* How far off a robot has to be for its margins to be larger than those of the nearest one, and than
+ * `least_mm`, whatever their errors and whatever both do: a margin of distance is no larger than the
+ * distance of the centres, and smaller by no more than both may cover. `heard_mm`: the other one's
+ * reach, at its greatest speed and age; 10: what is rounded. */
+static int64_t far_from(int64_t nearest_mm2, const estimate *self, const body *b,
+                        int64_t accel_mmps2, int64_t horizon_us, int64_t heard_mm,
+                        int64_t least_mm) {
+  motion fastest;
+  reach widest;
+  if (self->input != INPUT_NONE || nearest_mm2 == INT64_MAX) {
+    return INT64_MAX;
+  }
+  fastest.speed_mmps = max_of(b->speed_mmps, self->speed_mmps + self->v_error_mmps);
+  fastest.accel_mmps2 = accel_mmps2;
+  fastest.recovery = 0;
+  widest = reach_of(self, b, &fastest, horizon_us);
+  return max_of(root_up(nearest_mm2), least_mm) + widest.disc_mm + heard_mm + 10;
 }
 /*= distance_now : other_type body_type motion_type moved_now span_of span_unknown minus dot root_down */
 static span distance_now(const estimate *s, const other *o, const body *b, const motion *m,

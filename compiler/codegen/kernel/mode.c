@@ -218,6 +218,8 @@ static other other_of(const KERNEL_other *in, const estimate *s, const body *b, 
                       int64_t horizon_us, int64_t now_us, int64_t lease_us, int32_t may_use) {
   other o;
   /*? is_absent */ o.absent = 0;
+  /*? is_far */ o.off_mm = -1;
+  /*? is_far */ o.far = 0;
   o.s = *s;
   o.held = may_use && horizon_us <= lease_us && in->lease_end_us >= later(now_us, horizon_us);
   o.r = reach_of(s, b, any, horizon_us);
@@ -234,6 +236,9 @@ static int32_t gate_of(const reach *r, const other *others, int32_t count, int32
     /*? is_absent */ if (others[j].absent != 0) {
     /*? is_absent */   continue;
     /*? is_absent */ }
+    /*? is_far */ if (others[j].far != 0) {
+    /*? is_far */   continue;
+    /*? is_far */ }
     if (j != self) {
       if (r->input != INPUT_NONE || others[j].s.input != INPUT_NONE) {
         return GATE_HOLD;

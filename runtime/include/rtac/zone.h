@@ -52,10 +52,10 @@ double signed_clearance(const ZoneView& zone, Vec2 p);
 // zone, up to the same bound; at most 0, and within 1 mm of the true minimum, for one that meets or
 // crosses the boundary.
 double signed_clearance(const ZoneView& zone, Vec2 a, Vec2 b);
-// Of a zone with height, in space, likewise.
-double signed_clearance(const SolidView& zone, Vec3 p);
 // Is that at least `least_m`? Sooner known than the clearance itself.
 bool keeps_clearance(const ZoneView& zone, Vec2 a, Vec2 b, double least_m);
+// Of a zone with height, in space, likewise.
+double signed_clearance(const SolidView& zone, Vec3 p);
 // Closest point of the boundary.
 Vec2 nearest_boundary(const ZoneView& zone, Vec2 p);
 // Unit vector out of danger: outside towards the closest point of the boundary, inside away from
