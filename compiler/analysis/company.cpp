@@ -64,13 +64,13 @@ class Company {
       visit(block, v->b);
     } else if (std::holds_alternative<Or>(value.op)) {
       if (!of_both(block, id)) report_choice(value.source);
-    } else if (const auto* v = std::get_if<ForOthers>(&value.op)) {
+    } else if (const auto* each = std::get_if<ForOthers>(&value.op)) {
       // one other robot that cannot be absent is all and some of them at once
       const bool one = decision_.robots <= 2 && !decision_.open_fleet;
-      if (!v->universal && !one) return report_some(value.source);
-      visit(*v->body, v->body->result);
-    } else if (const auto* v = std::get_if<AtLeast>(&value.op)) {
-      if (counts(block, *v)) report_number(value.source);
+      if (!each->universal && !one) return report_some(value.source);
+      visit(*each->body, each->body->result);
+    } else if (const auto* compare = std::get_if<AtLeast>(&value.op)) {
+      if (counts(block, *compare)) report_number(value.source);
     }
   }
 

@@ -383,12 +383,12 @@ class Deriver {
     return d;
   }
   std::int64_t return_extra_us(const sema::Decision& from, std::int64_t period_us) const {
-    const bool commands =
-        std::any_of(from.priority.begin(), from.priority.end(),
-                    [&](sema::MonitorId id) { return spec_[id].ahead.command; });
+    const bool commands = std::any_of(from.priority.begin(), from.priority.end(),
+                                      [&](sema::MonitorId id) { return spec_[id].ahead.command; });
     if (!commands) return period_us;
-    return std::max(period_us, std::min(return_periods_of_commands * period_us,
-                                        return_extra_of_commands_us));
+    return std::max(period_us,
+                    std::min(return_periods_of_commands * period_us, return_extra_of_commands_us));
+  }
   static std::int64_t heard_reach_mm(const ir::Decision& d) {
     if (d.robots < 2 || d.on_plan) return 0;
     std::int64_t horizon_us = 0;
@@ -404,8 +404,8 @@ class Deriver {
   static std::int64_t duration_us(const sema::Monitor& m, std::int64_t k, std::int64_t period_us) {
     return m.ahead.duration ? ceil_to_int(m.ahead.duration->value * 1'000'000) : k * period_us;
   }
-  // No timer is exact. Where nothing is declared and a look-ahead leaves no room, a step may still
-  // be late by a part of the period, for which every horizon gets longer.
+  // No timer is exact. Where nothing is declared and a look-ahead leaves no room, a step may
+  // still be late by a part of the period, for which every horizon gets longer.
   std::int64_t jitter_us(const sema::Decision& from) const {
     if (from.jitter) return ceil_to_int(from.jitter->value * 1'000'000);
     const std::int64_t period_us = ceil_to_int(from.period->value * 1'000'000);
@@ -530,28 +530,44 @@ class Deriver {
       return recovery_motion(kind, c.name, claim ? claim->speed.value : kind.motion.speed.value,
                              period_us);
     }
-    const Rational pushed = pushed_speed(kind, period_us);
+    const Rational pushed = pushed_speed(kind, period_us), least = least_speed(kind, pushed);
     Rational speed = 0;  // whoever stands never gets faster than it was found
     for (const sema::Template& what : all) {
       const auto own = sema::speed_of(what);
       if (!own) continue;
       speed = std::max(speed, *own);
-      if (*own <= pushed) report_pushed_back(c, pushed, kind);
+      if (*own < least) report_no_way(c, least, pushed, kind);
     }
     return recovery_motion(kind, c.name, speed, period_us);
   }
-  void report_pushed_back(const sema::Controller& c, const Rational& pushed,
-                          const sema::RobotKind& kind) {
-    if (!kind.motion.disturbance) return;
-    const Rational works = ceil_to_int(Rational(pushed * 1000)) + 1;
+  // The slowest recovery of a point mass that makes half of its speed good, whatever its velocity
+  // errs and whatever pushes it back. Wheels drive at the speed that they are told; in space the
+  // place of a hold moves, whatever the velocity errs.
+  static Rational least_speed(const sema::RobotKind& kind, const Rational& pushed) {
+    const bool steers = kind.motion.model == sema::MotionModel::point && !kind.in_space;
+    if (!steers || !kind.velocity) return pushed;
+    return 2 * (kind.velocity->error.value + pushed);
+  }
+  void report_no_way(const sema::Controller& c, const Rational& least, const Rational& pushed,
+                     const sema::RobotKind& kind) {
+    std::vector<diag::Note> notes;
+    if (kind.velocity) {
+      notes.push_back(
+          {kind.velocity->error.range,
+           "its velocity errs by up to " + to_decimal(kind.velocity->error.value) + " m/s"});
+    }
+    if (pushed > 0) {
+      notes.push_back(
+          {kind.motion.disturbance ? kind.motion.disturbance->range : kind.output_error->range,
+           "pushes it back at up to " + to_decimal(pushed) + " m/s"});
+    }
+    const Rational works(ceil_to_int(Rational(least * 1000)), 1000);
     diagnostics_.report({Code::limit_contradictory,
                          c.name_range,
-                         "`" + c.name + "` makes no way against the disturbance",
-                         "no faster than it may be pushed back",
-                         {{kind.motion.disturbance->range,
-                           "pushes it back at up to " + to_decimal(pushed) + " m/s"}},
-                         "a speed of at least " + to_decimal(Rational(works / 1000)) +
-                             " m/s works, or less disturbance",
+                         "`" + c.name + "` is too slow to make way for sure",
+                         "it may be driven back instead",
+                         std::move(notes),
+                         "a speed of at least " + to_decimal(works) + " m/s works",
                          {}});
   }
 

@@ -50,10 +50,32 @@ std::int64_t planar_accel(const sema::RobotKind& kind, std::int64_t speed_mmps) 
   return root_up(accel * accel + lateral * lateral);
 }
 
+// How the latched hold of a point mass moves: a spring and a critical damper, from measurements
+// that err, against what pushes. Its response to a push is never negative, with the delay that its
+// frequency leaves room for too, so that errors that stay do most: a position error moves it by
+// itself, a velocity error by 2 / omega of it, a push by 1 / omega^2 of it. It is latched at twice
+// the velocity error and what the brake takes off within the delay, at most; from such a speed it
+// goes on by 1 / (e omega), a little less with the target ahead of it, and by half of the delay.
+std::int64_t hold_mm(const ir::Body& b, std::int64_t delay_us) {
+  const Rational delay_s(delay_us, 1'000'000);
+  const Rational loop_s(
+      std::max<std::int64_t>(delay_us + b.position_age_us, pace::hold_delay_least_us), 1'000'000);
+  const std::int64_t left_mmps2 = b.brake_mmps2 - b.disturbance_mmps2;
+  Rational omega = std::min(Rational(pace::hold_max_mradps, 1000),
+                            Rational(Rational(pace::hold_mrad_per_delay, 1000) / loop_s));
+  const Rational quiet(left_mmps2,
+                       pace::hold_brake_shares * std::max<std::int64_t>(b.velocity_error_mmps, 1));
+  omega = std::min(omega, quiet);
+  const Rational latched =
+      2 * b.velocity_error_mmps + (b.brake_mmps2 + b.disturbance_mmps2) * delay_s;
+  const Rational moved = latched * (Rational(7, 25) / omega + delay_s / 2) +
+                         2 * b.velocity_error_mmps / omega + b.disturbance_mmps2 / (omega * omega);
+  return ceil_to_int(moved) + 2 * b.position_error_mm + hold_slack_mm;
+}
+
 // theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h. The lag
 // runs from the measurement on, so that the age of the sample is part of it. What pushes the robot
-// at d changes its speed in the meantime, leaves b - d to brake with, and moves it about its hold:
-// by d / omega^2 at most for a spring and a critical damper, by twice that with their delay.
+// at d changes its speed in the meantime, and leaves b - d to brake with.
 void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
   const std::int64_t d_mmps2 = b.disturbance_mmps2, left_mmps2 = b.brake_mmps2 - d_mmps2;
   if (left_mmps2 <= 0) return;  // reported
@@ -61,13 +83,7 @@ void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
   const std::int64_t eta =
       b.velocity_error_mmps + div_up((b.brake_mmps2 + d_mmps2) * delay_us, 1'000'000);
   b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
-  b.hold_mm = div_up(eta * eta, left_mmps2) + 2 * b.position_error_mm + hold_slack_mm;
-  if (d_mmps2 == 0) return;
-  const Rational loop_s(
-      std::max<std::int64_t>(delay_us + b.position_age_us, pace::hold_delay_least_us), 1'000'000);
-  const Rational omega = std::min(Rational(pace::hold_max_mradps, 1000),
-                                  Rational(Rational(pace::hold_mrad_per_delay, 1000) / loop_s));
-  b.hold_mm += ceil_to_int(Rational(2 * d_mmps2 / (omega * omega)));
+  b.hold_mm = div_up(eta * eta, left_mmps2) + hold_mm(b, delay_us);
 }
 
 }  // namespace
@@ -86,7 +102,7 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
   if (kind.output_error) {
     b.command_mmps2 = up(kind.motion.accel.value, 1000);
     // 2: a command off the grid
-    b.command_error_mmps2 = up(kind.output_error->value + disturbance_of(kind), 1000) + 2;
+    b.command_error_mmps2 = up(disturbance_of(kind), 1000) + 2;
   }
   if (kind.position) b.position_age_us = micros(kind.position->max_age.value);
   if (kind.heading) b.heading_age_us = micros(kind.heading->max_age.value);

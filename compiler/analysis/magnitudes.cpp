@@ -40,7 +40,11 @@ class Checker {
     least("the acceleration", k.motion.accel, least_accel_mps2, "m/s^2");
     most("the brake", k.motion.brake, accel_max_mps2, "m/s^2");
     least("the brake", k.motion.brake, least_accel_mps2, "m/s^2");
-    if (k.motion.disturbance) check_disturbance(k.motion);
+    if (k.motion.disturbance) check_push("the disturbance", *k.motion.disturbance, k, {});
+    if (k.output_error) {
+      const Rational pushed = k.motion.disturbance ? k.motion.disturbance->value : Rational(0);
+      check_push("the error of the output", *k.output_error, k, pushed);
+    }
     if (k.motion.turn) {
       most("the turn rate", *k.motion.turn, turn_max, "rad/s");
       // a millionth: the time of a turn stays below a year
@@ -58,13 +62,14 @@ class Checker {
     most("the latency", k.latency, time_max_s, "s");
     if (k.energy) energy(*k.energy);
   }
-  // What the brake has left divides, and is rounded down to the grid.
-  void check_disturbance(const sema::Motion& motion) {
-    const sema::Quantity& d = *motion.disturbance;
-    const Rational room = std::min(motion.brake.value, motion.accel.value) - 2 * least_accel_mps2;
-    if (d.value <= room) return;
-    report("the disturbance", d,
-           "at most " + to_decimal(std::max(room, Rational(0))) + " m/s^2 works");
+  // What the brake has left divides, and is rounded down to the grid. `others`: what pushes
+  // besides.
+  void check_push(const char* what, const sema::Quantity& push, const sema::RobotKind& k,
+                  const Rational& others) {
+    const Rational room =
+        std::min(k.motion.brake.value, k.motion.accel.value) - 2 * least_accel_mps2 - others;
+    if (push.value <= room) return;
+    report(what, push, "at most " + to_decimal(std::max(room, Rational(0))) + " m/s^2 works");
   }
   void energy(const sema::Energy& e) {
     most("`drive`", e.drive, energy_max, "of a full battery per m");

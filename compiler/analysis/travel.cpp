@@ -78,10 +78,6 @@ Rational braking(const sema::RobotKind& kind) {
 
 }  // namespace
 
-Rational disturbance_of(const sema::RobotKind& kind) {
-  return kind.motion.disturbance ? kind.motion.disturbance->value : Rational(0);
-}
-
 Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us) {
   const Rational period(static_cast<long>(period_us), 1'000'000);
   return disturbance_of(kind) * settling(kind, period);

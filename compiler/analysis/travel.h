@@ -16,6 +16,7 @@ inline constexpr int velocity_time_delays = 2;
 inline constexpr int hold_max_mradps = 2000;
 inline constexpr int hold_mrad_per_delay = 250;
 inline constexpr int hold_delay_least_us = 10'000;
+inline constexpr int hold_brake_shares = 4;
 inline constexpr int turn_gain_milli_per_s = 1500;
 inline constexpr int turn_max_mradps = 1500;
 inline constexpr int turn_end_mrad = 100;
@@ -24,8 +25,6 @@ inline constexpr int look_every_ms = 1000;
 inline constexpr int waypoints = 64;  // of one piece of a way
 }  // namespace pace
 
-// Acceleration that nobody commands, in m/s^2.
-Rational disturbance_of(const sema::RobotKind& kind);
 // By how much it makes a recovery of a point mass faster or slower than it means to be, in m/s.
 Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us);
 // Upper bound of the time from taking over at full speed until a way of `distance_mm` along the

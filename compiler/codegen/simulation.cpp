@@ -45,7 +45,7 @@ Json limits(const sema::RobotKind& k) {
   sense("battery", "", k.battery);
   if (k.hears_max_age) j["hears_age_us"] = micros(*k.hears_max_age);
   j["latency_us"] = micros(k.latency);
-  if (k.motion.disturbance) put("disturbance_mps2", *k.motion.disturbance);
+  if (disturbance_of(k) > 0) j["disturbance_mps2"] = nearest_double(disturbance_of(k));
   if (k.in_space) j["in_space"] = true;
   if (k.plan) put("tracking_m", k.plan->tracking);
   if (k.energy) {
@@ -120,6 +120,7 @@ Json recovery(const ir::Recovery& r, const sema::RobotKind& kind) {
   Json j{{"name", r.name}, {"kind", name_of(r.kind)}};
   j["lasts_us"] = r.lasts_us;
   for (const ir::Recovery& step : r.steps) j["steps"].push_back(recovery(step, kind));
+  j["pass_gap_m"] = metres(r.pass_gap_mm);
   if (r.kind == ir::RecoveryKind::land) {
     j["speed_mps"] = metres(r.speed_mmps);
     j["land_at_m"] = metres(r.land_mm);
@@ -130,7 +131,6 @@ Json recovery(const ir::Recovery& r, const sema::RobotKind& kind) {
   j["speed_mps"] = metres(r.speed_mmps);
   j["route_clearance_m"] = metres(r.route_clearance_mm);
   j["return_clearance_m"] = metres(r.return_clearance_mm);
-  j["pass_gap_m"] = metres(r.pass_gap_mm);
   if (kind.energy) j["detour_m"] = nearest_double(kind.energy->detour.value);
   return j;
 }

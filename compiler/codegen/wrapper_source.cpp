@@ -473,7 +473,7 @@ class WrapperSource {
     field("speed_mps", real(k.motion.speed.value));
     field("accel_mps2", real(k.motion.accel.value));
     field("brake_mps2", real(k.motion.brake.value));
-    if (k.motion.disturbance) field("disturbance_mps2", real(k.motion.disturbance->value));
+    if (disturbance_of(k) > 0) field("disturbance_mps2", real(disturbance_of(k)));
     if (k.motion.turn) field("turn_radps", real(k.motion.turn->value));
     if (k.motion.turn_accel) field("turn_accel_radps2", real(k.motion.turn_accel->value));
     sense("position", "_m", k.position);

@@ -194,6 +194,12 @@ struct RobotKind {
   std::optional<Quantity> output_error{};  // between commanded and true acceleration, m/s^2
   bool in_space = false;                   // position and velocity have three components
 };
+// Acceleration that nobody commands, in m/s^2: what pushes the robot, and what its output errs.
+inline Rational disturbance_of(const RobotKind& kind) {
+  Rational push = kind.motion.disturbance ? kind.motion.disturbance->value : Rational(0);
+  if (kind.output_error) push += kind.output_error->value;
+  return push;
+}
 struct Robot {
   std::string name;  // "r1", "bots[3]"
   SourceRange name_range;

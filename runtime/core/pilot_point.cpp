@@ -31,6 +31,16 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
   const double age_s = static_cast<double>(limits_.position_age_us) * s_per_us;
   const double delay_s = std::max(reaction_s_ + age_s, pace::hold_delay_least_s);
   omega_radps_ = std::min(pace::hold_max_radps, pace::hold_rad_per_delay / delay_s);
+  if (limits_.velocity_error_mps > 0) {
+    const double left_mps2 = limits_.brake_mps2 - limits_.disturbance_mps2;
+    omega_radps_ =
+        std::min(omega_radps_, left_mps2 / (pace::hold_brake_shares * limits_.velocity_error_mps));
+  }
+  // What drives off with less than the brake has to be slow: as its measurement can tell, and by no
+  // more than a creep.
+  const double steers_mps2 = steering_limit();
+  ready_mps_ =
+      2 * limits_.velocity_error_mps + std::min(steers_mps2 * reaction_s_, pace::creep_mps);
 }
 
 void Pilot<Acceleration>::engage(const Observation& observation) {
@@ -54,18 +64,27 @@ bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
          is_finite(observation.height_m) && is_finite(observation.climb_mps);
 }
 
+// What `drive` commands at most. What is left of it slows down against whatever pushes.
+double Pilot<Acceleration>::steering_limit() const {
+  return limits_.accel_mps2 > 0 ? std::min(limits_.accel_mps2, limits_.brake_mps2)
+                                : limits_.brake_mps2;
+}
+
+bool Pilot<Acceleration>::at_rest(const Observation& observation) const {
+  return latched_ && norm(velocity_of(observation)) <= ready_mps_;
+}
+
 Acceleration Pilot<Acceleration>::limited(Vec3 a, double limit_mps2) const {
   const double size = norm(a);
   return commanded(size > limit_mps2 ? (limit_mps2 / size) * a : a);
 }
 
-// Brakes along the last known direction for as long as that speed takes to vanish.
+// Brakes along the last known direction for as long as that speed takes to vanish. A hold stays
+// where it was latched: anew after every gap, its place would wander off with the noise.
 Acceleration Pilot<Acceleration>::brake_blind(const Observation& observation) {
   driving_ = false;
-  const bool was_latched = latched_;
-  latched_ = false;
   const double speed = norm(last_velocity_);
-  if (was_latched || last_seen_us_ == never_us || speed <= limits_.velocity_error_mps) {
+  if (latched_ || last_seen_us_ == never_us || speed <= limits_.velocity_error_mps) {
     last_velocity_ = {};  // at rest when last seen: any push would only start a motion
     return {};
   }
@@ -112,9 +131,7 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
   last_velocity_ = velocity_of(observation);
   last_seen_us_ = observation.velocity.stamp_us;
   const LegTracker::Leg leg = tracker_.leg(way, p);
-  // What is left of it slows down against whatever pushes; the set-point is planned with that.
-  const double limit = limits_.accel_mps2 > 0 ? std::min(limits_.accel_mps2, limits_.brake_mps2)
-                                              : limits_.brake_mps2;
+  const double limit = steering_limit();
   const double speed =
       approach_speed(leg, speed_mps_, limit - limits_.disturbance_mps2, reaction_s_);
   const Vec2 left{-leg.direction.y, leg.direction.x};

@@ -301,6 +301,7 @@ template <class Output>
 void PlanExecutor<Output>::keep_clear_of_way(const Announcement& other, Report& report) const {
   Vec2 from = other.position.value;
   double left_m = options_.way_ahead_m;
+  if (!(options_.pass_gap_m > 0)) return;  // nobody keeps a distance
   for (std::size_t i = other.plan.index; i < other.plan.points.size() && left_m > 0; ++i) {
     const Vec2 leg = other.plan.points[i] - from;
     const double leg_m = norm(leg);

@@ -201,7 +201,7 @@ struct RobotLimits {
   TimeUs latency_us = 0;
   double tracking_m = 0;
   double drive_per_m = 0, idle_per_s = 0, drain_per_s = 0, charge_per_s = 0;  // of a full battery
-  double disturbance_mps2 = 0;  // pushes the robot, whoever drives
+  double disturbance_mps2 = 0;  // pushes the robot, whoever drives; errors of the output count in
   bool in_space = false;        // it moves up and down, too: all of these are of space
 };
 

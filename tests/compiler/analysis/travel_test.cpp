@@ -94,6 +94,7 @@ TEST(Pace, IsTheSameOnBothSides) {
   EXPECT_EQ(pace::hold_max_mradps, 1000 * theirs::hold_max_radps);
   EXPECT_EQ(pace::hold_mrad_per_delay, 1000 * theirs::hold_rad_per_delay);
   EXPECT_EQ(pace::hold_delay_least_us, 1e6 * theirs::hold_delay_least_s);
+  EXPECT_EQ(pace::hold_brake_shares, theirs::hold_brake_shares);
   EXPECT_EQ(pace::turn_gain_milli_per_s, std::lround(1e3 * theirs::turn_gain_per_s));
   EXPECT_EQ(pace::turn_max_mradps, std::lround(1e3 * theirs::turn_radps_max));
   EXPECT_EQ(pace::turn_end_mrad, std::lround(1e3 * theirs::turn_end_rad));

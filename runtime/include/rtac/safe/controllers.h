@@ -26,7 +26,7 @@ class Driven : public SafeController<Output> {
   }
   Output command(const Observation& observation, Gate gate) override {
     if (!pilot_.can_steer(observation)) return pilot_.brake_blind(observation);
-    plan_.update(observation, gate, pilot_.latched());
+    plan_.update(observation, gate, pilot_.at_rest(observation));
     if (!plan_.wants_motion() || !allowed(observation, gate)) return pilot_.halt(observation);
     return pilot_.drive(observation, plan_.way());
   }

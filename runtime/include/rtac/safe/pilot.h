@@ -77,17 +77,21 @@ class Pilot<Acceleration> {
   [[nodiscard]] bool latched() const { return latched_; }
   // While it holds: the place to hold moves by at most `step_m` towards `to`. True: it is there.
   bool carry(Vec3 to, double step_m);
+  // Latched, and slow enough to be driven off.
+  [[nodiscard]] bool at_rest(const Observation& observation) const;
   // The motion that `drive` would command leads nowhere nearer to `from`.
   [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
 
  private:
   [[nodiscard]] Acceleration limited(Vec3 a, double limit_mps2) const;
+  [[nodiscard]] double steering_limit() const;  // m/s^2
 
   RobotLimits limits_;
   TimeUs period_us_;
   double speed_mps_;
   double reaction_s_;   // sample age, period and latency: from a measurement until its command acts
   double rest_mps_;     // measured speed below which the brake gives way to the position hold
+  double ready_mps_;    // measured speed below which the hold may be left
   double omega_radps_;  // natural frequency of the position hold
   LegTracker tracker_;
   bool latched_ = false, driving_ = false;
@@ -107,6 +111,7 @@ class Pilot<Twist> {
   Twist halt(const Observation& observation);
   Twist drive(const Observation& observation, Path& way);
   [[nodiscard]] bool latched() const { return latched_; }
+  [[nodiscard]] bool at_rest(const Observation&) const { return latched_; }
   [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
 
  private:
