@@ -1,6 +1,7 @@
 #include "compiler/analysis/fences.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "compiler/ir/linear.h"
 
@@ -9,19 +10,56 @@ namespace {
 
 using ir::Leaf;
 
+void add(std::vector<ir::ZoneIndex>& zones, ir::ZoneIndex zone) {
+  if (std::find(zones.begin(), zones.end(), zone) == zones.end()) zones.push_back(zone);
+}
+
+std::optional<ir::ZoneIndex> fence_of(const ir::Block& block, ir::ValueId id,
+                                      const std::vector<ir::Param>& params) {
+  const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
+  const auto bound = compare ? ir::lower_bound(block, *compare, params) : std::nullopt;
+  if (!bound || bound->leaf.kind != Leaf::Kind::clearance || bound->need.strictest < 0) {
+    return std::nullopt;
+  }
+  return ir::ZoneIndex{bound->leaf.table};
+}
+
 void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
              std::vector<ir::ZoneIndex>& zones) {
-  const ir::Op& op = block[id].op;
-  if (const auto* v = std::get_if<ir::And>(&op)) {
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
     collect(block, v->a, params, zones);
     collect(block, v->b, params, zones);
     return;
   }
-  const auto* compare = std::get_if<ir::AtLeast>(&op);
-  const auto bound = compare ? ir::lower_bound(block, *compare, params) : std::nullopt;
-  if (!bound || bound->leaf.kind != Leaf::Kind::clearance || bound->need.strictest < 0) return;
-  const ir::ZoneIndex zone{bound->leaf.table};
-  if (std::find(zones.begin(), zones.end(), zone) == zones.end()) zones.push_back(zone);
+  if (const auto zone = fence_of(block, id, params)) add(zones, *zone);
+}
+
+// False: a branch is neither a zone nor apart from the robot.
+bool branches(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
+              Choice& choice) {
+  if (const auto* v = std::get_if<ir::Or>(&block[id].op)) {
+    return branches(block, v->a, params, choice) && branches(block, v->b, params, choice);
+  }
+  const auto* negated = std::get_if<ir::Not>(&block[id].op);
+  if (std::holds_alternative<ir::Fact>(block[negated ? negated->a : id].op)) {
+    return choice.otherwise = true;
+  }
+  const auto zone = fence_of(block, id, params);
+  if (zone) add(choice.zones, *zone);
+  return zone.has_value();
+}
+
+void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
+             std::vector<Choice>& choices) {
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
+    collect(block, v->a, params, choices);
+    collect(block, v->b, params, choices);
+  } else if (std::holds_alternative<ir::Or>(block[id].op)) {
+    Choice choice;
+    if (branches(block, id, params, choice) && !choice.zones.empty()) {
+      choices.push_back(std::move(choice));
+    }
+  }
 }
 
 }  // namespace
@@ -31,6 +69,12 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
   std::vector<ir::ZoneIndex> zones;
   collect(property, property.result, params, zones);
   return zones;
+}
+
+std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params) {
+  std::vector<Choice> choices;
+  collect(property, property.result, params, choices);
+  return choices;
 }
 
 Asks asks_of(const ir::Block& property, const std::vector<ir::Param>& params) {

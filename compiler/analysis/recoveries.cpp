@@ -47,8 +47,9 @@ class Recoveries {
     for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
       if (!ir::moves(step->kind) || decision_.body.in_space) continue;
       for (const ir::ZoneIndex fence : fences_of(monitor_.property, params)) {
-        if (elsewhere(*step, fence)) break;
+        if (elsewhere(*step, exact_(fence), name_of(fence), name_of(fence))) break;
       }
+      for (const Choice& choice : choices_of(monitor_.property, params)) chosen(*step, choice);
     }
     outward(asks_of(monitor_.property, params));
     claimed();
@@ -58,21 +59,47 @@ class Recoveries {
 
  private:
   // A recovery keeps clear of the border of its own zone, whatever the property says of another.
-  bool elsewhere(const ir::Recovery& step, ir::ZoneIndex fence) {
-    if (step.zone == fence || exact_(fence).contains(exact_(step.zone))) return false;
-    const geometry::Region beyond = exact_(step.zone).subtract(exact_(fence));
+  bool elsewhere(const ir::Recovery& step, const geometry::Region& fence, const std::string& of,
+                 const std::string& works) {
+    if (fence.contains(exact_(step.zone))) return false;
+    const geometry::Region beyond = exact_(step.zone).subtract(fence);
     const std::string zone = "`" + module_[step.zone].name + "`";
-    const std::string of = name_of(fence);
     diag::Diagnostic d = finding(Code::recovery_elsewhere,
                                  "`" + controller_.name + "` moves within " + zone + ", and `" +
                                      monitor_.name + "` needs it to stay in " + of);
     d.label = "leads out of " + of;
     d.notes.push_back({std::nullopt, area(beyond) + " of " + zone + " lie outside " + of +
-                                         some_place(beyond, exact_(fence))});
+                                         some_place(beyond, fence)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = "a zone that lies in " + of + " works, such as that one itself";
+    d.help = "a zone that lies in " + of + " works, such as " + works;
     diagnostics_.report(std::move(d));
     return true;
+  }
+  // Of several zones one is enough: the recovery stays in their union. Where it knows a part of it
+  // alone, it may lead there from another part, and across what lies between.
+  void chosen(const ir::Recovery& step, const Choice& choice) {
+    const geometry::Region& own = exact_(step.zone);
+    geometry::Region all;
+    std::string names, works;
+    for (const ir::ZoneIndex zone : choice.zones) {
+      all = all.unite(exact_(zone));
+      names += (names.empty() ? "" : " or ") + name_of(zone);
+      works += (works.empty() ? "`" : " | ") + module_[zone].name;
+    }
+    works += "`";
+    if (elsewhere(step, all, names, works) || choice.zones.size() < 2) return;
+    const auto within = [&](ir::ZoneIndex zone) { return exact_(zone).contains(own); };
+    if (std::all_of(choice.zones.begin(), choice.zones.end(), within) || own.contains(all)) return;
+    const geometry::Region beyond = all.subtract(own);
+    diag::Diagnostic d = finding(Code::recovery_elsewhere,
+                                 "`" + controller_.name + "` knows a part of what `" +
+                                     monitor_.name + "` allows, and may lead there from the rest");
+    d.label = "leads across what lies between";
+    d.notes.push_back({std::nullopt, area(beyond) + " of " + names + " lie outside `" +
+                                         module_[step.zone].name + "`" + some_place(beyond, own)});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = "a recovery within " + works + " works";
+    diagnostics_.report(std::move(d));
   }
   // As it is written: a zone within a property has no name of its own.
   std::string name_of(ir::ZoneIndex zone) const {
@@ -177,7 +204,7 @@ class Recoveries {
     if (r.claims) {
       ir::Recovery mover = r;
       for (const ir::ZoneIndex fence : fences_of(monitor_.property, decision_.facts.params)) {
-        if (elsewhere(mover, fence)) break;
+        if (elsewhere(mover, exact_(fence), name_of(fence), name_of(fence))) break;
       }
       return;
     }

@@ -8,7 +8,7 @@ namespace {
 using ir::Block;
 using ir::Value;
 
-constexpr std::uint32_t fleet_from = 16;
+constexpr std::uint32_t fleet_from = 6;
 
 bool of_distance(const Block& block) {
   return std::all_of(block.values.begin(), block.values.end(), [&](const Value& v) {

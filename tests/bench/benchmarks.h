@@ -1,4 +1,4 @@
-// The seven groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
+// The eight groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
 // on the error stream.
 #pragma once
 
@@ -19,6 +19,7 @@ struct Effort {
 };
 
 bool measure_steps(const Effort& effort, Report& report);
+bool measure_fleets(const Effort& effort, Report& report);
 bool measure_simulation(const Effort& effort, Report& report);
 bool measure_watch(const Effort& effort, Report& report);
 bool measure_compiler(const Effort& effort, Report& report);

@@ -1,4 +1,5 @@
-// rtac_bench [--json FILE] [--quick] [--only step|simulation|watch|compiler|geometry|zones|kills]
+// rtac_bench [--json FILE] [--quick] [--only
+// step|fleet|simulation|watch|compiler|geometry|zones|kills]
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -25,16 +26,16 @@ Arguments parse(int argc, char** argv) {
       a.json = argv[++i];
     } else if (flag == "--only" && i + 1 < argc) {
       a.only = argv[++i];
-      a.good = a.only == "step" || a.only == "simulation" || a.only == "watch" ||
-               a.only == "compiler" || a.only == "geometry" || a.only == "zones" ||
-               a.only == "kills";
+      a.good = a.only == "step" || a.only == "fleet" || a.only == "simulation" ||
+               a.only == "watch" || a.only == "compiler" || a.only == "geometry" ||
+               a.only == "zones" || a.only == "kills";
     } else {
       a.good = false;
     }
     if (!a.good) {
       std::cerr << "rtac_bench: cannot make sense of `" << argv[i] << "`\n"
                 << "usage: rtac_bench [--json FILE] [--quick] [--only "
-                   "step|simulation|watch|compiler|geometry|zones|kills]\n";
+                   "step|fleet|simulation|watch|compiler|geometry|zones|kills]\n";
     }
   }
   return a;
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   rtac::bench::Report report;
   bool measured = true;
   if (wanted("step")) measured = rtac::bench::measure_steps(a.effort, report) && measured;
+  if (wanted("fleet")) measured = rtac::bench::measure_fleets(a.effort, report) && measured;
   if (wanted("simulation"))
     measured = rtac::bench::measure_simulation(a.effort, report) && measured;
   if (wanted("watch")) measured = rtac::bench::measure_watch(a.effort, report) && measured;
