@@ -1,5 +1,6 @@
 #include "compiler/analysis/company.h"
 
+#include <algorithm>
 #include <string>
 
 #include "compiler/ir/acknowledged.h"
@@ -121,6 +122,29 @@ std::vector<diag::Diagnostic> unkept_company(const Decision& decision) {
     for (diag::Diagnostic& found : Company(decision, monitor).run()) {
       all.push_back(std::move(found));
     }
+  }
+  return all;
+}
+
+std::vector<diag::Diagnostic> unkept_agents(const Decision& decision) {
+  std::vector<diag::Diagnostic> all;
+  for (const Monitor& monitor : decision.monitors) {
+    const auto& values = monitor.property.values;
+    const auto first = std::find_if(values.begin(), values.end(), [](const Value& v) {
+      return std::holds_alternative<AgentDistance>(v.op);
+    });
+    const std::string& recovery = monitor.recovery.name;
+    if (first == values.end() || acknowledged(decision, recovery, monitor.name)) continue;
+    const std::string& agent = decision[std::get<AgentDistance>(first->op).agent].name;
+    all.push_back({diag::Code::agent_unkept,
+                   first->source,
+                   "`" + agent + "` may come near while `" + recovery + "` holds: nobody keeps `" +
+                       monitor.name + "` then",
+                   "kept while the robot moves, not while it stands",
+                   {},
+                   "`acknowledge " + recovery + " may break " + monitor.name +
+                       " \"why\"` works, with the reason why that is acceptable",
+                   {}});
   }
   return all;
 }

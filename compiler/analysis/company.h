@@ -13,4 +13,8 @@ namespace rtac::analysis {
 // it. A count, `exists` and an `or` with something that one of the two has to itself are none.
 std::vector<diag::Diagnostic> unkept_company(const ir::Decision& decision);
 
+// 6004, of each monitor that speaks of agents: they obey no decision, so that what it says is kept
+// while the robot moves, and nobody keeps it while that stands.
+std::vector<diag::Diagnostic> unkept_agents(const ir::Decision& decision);
+
 }  // namespace rtac::analysis

@@ -59,6 +59,9 @@ class WellFormed {
       for (diag::Diagnostic& found : unkept_company(decision)) {
         diagnostics_.report(std::move(found));
       }
+      for (diag::Diagnostic& found : unkept_agents(decision)) {
+        diagnostics_.report(std::move(found));
+      }
       for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
         const ir::Monitor& monitor = decision.monitors[k];
         for (const ir::Recovery* step : ir::steps_of(monitor.recovery)) cells(*step);

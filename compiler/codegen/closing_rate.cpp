@@ -15,7 +15,8 @@ using Rate = std::optional<std::int64_t>;
 
 class Rates {
  public:
-  Rates(const Block& block, std::int64_t speed_mmps) : block_(block), speed_mmps_(speed_mmps) {}
+  Rates(const Block& block, std::int64_t speed_mmps, const std::vector<Agent>& agents)
+      : block_(block), agents_(agents), speed_mmps_(speed_mmps) {}
   [[nodiscard]] Rate of(ValueId id) const { return std::visit(*this, block_[id].op); }
 
   // quantities
@@ -24,6 +25,9 @@ class Rates {
   Rate operator()(const Clearance&) const { return speed_mmps_; }
   Rate operator()(const Altitude&) const { return speed_mmps_; }
   Rate operator()(const Distance&) const { return 2 * speed_mmps_; }
+  Rate operator()(const AgentDistance& v) const {
+    return speed_mmps_ + agents_[static_cast<std::uint32_t>(v.agent)].speed_mmps;
+  }
   Rate operator()(const Add& v) const { return sum(of(v.a), of(v.b)); }
   Rate operator()(const Negate& v) const { return of(v.a); }
   Rate operator()(const Scale& v) const {
@@ -39,7 +43,7 @@ class Rates {
   Rate operator()(const And& v) const { return larger(of(v.a), of(v.b)); }
   Rate operator()(const Or& v) const { return larger(of(v.a), of(v.b)); }
   Rate operator()(const ForOthers& v) const {
-    return Rates(*v.body, speed_mmps_).of(v.body->result);
+    return Rates(*v.body, speed_mmps_, agents_).of(v.body->result);
   }
   // Neither charge nor what the past or a plan decides has a rate; the rest looks ahead and is no
   // part of a property.
@@ -55,13 +59,15 @@ class Rates {
   static Rate larger(Rate a, Rate b) { return a && b ? Rate(std::max(*a, *b)) : std::nullopt; }
 
   const Block& block_;
+  const std::vector<Agent>& agents_;
   std::int64_t speed_mmps_;
 };
 
 }  // namespace
 
-std::optional<std::int64_t> closing_mmps(const Block& property, std::int64_t speed_mmps) {
-  const Rate rate = Rates(property, speed_mmps).of(property.result);
+std::optional<std::int64_t> closing_mmps(const Block& property, std::int64_t speed_mmps,
+                                         const std::vector<Agent>& agents) {
+  const Rate rate = Rates(property, speed_mmps, agents).of(property.result);
   return rate && *rate > 0 ? rate : std::nullopt;
 }
 

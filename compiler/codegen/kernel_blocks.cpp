@@ -191,6 +191,15 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
     std::string operator()(const Distance&) const {
       return p.use("distance_now", "&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j");
     }
+    static std::string agent(AgentIndex a) {
+      return "&v->agents[" + num(static_cast<std::uint32_t>(a)) + "]";
+    }
+    std::string operator()(const AgentDistance& a) const {
+      return p.use("agent_distance", agent(a.agent) + ", &v->self, &BODY, v->m");
+    }
+    std::string operator()(const AgentReach& a) const {
+      return p.use("agent_reach", agent(a.agent) + ", &v->within, " + limit(a.least_mm, a.more));
+    }
     std::string operator()(const EnergyTo& e) const {
       return p.use("energy_now", cells(e.site) + ", &v->self, &BODY, v->m");
     }

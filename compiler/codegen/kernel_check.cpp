@@ -4,6 +4,7 @@
 
 #include "compiler/codegen/fleet_index.h"
 #include "compiler/codegen/kernel_blocks.h"
+#include "compiler/codegen/watch.h"
 #include "compiler/ir/margin_unit.h"
 
 namespace rtac::codegen {
@@ -98,6 +99,7 @@ void CheckPrinter::print_measure() {
           to.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) { measure_other(each); });
         }
         if (pairs() && leaves_far_out(d_)) measure_near(to);
+        measure_agents(to);
         to.block("if (in->self < 0 || in->self >= ROBOTS)", [&](Code& body) {
           body.line("lost(&v->self, " + up_ + "_INPUT_OTHER_ROBOT); /* nobody of the fleet */");
         });
@@ -240,6 +242,29 @@ void CheckPrinter::measure_near(Code& to) {
                  [&](Code& lost) { lost.line("v->others[j].s.input = " + missing + ";"); });
     });
   });
+}
+
+// Whatever tick it is: they count from the moment on at which they are seen.
+void CheckPrinter::measure_agents(Code& to) {
+  if (d_.agents.empty()) return;
+  use({"agent_of"});
+  const WatchKernel kernel = kernel_of_facts(module_, d_, names_);
+  const WatchNames members = watch_names(kernel.watch);
+  for (std::size_t k = 0; k < d_.agents.size(); ++k) {
+    const Agent& agent = d_.agents[k];
+    const std::string at = num(std::int64_t(k)), kind = id_ + "_agents[" + at + "]";
+    const std::string seen = "in->facts." + members.samples[agent.seen] + ".";
+    wrapped(to, "v->agents[" + at + "] = agent_of(&" + kind + ", " + seen + "x, " + seen + "y, " +
+                    seen + "between, " + seen + "valid, " + seen +
+                    "stamp_us, v->now_us, &s->last_agent_us[" + at + "], " +
+                    kernel.numbers[agent.seen] + ");");
+    if (!agent.present) continue;
+    use({"agent_gone"});
+    const std::string said = "in->facts." + members.samples[*agent.present] + ".";
+    wrapped(to, "v->agents[" + at + "].absent = agent_gone(" + said + "value, " + said + "valid, " +
+                    said + "stamp_us, v->now_us, " + num(agent.age_us) +
+                    ", &s->last_agent_present_us[" + at + "]);");
+  }
 }
 
 namespace {

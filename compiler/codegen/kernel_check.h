@@ -29,6 +29,7 @@ class CheckPrinter : public FactPrinter {
   void measure_near(Code& to);
   [[nodiscard]] std::string heard() const;
   [[nodiscard]] std::string is_far();
+  void measure_agents(Code& to);
   void print_horizon(std::size_t horizon, Code& to);
   [[nodiscard]] bool uses_battery() const;
   template <class Each>

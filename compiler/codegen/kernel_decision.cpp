@@ -5,6 +5,7 @@
 
 #include "compiler/codegen/kernel_blocks.h"
 #include "compiler/codegen/watch.h"
+#include "compiler/ir/linear.h"
 
 namespace rtac::codegen {
 
@@ -20,6 +21,10 @@ namespace {
 bool judges_others(const Block& block) {
   return std::any_of(block.values.begin(), block.values.end(),
                      [](const Value& v) { return body_of(v.op) != nullptr; });
+}
+bool speaks_of_agents(const Monitor& m) {
+  return std::any_of(m.property.values.begin(), m.property.values.end(),
+                     [](const Value& v) { return std::holds_alternative<AgentDistance>(v.op); });
 }
 bool judges_others(const Monitor& m) {
   return judges_others(m.property) || (m.ahead && judges_others(*m.ahead)) ||
@@ -39,7 +44,8 @@ DecisionPrinter::DecisionPrinter(const Module& module, const Decision& decision,
       up_(upper(p_)),
       view_(id_ + "_view"),
       uses_(uses),
-      out_(out) {
+      out_(out),
+      gaps_(agent_gaps(decision)) {
   for (const PlainMonitor& fact : d_.facts.monitors) {
     pairs_ = pairs_ || judges_others(fact.property);
   }
@@ -96,7 +102,7 @@ std::size_t DecisionPrinter::horizon_of(const Monitor& m) const {
 std::size_t DecisionPrinter::separation_horizon() const {
   std::optional<std::size_t> best;
   for (const Monitor& m : d_.monitors) {
-    if (!m.separation_mm) continue;
+    if (!m.separation_mm && !speaks_of_agents(m)) continue;
     const std::size_t h = horizon_of(m);
     if (!best || horizons_[h] > horizons_[*best]) best = h;
   }
@@ -115,7 +121,10 @@ void DecisionPrinter::print_body(const std::string& name, std::int64_t position_
                 num(b.velocity_error_mmps) + ", " + num(b.accel_mmps2) + ", " + num(b.brake_mmps2) +
                 ", " + num(b.brake_lag_ms) + ", " + num(b.brake_lag_permille) + ", " +
                 num(b.hold_mm) + ", " + num(position_age_us) + ", " + num(velocity_age_us) +
-                (is_disturbed(module_) ? ", " + num(sway_permille(b)) : ""));
+                (is_disturbed(module_) ? ", " + num(sway_permille(b)) : "") +
+                (has_agents(module_)
+                     ? ", " + num(b.brake_mmps2 - b.disturbance_mmps2) + ", " + num(still_lag_ms(b))
+                     : ""));
       },
       "};");
 }
@@ -138,12 +147,14 @@ void DecisionPrinter::print_constants() {
   out_.comment(
       "radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake "
       "mm/s^2, brake lag ms and permille, hold mm, largest ages us" +
-      std::string(is_disturbed(module_) ? ", sway permille" : ""));
+      std::string(is_disturbed(module_) ? ", sway permille" : "") +
+      (has_agents(module_) ? ", net brake mm/s^2, lag until it stands ms" : ""));
   print_body("BODY", b.position_age_us, b.velocity_age_us);
   if (pairs()) {
     out_.comment("The same of another robot, whose samples are as old as `hears` allows.");
     print_body(id_ + "_heard_body", b.hears_age_us, b.hears_age_us);
   }
+  print_agents();
   if (judges_commands(d_)) {
     use({"order_type"});
     out_.comment("Commands that the robot follows, mm/s^2, with which error, and latency, us.");
@@ -168,6 +179,24 @@ void DecisionPrinter::print_constants() {
   std::string list;
   for (const std::int64_t h : horizons_) list += (list.empty() ? "" : ", ") + num(h);
   out_.line("static const int64_t " + id_ + "_horizons_us[] = {" + list + "};").blank();
+}
+
+void DecisionPrinter::print_agents() {
+  if (has_agents(module_)) use({"near_agents"});
+  if (d_.agents.empty()) return;
+  use({"agent_kind_type"});
+  out_.comment("What moves by itself: radius mm, position error mm, speed mm/s, largest age us.");
+  out_.block(
+      "static const agent_kind " + id_ + "_agents[] =",
+      [&](Code& to) {
+        for (std::size_t k = 0; k < d_.agents.size(); ++k) {
+          const Agent& a = d_.agents[k];
+          to.line("{" + num(a.radius_mm) + ", " + num(a.error_mm) + ", " + num(a.speed_mmps) +
+                  ", " + num(a.age_us) + "}" + (k + 1 < d_.agents.size() ? "," : "") + " /* " +
+                  a.name + " */");
+        }
+      },
+      "};");
 }
 
 std::vector<Sensed> DecisionPrinter::aged() const {
@@ -236,6 +265,10 @@ void DecisionPrinter::print_view() {
                   "_INPUT_NONE: none */");
         }
         if (pairs()) to.line("other others[ROBOTS];");
+        if (!d_.agents.empty()) {
+          use({"agent_type"});
+          to.line("agent agents[" + num(std::int64_t(d_.agents.size())) + "];");
+        }
         if (has_signals(d_)) to.line(id_ + "_facts_view facts;");
         if (!d_.facts.monitors.empty()) {
           use({"margin_type"});

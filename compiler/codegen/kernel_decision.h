@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,7 +39,9 @@ class DecisionPrinter {
   [[nodiscard]] std::vector<ir::ZoneIndex> own_places() const;
   // The measurements of the robot itself whose age some fact compares, each once.
   [[nodiscard]] std::vector<ir::Sensed> aged() const;
-  // Of the separation monitor that looks furthest.
+  // Does a test of others, or of agents, stop recoveries?
+  [[nodiscard]] bool gated() const { return (pairs() && separation_) || !gaps_.empty(); }
+  // Of the monitor of such a test that looks furthest.
   [[nodiscard]] std::size_t separation_horizon() const;
 
   const ir::Module& module_;
@@ -47,11 +50,13 @@ class DecisionPrinter {
   const std::string id_, p_, name_, up_, view_;
   std::set<std::string>& uses_;
   Code& out_;
-  std::vector<std::int64_t> horizons_;      // look-ahead and latency, us, each once
-  std::optional<std::int64_t> separation_;  // largest standoff; none: no separation monitor
+  std::vector<std::int64_t> horizons_;           // look-ahead and latency, us, each once
+  std::optional<std::int64_t> separation_;       // largest standoff; none: no separation monitor
+  std::map<ir::AgentIndex, std::int64_t> gaps_;  // to agents, that whoever moves keeps
   bool pairs_ = false;
 
  private:
+  void print_agents();
   void print_body(const std::string& name, std::int64_t position_age_us,
                   std::int64_t velocity_age_us);
   std::vector<std::string> defined_;

@@ -89,6 +89,12 @@ void FactPrinter::blind_robot(Code& body) {
   body.line("blind.self = v->self;");
   body.line("lost(&blind.self, " + clock + ");");
   body.line("blind.charge = span_unknown(" + clock + ");");
+  for (std::size_t k = 0; k < d_.agents.size(); ++k) {
+    const std::string at = "agents[" + num(std::int64_t(k)) + "]";
+    body.line("blind." + at + " = v->" + at + ";");
+    body.line("blind." + at + ".input = " + clock + ";");
+    body.line("blind." + at + ".absent = 0;");
+  }
   if (!pairs()) return;
   body.block("for (j = 0; j < ROBOTS; ++j)", [&](Code& each) {
     each.line("blind.others[j] = v->others[j];");

@@ -225,6 +225,24 @@ class Header {
     }
     if (has_signals(d)) given.push_back(name + "_facts_in facts;");
     record(id + "_in", given);
+    state(d, headed);
+    outputs(id, up, headed);
+    code_.comment(
+        "Step once a period, in time: by how much a step may be late is declared. "
+        "now_us "
+        "is of the clock of all stamps. Any input is fine: what is missing, too old or out of "
+        "range "
+        "is unknown. *out is written whole.");
+    code_.line("void " + name + "_init(" + name + "_state *s);");
+    code_.line("void " + name + "_step(" + name + "_state *s, const " + name + "_in *in,");
+    code_.line(std::string(name.size() + 11, ' ') + "int64_t now_us, " + name + "_out *out);");
+    code_.blank();
+  }
+
+  void state(const Decision& d, bool headed) {
+    const std::string& id = names_(d.name);
+    const std::string name = p_ + "_" + id;
+    const std::string up = upper(name);
     code_.comment("Opaque; start with _init.");
     std::vector<std::string> fields = {
         p_ + "_clock clock;",
@@ -239,6 +257,11 @@ class Header {
       fields.push_back("int64_t last_other_presence_us[" + up + "_ROBOTS];");
     }
     if (headed) fields.push_back("int64_t last_heading_us;");
+    if (!d.agents.empty()) {
+      const std::string count = std::to_string(d.agents.size());
+      fields.push_back("int64_t last_agent_us[" + count + "], last_agent_present_us[" + count +
+                       "];");
+    }
     if (ir::judges_commands(d)) {
       fields.push_back(p_ + "_command commands[" + up_ + "_COMMANDS];");
     }
@@ -247,17 +270,6 @@ class Header {
     }
     if (has_signals(d)) fields.push_back(name + "_facts_state facts;");
     record(id + "_state", fields);
-    outputs(id, up, headed);
-    code_.comment(
-        "Step once a period, in time: by how much a step may be late is declared. "
-        "now_us "
-        "is of the clock of all stamps. Any input is fine: what is missing, too old or out of "
-        "range "
-        "is unknown. *out is written whole.");
-    code_.line("void " + name + "_init(" + name + "_state *s);");
-    code_.line("void " + name + "_step(" + name + "_state *s, const " + name + "_in *in,");
-    code_.line(std::string(name.size() + 11, ' ') + "int64_t now_us, " + name + "_out *out);");
-    code_.blank();
   }
 
   // What the monitors say that is judged now: inputs and parameters, and what is remembered.

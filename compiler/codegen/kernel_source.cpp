@@ -88,6 +88,11 @@ class Source {
     out.line("#define WEIGHT_MM INT64_C(1000)");
     out.line("#define WEIGHT_PPM INT64_C(100)");
     out.line("#define PLAN_CAPACITY " + upper(p_) + "_PLAN_CAPACITY");
+    if (has_agents(module_)) {
+      out.comment("Farther away an agent is unknown; where there is none it is as far as can be.");
+      out.line("#define AGENT_MAX_MM INT64_C(100000000)");
+      out.line("#define AGENT_FAR_MM INT64_C(" + num(agent_far_mm) + ")");
+    }
     if (std::any_of(module_.decisions.begin(), module_.decisions.end(), judges_commands)) {
       out.line("#define COMMANDS " + upper(p_) + "_COMMANDS");
       out.comment("Places on a course: a leg a command, one for now, two for the last one.");

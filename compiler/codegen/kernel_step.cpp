@@ -62,6 +62,13 @@ class StepPrinter : public CheckPrinter {
         each.line("s->last_other_lease_us[k] = INT64_MIN;");
         if (d_.open_fleet) each.line("s->last_other_presence_us[k] = INT64_MIN;");
       });
+      if (!d_.agents.empty()) {
+        to.block("for (k = 0; k < " + num(std::int64_t(d_.agents.size())) + "; ++k)",
+                 [&](Code& each) {
+                   each.line("s->last_agent_us[k] = INT64_MIN;");
+                   each.line("s->last_agent_present_us[k] = INT64_MIN;");
+                 });
+      }
       if (judges_commands(d_)) {
         to.block("for (k = 0; k < " + up_ + "_COMMANDS; ++k)", [&](Code& each) {
           each.line("s->commands[k].time_us = INT64_MIN;");
@@ -141,7 +148,7 @@ class StepPrinter : public CheckPrinter {
     to.line("out->violation_us = INT64_MAX;");
     bool known = false;
     for (std::size_t k = 0; k < d_.monitors.size(); ++k) {
-      const auto mmps = closing_mmps(d_.monitors[k].property, d_.motions[0].speed_mmps);
+      const auto mmps = closing_mmps(d_.monitors[k].property, d_.motions[0].speed_mmps, d_.agents);
       if (!mmps) continue;
       known = true;
       use({"sooner"});
@@ -177,13 +184,11 @@ class StepPrinter : public CheckPrinter {
       });
       to.line("out->previous_mode = first ? s->mode : before;");
       to.line("out->mode = s->mode;");
-      if (pairs() && separation_)
+      if (gated())
         to.comment("a promise to stay binds; whoever moves is gated by the separation test");
       to.line("out->gate = " + up_ + "_GATE_FREE;");
-      if (pairs()) {
-        if (separation_) gate(to);
-        lease(to);
-      }
+      if (gated()) gate(to);
+      if (pairs()) lease(to);
       if (d_.body.heading_age_us) {
         to.comment("nobody steers: a recovery can only stop");
         to.block("if (s->mode != 0 && v.heading != " + up_ + "_INPUT_NONE)",
@@ -259,21 +264,30 @@ class StepPrinter : public CheckPrinter {
   // Whoever moves is gated by the separation test, with the horizon of the monitor that looks
   // furthest; `v` holds that look already when it is the last one of the check.
   void gate(Code& to) {
-    use({"gate_of"});
+    if (pairs() && separation_) use({"gate_of"});
     to.block(
         "if (s->mode != 0 && may_leave)",
         [&](Code& body) {
           const bool seen = separation_horizon() + 1 == horizons_.size();
           body.line("const int32_t driver = " + driver("s->mode"));
           const std::string look = id_ + "_look(&v, &MOTIONS[driver], " + id_ + "_horizons_us[" +
-                                   num(std::int64_t(separation_horizon())) + "], 1);";
+                                   num(std::int64_t(separation_horizon())) +
+                                   (pairs() ? "], 1);" : "]);");
           if (seen) {
             body.block("if (driver != v.driver)", [&](Code& again) { again.line(look); });
           } else {
             body.line(look);
           }
-          body.line("out->gate = gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
-                    num(*separation_) + ");");
+          if (pairs() && separation_) {
+            body.line("out->gate = gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, " +
+                      num(*separation_) + ");");
+          }
+          for (const auto& [agent, least_mm] : gaps_) {
+            use({"agent_gate"});
+            body.line("out->gate = agent_gate(out->gate, &v.agents[" +
+                      num(static_cast<std::uint32_t>(agent)) + "], &v.within, " + num(least_mm) +
+                      ");");
+          }
         },
         "} else if (s->mode != 0) {");
     to.line("  out->gate = " + up_ + "_GATE_HOLD;");

@@ -199,6 +199,15 @@ Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
     j["acknowledged"].push_back(
         {{"recovery", a.recovery}, {"monitor", a.monitor}, {"reason", a.reason}});
   }
+  for (const Agent& a : d.agents) {
+    j["agents"].push_back({{"name", a.name},
+                           {"radius_mm", a.radius_mm},
+                           {"position_error_mm", a.error_mm},
+                           {"speed_mmps", a.speed_mmps},
+                           {"max_age_us", a.age_us}});
+  }
+  // what is said of agents is kept while the robot is faster; slower it counts as standing
+  if (!d.agents.empty()) j["rest_mmps"] = rest_mmps(d.body);
   if (has_signals(d)) j["facts"] = facts(module, spec, d);
   return j;
 }

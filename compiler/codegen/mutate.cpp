@@ -46,6 +46,10 @@ void strong_brake(Decision& d) {
   d.body.brake_mmps2 *= 2;
 }
 
+void agents_stand(Decision& d) {
+  for (Agent& agent : d.agents) agent.speed_mmps = 0;
+}
+
 void one_is_enough(Block& block) {
   for (Value& value : block.values) {
     if (Block* const body = body_of(value.op)) one_is_enough(*body);
@@ -121,6 +125,11 @@ const std::vector<Mutant>& mutants() {
        {{"o.held = may_use && horizon_us <= lease_us && in->lease_end_us >= later(now_us, "
          "horizon_us);",
          "o.held = 1;"}}},
+      {"agents-stand", "what moves by itself stands still", agents_stand, {}},
+      {"no-agent-age",
+       "agents are where they were seen",
+       nullptr,
+       {{"until_ms = a->age_ms + r->still_ms", "until_ms = r->still_ms"}}},
       {"open-gate",
        "a recovery may always move",
        nullptr,

@@ -172,13 +172,34 @@ class Decisions {
     j["limits"] = limits(*at);
     j["robots"] = robots;
     if (at->energy) j["dock"] = dock(kind, *at->energy);
-    if (!d.facts.inputs.empty()) {
-      problem(d.name, "says something of the plain input `" + d.facts.inputs.front().name +
-                          "`, which nothing simulates");
+    if (const ir::Channel* plain = plain_input(d)) {
+      problem(d.name,
+              "says something of the plain input `" + plain->name + "`, which nothing simulates");
+    }
+    if (!d.agents.empty()) {
+      j["rest_mps"] = metres(ir::rest_mmps(d.body));
+      for (const sema::Agent& a : spec_.agents) j["agents"].push_back(agent(a));
     }
     j["monitors"] = Json::array();
     for (const ir::Monitor& m : d.monitors) j["monitors"].push_back(monitor(d, m, kind, *at));
     return j;
+  }
+  // One that is not what is seen of an agent; nullptr: there is none.
+  static const ir::Channel* plain_input(const ir::Decision& d) {
+    for (std::uint32_t c = 0; c < d.facts.inputs.size(); ++c) {
+      const bool of_agent = std::any_of(d.agents.begin(), d.agents.end(), [&](const ir::Agent& a) {
+        return a.seen == c || a.present == c;
+      });
+      if (!of_agent) return &d.facts.inputs[c];
+    }
+    return nullptr;
+  }
+  static Json agent(const sema::Agent& a) {
+    return {{"name", a.name},
+            {"radius_m", nearest_double(a.radius.value)},
+            {"speed_mps", nearest_double(a.speed.value)},
+            {"error_m", nearest_double(a.position.error.value)},
+            {"age_us", micros(a.position.max_age)}};
   }
   // Where robots charge, by fleet index.
   Json dock(sema::KindId kind, const sema::Energy& energy) const {

@@ -57,6 +57,9 @@ class Tree {
   Json node(const Expr&, const sema::InsideZone& i) {
     return {{"op", "inside"}, {"zone", index(tables_.zone(i.zone))}};
   }
+  Json node(const Expr&, const sema::AgentDistance& a) {
+    return {{"op", "agent_distance"}, {"agent", static_cast<std::uint32_t>(a.agent)}};
+  }
   Json node(const Expr&, const sema::Distance&) { return {{"op", "distance"}}; }
   Json node(const Expr&, const sema::EnergyTo& e) {
     return {{"op", "energy_to"}, {"site", index(tables_.site(kind_, e.site))}};

@@ -38,7 +38,8 @@ concept NeverAsked =
                                       Previously, Once, Historically, Since> ||
     is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
               ZoneCourse, PairCourse, LegsApart, OnTrack, SpeedReach, AltitudeReach, ZoneThere,
-              ThereThroughout, GoneThroughout, EnergyReach, ChargeReach, Fact>;
+              ThereThroughout, GoneThroughout, EnergyReach, ChargeReach, Fact, AgentDistance,
+              AgentReach>;
 
 // An operand of && and || stands in brackets when it is the other of both.
 struct Text {

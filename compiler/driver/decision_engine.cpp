@@ -230,6 +230,15 @@ void add_signals(const ir::Decision& d, const sema::Spec& spec, DecisionInterfac
     }
     to.inputs.push_back(std::move(input));
   }
+  for (const sema::Agent& agent : spec.agents) {
+    if (d.agents.empty()) break;
+    const auto found = std::find_if(d.agents.begin(), d.agents.end(),
+                                    [&](const ir::Agent& each) { return each.name == agent.name; });
+    to.agents.emplace_back();
+    if (found == d.agents.end()) continue;
+    to.agents.back().first = members.samples[found->seen];
+    if (found->present) to.agents.back().second = members.samples[*found->present];
+  }
   for (std::size_t k = 0; k < d.facts.params.size(); ++k) {
     to.params.emplace_back(members.params[k], d.facts.params[k].value);
   }

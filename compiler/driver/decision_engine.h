@@ -53,6 +53,9 @@ struct DecisionInterface {
   std::size_t components = 0;                                // of all inputs of the specification
   bool in_space = false;       // points of the kernel have heights, whosever they are
   std::int64_t jitter_us = 0;  // a step comes so much later than due at most
+  // Members of the kernel's inputs: where each agent of the specification is, and whether it is
+  // there; "": the decision does not ask. None where it asks for no agent.
+  std::vector<std::pair<std::string, std::string>> agents{};
 };
 // Those of the module, which is to be generated under the name `prefix`, a C identifier.
 std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sema::Spec& spec,

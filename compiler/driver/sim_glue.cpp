@@ -19,8 +19,11 @@ std::size_t other_words(const DecisionInterface& d) {
 }
 // { self, holding, surrender, position, velocity, battery, heading, sent, proposed, plan, others }
 constexpr std::size_t own_words = 43;
+// { x, y, between, valid, stamp, present, valid, stamp }
+constexpr std::size_t agent_words = 8;
 std::size_t in_words(const DecisionInterface& d) {
-  return own_words + plan_words(d) + d.robots.size() * other_words(d);
+  return own_words + plan_words(d) + d.robots.size() * other_words(d) +
+         d.agents.size() * agent_words;
 }
 constexpr std::size_t out_words = 12, monitor_words = 7;
 
@@ -42,6 +45,25 @@ std::string sizes(const DecisionInterface& d, const std::string& k) {
          std::to_string(d.jitter_us) + ";\n" + head + "out_words_" + k + " = " +
          num(out_words + monitor_words * d.monitors.size()) + ";\n" + "void rtac_sim_init_" + k +
          "(void *state) {\n  " + d.prefix + "_init((" + d.prefix + "_state *)state);\n}\n";
+}
+
+std::string take_agents(const DecisionInterface& d) {
+  std::string out;
+  const std::size_t first = own_words + plan_words(d) + d.robots.size() * other_words(d);
+  for (std::size_t k = 0; k < d.agents.size(); ++k) {
+    const auto word = [&](std::size_t at) {
+      return "own[" + num(first + k * agent_words + at) + "];\n";
+    };
+    if (d.agents[k].first.empty()) continue;
+    const std::string seen = "  in.facts." + d.agents[k].first + ".";
+    out += seen + "x = " + word(0) + seen + "y = " + word(1) + seen + "between = (uint32_t)" +
+           word(2) + seen + "valid = (int32_t)" + word(3) + seen + "stamp_us = " + word(4);
+    if (d.agents[k].second.empty()) continue;
+    const std::string said = "  in.facts." + d.agents[k].second + ".";
+    out += said + "value = " + word(5) + said + "between = 0;\n" + said + "valid = (int32_t)" +
+           word(6) + said + "stamp_us = " + word(7);
+  }
+  return out;
 }
 
 std::string take_in(const DecisionInterface& d) {
@@ -68,6 +90,7 @@ std::string take_in(const DecisionInterface& d) {
         "    in.others[j].present = (int32_t)from[19];\n";
   }
   out += "    rtac_plan(&in.others[j].plan, from + 20, " + capacity + ");\n  }\n";
+  out += take_agents(d);
   for (const auto& [member, value] : d.params) {
     out += "  in.facts." + member + " = " + std::to_string(value) + ";\n";
   }

@@ -69,6 +69,12 @@ std::string summary(const ir::Module& module) {
       out += "  inputs and the past, judged now: " + bytes(codegen::facts_state_bytes(d.facts)) +
              " of state for each robot\n";
     }
+    if (!d.agents.empty()) {
+      std::string names;
+      for (const ir::Agent& a : d.agents) names += (names.empty() ? "" : ", ") + a.name;
+      out += "  assumed: nobody keeps " + names + " from a robot that stands (up to " +
+             to_decimal(Rational(ir::rest_mmps(d.body), 1000)) + " m/s)\n";
+    }
     for (const ir::Monitor& m : d.monitors) {
       if (m.hold_reason.empty()) continue;
       out += "  accepted: where " + m.name + " is false, " + m.recovery.name + " holds (" +

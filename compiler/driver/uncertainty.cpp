@@ -131,6 +131,14 @@ class Widths {
                          exact(b.position_error_mm + grid_mm + b.hold_mm))) +
            1;
   }
+  // The agent may have moved since, too.
+  Rational operator()(const AgentDistance& v) const {
+    const Agent& agent = (*decision_)[v.agent];
+    const std::int64_t moved_mm = whole_ms(agent.speed_mmps * whole_ms(agent.age_us));
+    return 2 * (displaced_mm(decision_->body.position_age_us) +
+                exact(agent.error_mm + grid_mm + moved_mm)) +
+           1;
+  }
   // 4: the grid of both components and of the length; what it has gained or lost since.
   Rational operator()(const Speed&) const {
     const Body& b = decision_->body;
@@ -200,7 +208,7 @@ bool rounds(const Op& op) {
   if (const auto* fold = std::get_if<Aggregate>(&op)) return fold->fold == Fold::mean;
   if (std::holds_alternative<Battery>(op) || std::holds_alternative<Clearance>(op) ||
       std::holds_alternative<Distance>(op) || std::holds_alternative<EnergyTo>(op) ||
-      std::holds_alternative<Speed>(op)) {
+      std::holds_alternative<Speed>(op) || std::holds_alternative<AgentDistance>(op)) {
     return true;
   }
   return std::holds_alternative<Input>(op) || std::holds_alternative<PointClearance>(op) ||

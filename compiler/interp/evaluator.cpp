@@ -208,6 +208,28 @@ Span Evaluator::clearance_of_body(sema::ZoneId zone) {
   return add(gap, between(Rational(-error), error));
 }
 
+// Rule 9.8: the gap between two discs; an agent that is known to be absent is farther than
+// anything.
+Span Evaluator::distance_from_agent(const sema::AgentDistance& node) {
+  if (node.present) {
+    const auto& present = signals_.measured(*node.present, 0);
+    if (present && *present == 0) {
+      return between(Extended::infinity(1), Extended::infinity(1));
+    }
+  }
+  const auto centre = robots_ == nullptr ? std::nullopt : robots_->place(robots_->self());
+  const auto& x = signals_.measured(node.seen, 0);
+  const auto& y = signals_.measured(node.seen, 1);
+  if (!centre) return unknown(std::nullopt);
+  if (!x || !y) return unknown(node.seen);
+  const Rational dx = *x - centre->x, dy = *y - centre->y;
+  const Root apart = square_root(Rational(dx * dx + dy * dy));
+  const sema::Agent& agent = spec_[node.agent];
+  const Rational bodies = robots_->kind().radius.value + agent.radius.value;
+  const Rational error = robots_->place_error() + agent.position.error.value;
+  return between(Rational(apart.below - bodies - error), Rational(apart.above - bodies + error));
+}
+
 // Rule 8: every way-point and every leg; without any of them there is nothing to object.
 Margin Evaluator::plan_inside(sema::ZoneId zone) {
   static const sema::Dimension& length = sema::dims::length;
@@ -334,6 +356,7 @@ struct QuantityOf {
   Span operator()(const sema::Distance&) const {
     return self.robots_ == nullptr ? unknown(std::nullopt) : self.robots_->distance(self.other_);
   }
+  Span operator()(const sema::AgentDistance& node) const { return self.distance_from_agent(node); }
   Span operator()(const sema::EnergyTo& node) const {
     return self.robots_ == nullptr ? unknown(std::nullopt) : self.robots_->energy_to(node.site);
   }

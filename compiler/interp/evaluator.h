@@ -54,6 +54,7 @@ class Evaluator {
   template <class T, class Join>
   T over_others(const sema::Expr& body, T start, const Join& join);
   Span clearance_of_body(sema::ZoneId zone);
+  Span distance_from_agent(const sema::AgentDistance& node);
   Margin plan_inside(sema::ZoneId zone);
   // Of a node that holds a place, coordinates `x`, `y` and perhaps `z`, against a zone.
   template <class Node>

@@ -189,6 +189,16 @@ class BlockBuilder {
   ValueId quantity(const sema::Distance&, const sema::Expr& e) {
     return add(Distance{}, Unit::mm, e.range);
   }
+  ValueId quantity(const sema::AgentDistance& v, const sema::Expr& e) {
+    return add(AgentDistance{agent_of(v)}, Unit::mm, e.range);
+  }
+  [[nodiscard]] AgentIndex agent_of(const sema::AgentDistance& v) const {
+    const std::uint32_t seen = channel_of(decision_.facts, spec_[v.seen].name);
+    const auto& all = decision_.agents;
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Agent& agent) { return agent.seen == seen; });
+    return AgentIndex(found - all.begin());
+  }
   ValueId quantity(const sema::EnergyTo& v, const sema::Expr& e) {
     const auto& slot =
         tables_.sites[static_cast<std::uint32_t>(kind_)][static_cast<std::uint32_t>(v.site)];
@@ -325,7 +335,8 @@ class BlockBuilder {
            std::holds_alternative<sema::WithinOf>(e.node);
   }
   ValueId fact(const sema::Expr& e) {
-    const RobotSignals robot{tables_, kind_, [&](const sema::Expr& body) { return others(body); }};
+    const RobotSignals robot{tables_, kind_, [&](const sema::Expr& body) { return others(body); },
+                             [&](const sema::AgentDistance& agent) { return agent_of(agent); }};
     PlainMonitor to;
     to.name = monitor_.name + "_fact_" + std::to_string(++facts_);
     to.requirement_id = monitor_.requirement_id;
@@ -426,6 +437,28 @@ Watch facts_of(const sema::Spec& spec, const sema::Decision& from, const Signals
   return facts;
 }
 
+// Those whose places are among the signals.
+std::vector<Agent> agents_of(const sema::Spec& spec, const Watch& facts) {
+  std::vector<Agent> all;
+  for (const sema::Agent& from : spec.agents) {
+    const std::uint32_t seen = channel_of(facts, spec[from.seen].name);
+    if (seen == facts.inputs.size()) continue;
+    const auto up = [](const Rational& si, long steps) {
+      return ceil_to_int(Rational(si * steps));
+    };
+    Agent to;
+    to.name = from.name;
+    to.radius_mm = up(from.radius.value, 1000);
+    to.error_mm = up(from.position.error.value, 1000);
+    to.speed_mmps = up(from.speed.value, 1000);
+    to.age_us = floor_to_int(from.position.max_age.value * 1'000'000);
+    to.seen = seen;
+    if (from.present) to.present = channel_of(facts, spec[*from.present].name);
+    all.push_back(std::move(to));
+  }
+  return all;
+}
+
 }  // namespace
 
 void build_blocks(const sema::Spec& spec, const TableMap& tables, const Signals& signals,
@@ -434,6 +467,7 @@ void build_blocks(const sema::Spec& spec, const TableMap& tables, const Signals&
     const sema::Decision& from = spec.decisions[i];
     Decision& decision = module.decisions[i];
     decision.facts = facts_of(spec, from, signals, decision.period_us);
+    decision.agents = agents_of(spec, decision.facts);
     for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
       const sema::Monitor& monitor = spec[from.priority[k]];
       Monitor& to = decision.monitors[k];

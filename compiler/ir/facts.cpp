@@ -27,7 +27,8 @@ bool speaks_of_robot(const PlainMonitor& fact) {
   const auto& values = fact.property.values;
   return std::any_of(values.begin(), values.end(), [](const Value& v) {
     return std::holds_alternative<Battery>(v.op) || std::holds_alternative<Clearance>(v.op) ||
-           std::holds_alternative<EnergyTo>(v.op) || body_of(v.op) != nullptr;
+           std::holds_alternative<EnergyTo>(v.op) || std::holds_alternative<AgentDistance>(v.op) ||
+           body_of(v.op) != nullptr;
   });
 }
 

@@ -48,6 +48,9 @@ Linear quantity_form(const Block& block, ValueId id) {
   if (const auto* v = std::get_if<EnergyTo>(&op)) {
     return leaf_of(Leaf::Kind::energy_to, static_cast<std::uint32_t>(v->site));
   }
+  if (const auto* v = std::get_if<AgentDistance>(&op)) {
+    return leaf_of(Leaf::Kind::agent, static_cast<std::uint32_t>(v->agent));
+  }
   if (const auto* v = std::get_if<Add>(&op)) {
     return combine(quantity_form(block, v->a), 1, quantity_form(block, v->b));
   }
@@ -125,6 +128,19 @@ std::optional<ChargeForWay> charge_for_way(const Block& block, const AtLeast& co
   if (charge->second != 1 || way->second != -1) return std::nullopt;
   return ChargeForWay{SiteIndex(way->first.table),
                       need_of(form.rest, Rational(-1), compare.strict, params)};
+}
+
+std::map<AgentIndex, std::int64_t> agent_gaps(const Decision& decision) {
+  std::map<AgentIndex, std::int64_t> gaps;
+  for (const Monitor& monitor : decision.monitors) {
+    for_each_comparison(monitor.property, [&](const Block& block, const AtLeast& compare) {
+      const auto bound = lower_bound(block, compare, decision.facts.params);
+      if (!bound || bound->leaf.kind != Leaf::Kind::agent) return;
+      const auto [gap, added] = gaps.emplace(AgentIndex{bound->leaf.table}, bound->need.strictest);
+      gap->second = std::max(gap->second, bound->need.strictest);
+    });
+  }
+  return gaps;
 }
 
 void for_each_comparison(const Block& block,

@@ -21,6 +21,7 @@ enum class SiteIndex : std::uint32_t {};
 enum class RegionIndex : std::uint32_t {};
 enum class SolidIndex : std::uint32_t {};
 enum class ScheduleIndex : std::uint32_t {};
+enum class AgentIndex : std::uint32_t {};
 enum class ValueId : std::uint32_t {};
 
 // ---- tables -----------------------------------------------------------------------------------
@@ -112,6 +113,22 @@ inline std::int64_t sway_permille(const Body& b) {
   const std::int64_t left_mmps2 = b.brake_mmps2 - b.disturbance_mmps2;
   return b.disturbance_mmps2 == 0 ? 0 : (1000 * b.disturbance_mmps2 + left_mmps2 - 1) / left_mmps2;
 }
+// How much longer than s1 / (b - d) it takes until the sampled brake has turned into a hold: until
+// the speed is at most `rest_mmps` for good. Sampled brake: eta = b lag; |v| falls by b sqrt(1 -
+// (eta / |v|)^2) - d at least, since the command is off by eta at most; for |v| >= eta sqrt(2 b /
+// (b
+// - d)) that is (b - d) / 2 at least, and the time that is lost 2 b eta / (b - d)^2 at most.
+inline std::int64_t still_lag_ms(const Body& b) {
+  // undisturbed it loses nothing: the integral of dv / (b sqrt(1 - (eta / v)^2)) is below s1 / b
+  if (b.disturbance_mmps2 == 0) return b.brake_lag_ms;
+  return (b.brake_lag_ms * 2 * (1000 + sway_permille(b)) + 999) / 1000;
+}
+// A robot that is told to stop counts as standing up to here: the speed below which the sampled
+// brake turns into a hold. The hold may be that fast for a moment, and stays within `hold_mm`. The
+// brake of a body whose speed is commanded ends in 0.
+inline std::int64_t rest_mmps(const Body& b) {
+  return 1 + b.brake_lag_ms * b.brake_mmps2 / 1000;  // eta b / (b - d)
+}
 struct Motion {
   std::string name;  // "any" or the name of the recovery
   std::int64_t speed_mmps = 0, accel_mmps2 = 0;
@@ -129,7 +146,10 @@ struct Battery {};
 struct Clearance {
   ZoneIndex zone;
 };
-struct Distance {};  // to the robot of the enclosing for_others
+struct Distance {};     // to the robot of the enclosing for_others
+struct AgentDistance {  // to an agent of the decision; absent: agent_far_mm
+  AgentIndex agent;
+};
 struct EnergyTo {
   SiteIndex site;
 };
@@ -209,6 +229,11 @@ struct ZoneCourse {
   std::optional<ValueId> more{};
 };
 struct PairCourse {
+  std::int64_t least_mm;
+  std::optional<ValueId> more{};
+};
+struct AgentReach {  // until the robot stands; true where the agent is absent
+  AgentIndex agent;
   std::int64_t least_mm;
   std::optional<ValueId> more{};
 };
@@ -378,7 +403,8 @@ using Op =
                  InputIs, InputSame, Open, Elapsed, Age, SensedAge, ParamValue, Multiply, Minimum,
                  Maximum, Absolute, Root, PointClearance, PointInside, SolidClearance, SolidInside,
                  Norm, Between, Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since,
-                 Aggregate, ZoneCourse, PairCourse, Altitude, AltitudeReach>;
+                 Aggregate, ZoneCourse, PairCourse, Altitude, AltitudeReach, AgentDistance,
+                 AgentReach>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;
@@ -522,6 +548,14 @@ struct Lookahead {
   std::int64_t gap_us = 0;  // longest time between two steps that it covers
   bool command = false;     // under the known commands, where that is less
 };
+// What moves by itself, rounded to the safe side.
+struct Agent {
+  std::string name;
+  std::int64_t radius_mm = 0, error_mm = 0, speed_mmps = 0, age_us = 0;
+  std::uint32_t seen = 0;                // channel of Decision::facts: x, y
+  std::optional<std::uint32_t> present;  // channel: whether it is there at all
+};
+inline constexpr std::int64_t agent_far_mm = std::int64_t{1} << 31;  // beyond any distance
 enum class RecoveryKind { external, retreat, route, yield, brake, loiter, sequence, land };
 struct Recovery {
   std::string name;
@@ -607,6 +641,10 @@ struct Decision {
   // What another robot may cover, body included, seen from where it was heard: the most for every
   // horizon, speed and age.
   std::int64_t heard_reach_mm = 0;
+  std::vector<Agent> agents;  // that its monitors speak of
+  [[nodiscard]] const Agent& operator[](AgentIndex i) const {
+    return agents[static_cast<std::uint32_t>(i)];
+  }
 };
 // From a decision until its recovery acts, the age of the sample apart.
 inline std::int64_t horizon_us(const Decision& d, const Monitor& m) {
@@ -653,6 +691,13 @@ inline bool in_space(const Module& module) {
 inline bool is_disturbed(const Module& module) {
   for (const Decision& d : module.decisions) {
     if (d.body.disturbance_mmps2 > 0) return true;
+  }
+  return false;
+}
+// Does some decision look out for what moves by itself?
+inline bool has_agents(const Module& module) {
+  for (const Decision& d : module.decisions) {
+    if (!d.agents.empty()) return true;
   }
   return false;
 }

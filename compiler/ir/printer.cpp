@@ -60,6 +60,13 @@ class Printer {
   std::string operator()(const Battery&) const { return "battery"; }
   std::string operator()(const Clearance& v) const { return "clearance " + module_[v.zone].name; }
   std::string operator()(const Distance&) const { return "distance"; }
+  std::string operator()(const AgentDistance& v) const {
+    return "agent_distance " + num(static_cast<std::uint32_t>(v.agent));
+  }
+  std::string operator()(const AgentReach& v) const {
+    return "agent_reach " + num(static_cast<std::uint32_t>(v.agent)) + ", least " +
+           num(v.least_mm) + more(v.more);
+  }
   std::string operator()(const EnergyTo& v) const { return "energy_to " + module_[v.site].name; }
   std::string operator()(const Speed&) const { return "speed"; }
   std::string operator()(const Add& v) const { return "add " + name(v.a) + ", " + name(v.b); }
@@ -294,6 +301,10 @@ class Printer {
          (b.jitter_us > 0 ? ", jitter " + num(b.jitter_us) + " us" : ""));
     for (const Motion& m : d.motions) {
       line("  motion " + m.name + " speed " + num(m.speed_mmps) + " accel " + num(m.accel_mmps2));
+    }
+    for (const Agent& a : d.agents) {
+      line("  agent " + a.name + " radius " + num(a.radius_mm) + ", error " + num(a.error_mm) +
+           " mm, speed " + num(a.speed_mmps) + ", age " + num(a.age_us) + " us");
     }
     watch_ = &d.facts;
     signals(d.facts);

@@ -185,6 +185,10 @@ void UsedSignals::add(const sema::Expr& expr) {
     if (const auto* v = std::get_if<sema::SameValue>(&each.node)) {
       inputs.insert({v->left.input, v->right.input});
     }
+    if (const auto* v = std::get_if<sema::AgentDistance>(&each.node)) {
+      inputs.insert(v->seen);
+      if (v->present) inputs.insert(*v->present);
+    }
     if (const auto* v = std::get_if<sema::ParamRef>(&each.node)) params.insert(v->param);
   });
 }

@@ -48,6 +48,8 @@ class Checker {
   void operator()(const Battery&) { robot(), quantity(); }
   void operator()(const Clearance& v) { zone(v.zone), quantity(); }
   void operator()(const Distance&) { pair(), quantity(); }
+  void operator()(const AgentDistance& v) { agent(v.agent), quantity(); }
+  void operator()(const AgentReach& v) { agent(v.agent), reach(v.more); }
   void operator()(const EnergyTo& v) { site(v.site), quantity(); }
   void operator()(const Speed&) { robot(), quantity(); }
   void operator()(const Add& v) { same_unit(v.a, v.b), quantity(); }
@@ -302,6 +304,12 @@ class Checker {
   void site(SiteIndex i) {
     robot();
     if (static_cast<std::uint32_t>(i) >= module_.sites.size()) fail("no such site");
+  }
+  void agent(AgentIndex i) {
+    robot();
+    if (decision_ && static_cast<std::uint32_t>(i) >= decision_->agents.size()) {
+      fail("no such agent");
+    }
   }
   void pair() {
     if (!inside_others_) fail("another robot outside for_others");

@@ -154,6 +154,9 @@ ValueId QuantityBuilder::quantity(const sema::SignalRef& v, const sema::Expr& e)
 ValueId QuantityBuilder::quantity(const sema::Clearance& v, const sema::Expr& e) {
   return clearance(v.zone, e);
 }
+ValueId QuantityBuilder::quantity(const sema::AgentDistance& v, const sema::Expr& e) {
+  return add(AgentDistance{robot_->agent(v)}, unit(sema::dims::length, Unit::mm.step), e);
+}
 ValueId QuantityBuilder::clearance(sema::ZoneId zone, const sema::Expr& e) {
   return add(Clearance{robot_->tables.zone(zone)}, unit(sema::dims::length, Unit::mm.step), e);
 }

@@ -21,6 +21,7 @@ struct RobotSignals {
   const TableMap& tables;
   sema::KindId kind;
   std::function<Block(const sema::Expr&)> others;
+  std::function<AgentIndex(const sema::AgentDistance&)> agent;
 };
 
 // Value in SI of an expression without inputs; nullopt otherwise.
@@ -87,6 +88,7 @@ class QuantityBuilder {
   ValueId quantity(const sema::SignalRef& v, const sema::Expr& e);
   ValueId quantity(const sema::Clearance& v, const sema::Expr& e);
   ValueId quantity(const sema::EnergyTo& v, const sema::Expr& e);
+  ValueId quantity(const sema::AgentDistance& v, const sema::Expr& e);
   ValueId quantity(const sema::CountOthers& v, const sema::Expr& e);
   ValueId quantity(const sema::PointClearance& v, const sema::Expr& e);
   template <class Node>

@@ -181,6 +181,7 @@ class WatchRanges {
   Wide operator()(const Battery& v) const { return of_robot(v); }
   Wide operator()(const Clearance& v) const { return of_robot(v); }
   Wide operator()(const EnergyTo& v) const { return of_robot(v); }
+  Wide operator()(const AgentDistance& v) const { return of_robot(v); }
   Wide operator()(const CountOthers&) const {
     Wide any = wide(number_of_robots);
     any.declared = false;

@@ -1,5 +1,6 @@
 #include "compiler/sema/check.h"
 
+#include "compiler/sema/agents.h"
 #include "compiler/sema/context.h"
 #include "compiler/sema/controllers.h"
 #include "compiler/sema/decisions.h"
@@ -35,6 +36,7 @@ std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnost
   check_controllers(context);
   check_settings(context, program);
   check_inputs(context);
+  check_agents(context);
   check_params(context);
   check_carriers(context);
   check_functions(context);

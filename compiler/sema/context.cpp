@@ -35,6 +35,8 @@ Code unknown_code(Sort sort) {
     case Sort::input:
     case Sort::parameter:
     case Sort::enum_value:
+    case Sort::agent:
+    case Sort::agents:
       return Code::unknown_name;
   }
   return Code::unknown_name;

@@ -132,6 +132,8 @@ class Context {
   std::vector<Function> functions;
   std::vector<EnumValue> enum_values;
   std::vector<NumberedFleet> fleets;
+  std::vector<Declared<syntax::AgentItem>> agents;  // one for each agent of an item
+  std::vector<NumberedFleet> agent_groups;
   // What a zone moves with, by ZoneId; filled by check_carriers.
   std::map<ZoneId, std::variant<InputId, RobotId>> carriers;
   std::map<InputId, ZoneId> received_zones;                         // filled by check_inputs

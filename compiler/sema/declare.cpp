@@ -70,6 +70,31 @@ class Declarer {
     }
   }
 
+  void operator()(const SourceRange& range, const syntax::AgentItem& written) {
+    std::optional<int> most;
+    if (written.count && !is_error(*written.count)) {
+      most = rtac::sema::count(context_, *written.count, "the number of agents", 1, max_agents);
+    }
+    for (const syntax::Name& name : written.names) {
+      const std::uint32_t first = next_id(spec().agents);
+      const int count = written.count ? most.value_or(0) : 1;
+      if (written.count) {
+        add(name, Sort::agents, next_id(context_.agent_groups));
+        context_.agent_groups.push_back({first, static_cast<std::uint32_t>(count)});
+      } else {
+        add(name, Sort::agent, first);
+      }
+      for (int i = 0; i < count; ++i) {
+        Agent agent{};
+        agent.name = written.count ? name.text + "[" + std::to_string(i) + "]" : name.text;
+        agent.name_range = name.range;
+        if (written.count) agent.group = name.text;
+        spec().agents.push_back(std::move(agent));
+        context_.agents.push_back({&written, range});
+      }
+    }
+  }
+
   // The items of one name make one family of places.
   void operator()(const SourceRange&, const syntax::SiteItem& site) {
     const Symbol* known = context_.symbols.find(site.name.text);

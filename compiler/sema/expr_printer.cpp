@@ -224,6 +224,9 @@ std::string ExprPrinter::expr(const Expr& expr) const {
           },
           [&](const Clearance& atom) { return "clearance(self, " + zone(atom.zone) + ")"; },
           [](const Distance&) { return std::string("distance(self, other)"); },
+          [&](const AgentDistance& atom) {
+            return "distance(self, " + spec_[atom.agent].name + ")";
+          },
           [&](const EnergyTo& atom) { return "energy_to(" + spec_[atom.site].name + "(self))"; },
           [&](const InsideZone& atom) { return "(self inside " + zone(atom.zone) + ")"; },
           [&](const PlanInside& atom) { return "(self.plan inside " + zone(atom.zone) + ")"; },

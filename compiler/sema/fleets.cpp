@@ -80,33 +80,43 @@ std::size_t members_of(const Context& context, const syntax::FleetItem& fleet,
 
 }  // namespace
 
-std::optional<RobotId> resolve_robot(Context& context, const syntax::Name& name,
-                                     const syntax::Expr* number) {
+std::optional<std::uint32_t> resolve_numbered(Context& context, const syntax::Name& name,
+                                              const syntax::Expr* number, const Numbered& what) {
   const Symbol* symbol = context.symbols.find(name.text);
-  if (symbol == nullptr || symbol->sort != Sort::fleet) {
-    const auto robot = context.resolve<RobotId>(name, Sort::robot);
-    if (!robot || number == nullptr) return robot;
-    context.report(
-        Finding(Code::wrong_sort, number->range, "`" + name.text + "` is one robot, not a fleet")
-            .label("has no number")
-            .note(symbol->range, "`" + name.text + "` is declared here")
-            .help("write `" + name.text + "`"));
+  if (symbol == nullptr || symbol->sort != what.group) {
+    const auto found = context.resolve(name, what.one);
+    if (!found || number == nullptr) return found;
+    context.report(Finding(Code::wrong_sort, number->range, "`" + name.text + "` is " + what.a_one)
+                       .label("has no number")
+                       .note(symbol->range, "`" + name.text + "` is declared here")
+                       .help("write `" + name.text + "`"));
     return std::nullopt;
   }
-  const NumberedFleet& fleet = context.fleets[symbol->index];
+  const std::string member = what.member;
+  const NumberedFleet& group = what.groups[symbol->index];
   if (number == nullptr) {
     context.report(
-        Finding(Code::wrong_sort, name.range, "`" + name.text + "` is a fleet, not one robot")
-            .label("which of its robots?")
+        Finding(Code::wrong_sort, name.range, "`" + name.text + "` is " + what.a_group)
+            .label("which of its " + member + "s?")
             .note(symbol->range, "`" + name.text + "` is declared here")
-            .help("write `" + name.text + "[0]` with the number of a robot"));
+            .help("write `" + name.text + "[0]` with the number of a " + member + what.also));
     return std::nullopt;
   }
-  if (fleet.count == 0 || is_error(*number)) return std::nullopt;  // reported
-  const auto index = count(context, *number, "the number of a robot of `" + name.text + "`", 0,
-                           static_cast<int>(fleet.count) - 1);
+  if (group.count == 0 || is_error(*number)) return std::nullopt;  // reported
+  const auto index =
+      count(context, *number, "the number of a " + member + " of `" + name.text + "`", 0,
+            static_cast<int>(group.count) - 1);
   if (!index) return std::nullopt;
-  return RobotId{fleet.first + static_cast<std::uint32_t>(*index)};
+  return group.first + static_cast<std::uint32_t>(*index);
+}
+
+std::optional<RobotId> resolve_robot(Context& context, const syntax::Name& name,
+                                     const syntax::Expr* number) {
+  const auto found =
+      resolve_numbered(context, name, number,
+                       {Sort::robot, Sort::fleet, context.fleets, "one robot, not a fleet",
+                        "a fleet, not one robot", "robot"});
+  return found ? std::optional<RobotId>(RobotId{*found}) : std::nullopt;
 }
 
 void check_fleets(Context& context, const syntax::Program& program) {

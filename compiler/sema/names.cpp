@@ -34,12 +34,16 @@ const char* name_of(Sort sort) {
       return "function";
     case Sort::frame:
       return "frame";
+    case Sort::agent:
+      return "agent";
+    case Sort::agents:
+      return "group of agents";
   }
   return "";
 }
 
 std::string a_name_of(Sort sort) {
-  const bool vowel = sort == Sort::input || sort == Sort::enumeration;
+  const bool vowel = sort == Sort::input || sort == Sort::enumeration || sort == Sort::agent;
   return std::string(vowel ? "an " : "a ") + name_of(sort);
 }
 
@@ -75,6 +79,10 @@ const char* plural_of(Sort sort) {
       return "functions";
     case Sort::frame:
       return "frames";
+    case Sort::agent:
+      return "agents";
+    case Sort::agents:
+      return "groups of agents";
   }
   return "";
 }

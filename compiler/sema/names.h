@@ -29,6 +29,8 @@ enum class Sort {
   enum_value,
   function,
   frame,
+  agent,
+  agents,  // numbered ones
 };
 
 const char* name_of(Sort sort);    // "kind of robot"

@@ -359,6 +359,10 @@ Value PropertyChecker::chosen_parts(const syntax::Expr& expr, const Expr& condit
 Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Quantified& quantified) {
   if (sees_fleets()) return quantified_members(expr, quantified);
   if (!robot_allowed(expr.range, "a quantifier over robots")) return nullptr;
+  if (const Symbol* named = context_.symbols.find(quantified.kind.text);
+      named != nullptr && (named->sort == Sort::agent || named->sort == Sort::agents)) {
+    return quantified_agents(expr, quantified);
+  }
   const Head head{expr.range, quantified.variable, quantified.kind, quantified.guard};
   if (!not_nested(head) || !quantifier_fits(head)) return nullptr;
   other_ = &quantified.variable;

@@ -113,6 +113,11 @@ class PropertyChecker {
   ExprPtr counted(const SourceRange& range, std::vector<ExprPtr> conditions);
   static ExprPtr joined(const SourceRange& range, LogicOp op, std::vector<ExprPtr> parts);
 
+  // ---- agents.cpp: what moves by itself, in monitors of robots.
+  [[nodiscard]] bool names_agent(const syntax::Expr& expr) const;
+  ExprPtr distance_from_agent(const syntax::Expr& expr, const syntax::Expr& written);
+  Value quantified_agents(const syntax::Expr& expr, const syntax::Quantified& quantified);
+
   // ---- member_comparisons.cpp
   // A comparison; one of `min` or `max` over members is that of each of them.
   ExprPtr compare(const SourceRange& range, CompareOp op, ExprPtr left, ExprPtr right);
@@ -320,6 +325,8 @@ class PropertyChecker {
   const syntax::Name* other_ = nullptr;  // the variable of the enclosing quantifier
   // Variables of quantifiers in monitors without a robot, and whom they stand for; innermost last.
   std::vector<std::pair<const syntax::Name*, RobotId>> members_;
+  // The same of the innermost quantifier over agents, in a monitor of a robot.
+  std::optional<std::pair<const syntax::Name*, AgentId>> agent_;
   std::vector<Local> locals_;           // the innermost last
   const Function* function_ = nullptr;  // the one whose body is looked at
   SourceRange call_;                    // the outermost call that led there

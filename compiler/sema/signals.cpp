@@ -150,6 +150,8 @@ Value PropertyChecker::declared(const syntax::Expr& expr, const syntax::Name& na
     case Sort::decision:
     case Sort::enumeration:
     case Sort::frame:
+    case Sort::agent:
+    case Sort::agents:
       return not_a_quantity(expr, a_name_of(symbol.sort));
   }
   return nullptr;

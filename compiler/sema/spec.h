@@ -27,6 +27,7 @@ enum class InputId : std::uint32_t {};  // a plain input signal
 enum class ParamId : std::uint32_t {};
 enum class EnumId : std::uint32_t {};
 enum class FrameId : std::uint32_t {};  // a frame of coordinates
+enum class AgentId : std::uint32_t {};  // what moves by itself and obeys no decision
 
 // A literal or derived quantity with the place it came from.
 struct Quantity {
@@ -207,6 +208,17 @@ struct Robot {
   std::optional<std::uint32_t> number = std::nullopt;  // in a numbered fleet
   std::string fleet{};                                 // the name of that fleet
 };
+// A person, a forklift: a disc that moves as it likes, up to a speed. Whoever runs a decision tells
+// it where the agent is, by the inputs that stand for it.
+struct Agent {
+  std::string name;  // "worker", "people[3]"
+  SourceRange name_range;
+  Quantity radius, speed;            // m, m/s
+  Sense position;                    // m
+  InputId seen{};                    // x, y
+  std::optional<InputId> present{};  // whether it is there at all
+  std::string group{};               // the name of numbered ones
+};
 struct Site {
   std::string name;
   struct Place {
@@ -300,6 +312,7 @@ struct Input : Measurement {
   std::optional<Quantity> max_age;  // none and not `held`: a new sample every tick
   bool held = false;                // max_age inf: the last value holds for ever
   std::optional<RobotId> robot;     // it is what this robot senses, not declared as an input
+  std::optional<AgentId> agent{};   // it is what is seen of this agent
 };
 struct Param {
   std::string name;
@@ -351,8 +364,13 @@ struct SignalRef {  // r.battery, r.speed, r.position.z
 struct Clearance {  // clearance(r, Z): gap between the body and the boundary, negative outside
   ZoneId zone;
 };
-struct Distance {};  // distance(r, q): gap between the two bodies, negative on overlap
-struct EnergyTo {    // energy_to(dock(r)): upper bound of the charge that the way there takes
+struct Distance {};     // distance(r, q): gap between the two bodies, negative on overlap
+struct AgentDistance {  // distance(r, worker): the same to an agent; infinite while that is absent
+  AgentId agent;
+  InputId seen;  // those of the agent
+  std::optional<InputId> present;
+};
+struct EnergyTo {  // energy_to(dock(r)): upper bound of the charge that the way there takes
   SiteId site;
 };
 struct InsideZone {  // r inside Z
@@ -478,7 +496,8 @@ struct Expr {
   std::variant<Constant, Truth, SignalRef, Clearance, Distance, EnergyTo, InsideZone, PlanInside,
                Arithmetic, Compare, Logic, HeldFor, ForOthers, CountOthers, OverMembers, InputRef,
                AgeOf, SensedAge, ParamRef, PointInside, PointClearance, ZoneOpen, WhileOpen,
-               IsValue, SameValue, Math, Choice, Previously, Past, Since, WithinOf, Aggregate>
+               IsValue, SameValue, Math, Choice, Previously, Past, Since, WithinOf, Aggregate,
+               AgentDistance>
       node;
 };
 
@@ -560,6 +579,7 @@ struct Spec {
   std::vector<MarginScale> scales;
   std::vector<GridStep> grids;
   std::vector<Watch> watches;
+  std::vector<Agent> agents;
 
   template <class Id, class T>
   static const T& at(const std::vector<T>& items, Id id) {
@@ -575,6 +595,7 @@ struct Spec {
   const Decision& operator[](DecisionId id) const { return at(decisions, id); }
   const Input& operator[](InputId id) const { return at(inputs, id); }
   const Param& operator[](ParamId id) const { return at(params, id); }
+  const Agent& operator[](AgentId id) const { return at(agents, id); }
   const Enumeration& operator[](EnumId id) const { return at(enumerations, id); }
 };
 

@@ -36,6 +36,7 @@ class SpecPrinter {
     for (const Robot& robot : spec_.robots) {
       line(0, "robot " + robot.name + " : " + spec_[robot.kind].name);
     }
+    for (const Agent& agent : spec_.agents) print(agent);
     for (const Site& site : spec_.sites) print(site);
     for (const Controller& controller : spec_.controllers) print(controller);
     for (const Monitor& monitor : spec_.monitors) print(monitor);
@@ -101,6 +102,12 @@ class SpecPrinter {
                                    : ""));
     line(1, "latency " + si_text(kind.latency, dims::time));
     if (kind.energy) print(*kind.energy);
+  }
+
+  void print(const Agent& agent) {
+    line(0, "agent " + agent.name + " radius " + si_text(agent.radius, dims::length) + " speed " +
+                si_text(agent.speed, dims::speed) + (agent.present ? ", present" : ""));
+    print("position", agent.position, dims::length);
   }
 
   void print(const Motion& motion) {

@@ -49,7 +49,7 @@ void for_each_operand(Tree& expr, Visit&& visit) {
                         std::is_same_v<Node, InputRef> || std::is_same_v<Node, AgeOf> ||
                         std::is_same_v<Node, SensedAge> || std::is_same_v<Node, ParamRef> ||
                         std::is_same_v<Node, ZoneOpen> || std::is_same_v<Node, IsValue> ||
-                        std::is_same_v<Node, SameValue>);
+                        std::is_same_v<Node, SameValue> || std::is_same_v<Node, AgentDistance>);
         }
       },
       expr.node);
@@ -67,6 +67,7 @@ inline bool is_robot_state(const Expr& expr) {
   return std::holds_alternative<SignalRef>(expr.node) ||
          std::holds_alternative<Clearance>(expr.node) ||
          std::holds_alternative<Distance>(expr.node) ||
+         std::holds_alternative<AgentDistance>(expr.node) ||
          std::holds_alternative<EnergyTo>(expr.node) ||
          std::holds_alternative<InsideZone>(expr.node) ||
          std::holds_alternative<PlanInside>(expr.node) ||

@@ -90,7 +90,12 @@ void warn_unused_signals(Context& context) {
   };
   for (std::uint32_t i = 0; i < context.spec.inputs.size(); ++i) {
     const Input& input = context.spec.inputs[i];
-    if (context.used_inputs.count(InputId{i}) == 0) warn("input", input.name, input.name_range);
+    if (context.used_inputs.count(InputId{i}) > 0) continue;
+    if (!input.agent) {
+      warn("input", input.name, input.name_range);
+    } else if (const Agent& agent = context.spec[*input.agent]; agent.seen == InputId{i}) {
+      warn("agent", agent.name, agent.name_range);
+    }
   }
   for (std::uint32_t i = 0; i < context.spec.params.size(); ++i) {
     const Param& param = context.spec.params[i];

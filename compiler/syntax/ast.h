@@ -411,6 +411,13 @@ struct FleetItem {  // fleet r1, r2 : Cart;   fleet bots : Drone[128];
   Name kind;
   ExprPtr count;  // of numbered members; null: each name is a robot
 };
+// agent people[8] : radius 30 cm, speed <= 2 m/s error 10 cm max_age 200 ms, present;
+struct AgentItem {
+  std::vector<Name> names;
+  ExprPtr count;  // of numbered ones; null: each name is one
+  ExprPtr radius, speed, error, max_age;
+  bool present = false;
+};
 struct SiteItem {  // site dock(r1) = (1 m, 1 m);   site home = (0 m, 0 m);
   Name name;
   std::optional<RobotRef> robot;
@@ -448,7 +455,7 @@ struct Item {
   SourceRange range;
   std::variant<ImportItem, PeriodItem, InputItem, ParamItem, EnumItem, FunItem, ScaleItem, GridItem,
                FrameItem, OriginItem, ClockItem, AssumeItem, ZoneItem, RobotItem, FleetItem,
-               SiteItem, ControllerItem, MonitorItem, DecisionItem>
+               AgentItem, SiteItem, ControllerItem, MonitorItem, DecisionItem>
       node;
   // A mistake in its text is reported and could only be mended by a guess, so that the tree may not
   // be what is meant.

@@ -204,6 +204,15 @@ class Dumper {
     Level level{text_};
     part("Count", node.count);
   }
+  void add(const AgentItem& node, const SourceRange& range) {
+    line("Agent " + join(node.names, ", ") + (node.present ? " present" : ""), range);
+    Level level{text_};
+    part("Count", node.count);
+    part("Radius", node.radius);
+    part("Speed", node.speed);
+    part("ErrorBound", node.error);
+    part("MaxAge", node.max_age);
+  }
   void add(const SiteItem& node, const SourceRange& range) {
     line("Site " + node.name.text + (node.robot ? '(' + node.robot->name.text + ')' : ""), range);
     Level level{text_};

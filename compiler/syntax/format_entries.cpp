@@ -94,6 +94,7 @@ class Aligner {
         return find_outside(pieces_, entry.begin, entry.end, T::ASSIGN) + 1;
       case T::FUN:
       case T::FLEET:
+      case T::AGENT:
       case T::INPUT:
       case T::ASSUME:
       case T::SCALE:
@@ -215,6 +216,7 @@ class Aligner {
       case T::INPUT:
       case T::PARAM:
       case T::FLEET:
+      case T::AGENT:
         return find_outside(pieces_, entry.begin, entry.end, T::COLON);
       default:
         return entry.end;

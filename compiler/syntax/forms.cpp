@@ -154,6 +154,8 @@ const std::vector<Form>& all_forms() {
       {Block::items, T::IMPORT, "import \"robots.rta\";"},
       {Block::items, T::ROBOT, "robot Cart { body radius 0.2 m; }"},
       {Block::items, T::FLEET, "fleet r1, r2 : Cart;"},
+      {Block::items, T::AGENT,
+       "agent worker : radius 30 cm, speed <= 2 m/s error 10 cm max_age 200 ms;"},
       {Block::items, T::SITE, "site dock(r1) = (1 m, 1 m);"},
       {Block::items, T::CONTROLLER, "controller pilot : advanced for Cart extern;"},
       {Block::items, T::MONITOR,

@@ -16,7 +16,9 @@ constexpr double nearest_m = 0.02, farthest_m = 10;
 
 Aim kind_of(const Property& p) {
   if (speaks_of(p, PropertyOp::battery) || speaks_of(p, PropertyOp::energy_to)) return Aim::charge;
-  return speaks_of(p, PropertyOp::distance) ? Aim::robot : Aim::fence;
+  const bool others =
+      speaks_of(p, PropertyOp::distance) || speaks_of(p, PropertyOp::agent_distance);
+  return others ? Aim::robot : Aim::fence;
 }
 
 }  // namespace

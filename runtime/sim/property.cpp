@@ -38,6 +38,7 @@ class Evaluation {
       case PropertyOp::clearance:
       case PropertyOp::distance:
       case PropertyOp::altitude:
+      case PropertyOp::agent_distance:
       case PropertyOp::energy_to:
       case PropertyOp::add:
       case PropertyOp::subtract:
@@ -86,6 +87,8 @@ class Evaluation {
         return distance(other);
       case PropertyOp::altitude:
         return scene_.height_m;
+      case PropertyOp::agent_distance:
+        return agent_distance(static_cast<std::size_t>(p.index));
       case PropertyOp::energy_to:
         return energy_to(p.index);
       case PropertyOp::add:
@@ -136,6 +139,18 @@ class Evaluation {
     const Vec3 there = position_of(scene_.truths[static_cast<std::size_t>(other)]);
     const Vec3 here{scene_.at.x, scene_.at.y, scene_.height_m};
     return length(there - here) - 2 * scene_.surroundings.radius_m;
+  }
+  bool stands() const {
+    const Surroundings& s = scene_.surroundings;
+    const auto self = static_cast<std::size_t>(scene_.self);
+    return s.told_to_stand != nullptr && (*s.told_to_stand)[self] &&
+           length(scene_.truths[self].velocity) <= s.rest_mps;
+  }
+  double agent_distance(std::size_t agent) const {
+    const Surroundings& s = scene_.surroundings;
+    if (s.agents == nullptr || agent >= s.agents->size()) return infinite;
+    if (scene_.passive && stands()) return infinite;
+    return length((*s.agents)[agent] - scene_.at) - s.radius_m - s.agent_radius_m[agent];
   }
   double energy_to(int site) const {
     const auto& places = scene_.surroundings.sites[static_cast<std::size_t>(site)];

@@ -41,7 +41,8 @@ void Referee::judge(std::size_t monitor, std::size_t robot, TimeUs now_us,
     const double at_least = anchor.margin - steepness_per_m_[monitor] * moved_m;
     if (at_least > std::max(least.value, 0.0)) return;
   }
-  const Scene scene = scene_of(surroundings_, truths, static_cast<int>(robot));
+  Scene scene = scene_of(surroundings_, truths, static_cast<int>(robot));
+  scene.passive = true;
   anchor = {margin_of(properties_[monitor], scene), way_m};
   if (anchor.margin < least.value) least = {anchor.margin, now_us, static_cast<int>(robot)};
   // Written so that a value that is not a number counts as a violation.

@@ -40,6 +40,8 @@ typedef struct body {
   int64_t hold_mm;             /* stays within this of its hold */
   int64_t position_age_us, velocity_age_us;
   /*? disturbed */ int64_t sway_permille; /* what pushes it lengthens and bends a stop so much */
+  /*? near_agents */ int64_t net_brake_mmps2; /* against whatever pushes it */
+  /*? near_agents */ int64_t still_lag_ms;    /* that the sampled brake takes longer */
 } body;
 /*= motion_type */
 /* Limits of whoever drives: any control, or one recovery. */
@@ -148,6 +150,7 @@ typedef struct reach {
   /*? in_space */ int64_t z, z_end; /* heights of p and e */
   int64_t capsule_mm, disc_mm;
   int64_t centre_mm; /* the disc without the body */
+  /*? near_agents */ int64_t still_ms; /* from the decision on, until it stands */
 } reach;
 /*= travel_of : motion_type div_up */
 /* Longest way in `t_ms` from speed `s0` under the limits `m` with cap `cap`. */
@@ -203,6 +206,8 @@ static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t
                  div_up((s->speed_mmps + s1) * drift, 2 * b->brake_mmps2) + 2 + tube;
   r.centre_mm = centre;
   r.disc_mm = centre + b->radius_mm;
+  /*? near_agents */ r.still_ms =
+  /*? near_agents */     div_up(horizon_us, 1000) + div_up(1000 * s1, b->net_brake_mmps2) + b->still_lag_ms;
   if (r.e.x != on_map(r.e.x) || r.e.y != on_map(r.e.y)) {
     /*? in_space */ r.z_end = r.z;
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */

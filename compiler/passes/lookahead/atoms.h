@@ -12,6 +12,7 @@ using Expanded = std::optional<ir::ValueId>;
 
 Expanded fence(Expansion& expansion, const Atom& atom);           // inside, clearance
 Expanded separation(Expansion& expansion, const Atom& atom);      // from another robot
+Expanded agent(Expansion& expansion, const Atom& atom);           // from what moves by itself
 Expanded charge(Expansion& expansion, const Atom& atom);          // at least a constant
 Expanded charge_for_way(Expansion& expansion, const Atom& atom);  // at least what a way takes
 Expanded count(Expansion& expansion, const Atom& atom);           // of other robots

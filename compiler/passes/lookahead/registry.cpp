@@ -17,10 +17,11 @@ struct Transformer {
   Expanded (*expand)(Expansion&, const Atom&);
 };
 
-const std::array<Transformer, 7>& registry() {
-  static const std::array<Transformer, 7> all = {{
+const std::array<Transformer, 8>& registry() {
+  static const std::array<Transformer, 8> all = {{
       {{Kind::clearance}, {"`inside`", "`clearance(r, zone) >= c`"}, fence},
       {{Kind::distance}, {"`distance(r, q) >= c`"}, separation},
+      {{Kind::agent}, {"`distance(r, agent) >= c`"}, agent},
       {{Kind::battery}, {"`r.battery >= c`"}, charge},
       {{Kind::battery, Kind::energy_to}, {"`r.battery >= energy_to(site) + c`"}, charge_for_way},
       {{Kind::count}, {"`count(q : Kind, q != r : distance(r, q) <= c) <= n`"}, count},

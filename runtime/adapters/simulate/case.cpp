@@ -14,16 +14,27 @@ using sim::PropertyOp;
 
 const std::map<std::string, PropertyOp>& ops() {
   static const std::map<std::string, PropertyOp> all = {
-      {"const", PropertyOp::constant},    {"battery", PropertyOp::battery},
-      {"speed", PropertyOp::speed},       {"clearance", PropertyOp::clearance},
-      {"distance", PropertyOp::distance}, {"energy_to", PropertyOp::energy_to},
-      {"altitude", PropertyOp::altitude}, {"add", PropertyOp::add},
-      {"subtract", PropertyOp::subtract}, {"multiply", PropertyOp::multiply},
-      {"divide", PropertyOp::divide},     {"negate", PropertyOp::negate},
-      {"count", PropertyOp::count},       {"truth", PropertyOp::truth},
-      {"inside", PropertyOp::inside},     {"at_least", PropertyOp::at_least},
-      {"not", PropertyOp::logical_not},   {"and", PropertyOp::logical_and},
-      {"or", PropertyOp::logical_or},     {"forall", PropertyOp::forall},
+      {"const", PropertyOp::constant},
+      {"battery", PropertyOp::battery},
+      {"speed", PropertyOp::speed},
+      {"clearance", PropertyOp::clearance},
+      {"distance", PropertyOp::distance},
+      {"energy_to", PropertyOp::energy_to},
+      {"agent_distance", PropertyOp::agent_distance},
+      {"altitude", PropertyOp::altitude},
+      {"add", PropertyOp::add},
+      {"subtract", PropertyOp::subtract},
+      {"multiply", PropertyOp::multiply},
+      {"divide", PropertyOp::divide},
+      {"negate", PropertyOp::negate},
+      {"count", PropertyOp::count},
+      {"truth", PropertyOp::truth},
+      {"inside", PropertyOp::inside},
+      {"at_least", PropertyOp::at_least},
+      {"not", PropertyOp::logical_not},
+      {"and", PropertyOp::logical_and},
+      {"or", PropertyOp::logical_or},
+      {"forall", PropertyOp::forall},
       {"exists", PropertyOp::exists}};
   return all;
 }
@@ -45,6 +56,9 @@ Property property(const Json& j) {
     case PropertyOp::clearance:
     case PropertyOp::inside:
       p.index = j.at("zone").get<int>();
+      break;
+    case PropertyOp::agent_distance:
+      p.index = j.at("agent").get<int>();
       break;
     case PropertyOp::energy_to:
       p.index = j.at("site").get<int>();
@@ -160,6 +174,13 @@ DecisionCase decision(const Json& j, const Case& all) {
   if (j.contains("dock")) {
     for (const Json& at : j.at("dock")) d.docks.push_back(place(at));
   }
+  if (j.contains("agents")) {
+    for (const Json& a : j.at("agents")) {
+      d.agents.push_back({a.at("name").get<std::string>(), a.at("radius_m").get<double>(),
+                          a.at("speed_mps").get<double>(), a.at("error_m").get<double>(),
+                          a.at("age_us").get<TimeUs>()});
+    }
+  }
   for (const Json& m : j.at("monitors")) {
     d.monitors.push_back({m.at("name").get<std::string>(), m.at("requirement").get<std::string>(),
                           m.at("text").get<std::string>(), m.at("unit").get<std::string>(),
@@ -174,6 +195,7 @@ DecisionCase decision(const Json& j, const Case& all) {
   d.surroundings.sites = all.sites;
   d.surroundings.radius_m = d.limits.radius_m;
   d.surroundings.drive_per_m = d.limits.drive_per_m;
+  d.surroundings.rest_mps = j.value("rest_mps", 0.0);
   return d;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rtac/decision.h"
+#include "rtac/sim/crowd.h"
 #include "rtac/sim/property.h"
 #include "rtac/types.h"
 #include "rtac/zone.h"
@@ -60,6 +61,7 @@ struct DecisionCase {
   std::vector<MonitorCase> monitors;
   std::vector<sim::Property> properties;  // by monitor
   sim::Surroundings surroundings;
+  std::vector<sim::AgentSetup> agents;
 };
 
 struct Case {

@@ -52,6 +52,19 @@ void put(const Path& path, std::size_t capacity, std::int64_t* to) {
   std::copy(plan.y, plan.y + plan.count, to + 3 + capacity);
 }
 
+// Steps at or below the place, and whether it lies between two. It says that it is there.
+void put_agent(const Sample<Vec2>& sample, TimeUs now_us, std::int64_t* to) {
+  constexpr double steps_per_m = 1e3;
+  std::int64_t x_hi = 0, y_hi = 0;
+  to[3] = sample.stamp_us != never_us &&
+          bridge::grid_pair(sample.value.x, steps_per_m, to[0], x_hi) &&
+          bridge::grid_pair(sample.value.y, steps_per_m, to[1], y_hi);
+  to[2] = (x_hi != to[0] ? 1 : 0) + (y_hi != to[1] ? 2 : 0);
+  to[4] = sample.stamp_us;
+  to[words::agent_present] = to[words::agent_present + 1] = 1;
+  to[words::agent_present + 2] = now_us;
+}
+
 constexpr double battery_steps = 1e6, heading_steps = 1e3;  // ppm, mrad
 
 }  // namespace
@@ -86,7 +99,8 @@ Problem Kernel::find(const DecisionCase& decision, Functions& to) const {
   to.init = function_of<Init>(symbol("rtac_sim_init" + number));
   to.step = function_of<Step>(symbol("rtac_sim_step" + number));
   const std::size_t in = words::plan + words::plan_size(decision.plan_capacity) +
-                         decision.robots.size() * words::other_size(decision.plan_capacity);
+                         decision.robots.size() * words::other_size(decision.plan_capacity) +
+                         decision.agents.size() * words::agent_size;
   const std::size_t out = words::monitors + decision.monitors.size() * words::per_monitor;
   if (to.init != nullptr && to.step != nullptr && to.in_words == in && to.out_words == out) {
     return {};
@@ -95,9 +109,11 @@ Problem Kernel::find(const DecisionCase& decision, Functions& to) const {
 }
 
 KernelDecision::KernelDecision(const Kernel::Functions& functions, const DecisionCase& decision,
-                               int self)
+                               int self, sim::Crowd& crowd)
     : functions_(functions),
       capacity_(decision.plan_capacity),
+      agents_(decision.agents.size()),
+      crowd_(crowd),
       info_(),
       state_(functions.state_bytes / sizeof(std::int64_t) + 1),
       in_(functions.in_words),
@@ -149,6 +165,9 @@ const DecisionRecord& KernelDecision::step(const Observation& seen, bool holding
     other[words::presence] = heard.present.stamp_us;
     other[words::present] = heard.present.value ? 1 : 0;
     put(heard.plan, capacity_, other + words::other_plan);
+  }
+  for (std::size_t k = 0; k < agents_; ++k, other += words::agent_size) {
+    put_agent(crowd_.see(seen.self, static_cast<int>(k), seen.now_us), seen.now_us, other);
   }
   functions_.step(state_.data(), in_.data(), seen.now_us, out_.data());
   take(seen.now_us);

@@ -37,7 +37,9 @@ class Kernel {
 // One decision for one robot. Everything that it is made with outlives it.
 class KernelDecision final : public DecisionModule {
  public:
-  KernelDecision(const Kernel::Functions& functions, const DecisionCase& decision, int self);
+  // `crowd`: what the robot sees of agents.
+  KernelDecision(const Kernel::Functions& functions, const DecisionCase& decision, int self,
+                 sim::Crowd& crowd);
   [[nodiscard]] const DecisionInfo& info() const override { return info_; }
   const DecisionRecord& step(const Observation& observation, bool holding, bool surrender) override;
   void reset() override;
@@ -46,7 +48,8 @@ class KernelDecision final : public DecisionModule {
   void take(TimeUs now_us);
 
   const Kernel::Functions& functions_;
-  std::size_t capacity_;
+  std::size_t capacity_, agents_;
+  sim::Crowd& crowd_;
   std::vector<MonitorInfo> monitors_;
   DecisionInfo info_;
   std::vector<std::int64_t> state_, in_, out_;

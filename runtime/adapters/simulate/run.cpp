@@ -92,12 +92,18 @@ class Taped final : public Controller<Output> {
 
 class Watcher final : public SystemObserver {
  public:
-  Watcher(const DecisionCase& decision, Arena& arena, Tape& tape, Outcome& outcome)
-      : arena_(arena), tape_(tape), outcome_(outcome) {
+  // `standing`: by robot, who is told to stand from now on.
+  Watcher(const DecisionCase& decision, Arena& arena, Tape& tape, Outcome& outcome,
+          std::vector<bool>& standing)
+      : decision_(decision), arena_(arena), tape_(tape), outcome_(outcome), standing_(standing) {
     outcome_.ticks.assign(decision.monitors.size() + 1, 0);
   }
   void on_decision(const DecisionRecord& record) override {
     arena_.found(record);
+    standing_[static_cast<std::size_t>(record.robot)] =
+        record.mode != 0 &&
+        (record.gate == Gate::hold ||
+         decision_.monitors[static_cast<std::size_t>(record.mode - 1)].recovery.kind == "brake");
     ++outcome_.ticks[static_cast<std::size_t>(record.mode)];
     if (record.mode != 0 && record.previous_mode == 0) ++outcome_.engagements;
     if (!tape_.recording()) return;
@@ -112,19 +118,21 @@ class Watcher final : public SystemObserver {
   }
 
  private:
+  const DecisionCase& decision_;
   Arena& arena_;
   Tape& tape_;
   Outcome& outcome_;
+  std::vector<bool>& standing_;
 };
 
 template <class Output>
 class Fleet {
  public:
   Fleet(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
-        const Arena& arena, Tape& tape)
+        const Arena& arena, sim::Crowd& crowd, Tape& tape)
       : decision_(decision), setup_(setup), arena_(arena) {
     for (int i = 0; i < static_cast<int>(decision.robots.size()); ++i) {
-      decisions_.push_back(std::make_unique<KernelDecision>(kernel, decision, i));
+      decisions_.push_back(std::make_unique<KernelDecision>(kernel, decision, i, crowd));
       attacks_.push_back(std::make_unique<Taped<Output>>(attack(setup, i, arena), i, tape));
       parts_.push_back(parts(i));
     }
@@ -287,16 +295,22 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   options.noise = sim::NoiseModel::none;
   options.commands_max = commands_under_way(decision, setup);
   sim::World<Output> world(bodies(decision, setup), options);
-  Arena arena(decision.surroundings, decision.properties, decision.limits, robots);
+  sim::Surroundings surroundings = decision.surroundings;
+  std::vector<bool> standing(decision.robots.size(), false);
+  surroundings.told_to_stand = &standing;
+  sim::Crowd crowd(decision.agents, decision.properties, surroundings, world.truths(),
+                   setup.hostility, setup.seed, tape);
+  Arena arena(surroundings, decision.properties, decision.limits, robots);
   arena.watch(world.truths());
-  sim::Referee referee(decision.surroundings, decision.properties, robots);
+  sim::Referee referee(surroundings, decision.properties, robots);
   sim::HostileFleet<Output> hostile(world, arena, setup.hostility, tape, [&](TimeUs now_us) {
+    crowd.move(now_us);
     referee.observe(now_us, world.truths());
     const sim::Violation& violation = referee.first_violation();
     if (referee.violated() && now_us >= violation.time_us + after_violation_us) world.stop();
   });
-  Fleet<Output> fleet(decision, kernel, setup, arena, tape);
-  Watcher watcher(decision, arena, tape, to);
+  Fleet<Output> fleet(decision, kernel, setup, arena, crowd, tape);
+  Watcher watcher(decision, arena, tape, to, standing);
   if (!fleet.start(hostile, watcher)) {
     return {"decision `" + decision.name + "` has a recovery that `rtac-sim` does not know",
             "install `rtac` and `rtac-sim` of the same version", true};

@@ -179,9 +179,11 @@ std::vector<const Adversary*> applicable(const DecisionCase& decision) {
   std::vector<const Adversary*> fit;
   const bool fence = has(decision, PropertyOp::inside) || has(decision, PropertyOp::clearance);
   const bool charge = has(decision, PropertyOp::battery) || has(decision, PropertyOp::energy_to);
+  const bool others =
+      has(decision, PropertyOp::distance) || has(decision, PropertyOp::agent_distance);
   for (const Adversary& a : adversaries()) {
     if (a.aim == Aim::fence && !fence) continue;
-    if (a.aim == Aim::robot && !has(decision, PropertyOp::distance)) continue;
+    if (a.aim == Aim::robot && !others) continue;
     if (a.aim == Aim::charge && !charge) continue;
     if (a.drive == Drive::plans && decision.limits.in_space)
       continue;  // way-points are of the plane

@@ -211,6 +211,9 @@ TEST(Rule9_6, IsAsShown) {
 TEST(Rule9_7, IsAsShown) {
   expect_as_shown("9.7");
 }
+TEST(Rule9_8, IsAsShown) {
+  expect_as_shown("9.8");
+}
 TEST(Rule10, IsAsShown) {
   expect_as_shown("10");
 }

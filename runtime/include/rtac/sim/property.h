@@ -14,10 +14,11 @@ enum class PropertyOp {
   constant,
   battery,
   speed,
-  clearance,  // of the body from the boundary of zone `index`, negative outside
-  distance,   // between the bodies of the robot and the other one
-  altitude,   // of the centre
-  energy_to,  // to site `index`: at least what the straight way takes
+  clearance,       // of the body from the boundary of zone `index`, negative outside
+  distance,        // between the bodies of the robot and the other one
+  agent_distance,  // between the bodies of the robot and of agent `index`
+  altitude,        // of the centre
+  energy_to,       // to site `index`: at least what the straight way takes
   add,
   subtract,
   multiply,
@@ -38,7 +39,7 @@ enum class PropertyOp {
 struct Property {
   PropertyOp op = PropertyOp::truth;
   double value = 1;   // of constants and truths; of at_least: the scale of its unit
-  int index = 0;      // zone or site
+  int index = 0;      // zone, site or agent
   bool flag = false;  // of at_least: strictly; of battery and speed: those of the other robot
   std::vector<Property> of;
 };
@@ -51,6 +52,11 @@ struct Surroundings {
   double drive_per_m = 0;
   // By zone: those with height have slabs, the others none.
   std::vector<SolidView> solids{};
+  // A robot that is told to stand does so up to here.
+  double rest_mps = 0;
+  const std::vector<bool>* told_to_stand = nullptr;  // by robot; null: nobody is
+  const std::vector<Vec2>* agents = nullptr;         // where they are now; null: far away
+  std::vector<double> agent_radius_m{};
 };
 
 // A robot `self` that stands at `at` while everything else is as in `truths`.
@@ -60,6 +66,8 @@ struct Scene {
   int self = 0;
   Vec2 at;
   double height_m = 0;
+  // Nobody keeps agents from a robot that stands: as if they were far away from it then.
+  bool passive = false;
 };
 // Where it is.
 Scene scene_of(const Surroundings& surroundings, const std::vector<TruthState>& truths, int self);
