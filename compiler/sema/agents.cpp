@@ -102,11 +102,12 @@ ExprPtr PropertyChecker::distance_from_agent(const syntax::Expr& expr,
   if (!agent) return nullptr;
   require_motion(expr.range, "`distance`");
   if (in_space()) {
-    const std::string& name = context_.spec[*agent].name;
-    context_.report(Finding(Code::spaces_differ, expr.range,
-                            "`" + name + "` moves in the plane, `" + kind_name() + "` in space")
-                        .label("an agent has no height")
-                        .help("robots that sense `position : point` keep away from agents"));
+    const std::string& agents_name = context_.spec[*agent].name;
+    context_.report(
+        Finding(Code::spaces_differ, expr.range,
+                "`" + agents_name + "` moves in the plane, `" + kind_name() + "` in space")
+            .label("an agent has no height")
+            .help("robots that sense `position : point` keep away from agents"));
     return nullptr;
   }
   const Agent& of = context_.spec[*agent];
