@@ -144,7 +144,7 @@ Sample<Vec2> Crowd::see(int robot, int agent, TimeUs now_us) {
   }
   std::vector<std::int64_t> whole{robot, agent, sample.stamp_us};
   std::vector<double> real{sample.value.x, sample.value.y};
-  if (tape_.playing() && tape_.read("agent", whole, real)) {
+  if (tape_.playing() && tape_.read("agent", whole, real, 2)) {
     sample = {{real[0], real[1]}, whole[2]};
   }
   tape_.write("agent", whole, real);

@@ -16,7 +16,7 @@ TEST_P(Found, HoldsNow) {
 INSTANTIATE_TEST_SUITE_P(All, Found,
                          ::testing::Values("weak_steering", "noisy_hold", "mixed_pair",
                                            "poor_actuator"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& each) { return each.param; });
 
 }  // namespace
 }  // namespace rtac::campaign

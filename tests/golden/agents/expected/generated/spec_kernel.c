@@ -1185,7 +1185,7 @@ static const zone zone_hall = {zone_hall_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us, net brake mm/s^2, lag until it stands ms */
 static const body BODY = {
-  200, 1000, 10, 10, 2000, 2000, 130, 0, 64, 50000, 50000, 2000, 130
+  200, 1000, 10, 10, 2000, 2000, 130, 0, 148, 50000, 50000, 2000, 130
 };
 /* What moves by itself: radius mm, position error mm, speed mm/s, largest age us. */
 static const agent_kind move_agents[] = {
@@ -1529,7 +1529,7 @@ void agents_move_step(agents_move_state *s, const agents_move_in *in, int64_t no
   move_look(&v, &MOTIONS[v.driver], move_horizons_us[0]);
   move_facts_judge(&v, s, first, ticks);
   move_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

@@ -27,9 +27,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.457;
-  static constexpr double cruise_clearance_m = 0.791;
-  static constexpr double pass_gap_m = 1.177;
+  static constexpr double return_clearance_m = 0.541;
+  static constexpr double cruise_clearance_m = 0.875;
+  static constexpr double pass_gap_m = 1.345;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"cart"};
@@ -64,7 +64,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : move(self), stop(standing()), inwards(setting(0.3, hall_zone(), 0.445, 0.457, 1.177)) {}
+        : move(self), stop(standing()), inwards(setting(0.3, hall_zone(), 0.529, 0.541, 1.345)) {}
     Move move;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
     rtac::safe::Retreat<rtac::Acceleration> inwards;

@@ -1344,19 +1344,19 @@ static const zone zone_hall = {zone_hall_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us, sway permille */
 static const body BODY = {
-  80, 1500, 20, 20, 1600, 1000, 213, 0, 226, 50000, 80000, 112
+  80, 1500, 20, 20, 1650, 1000, 235, 0, 298, 50000, 80000, 177
 };
 /* The same of another robot, whose samples are as old as `hears` allows. */
 static const body flit_heard_body = {
-  80, 1500, 20, 20, 1600, 1000, 213, 0, 226, 100000, 100000, 112
+  80, 1500, 20, 20, 1650, 1000, 235, 0, 298, 100000, 100000, 177
 };
 /* Commands that the robot follows, mm/s^2, with which error, and latency, us. */
 static const order flit_order = {1500, 152, 20000};
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
-  {1500, 1600, 0}, /* any */
-  {360, 1600, 1}, /* wait */
-  {360, 1600, 1}, /* turn_in */
+  {1500, 1650, 0}, /* any */
+  {390, 1650, 1}, /* wait */
+  {390, 1650, 1}, /* turn_in */
   {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
@@ -1534,7 +1534,7 @@ static void flit_measure(flit_view *v, ahead_command_flit_state *s, int64_t elap
 static void flit_check(flit_view *v, int32_t mode, int32_t back, check *checks) {
   if (back) {
     v->legs = 1;
-    flit_look(v, &MOTIONS[0], flit_horizons_us[0] + 50000, 0);
+    flit_look(v, &MOTIONS[0], flit_horizons_us[0] + 200000, 0);
     checks[0].safer = flit_aloof_ahead(v);
   } else {
     checks[0].safer = margin_unknown(AHEAD_COMMAND_INPUT_NONE);
@@ -1546,7 +1546,7 @@ static void flit_check(flit_view *v, int32_t mode, int32_t back, check *checks) 
   checks[0].gives_back = margin_true();
   if (back) {
     v->legs = 1;
-    flit_look(v, &MOTIONS[0], flit_horizons_us[1] + 50000, 0);
+    flit_look(v, &MOTIONS[0], flit_horizons_us[1] + 200000, 0);
     checks[1].safer = flit_walls_ahead(v);
   } else {
     checks[1].safer = margin_unknown(AHEAD_COMMAND_INPUT_NONE);
@@ -1622,7 +1622,7 @@ void ahead_command_flit_step(ahead_command_flit_state *s, const ahead_command_fl
     v.driver = MONITORS + 1; /* holding */
   }
   flit_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

@@ -1540,7 +1540,7 @@ void battery_floor_drive_step(battery_floor_drive_state *s, const battery_floor_
   seen_us = v.self.input == BATTERY_FLOOR_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 20000);
   drive_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.48;
-  static constexpr double cruise_clearance_m = 1.164;
-  static constexpr double pass_gap_m = 1.358;
+  static constexpr double return_clearance_m = 0.551;
+  static constexpr double cruise_clearance_m = 1.235;
+  static constexpr double pass_gap_m = 1.5;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -60,7 +60,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), escape(standing(), {&room_zone(), 0.5, 170000, 1.0, 0.145, 0.0, 0.072}), stop(standing()) {}
+        : fly(self), escape(standing(), {&room_zone(), 0.5, 170000, 1.0, 0.145, 0.0, 0.143}), stop(standing()) {}
     Fly fly;
     rtac::safe::Claimed<rtac::Acceleration> escape;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;

@@ -27,9 +27,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.352;
-  static constexpr double cruise_clearance_m = 1.014;
-  static constexpr double pass_gap_m = 1.258;
+  static constexpr double return_clearance_m = 0.423;
+  static constexpr double cruise_clearance_m = 1.085;
+  static constexpr double pass_gap_m = 1.4;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -58,7 +58,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stay_out(setting(0.3, ring_zone(), 0.446, 0.352, 1.258)) {}
+        : fly(self), stay_out(setting(0.3, ring_zone(), 0.517, 0.423, 1.4)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> stay_out;
   };

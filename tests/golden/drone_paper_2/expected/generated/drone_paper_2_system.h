@@ -27,9 +27,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.422;
-  static constexpr double cruise_clearance_m = 1.084;
-  static constexpr double pass_gap_m = 1.258;
+  static constexpr double return_clearance_m = 0.493;
+  static constexpr double cruise_clearance_m = 1.155;
+  static constexpr double pass_gap_m = 1.4;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -58,7 +58,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : plan_executor(self), turn_back(setting(0.3, room_zone(), 0.516, 0.422, 1.258)) {}
+        : plan_executor(self), turn_back(setting(0.3, room_zone(), 0.587, 0.493, 1.4)) {}
     PlanExecutor plan_executor;
     rtac::safe::Retreat<rtac::Acceleration> turn_back;
   };

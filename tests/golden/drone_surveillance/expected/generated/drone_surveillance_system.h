@@ -27,9 +27,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.451;
-  static constexpr double cruise_clearance_m = 1.122;
-  static constexpr double pass_gap_m = 1.294;
+  static constexpr double return_clearance_m = 0.519;
+  static constexpr double cruise_clearance_m = 1.19;
+  static constexpr double pass_gap_m = 1.43;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -58,7 +58,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : plan_executor(self), turn_back(setting(0.3, room_zone(), 0.528, 0.451, 1.294)) {}
+        : plan_executor(self), turn_back(setting(0.3, room_zone(), 0.596, 0.519, 1.43)) {}
     PlanExecutor plan_executor;
     rtac::safe::Retreat<rtac::Acceleration> turn_back;
   };

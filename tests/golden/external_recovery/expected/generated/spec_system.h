@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.438;
-  static constexpr double cruise_clearance_m = 1.114;
-  static constexpr double pass_gap_m = 1.308;
+  static constexpr double return_clearance_m = 0.509;
+  static constexpr double cruise_clearance_m = 1.185;
+  static constexpr double pass_gap_m = 1.45;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -60,7 +60,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), land_now(standing(), {&room_zone(), 0.5, 120000, 1.0, 0.145, 0.0, 0.072}) {}
+        : fly(self), land_now(standing(), {&room_zone(), 0.5, 120000, 1.0, 0.145, 0.0, 0.143}) {}
     Fly fly;
     rtac::safe::Claimed<rtac::Acceleration> land_now;
   };

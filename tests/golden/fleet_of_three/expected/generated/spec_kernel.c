@@ -1403,7 +1403,7 @@ void fleet_of_three_drive_step(fleet_of_three_drive_state *s, const fleet_of_thr
     v.driver = MONITORS + 1; /* holding */
   }
   drive_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

@@ -1061,7 +1061,7 @@ void no_plan_drive_step(no_plan_drive_state *s, const no_plan_drive_in *in, int6
   seen_us = v.self.input == NO_PLAN_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 20000);
   drive_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

@@ -1357,11 +1357,11 @@ static const cells cells_to_home[] = {
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  150, 1000, 20, 20, 2000, 2000, 92, 0, 67, 40000, 40000
+  150, 1000, 20, 20, 2000, 2000, 92, 0, 124, 40000, 40000
 };
 /* The same of another robot, whose samples are as old as `hears` allows. */
 static const body fly_heard_body = {
-  150, 1000, 20, 20, 2000, 2000, 92, 0, 67, 60000, 60000
+  150, 1000, 20, 20, 2000, 2000, 92, 0, 124, 60000, 60000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -1665,7 +1665,7 @@ void open_numbered_fleet_fly_step(open_numbered_fleet_fly_state *s,
     v.driver = MONITORS + 1; /* holding */
   }
   fly_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 3,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.355;
-  static constexpr double cruise_clearance_m = 0.699;
-  static constexpr double pass_gap_m = 1.528;
+  static constexpr double return_clearance_m = 0.411;
+  static constexpr double cruise_clearance_m = 0.755;
+  static constexpr double pass_gap_m = 1.64;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"q1", "q2"};
@@ -59,7 +59,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), give_way(setting(0.3, field_zone(), 0.405, 0.355, 1.528)) {}
+        : fly(self), give_way(setting(0.3, field_zone(), 0.461, 0.411, 1.64)) {}
     Fly fly;
     rtac::safe::Yield<rtac::Acceleration> give_way;
   };

@@ -2882,7 +2882,7 @@ void robot_delivery_plan_executor_step(robot_delivery_plan_executor_state *s,
     v.driver = MONITORS + 1; /* holding */
   }
   plan_executor_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

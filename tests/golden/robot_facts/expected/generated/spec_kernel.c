@@ -1568,7 +1568,7 @@ static const zone zone_zone_of_line_25 = {zone_zone_of_line_25_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  80, 1000, 20, 20, 1000, 1000, 145, 0, 72, 50000, 50000
+  80, 1000, 20, 20, 1000, 1000, 145, 0, 143, 50000, 50000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -1970,7 +1970,7 @@ void facts_fly_step(facts_fly_state *s, const facts_fly_in *in, int64_t now_us,
   fly_look(&v, &MOTIONS[v.driver], fly_horizons_us[0]);
   fly_facts_judge(&v, s, first, ticks);
   fly_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

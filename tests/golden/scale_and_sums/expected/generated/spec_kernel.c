@@ -1007,7 +1007,7 @@ static const zone zone_room = {zone_room_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  80, 1000, 20, 20, 1000, 1000, 140, 0, 70, 50000, 50000
+  80, 1000, 20, 20, 1000, 1000, 140, 0, 138, 50000, 50000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -1183,7 +1183,7 @@ void scale_and_sums_fly_step(scale_and_sums_fly_state *s, const scale_and_sums_f
   seen_us = v.self.input == SCALE_AND_SUMS_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 20000);
   fly_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

@@ -968,7 +968,7 @@ static const zone zone_inner = {zone_inner_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  80, 1000, 20, 20, 1000, 1000, 145, 0, 72, 50000, 50000
+  80, 1000, 20, 20, 1000, 1000, 145, 0, 143, 50000, 50000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -1211,7 +1211,7 @@ void shared_recovery_fly_step(shared_recovery_fly_state *s, const shared_recover
   seen_us = v.self.input == SHARED_RECOVERY_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 20000);
   fly_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

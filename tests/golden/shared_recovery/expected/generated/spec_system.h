@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.454;
-  static constexpr double cruise_clearance_m = 1.134;
-  static constexpr double pass_gap_m = 1.328;
+  static constexpr double return_clearance_m = 0.525;
+  static constexpr double cruise_clearance_m = 1.205;
+  static constexpr double pass_gap_m = 1.47;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -60,7 +60,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), inwards(setting(0.3, inner_zone(), 0.52, 0.454, 1.328)), land_now(standing(), {&room_zone(), 0.5, 140000, 1.0, 0.145, 0.0, 0.072}) {}
+        : fly(self), inwards(setting(0.3, inner_zone(), 0.591, 0.525, 1.47)), land_now(standing(), {&room_zone(), 0.5, 140000, 1.0, 0.145, 0.0, 0.143}) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> inwards;
     rtac::safe::Claimed<rtac::Acceleration> land_now;

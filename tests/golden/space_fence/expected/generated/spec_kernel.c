@@ -1098,7 +1098,7 @@ static const solid zone_zone_of_line_26 = {zone_zone_of_line_26_slabs, 3};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  200, 1001, 20, 20, 1000, 1000, 140, 0, 70, 50000, 50000
+  200, 1001, 20, 20, 1000, 1000, 140, 0, 138, 50000, 50000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -1323,7 +1323,7 @@ void space_fence_fly_step(space_fence_fly_state *s, const space_fence_fly_in *in
   seen_us = v.self.input == SPACE_FENCE_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 20000);
   fly_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 5,
+  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;

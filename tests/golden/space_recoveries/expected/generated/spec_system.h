@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.423;
-  static constexpr double cruise_clearance_m = 1.085;
-  static constexpr double pass_gap_m = 1.499;
+  static constexpr double return_clearance_m = 0.494;
+  static constexpr double cruise_clearance_m = 1.156;
+  static constexpr double pass_gap_m = 1.641;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"quad"};
@@ -59,7 +59,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back(setting(0.3, hall_zone(), 0.517, 0.423, 1.499)), aside(setting(0.2, plot_zone(), 0.462, 0.423, 1.499)), down(landing(0.3, 1.0)) {}
+        : fly(self), back(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), aside(setting(0.2, plot_zone(), 0.533, 0.494, 1.641)), down(landing(0.3, 1.0)) {}
     Fly fly;
     rtac::safe::RetreatInSpace back;
     rtac::safe::RetreatInSpace aside;

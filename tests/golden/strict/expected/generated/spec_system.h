@@ -27,9 +27,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.432;
-  static constexpr double cruise_clearance_m = 1.103;
-  static constexpr double pass_gap_m = 1.294;
+  static constexpr double return_clearance_m = 0.5;
+  static constexpr double cruise_clearance_m = 1.171;
+  static constexpr double pass_gap_m = 1.43;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -58,7 +58,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.509, 0.432, 1.294)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.577, 0.5, 1.43)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
   };

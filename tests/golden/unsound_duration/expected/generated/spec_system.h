@@ -27,9 +27,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.375;
-  static constexpr double cruise_clearance_m = 1.022;
-  static constexpr double pass_gap_m = 1.214;
+  static constexpr double return_clearance_m = 0.443;
+  static constexpr double cruise_clearance_m = 1.09;
+  static constexpr double pass_gap_m = 1.35;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -58,7 +58,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.48, 0.375, 1.214)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.548, 0.443, 1.35)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
   };

@@ -27,9 +27,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.402;
-  static constexpr double cruise_clearance_m = 1.064;
-  static constexpr double pass_gap_m = 1.258;
+  static constexpr double return_clearance_m = 0.473;
+  static constexpr double cruise_clearance_m = 1.135;
+  static constexpr double pass_gap_m = 1.4;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -58,7 +58,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.496, 0.402, 1.258)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.567, 0.473, 1.4)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
   };
