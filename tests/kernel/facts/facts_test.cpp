@@ -158,8 +158,8 @@ TEST(Rule9_3, TheReturnConditionRemembersWhereTheRobotWas) {
   EXPECT_FALSE(f.tick().advanced());
   f.x = 2.5;
   f.permit = true;
-  // half a second after the tick near the wall, and then the dwell of five ticks
-  EXPECT_EQ(f.ticks_to_advanced(), 10 + 6);
+  // half a second after the tick near the wall, and then the dwell of a tick
+  EXPECT_EQ(f.ticks_to_advanced(), 11 + 1);
   EXPECT_LT(always_inside, 10);
 }
 
@@ -169,7 +169,7 @@ TEST(Rule9_3, AMissedTickIsUnknownInThePastOfTheRobot) {
   f.ticks_to_advanced();
   for (int i = 0; i < 20; ++i) f.tick();
   f.tick(2);
-  EXPECT_EQ(f.ticks_to_advanced(), 10 + 5);
+  EXPECT_EQ(f.ticks_to_advanced(), 10 + 1);
 }
 
 // `moving since` it was near the wall: a fact of the robot and of an input.
