@@ -27,6 +27,9 @@ void no_position_error(Decision& d) {
 }
 void no_velocity_error(Decision& d) {
   forget_delay(d, 1'000'000 * d.body.velocity_error_mmps / d.body.brake_mmps2);
+  // of a hold of 2 rad/s: 2 e / omega, and 0.28 / omega of the 2 e at which it may be latched
+  const std::int64_t held_mm = 1'280 * d.body.velocity_error_mmps / 1'000;
+  d.body.hold_mm = std::max<std::int64_t>(0, d.body.hold_mm - held_mm);
   d.body.velocity_error_mmps = 0;
 }
 void no_noise(Decision& d) {
@@ -71,6 +74,8 @@ const TextEdit no_age{"t_us = s->age_us + horizon_us;", "t_us = horizon_us;"};
 
 }  // namespace
 
+// A table.
+// NOLINTNEXTLINE(readability-function-size)
 const std::vector<Mutant>& mutants() {
   static const std::vector<Mutant> all = {
       {"half-look-ahead",
