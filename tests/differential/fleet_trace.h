@@ -29,7 +29,7 @@ inline constexpr const char* quads = R"(robot Quad {
 }
 fleet q1, q2, q3 : Quad;
 site home = (-1 m, -1 m);
-zone nest = rectangle (-2.2 m, -2.2 m) to (-0.6 m, -0.6 m);  // within all zones of the monitors
+zone nest = rectangle (-2.3 m, -2.3 m) to (-0.4 m, -0.4 m);  // within all zones of the monitors
 controller policy  : advanced for Quad extern;
 controller inwards : safe for Quad = retreat within nest speed 0.2 m/s;
 )";

@@ -41,6 +41,7 @@ monitor spare { "R12: who is in has some room" always forall q : Quad : q inside
 monitor beside { "R13: not near the core" always distance(q2, core) > 10 cm; }
 monitor out { "R14: none is out" always not exists q : Quad : not q inside field; }
 decision fly for Quad { advanced policy; period 50 ms; priority walls > clear > apart > alone > near > low > way > permitted > gap > fresh;
+  acknowledge inwards may break alone "a test"; acknowledge inwards may break near "a test";
   acknowledge inwards may break low "a test"; acknowledge go_home may break low "test"; acknowledge inwards may break way "a test"; acknowledge go_home may break way "a test"; }
 )";
 
