@@ -11,14 +11,10 @@ namespace {
 
 using namespace ir;
 
-bool of_distance(const Block& block, const AtLeast& compare) {
+// Does it compare nothing else?
+bool is_of(Leaf::Kind kind, const Block& block, const AtLeast& compare) {
   const Linear form = linear_form(block, compare);
-  return form.terms.size() == 1 && form.terms.begin()->first.kind == Leaf::Kind::distance;
-}
-
-bool of_count(const Block& block, const AtLeast& compare) {
-  const Linear form = linear_form(block, compare);
-  return form.terms.size() == 1 && form.terms.begin()->first.kind == Leaf::Kind::count;
+  return form.terms.size() == 1 && form.terms.begin()->first.kind == kind;
 }
 
 // What is broken by a robot whose own check passes, of one monitor.
@@ -43,7 +39,7 @@ class Company {
       return of_others(block, v->a) || of_others(block, v->b);
     if (const auto* v = std::get_if<Not>(&op)) return of_others(block, v->a);
     if (const auto* v = std::get_if<AtLeast>(&op)) {
-      return of_distance(block, *v) || of_count(block, *v);
+      return is_of(Leaf::Kind::distance, block, *v) || is_of(Leaf::Kind::count, block, *v);
     }
     return false;
   }
@@ -53,7 +49,7 @@ class Company {
     const Op& op = block[id].op;
     if (const auto* v = std::get_if<And>(&op)) return of_both(block, v->a) && of_both(block, v->b);
     if (const auto* v = std::get_if<Or>(&op)) return of_both(block, v->a) && of_both(block, v->b);
-    if (const auto* v = std::get_if<AtLeast>(&op)) return of_distance(block, *v);
+    if (const auto* v = std::get_if<AtLeast>(&op)) return is_of(Leaf::Kind::distance, block, *v);
     return std::holds_alternative<Truth>(op);
   }
 
@@ -77,7 +73,7 @@ class Company {
 
   // At most as many as there are is no condition; at least so many cannot be looked ahead (5006).
   [[nodiscard]] bool counts(const Block& block, const AtLeast& compare) const {
-    if (!of_count(block, compare)) return false;
+    if (!is_of(Leaf::Kind::count, block, compare)) return false;
     const auto most = upper_bound(block, compare);
     return most && most->most + 1 < std::int64_t(decision_.robots);
   }

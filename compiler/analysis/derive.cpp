@@ -389,6 +389,7 @@ class Deriver {
     return std::max(period_us,
                     std::min(return_periods_of_commands * period_us, return_extra_of_commands_us));
   }
+  // See ir::Decision: what leaving out the robots far off counts with.
   static std::int64_t heard_reach_mm(const ir::Decision& d) {
     if (d.robots < 2 || d.on_plan) return 0;
     std::int64_t horizon_us = 0;
@@ -404,8 +405,8 @@ class Deriver {
   static std::int64_t duration_us(const sema::Monitor& m, std::int64_t k, std::int64_t period_us) {
     return m.ahead.duration ? ceil_to_int(m.ahead.duration->value * 1'000'000) : k * period_us;
   }
-  // No timer is exact. Where nothing is declared and a look-ahead leaves no room, a step may
-  // still be late by a part of the period, for which every horizon gets longer.
+  // No timer is exact. Where nothing is declared and a look-ahead leaves no room, a step may still
+  // be late by a part of the period, for which every horizon gets longer.
   std::int64_t jitter_us(const sema::Decision& from) const {
     if (from.jitter) return ceil_to_int(from.jitter->value * 1'000'000);
     const std::int64_t period_us = ceil_to_int(from.period->value * 1'000'000);

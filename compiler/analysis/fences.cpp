@@ -42,10 +42,10 @@ bool branches(const ir::Block& block, ir::ValueId id, const std::vector<ir::Para
   }
   const auto* negated = std::get_if<ir::Not>(&block[id].op);
   if (std::holds_alternative<ir::Fact>(block[negated ? negated->a : id].op)) {
-    return choice.otherwise = true;
+    return true;
   }
   const auto zone = fence_of(block, id, params);
-  if (zone) add(choice.zones, *zone);
+  if (zone) add(choice, *zone);
   return zone.has_value();
 }
 
@@ -56,7 +56,7 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
     collect(block, v->b, params, choices);
   } else if (std::holds_alternative<ir::Or>(block[id].op)) {
     Choice choice;
-    if (branches(block, id, params, choice) && !choice.zones.empty()) {
+    if (branches(block, id, params, choice) && !choice.empty()) {
       choices.push_back(std::move(choice));
     }
   }

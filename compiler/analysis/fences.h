@@ -11,12 +11,9 @@ namespace rtac::analysis {
 std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
                                      const std::vector<ir::Param>& params);
 
-// The zones of which one holds the robot wherever the property holds: the branches of an `or`,
-// where each is such a zone or something that the robot has no part in.
-struct Choice {
-  std::vector<ir::ZoneIndex> zones;  // each once, at least one
-  bool otherwise = false;            // what the robot has no part in may hold instead
-};
+// The zones of the branches of an `or`, each once, at least one: one of them holds the robot
+// wherever the property holds, or what it has no part in does.
+using Choice = std::vector<ir::ZoneIndex>;
 std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params);
 
 // Whether some comparison of the property, of any branch, asks for a clearance or a distance.

@@ -47,7 +47,7 @@ class Recoveries {
     for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
       if (!ir::moves(step->kind) || decision_.body.in_space) continue;
       for (const ir::ZoneIndex fence : fences_of(monitor_.property, params)) {
-        if (elsewhere(*step, exact_(fence), name_of(fence), name_of(fence))) break;
+        if (elsewhere(*step, fence)) break;
       }
       for (const Choice& choice : choices_of(monitor_.property, params)) chosen(*step, choice);
     }
@@ -59,6 +59,9 @@ class Recoveries {
 
  private:
   // A recovery keeps clear of the border of its own zone, whatever the property says of another.
+  bool elsewhere(const ir::Recovery& step, ir::ZoneIndex fence) {
+    return step.zone != fence && elsewhere(step, exact_(fence), name_of(fence), name_of(fence));
+  }
   bool elsewhere(const ir::Recovery& step, const geometry::Region& fence, const std::string& of,
                  const std::string& works) {
     if (fence.contains(exact_(step.zone))) return false;
@@ -80,16 +83,15 @@ class Recoveries {
   void chosen(const ir::Recovery& step, const Choice& choice) {
     const geometry::Region& own = exact_(step.zone);
     geometry::Region all;
-    std::string names, works;
-    for (const ir::ZoneIndex zone : choice.zones) {
+    std::string names;
+    for (const ir::ZoneIndex zone : choice) {
       all = all.unite(exact_(zone));
       names += (names.empty() ? "" : " or ") + name_of(zone);
-      works += (works.empty() ? "`" : " | ") + module_[zone].name;
     }
-    works += "`";
-    if (elsewhere(step, all, names, works) || choice.zones.size() < 2) return;
+    const std::string works = choice.size() < 2 ? names : "their union";
+    if (elsewhere(step, all, names, works) || choice.size() < 2) return;
     const auto within = [&](ir::ZoneIndex zone) { return exact_(zone).contains(own); };
-    if (std::all_of(choice.zones.begin(), choice.zones.end(), within) || own.contains(all)) return;
+    if (std::all_of(choice.begin(), choice.end(), within) || own.contains(all)) return;
     const geometry::Region beyond = all.subtract(own);
     diag::Diagnostic d = finding(Code::recovery_elsewhere,
                                  "`" + controller_.name + "` knows a part of what `" +
@@ -204,7 +206,7 @@ class Recoveries {
     if (r.claims) {
       ir::Recovery mover = r;
       for (const ir::ZoneIndex fence : fences_of(monitor_.property, decision_.facts.params)) {
-        if (elsewhere(mover, exact_(fence), name_of(fence), name_of(fence))) break;
+        if (elsewhere(mover, fence)) break;
       }
       return;
     }

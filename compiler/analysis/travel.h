@@ -25,7 +25,8 @@ inline constexpr int look_every_ms = 1000;
 inline constexpr int waypoints = 64;  // of one piece of a way
 }  // namespace pace
 
-// By how much it makes a recovery of a point mass faster or slower than it means to be, in m/s.
+// By how much what pushes it makes a recovery of a point mass faster or slower than it means to be,
+// in m/s.
 Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us);
 // Upper bound of the time from taking over at full speed until a way of `distance_mm` along the
 // cells is driven at the recovery's `speed`, in s. `period_us`: of the decision.

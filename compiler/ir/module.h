@@ -115,9 +115,9 @@ inline std::int64_t sway_permille(const Body& b) {
 }
 // How much longer than s1 / (b - d) it takes until the sampled brake has turned into a hold: until
 // the speed is at most `rest_mmps` for good. Sampled brake: eta = b lag; |v| falls by b sqrt(1 -
-// (eta / |v|)^2) - d at least, since the command is off by eta at most; for |v| >= eta sqrt(2 b /
-// (b
-// - d)) that is (b - d) / 2 at least, and the time that is lost 2 b eta / (b - d)^2 at most.
+// (eta / |v|)^2) - d at least, since the command is off by eta at most; that is half of b - d at
+// least where |v| is eta sqrt(2 b / (b - d)) or more, and the time that is lost is 2 b eta /
+// (b - d)^2 at most.
 inline std::int64_t still_lag_ms(const Body& b) {
   // undisturbed it loses nothing: the integral of dv / (b sqrt(1 - (eta / v)^2)) is below s1 / b
   if (b.disturbance_mmps2 == 0) return b.brake_lag_ms;

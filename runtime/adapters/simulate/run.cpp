@@ -140,9 +140,7 @@ class Fleet {
   // Wires the plan executors of all robots. False: a recovery is none that is known here.
   bool start(sim::HostileFleet<Output>& world, SystemObserver& observer) {
     SystemOptions options;
-    // Not 0: a plan executor goes along others' ways in steps of half of it.
-    const double gap_m = decision_.monitors.front().recovery.pass_gap_m;
-    if (gap_m > 0) options.pass_gap_m = gap_m;
+    options.pass_gap_m = decision_.monitors.front().recovery.pass_gap_m;
     const int robots = static_cast<int>(parts_.size());
     for (int i = 0; i < robots; ++i) {
       const RobotParts<Output>& p = parts_[static_cast<std::size_t>(i)];
