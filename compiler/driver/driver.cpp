@@ -24,6 +24,7 @@
 #include "compiler/driver/replay.h"
 #include "compiler/driver/sim.h"
 #include "compiler/driver/summary.h"
+#include "compiler/driver/write_protocol.h"
 #include "compiler/driver/zone_layers.h"
 #include "compiler/driver/zone_svg.h"
 
@@ -226,6 +227,7 @@ int run_compiled(const Options& options, Compilation& c, std::ostream& out) {
   if (options.command == Command::sim) return simulate(options, c, out);
   if (options.command == Command::build) return build(options, c);
   if (options.command == Command::zones) return draw_zones(options, c, out);
+  if (options.command == Command::protocol) return write_protocol(options, c);
   if (options.command == Command::explain) return explain_line(options, c, out);
   const bool dumped =
       options.dump_ast || options.dump_spec || options.dump_ir || !options.print_after.empty();
@@ -293,6 +295,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     case Command::replay:
     case Command::sim:
     case Command::zones:
+    case Command::protocol:
       break;
   }
   return run(options, out, err);

@@ -13,6 +13,7 @@ struct FlagText {
 constexpr FlagText flag_texts[] = {
     {"-o", "DIR", "directory of the generated files; made when it is not there", "build"},
     {"-o", "FILE", "the picture; - is standard output", "zones"},
+    {"-o", "DIR", "directory of the models; made when it is not there", "protocol"},
     {"--namespace", "NAME",
      "C++ namespace of the generated code; default: the specification's name"},
     {"--depfile", "FILE", "write the dependencies for make or ninja"},
@@ -160,6 +161,18 @@ constexpr CommandText command_texts[] = {
      "  rtac zones yard.rta -o zones.svg\n"
      "  rtac zones yard.rta -o - >zones.svg\n",
      spec_codes},
+    {"protocol", "rtac protocol SPEC -o DIR [FLAG...]",
+     "Writes how controllers are switched, of each decision as a model for the checker `spin`:\n"
+     "DIR/DECISION.pml. A model has what decision and runtime do in a tick, everything that may\n"
+     "happen to them, and what is claimed of all runs: one controller always drives, an engaged\n"
+     "recovery does so in time, recoveries do not take over from each other for ever, and control\n"
+     "comes back. What recoveries keep of other monitors is taken for granted, in tables, but for\n"
+     "what the specification acknowledges. SPEC is the path of a .rta file, or - for standard\n"
+     "input.\n",
+     "  rtac protocol delivery.rta -o models\n"
+     "  cd models && spin -search -a -ltl no_livelock plan_executor.pml\n"
+     "  cd models && spin -t -T -B plan_executor.pml\n",
+     spec_codes},
     {"fmt", "rtac fmt FILE... [FLAG...]",
      "Writes specifications in the canonical layout. Comments, blank lines between items and the\n"
      "lines that an author began at operators are kept; what a file says does not change. A file\n"
@@ -220,6 +233,7 @@ std::string overview() {
          "  rtac sim SPEC                attack the simulated robots; what is violated, who "
          "drives\n"
          "  rtac zones SPEC -o FILE      draw the zones as SVG: from where, and what checks leave\n"
+         "  rtac protocol SPEC -o DIR    write how controllers are switched, for the checker spin\n"
          "  rtac fmt FILE...             write specifications in the canonical layout\n"
          "  rtac explain CODE            what a diagnostic means, and what to do\n"
          "  rtac explain FILE:LINE       what was derived for a line: ranges, grids, errors, "

@@ -85,6 +85,7 @@ const std::vector<CommandInfo>& commands() {
         "--format", "-Werror"},
        1},
       {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
+      {"protocol", Command::protocol, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
       {"explain", Command::explain, {}, 1},
   };
@@ -241,6 +242,7 @@ struct Parser {
       case Command::build:
       case Command::sim:
       case Command::zones:
+      case Command::protocol:
       case Command::help:
       case Command::version:
         options.spec = operands[0];
@@ -313,6 +315,9 @@ struct Parser {
     if (options.command == Command::zones && options.output.empty()) {
       problem = {"`rtac zones` needs a place for the picture",
                  "add `-o zones.svg`, or `-o -` for standard output"};
+    }
+    if (options.command == Command::protocol && options.output.empty()) {
+      problem = {"`rtac protocol` needs a place for the models", "add `-o DIR`"};
     }
     if (options.command == Command::check && !(options.output + options.depfile).empty()) {
       problem = {"`rtac check` writes no files",

@@ -9,7 +9,7 @@
 
 namespace rtac::driver {
 
-enum class Command { check, build, replay, sim, zones, format, explain, help, version };
+enum class Command { check, build, replay, sim, zones, protocol, format, explain, help, version };
 enum class Format { text, json, sarif };
 enum class EngineKind { kernel, interp };
 
@@ -25,7 +25,7 @@ struct Options {
   std::string topic;  // of `help`: a command; of `explain`: number or name of a diagnostic,
   std::string line;   // or a line of `spec`, when `topic` is empty: digits
   std::vector<std::string> files;  // of `fmt`: paths, or "-"
-  std::string output;              // directory of `build`; of `zones`: path, or "-"
+  std::string output;              // directory of `build` and `protocol`; of `zones`: path, or "-"
   std::string depfile;             // may be empty
   std::string name_space;          // may be empty: the name of the specification
   Format format = Format::text;

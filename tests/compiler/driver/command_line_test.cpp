@@ -151,7 +151,8 @@ TEST_F(CommandLine, ADiagnosticIsFoundByItsNumberAsItIsPrinted) {
 
 // Every command has a page of its own, with what it takes, examples, and what its exit codes mean.
 TEST_F(CommandLine, EveryCommandHasItsHelp) {
-  for (const std::string command : {"check", "build", "replay", "zones", "fmt", "explain"}) {
+  for (const std::string command :
+       {"check", "build", "replay", "zones", "protocol", "fmt", "explain"}) {
     const Outcome page = rtac({"help", command});
     EXPECT_EQ(page.status, 0);
     EXPECT_EQ(page.out.find("usage: rtac " + command), 0U) << page.out;
@@ -171,7 +172,7 @@ TEST_F(CommandLine, TheHelpNamesEveryFlag) {
   const std::string flags[] = {"--format",   "--namespace", "--depfile", "--print-after",
                                "--dump-ast", "--dump-spec", "--dump-ir", "--max-bytes",
                                "-Werror",    "--engine",    "--monitor", "--check"};
-  for (const std::string command : {"check", "build", "replay", "zones", "fmt"}) {
+  for (const std::string command : {"check", "build", "replay", "zones", "protocol", "fmt"}) {
     const std::string page = rtac({"help", command}).out;
     for (const std::string& flag : flags) {
       const bool writes = flag == "--depfile";  // `check` knows it to say that it writes nothing
@@ -284,6 +285,37 @@ TEST_F(CommandLine, ThePictureOfZonesIsWellFormed) {
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_EQ(o.out.find("<g> &"), std::string::npos);
   EXPECT_EQ(o.out.substr(o.out.size() - 7), "</svg>\n");
+}
+
+TEST_F(CommandLine, TheModelsOfDecisionsGoIntoAFolder) {
+  const Outcome o = rtac({"protocol", "good.rta", "-o", "models"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.out + o.err, "");
+  const std::string model = read("models/fly.pml");
+  EXPECT_EQ(model.find("/* Switching protocol of the decision `fly` for Drone, every 50 ms"), 0U);
+  EXPECT_NE(model.find("walls: SR-1: "), std::string::npos);
+  EXPECT_NE(model.find("\nltl no_livelock {"), std::string::npos);
+  EXPECT_EQ(rtac({"protocol", "good.rta"}).status, 2);
+  EXPECT_EQ(rtac({"protocol", "good.rta", "-o", "good.rta/x"}).status, 2);
+  EXPECT_EQ(rtac({"protocol", "faulty.rta", "-o", "none"}).status, 1);
+  EXPECT_FALSE(fs::exists("none"));
+}
+
+// Text of an author could end a comment of the model.
+TEST_F(CommandLine, ARequirementStaysInTheCommentOfTheModel) {
+  write("odd.rta", edited(drone_spec(), "SR-1: the drone", "SR-1: */ the drone"));
+  ASSERT_EQ(rtac({"protocol", "odd.rta", "-o", "models"}).status, 0);
+  EXPECT_NE(read("models/fly.pml").find("SR-1: * / the drone"), std::string::npos);
+}
+
+TEST_F(CommandLine, WithoutDecisionsThereIsNoProtocol) {
+  write("door.rta",
+        "spec door;\nperiod 10 ms;\ninput open : bool;\n"
+        "monitor shut { \"R1: shut\" always not open; }\n");
+  const Outcome o = rtac({"protocol", "door.rta", "-o", "models"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("`door` has no decision"), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists("models"));
 }
 
 TEST_F(CommandLine, ANameThatIsTooLongIsReported) {

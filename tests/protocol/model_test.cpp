@@ -1,0 +1,113 @@
+// What spin says of the models: the claims hold of what the compiler generates, and a planted bug
+// of each kind is found and told in the names of the specification.
+#include "tests/protocol/checker.h"
+
+namespace rtac::protocol::test {
+namespace {
+
+ir::Decision delivery() {
+  return decision_of("specs/robot_delivery/robot_delivery.rta", "plan_executor");
+}
+std::string text_of(const ir::Decision& d) {
+  return protocol_model(d, assumed(d), "test.rta").text();
+}
+void expect_all_hold(const ir::Decision& d) {
+  const Model model = protocol_model(d, assumed(d), "test.rta");
+  Checker checker(model.text());
+  for (const std::string& claim : model.claim_names) {
+    EXPECT_EQ(checker.ask(claim), "holds") << d.name << " " << claim;
+  }
+}
+
+TEST(Model, ClaimsHoldOfTheDelivery) {
+  expect_all_hold(delivery());
+}
+TEST(Model, ClaimsHoldOfTheSurveillance) {
+  expect_all_hold(decision_of("specs/drone_surveillance/drone_surveillance.rta", "plan_executor"));
+}
+TEST(Model, ClaimsHoldOfFourMonitorsByPriority) {
+  expect_all_hold(decision_of("tests/golden/shared_recovery/spec.rta", "fly"));
+}
+
+// The claims would hold of a model in which nothing happens.
+TEST(Model, EveryControllerDrivesInSomeRun) {
+  std::string text = text_of(delivery());
+  for (const int mode : {0, 1, 2, 3}) {
+    text += "ltl never_" + std::to_string(mode) +
+            " { [] (decided -> driver != " + std::to_string(mode) + ") }\n";
+  }
+  text += "ltl never_back { [] (decided && changed -> driver != 0) }\n";
+  Checker checker(text);
+  for (const int mode : {0, 1, 2, 3}) {
+    EXPECT_NE(checker.ask("never_" + std::to_string(mode)).find("drives"), std::string::npos);
+  }
+  EXPECT_NE(checker.ask("never_back").find("disengages"), std::string::npos);
+}
+
+// Planted: who is preempted stops, and nobody begins.
+TEST(Model, AStateWithoutAnActiveControllerIsFound) {
+  const std::string text = planted(text_of(delivery()), "drives[mode] = 1;",
+                                   "drives[mode] = (driver == 0 || mode == 0);");
+  const std::string story = Checker(text).ask("one_controller");
+  EXPECT_NE(story.find("NOBODY drives"), std::string::npos) << story;
+  EXPECT_NE(story.find(" engages: "), std::string::npos) << story;
+}
+// Planted: the executor keeps the recovery that drives, whatever else engages.
+TEST(Model, AnEngagedRecoveryThatNeverDrivesIsFound) {
+  const std::string text =
+      planted(text_of(delivery()), "highest != NOBODY -> mode = highest + 1",
+              "highest != NOBODY -> mode = (before == 0 -> highest + 1 : before)");
+  const std::string story = Checker(text).ask("scheduled");
+  EXPECT_NE(story.find("`collision` is engaged, and `give_way` has not driven for 2 ticks"),
+            std::string::npos)
+      << story;
+}
+// Planted: control is given back although a monitor is engaged.
+TEST(Model, ControlThatIsGivenBackTooSoonIsFound) {
+  const std::string text = planted(text_of(delivery()), "before != 0 && open != NOBODY",
+                                   "before != 0 && open == MONITORS + 1");
+  const std::string story = Checker(text).ask("given_back");
+  EXPECT_NE(story.find("before control may be given back"), std::string::npos) << story;
+}
+// Planted: two recoveries drive the robot out of each other's return sets.
+TEST(Model, RecoveriesThatPreemptEachOtherForEverAreFound) {
+  const ir::Decision d = delivery();
+  Arbitration arbitration = assumed(d);
+  constexpr std::size_t collision = 0, geofence = 1;
+  arbitration.settles[collision][geofence] = false;
+  arbitration.keeps[geofence][collision] = false;
+  Checker checker(protocol_model(d, arbitration, "test.rta").text());
+  for (const char* const claim : {"no_livelock", "control_returns"}) {
+    const std::string story = checker.ask(claim);
+    const std::size_t cycle = story.find("START OF CYCLE");
+    ASSERT_NE(cycle, std::string::npos) << story;
+    EXPECT_NE(story.find("`turn_back` drives", cycle), std::string::npos) << story;
+    EXPECT_NE(story.find("`give_way` drives", cycle), std::string::npos) << story;
+    EXPECT_EQ(story.find("`follow_plan` drives", cycle), std::string::npos) << story;
+  }
+  EXPECT_EQ(checker.ask("one_controller"), "holds");
+}
+// Of the pair only one is left: there is no cycle.
+TEST(Model, ARecoveryThatIsBrokenInOneDirectionOnlyIsFine) {
+  const ir::Decision d = delivery();
+  Arbitration arbitration = assumed(d);
+  arbitration.settles[0][1] = false;
+  Checker checker(protocol_model(d, arbitration, "test.rta").text());
+  EXPECT_EQ(checker.ask("no_livelock"), "holds");
+  EXPECT_EQ(checker.ask("control_returns"), "holds");
+}
+
+// What the specification acknowledges is not taken for granted.
+TEST(Model, AcknowledgedPairsAreNotAssumed) {
+  const Arbitration a = assumed(delivery());
+  constexpr std::size_t collision = 0, battery = 2;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      EXPECT_EQ(a.keeps[i][j], !(i == collision && j == battery)) << i << j;
+    }
+  }
+  EXPECT_EQ(a.keeps, a.settles);
+}
+
+}  // namespace
+}  // namespace rtac::protocol::test
