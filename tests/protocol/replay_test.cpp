@@ -2,6 +2,7 @@
 // the model engage the same monitors and let the same controller drive, for the same reason.
 #include <array>
 #include <map>
+#include <random>
 
 #include "tests/protocol/checker.h"
 #include "tests/protocol/walks.h"
@@ -99,7 +100,7 @@ TEST(Replay, TheWalksLeadThroughEveryRule) {
       }
     }
   }
-  for (const int reason : {0, 1, 2, 4, 5, 6, 7, 8, 10}) {
+  for (const int reason : {0, 1, 3, 4, 5, 6, 7, 8, 10}) {
     EXPECT_GT(reasons[static_cast<std::size_t>(reason)], 0) << reason;
   }
   for (const int count : {preempted, lower, back, promised, gaps, again, open}) EXPECT_GT(count, 5);
@@ -138,6 +139,30 @@ TEST(Replay, MistakesInTheModelAreFound) {
     }
     EXPECT_TRUE(found) << from << " => " << to;
   }
+}
+
+// Of plans: the advanced planner's is taken where no monitor refuses it, and the highest that does
+// is the one that decides.
+TEST(Replay, PlansAreJudgedAsTheModelSays) {
+  std::mt19937 random(5);
+  int refused = 0;
+  for (int i = 0; i < 500; ++i) {
+    robot_delivery_plan plan{};
+    plan.valid = random() % 10 != 0;
+    plan.count = static_cast<int>(random() % 4);
+    for (int k = 0; k < plan.count; ++k) {
+      plan.x[k] = static_cast<int>(random() % 5'000);
+      plan.y[k] = static_cast<int>(random() % 5'000);
+    }
+    robot_delivery_motion_planner_out out{};
+    robot_delivery_motion_planner_judge(&plan, &out);
+    const bool passes = out.monitors[0].now == ROBOT_DELIVERY_VERDICT_TRUE;
+    ASSERT_EQ(out.mode, passes ? 0 : 1);
+    ASSERT_EQ(out.monitor, passes ? -1 : 0);
+    refused += !passes;
+  }
+  EXPECT_GT(refused, 50);
+  EXPECT_LT(refused, 450);
 }
 
 // A kernel that decides otherwise is found, too: here one that is one tick late, once.
