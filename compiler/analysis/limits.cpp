@@ -50,12 +50,21 @@ std::int64_t planar_accel(const sema::RobotKind& kind, std::int64_t speed_mmps) 
   return root_up(accel * accel + lateral * lateral);
 }
 
+// The frequency at which a position error takes its share of the brake, rounded down, rad/s.
+Rational quiet_spring(const ir::Body& b, std::int64_t left_mmps2) {
+  constexpr long per_radps = 1'000'000;
+  const Rational square(left_mmps2, pace::hold_brake_shares * b.position_error_mm);
+  const mpz_class scaled = square.get_num() * per_radps * per_radps / square.get_den();
+  return Rational(mpz_class(sqrt(scaled)), mpz_class(per_radps));
+}
+
 // How the latched hold of a point mass moves: a spring and a critical damper, from measurements
 // that err, against what pushes. Its response to a push is never negative, with the delay that its
 // frequency leaves room for too, so that errors that stay do most: a position error moves it by
-// itself, a velocity error by 2 / omega of it, a push by 1 / omega^2 of it. It is latched at twice
-// the velocity error and what the brake takes off within the delay, at most; from such a speed it
-// goes on by 1 / (e omega), a little less with the target ahead of it, and by half of the delay.
+// itself, a velocity error by 2 / omega of it, a push by 1 / omega^2 of it. It is latched at
+// eta b / (b - d) as measured (see the pilots) and so at the velocity error more, at most; from
+// such a speed it goes on by 1 / (e omega), a little less with the target ahead of it, and by half
+// of the delay.
 std::int64_t hold_mm(const ir::Body& b, std::int64_t delay_us) {
   const Rational delay_s(delay_us, 1'000'000);
   const Rational loop_s(
@@ -66,8 +75,9 @@ std::int64_t hold_mm(const ir::Body& b, std::int64_t delay_us) {
   const Rational quiet(left_mmps2,
                        pace::hold_brake_shares * std::max<std::int64_t>(b.velocity_error_mmps, 1));
   omega = std::min(omega, quiet);
-  const Rational latched =
-      2 * b.velocity_error_mmps + (b.brake_mmps2 + b.disturbance_mmps2) * delay_s;
+  if (b.position_error_mm > 0) omega = std::min(omega, quiet_spring(b, left_mmps2));
+  const Rational eta = b.velocity_error_mmps + (b.brake_mmps2 + b.disturbance_mmps2) * delay_s;
+  const Rational latched = b.velocity_error_mmps + eta * b.brake_mmps2 / left_mmps2;
   const Rational moved = latched * (Rational(7, 25) / omega + delay_s / 2) +
                          2 * b.velocity_error_mmps / omega + b.disturbance_mmps2 / (omega * omega);
   return ceil_to_int(moved) + 2 * b.position_error_mm + hold_slack_mm;

@@ -25,16 +25,23 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
   reaction_s_ =
       static_cast<double>(limits_.velocity_age_us + period_us_ + limits_.latency_us) * s_per_us;
   // theory: sampled brake, eta = eps_v + b (h + l), the age of the sample being part of the lag.
-  // What pushes the robot changes the speed in the meantime, too.
-  rest_mps_ =
+  // What pushes the robot changes the speed in the meantime, too. It takes over at eta b / (b - d):
+  // below that speed the velocity may be wrong by an angle at which the push makes up for what is
+  // left of the brake along the way, and the robot would go on for ever (docs: lemmas,
+  // sampled_brake).
+  const double eta_mps =
       limits_.velocity_error_mps + (limits_.brake_mps2 + limits_.disturbance_mps2) * reaction_s_;
+  rest_mps_ = eta_mps * limits_.brake_mps2 / (limits_.brake_mps2 - limits_.disturbance_mps2);
   const double age_s = static_cast<double>(limits_.position_age_us) * s_per_us;
   const double delay_s = std::max(reaction_s_ + age_s, pace::hold_delay_least_s);
   omega_radps_ = std::min(pace::hold_max_radps, pace::hold_rad_per_delay / delay_s);
+  const double share_mps2 =
+      (limits_.brake_mps2 - limits_.disturbance_mps2) / pace::hold_brake_shares;
   if (limits_.velocity_error_mps > 0) {
-    const double left_mps2 = limits_.brake_mps2 - limits_.disturbance_mps2;
-    omega_radps_ =
-        std::min(omega_radps_, left_mps2 / (pace::hold_brake_shares * limits_.velocity_error_mps));
+    omega_radps_ = std::min(omega_radps_, share_mps2 / limits_.velocity_error_mps);
+  }
+  if (limits_.position_error_m > 0) {
+    omega_radps_ = std::min(omega_radps_, std::sqrt(share_mps2 / limits_.position_error_m));
   }
   // What drives off with less than the brake has to be slow: as its measurement can tell, and by no
   // more than a creep.

@@ -6,6 +6,7 @@
 ; of rates. Without a delay: what delay and sampling add is not part of this lemma (see the page).
 ; code: runtime/core/pilot_point.cpp | const Vec3 spring = (omega_radps_ * omega_radps_) * (hold_at_ - p);
 ; code: runtime/core/pilot_point.cpp | const Vec3 damper = (-2 * omega_radps_) * v;
+; code: runtime/core/pilot_point.cpp | omega_radps_ = std::min(omega_radps_, std::sqrt(share_mps2 / limits_.position_error_m));
 ; code: compiler/analysis/limits.cpp | 2 * b.velocity_error_mmps / omega + b.disturbance_mmps2 / (omega * omega);
 
 ; step: the two lags are the hold: x'' = y' - w x'
@@ -70,5 +71,20 @@
 (assert (= (* w by_speed) (* 2 ev))) (assert (= (* w w by_push) d))
 ; claim
 (assert (not (= x (+ ep by_speed by_push))))
+(check-sat)
+(reset)
+
+; step: what its errors ask for of the brake is at most three quarters of what the push leaves: w is at
+; step+ most (b - d) / (4 e_v), and its square at most (b - d) / (4 e_p)
+; mistake: s/(assert (<= (\* 4 w w ep) left))//
+; mistake: s/(assert (<= (\* 4 w ev) left))/(assert (<= (* 2 w ev) left))/
+(set-logic QF_NRA)
+(declare-const w Real) (declare-const ep Real) (declare-const ev Real) (declare-const left Real)
+(declare-const asked Real)
+(assert (> w 0)) (assert (>= ep 0)) (assert (>= ev 0)) (assert (> left 0))
+(assert (<= (* 4 w w ep) left)) (assert (<= (* 4 w ev) left))
+(assert (<= asked (+ (* w w ep) (* 2 w ev))))
+; claim
+(assert (not (<= asked (* 0.75 left))))
 (check-sat)
 (reset)

@@ -51,6 +51,41 @@ TEST(Repairs, TheWideningOf5007Works) {
                   Code::return_set_empty));
 }
 
+// Too little of the brake is left to hold a place with; the error of the output counts, too.
+std::string pushed(const std::string& by, const std::string& output_error = "") {
+  return R"(spec adrift;
+zone yard = rectangle (0 m, 0 m) to (90 m, 90 m);
+robot Raft {
+  body     radius 20 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; disturbance <= )" +
+         by + R"( m/s^2; }
+  sense    position : point   error 2 cm   max_age 20 ms;
+  sense    velocity : vector  error 1 cm/s max_age 20 ms;
+  output   thrust : acceleration)" +
+         output_error + R"(;
+  latency  20 ms;
+}
+fleet r1 : Raft;
+controller row  : advanced for Raft extern;
+controller stop : safe for Raft = brake_and_hold;
+monitor fence for r : Raft {
+  "SR-1: in" always r inside yard; recover stop; hold when violated "it drifts back";
+}
+decision go for Raft { advanced row; period 50 ms; priority fence; }
+)";
+}
+TEST(Repairs, TheLargestDisturbanceOf5005WorksAndMoreDoesNot) {
+  const auto c = compiled(pushed("0.9"));
+  ASSERT_TRUE(has(*c, Code::limit_contradictory)) << reports(*c);
+  EXPECT_EQ(number_in_help(*c, Code::limit_contradictory, "at most ", "m/s^2"), "0.75");
+  const auto most = compiled(pushed("0.75"));
+  EXPECT_TRUE(most->module) << reports(*most);
+  EXPECT_TRUE(has(*compiled(pushed("0.751")), Code::limit_contradictory));
+  const auto errs = compiled(pushed("0.5", " error 0.3 m/s^2"));
+  ASSERT_TRUE(has(*errs, Code::limit_contradictory)) << reports(*errs);
+  EXPECT_EQ(number_in_help(*errs, Code::limit_contradictory, "at most ", "m/s^2"), "0.25");
+}
+
 void expect_place_works(const std::string& faulty, const std::string& place, Code code) {
   const auto c = compiled(faulty);
   ASSERT_TRUE(has(*c, code)) << reports(*c);

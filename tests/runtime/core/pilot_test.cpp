@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "rtac/safe/grid_route.h"
 #include "tests/runtime/core/test_plants.h"
 
@@ -95,6 +98,47 @@ TEST(PointPilot, BrakeDoesNotCreep) {
   EXPECT_LT(from_rest, 0.03);
   EXPECT_LT(furthest, 0.5 + overshoot);
   EXPECT_LT(norm(plant.v), 0.05);
+}
+
+// A velocity that errs to the side by just so much that what is left of the brake along the way is
+// what pushes, now to the left, now to the right: the brake ends all the same, since it gives way
+// to the hold above the speed at which that could go on (docs: lemmas, sampled_brake). A boat,
+// adrift.
+TEST(PointPilot, BrakeEndsWhateverTurnsItAside) {
+  RobotLimits boat = test::drone_limits();
+  boat.accel_mps2 = boat.brake_mps2 = 0.3, boat.disturbance_mps2 = 0.15;
+  boat.velocity_error_mps = 0.1;
+  boat.position_age_us = boat.velocity_age_us = boat.latency_us = 10'000;
+  Setting setting;
+  setting.limits = boat, setting.period_us = 10'000, setting.speed_mps = 0.3;
+  Plant<Acceleration> plant(boat, {0, 0});
+  plant.v = {0.3, 0};
+  plant.noisy = 0;
+  Pilot<Acceleration> pilot(setting);
+  const double eta = 0.1 + 0.45 * 0.03;  // eps_v + (b + d) (h + l + age)
+  bool begun = false;
+  while (plant.now_us < 60'000'000) {
+    const double speed = norm(plant.v), heading = std::atan2(plant.v.y, plant.v.x);
+    plant.velocity_bias = {};
+    if (speed > 0.01) {  // as slow as it may be shown without a hold, on the side of the heading
+      const double shown = std::max(1.0001 * eta, std::sqrt(std::max(0.0, speed * speed - 0.01)));
+      const double cosine = (speed * speed + shown * shown - 0.00999) / (2 * speed * shown);
+      const double aside = std::acos(std::clamp(cosine, -1.0, 1.0)) * (heading > 0 ? 1 : -1);
+      const Vec2 seen{shown * std::cos(heading + aside), shown * std::sin(heading + aside)};
+      if (norm(seen - plant.v) <= 0.1) plant.velocity_bias = seen - plant.v;
+    }
+    const Observation& seen = plant.observe();
+    if (!begun) pilot.engage(seen);
+    begun = true;
+    const Acceleration out = pilot.halt(seen);
+    for (int i = 0; i < 10; ++i) {
+      const double now = norm(plant.v);
+      if (now > 0) plant.v = plant.v + (1e-3 * boat.disturbance_mps2 / now) * plant.v;
+      plant.apply(out, 1'000);
+    }
+  }
+  EXPECT_TRUE(pilot.latched());
+  EXPECT_LT(norm(plant.p), 2.4);  // what the decision reckons with, computed by hand
 }
 
 // Without a position the point mass brakes along its last known motion, then commands nothing.

@@ -17,8 +17,10 @@ inline constexpr double velocity_time_delays = 2;
 // Point mass: the frequency of its hold, which is critically damped: at most the first; a quarter
 // of a radian per delay, for a phase margin above 60 degrees; of a delay of at least the last.
 inline constexpr double hold_max_radps = 2, hold_rad_per_delay = 0.25, hold_delay_least_s = 0.01;
-// And at most so fast that a velocity error of its bound takes no more than half of the brake: the
-// damper asks for twice the frequency times the velocity.
+// And at most so fast that a velocity error of its bound takes no more than half of what a push
+// leaves of the brake, and a position error no more than a quarter: the damper asks for twice the
+// frequency times the velocity, the spring for its square times the place. Without, errors of
+// decimetres saturate the brake, and the robot is carried off.
 inline constexpr double hold_brake_shares = 4;
 // Unicycle: turning in place is proportional to the heading error, within a limit, and done at
 // `turn_end_rad`.

@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 1.161;
-  static constexpr double cruise_clearance_m = 2.361;
-  static constexpr double pass_gap_m = 3.499;
+  static constexpr double return_clearance_m = 1.172;
+  static constexpr double cruise_clearance_m = 2.372;
+  static constexpr double pass_gap_m = 3.521;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"s1", "s2"};
@@ -59,7 +59,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : flit(self), wait(setting(0.3, hall_zone(), 0.827, 1.161, 3.499)), turn_in(setting(0.3, hall_zone(), 0.827, 1.161, 3.499)) {}
+        : flit(self), wait(setting(0.3, hall_zone(), 0.838, 1.172, 3.521)), turn_in(setting(0.3, hall_zone(), 0.838, 1.172, 3.521)) {}
     Flit flit;
     rtac::safe::Yield<rtac::Acceleration> wait;
     rtac::safe::Retreat<rtac::Acceleration> turn_in;
