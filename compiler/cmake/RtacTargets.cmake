@@ -1,6 +1,6 @@
 # One library per folder, so that the linker enforces who may depend on whom.
 #
-#   rtac_folder(<target> STANDARD 17|20 [DEPENDS target...] [SYSTEM target...])
+#   rtac_folder(<target> STANDARD 17|20 [DEPENDS target...] [BATCH number] [KEEP source...])
 #
 # Every .cpp of the folder belongs to the target; a folder without any is header-only.
 set(RTAC_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
@@ -8,14 +8,32 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   list(APPEND RTAC_WARNINGS -Wno-restrict)  # false alarms of GCC 12 on std::string concatenation
 endif()
 
+# Most of the work on a source is what it includes. With RTAC_UNITY so many sources share it; those
+# after KEEP stand alone, since they give a name to something else than another one does.
+#   rtac_unite(<target> [BATCH number] [KEEP source...])
+function(rtac_unite target)
+  cmake_parse_arguments(arg "" "BATCH" "KEEP" ${ARGN})
+  if(NOT RTAC_UNITY OR arg_BATCH EQUAL 1)
+    return()
+  endif()
+  if(NOT arg_BATCH)
+    set(arg_BATCH 8)
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${arg_BATCH})
+  foreach(source IN LISTS arg_KEEP)
+    set_property(SOURCE ${source} APPEND PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  endforeach()
+endfunction()
+
 function(rtac_folder target)
-  cmake_parse_arguments(arg "" "STANDARD" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "" "STANDARD;BATCH" "DEPENDS;KEEP" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(sources)
     add_library(${target} STATIC ${sources})
     target_link_libraries(${target} PUBLIC ${arg_DEPENDS})
     target_compile_features(${target} PUBLIC cxx_std_${arg_STANDARD})
     target_compile_options(${target} PRIVATE ${RTAC_WARNINGS})
+    rtac_unite(${target} BATCH ${arg_BATCH} KEEP ${arg_KEEP})
   else()
     add_library(${target} INTERFACE)
     target_link_libraries(${target} INTERFACE ${arg_DEPENDS})
@@ -23,10 +41,10 @@ function(rtac_folder target)
   endif()
 endfunction()
 
-#   rtac_test(<folder below tests> [LINK target...])
+#   rtac_test(<folder below tests> [LINK target...] [DEFINE definition...] [BATCH number] [KEEP source...])
 # Every *_test.cpp of the folder goes into one GoogleTest executable; each test is a ctest case.
 function(rtac_test folder)
-  cmake_parse_arguments(arg "" "" "LINK;DEFINE" ${ARGN})
+  cmake_parse_arguments(arg "" "BATCH" "LINK;DEFINE;KEEP" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp)
   if(NOT sources)
     return()
@@ -39,5 +57,7 @@ function(rtac_test folder)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(test_${name} PRIVATE
     RTAC_SOURCE_DIR="${PROJECT_SOURCE_DIR}" ${arg_DEFINE})
+  list(TRANSFORM arg_KEEP PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/)
+  rtac_unite(test_${name} BATCH ${arg_BATCH} KEEP ${arg_KEEP})
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
 endfunction()

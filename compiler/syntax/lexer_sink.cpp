@@ -11,10 +11,6 @@ namespace {
 
 using diag::Code;
 
-bool is_high(char c) {
-  return static_cast<unsigned char>(c) >= 0x80U;
-}
-
 // First byte from `from` on that starts a look-alike of an operator.
 std::size_t find_operator(std::string_view text, std::size_t from) {
   while (from < text.size() && !(is_high(text[from]) && find_lookalike(text.substr(from)))) ++from;

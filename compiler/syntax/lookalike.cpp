@@ -7,7 +7,7 @@
 namespace rtac::syntax {
 namespace {
 
-const Lookalike kOperators[] = {
+const Lookalike kSigns[] = {
     {"\u2264", "<=", T::LESS_EQUAL},     // less-than or equal
     {"\u2265", ">=", T::GREATER_EQUAL},  // greater-than or equal
     {"\u2260", "!=", T::NOT_EQUAL},      // not equal
@@ -46,17 +46,13 @@ constexpr UnitLetter kUnitLetters[] = {
     {"\u00D7", "*"},    // multiplication sign
 };
 
-bool is_high(char c) {
-  return static_cast<unsigned char>(c) >= 0x80U;
-}
-
 }  // namespace
 
 std::optional<Lookalike> find_lookalike(std::string_view text) {
   const auto* found =
-      std::find_if(std::begin(kOperators), std::end(kOperators),
+      std::find_if(std::begin(kSigns), std::end(kSigns),
                    [&](const Lookalike& entry) { return text.starts_with(entry.text); });
-  if (found != std::end(kOperators)) return *found;
+  if (found != std::end(kSigns)) return *found;
   const diag::Character c = diag::read_character(text);
   if (c.bytes == 0) return std::nullopt;  // in the middle of a character
   const diag::Look look = diag::look_of(c.code);

@@ -10,6 +10,11 @@
 
 namespace rtac::syntax {
 
+// Part of a character beyond ASCII.
+inline bool is_high(char c) {
+  return static_cast<unsigned char>(c) >= 0x80U;
+}
+
 struct Lookalike {
   std::string_view text;  // UTF-8
   std::string_view ascii;
