@@ -134,7 +134,9 @@ class Recoveries {
     const bool stays = (asks.clearance || asks.distance) && stands;
     const bool waits = asks.clearance && last == ir::RecoveryKind::yield;
     const bool holds = stays || waits;
-    if (written_.hold_reason && !holds) return unneeded();
+    // Whether there is room to pass each other is not shown: it may be accepted that there is none.
+    const bool may_wait = asks.distance && last == ir::RecoveryKind::yield;
+    if (written_.hold_reason && !holds && !may_wait) return unneeded();
     if (written_.hold_reason || !holds) return;
     const ir::Motion& any = decision_.motions[0];
     const std::int64_t farther_mm =

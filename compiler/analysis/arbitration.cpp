@@ -1,0 +1,244 @@
+#include "compiler/analysis/arbitration.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "compiler/analysis/fences.h"
+#include "compiler/analysis/liveness.h"
+#include "compiler/ir/acknowledged.h"
+#include "compiler/ir/linear.h"
+
+namespace rtac::analysis {
+namespace {
+
+std::string seconds_text(const Rational& s) {
+  return to_decimal(Rational(ceil_to_int(Rational(s * 10)), 10)) + " s";
+}
+std::string metres(const Rational& m) {
+  return to_decimal(Rational(ceil_to_int(Rational(m * 100)), 100)) + " m";
+}
+std::string quoted(const std::string& name) {
+  return "`" + name + "`";
+}
+
+// What a recovery may do to the property of another monitor of its decision.
+class Pair {
+ public:
+  Pair(const sema::RobotKind& kind, const ir::Module& module, const ir::Decision& decision,
+       const ExactZone& exact, const ir::Monitor& driving, const ir::Monitor& judged)
+      : kind_(kind),
+        module_(module),
+        decision_(decision),
+        exact_(exact),
+        recovery_(driving.recovery),
+        judged_(judged) {}
+
+  // nullopt: it keeps the property.
+  std::optional<Entry> broken() {
+    if (!keeps(judged_.property, judged_.property.result)) return entry_;
+    return std::nullopt;
+  }
+
+ private:
+  bool keeps(const ir::Block& block, ir::ValueId id) {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) return keeps(block, v->a) && keeps(block, v->b);
+    // Whichever side holds at the take-over, it goes on to hold.
+    if (const auto* v = std::get_if<ir::Or>(&op)) return keeps_choice(block, id, *v);
+    if (const auto* v = std::get_if<ir::Not>(&op)) return keeps(block, v->a);
+    if (const ir::Block* body = ir::body_of(op)) return keeps(*body, body->result);
+    if (const auto* v = std::get_if<ir::AtLeast>(&op)) return keeps_comparison(block, *v);
+    return true;  // what the robot has no part in, and plans, which are judged before they are
+                  // flown
+  }
+  bool keeps_choice(const ir::Block& block, ir::ValueId id, const ir::Or& either) {
+    if (const auto zones = choice_of(block, id); zones.size() > 1) {
+      geometry::Region all;
+      for (const ir::ZoneIndex zone : zones) all = all.unite(exact_(zone));
+      if (stays_within(all)) return true;
+    }
+    return keeps(block, either.a) && keeps(block, either.b);
+  }
+  // The zones of which one holds the robot, when it is that kind of `or`.
+  std::vector<ir::ZoneIndex> choice_of(const ir::Block& block, ir::ValueId id) const {
+    std::vector<ir::ZoneIndex> zones;
+    return add_choice(block, id, zones) ? zones : std::vector<ir::ZoneIndex>{};
+  }
+  bool add_choice(const ir::Block& block, ir::ValueId id, std::vector<ir::ZoneIndex>& zones) const {
+    if (const auto* v = std::get_if<ir::Or>(&block[id].op)) {
+      return add_choice(block, v->a, zones) && add_choice(block, v->b, zones);
+    }
+    const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
+    const auto bound =
+        compare ? ir::lower_bound(block, *compare, decision_.facts.params) : std::nullopt;
+    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return false;
+    zones.push_back(ir::ZoneIndex{bound->leaf.table});
+    return true;
+  }
+
+  bool keeps_comparison(const ir::Block& block, const ir::AtLeast& compare) {
+    bool kept = true;
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
+      switch (leaf.kind) {
+        case ir::Leaf::Kind::clearance:
+          kept = kept && keeps_clearance(ir::ZoneIndex{leaf.table});
+          break;
+        case ir::Leaf::Kind::battery:
+          kept = kept && keeps_charge();
+          break;
+        case ir::Leaf::Kind::altitude:
+          kept = kept && keeps_height();
+          break;
+        // Every mode that moves is gated by the distances, whatever the priority; a way costs what
+        // the charge pays for; a limit of speed is compared with every recovery (5033).
+        case ir::Leaf::Kind::distance:
+        case ir::Leaf::Kind::count:
+        case ir::Leaf::Kind::agent:
+        case ir::Leaf::Kind::energy_to:
+        case ir::Leaf::Kind::speed:
+          break;
+      }
+    }
+    return kept;
+  }
+
+  // The zone that a step moves within; none: it stays where the brake ends, which the look-ahead of
+  // every monitor has found clear.
+  static std::optional<ir::ZoneIndex> moves_within(const ir::Recovery& step) {
+    if (ir::moves(step.kind) || step.claims) return step.zone;
+    return std::nullopt;
+  }
+  bool stays_within(const geometry::Region& all) const {
+    const auto steps = ir::steps_of(recovery_);
+    return std::all_of(steps.begin(), steps.end(), [&](const ir::Recovery* step) {
+      const auto zone = moves_within(*step);
+      return !zone || all.contains(exact_(*zone));
+    });
+  }
+  bool keeps_clearance(ir::ZoneIndex fence) {
+    for (const ir::Recovery* step : ir::steps_of(recovery_)) {
+      const auto zone = moves_within(*step);
+      if (!zone || *zone == fence) continue;
+      if (module_[fence].has_height() || module_[*zone].has_height()) {
+        return in_space(fence, *zone);
+      }
+      if (exact_(fence).contains(exact_(*zone))) continue;
+      const geometry::Region beyond = exact_(*zone).subtract(exact_(fence));
+      const Rational square_mm(ceil_to_int(Rational(beyond.area() * 1'000'000)));
+      entry_.why = to_decimal(Rational(square_mm / 1'000'000)) + " m^2 of " +
+                   quoted(module_[*zone].name) + ", where " + quoted(recovery_.name) +
+                   " may drive, lie outside " + quoted(module_[fence].name);
+      entry_.help = "a recovery within " + quoted(module_[fence].name) + " works";
+      return false;
+    }
+    return true;
+  }
+  bool in_space(ir::ZoneIndex fence, ir::ZoneIndex zone) {
+    entry_.why = "whether " + quoted(module_[zone].name) + " lies in " +
+                 quoted(module_[fence].name) + " is not shown where zones have heights";
+    entry_.help = "a recovery within " + quoted(module_[fence].name) + " works";
+    return false;
+  }
+  bool keeps_height() {
+    const auto steps = ir::steps_of(recovery_);
+    const bool climbs = std::any_of(steps.begin(), steps.end(), [](const ir::Recovery* step) {
+      return step->kind == ir::RecoveryKind::land || ir::moves(step->kind);
+    });
+    if (!climbs) return true;
+    entry_.why = quoted(recovery_.name) + " goes up or down";
+    entry_.help = "`brake_and_hold` works";
+    return false;
+  }
+
+  // theory, battery: what other recoveries take is bounded by `held` and `detour`, which are paid
+  // for in advance. A recovery of which no end is known keeps neither.
+  bool keeps_charge() {
+    if (!kind_.energy) return true;
+    const ir::Recovery& last = ir::last_step(recovery_);
+    const auto seconds = return_seconds(kind_, module_, decision_, recovery_);
+    if (!seconds) {
+      entry_.why =
+          "nothing bounds how long " + quoted(recovery_.name) + " lasts, and it takes charge";
+      return false;
+    }
+    const Ways ways = ways_of(module_, decision_, last);
+    const Rational metres_most(ways.longest_mm ? *ways.longest_mm : 0, 1000);
+    if (*seconds > kind_.energy->held.value) {
+      entry_.why =
+          quoted(recovery_.name) + " may last " + seconds_text(*seconds) +
+          ", and the charge reckons with `held <= " + seconds_text(kind_.energy->held.value) + "`";
+      entry_.help = "`held <= " + seconds_text(*seconds) + "` works";
+      return false;
+    }
+    if (metres_most > kind_.energy->detour.value) {
+      entry_.why =
+          quoted(recovery_.name) + " may drive " + metres(metres_most) +
+          ", and the charge reckons with `detour <= " + metres(kind_.energy->detour.value) + "`";
+      entry_.help = "`detour <= " + metres(metres_most) + "` works";
+      return false;
+    }
+    return true;
+  }
+
+  const sema::RobotKind& kind_;
+  const ir::Module& module_;
+  const ir::Decision& decision_;
+  const ExactZone& exact_;
+  const ir::Recovery& recovery_;
+  const ir::Monitor& judged_;
+  Entry entry_;
+};
+
+}  // namespace
+
+Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module,
+                           const ir::Decision& decision, const ExactZone& exact) {
+  const std::size_t count = decision.monitors.size();
+  Arbitration all(count, std::vector<Entry>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      if (i == j) continue;  // its own property: check_recoveries
+      auto broken =
+          Pair(kind, module, decision, exact, decision.monitors[i], decision.monitors[j]).broken();
+      if (!broken) continue;
+      broken->keeping = j < i ? Keeping::guarded : Keeping::broken;
+      all[i][j] = std::move(*broken);
+    }
+  }
+  return all;
+}
+
+void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
+                       diag::Engine& diagnostics) {
+  for (std::size_t n = 0; n < module.decisions.size(); ++n) {
+    const ir::Decision& decision = module.decisions[n];
+    if (decision.on_plan) continue;
+    const Arbitration all = arbitration_of(spec[spec.decisions[n].kind], module, decision, exact);
+    std::set<std::pair<std::string, std::string>> told;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::string& recovery = decision.monitors[i].recovery.name;
+      for (std::size_t j = i + 1; j < all.size(); ++j) {
+        const std::string& judged = decision.monitors[j].name;
+        if (all[i][j].keeping != Keeping::broken) continue;
+        if (ir::acknowledged(decision, recovery, judged)) continue;
+        if (!told.emplace(recovery, judged).second) continue;
+        const sema::Monitor& written = spec[spec.decisions[n].priority[i]];
+        diag::Diagnostic d{};
+        d.code = diag::Code::recovery_breaks;
+        d.range = written.recover_range;
+        d.message = "while " + quoted(recovery) + " drives, " + quoted(judged) +
+                    " may become false, and ranks lower";
+        d.label = "may break " + quoted(judged);
+        d.notes.push_back({std::nullopt, all[i][j].why});
+        d.notes.push_back({spec[spec.decisions[n].priority[j]].name_range, "it is declared here"});
+        d.help = quoted(judged + " > " + decision.monitors[i].name) + " as priority works" +
+                 (all[i][j].help.empty() ? "" : ", or " + all[i][j].help) + ", or `acknowledge " +
+                 recovery + " may break " + judged + " \"why\";`";
+        diagnostics.report(std::move(d));
+      }
+    }
+  }
+}
+
+}  // namespace rtac::analysis
