@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/liveness.h"
@@ -52,7 +51,22 @@ class Pair {
     return true;  // what the robot has no part in, and plans, which are judged before they are
                   // flown
   }
+  // Of zones that come and go, only the monitor's own recovery leads out in time, and whoever
+  // outranks it needs an acknowledgement of its own (5031).
+  static bool speaks_of_windows(const ir::Block& block, ir::ValueId id) {
+    const ir::Op& op = block[id].op;
+    if (std::holds_alternative<ir::ZoneThere>(op)) return true;
+    if (const auto* v = std::get_if<ir::Not>(&op)) return speaks_of_windows(block, v->a);
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
+    }
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
+    }
+    return false;
+  }
   bool keeps_choice(const ir::Block& block, ir::ValueId id, const ir::Or& either) {
+    if (speaks_of_windows(block, id)) return true;
     if (const auto zones = choice_of(block, id); zones.size() > 1) {
       geometry::Region all;
       for (const ir::ZoneIndex zone : zones) all = all.unite(exact_(zone));
@@ -88,7 +102,7 @@ class Pair {
           kept = kept && keeps_charge();
           break;
         case ir::Leaf::Kind::altitude:
-          kept = kept && keeps_height();
+          kept = kept && keeps_height(block, compare);
           break;
         // Every mode that moves is gated by the distances, whatever the priority; a way costs what
         // the charge pays for; a limit of speed is compared with every recovery (5033).
@@ -140,15 +154,27 @@ class Pair {
     entry_.help = "a recovery within " + quoted(module_[fence].name) + " works";
     return false;
   }
-  bool keeps_height() {
-    const auto steps = ir::steps_of(recovery_);
-    const bool climbs = std::any_of(steps.begin(), steps.end(), [](const ir::Recovery* step) {
-      return step->kind == ir::RecoveryKind::land || ir::moves(step->kind);
-    });
-    if (!climbs) return true;
-    entry_.why = quoted(recovery_.name) + " goes up or down";
-    entry_.help = "`brake_and_hold` works";
-    return false;
+  // A retreat within a zone of the plane keeps its height (rule 7.8).
+  bool keeps_height(const ir::Block& block, const ir::AtLeast& compare) {
+    const auto most = ir::upper_bound(block, compare);
+    const auto least = ir::lower_bound(block, compare, decision_.facts.params);
+    for (const ir::Recovery* step : ir::steps_of(recovery_)) {
+      bool kept = true;
+      if (step->kind == ir::RecoveryKind::land) {
+        kept = !least || step->land_mm >= least->need.strictest;
+      } else if (const auto zone = moves_within(*step)) {
+        for (const ir::ZoneTable::Slab& slab : module_[*zone].slabs) {
+          kept = kept && (!most || slab.ceiling_mm <= most->most) &&
+                 (!least || slab.floor_mm >= least->need.strictest);
+        }
+      }
+      if (kept) continue;
+      entry_.why = quoted(recovery_.name) + " may go beyond the height that " +
+                   quoted(judged_.name) + " allows";
+      entry_.help = "`brake_and_hold` works";
+      return false;
+    }
+    return true;
   }
 
   // theory, battery: what other recoveries take is bounded by `held` and `detour`, which are paid
@@ -198,7 +224,8 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
   Arbitration all(count, std::vector<Entry>(count));
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
-      if (i == j) continue;  // its own property: check_recoveries
+      // its own property: check_recoveries
+      if (decision.monitors[i].recovery.name == decision.monitors[j].recovery.name) continue;
       auto broken =
           Pair(kind, module, decision, exact, decision.monitors[i], decision.monitors[j]).broken();
       if (!broken) continue;
@@ -209,34 +236,56 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
   return all;
 }
 
+namespace {
+
+// One report for each recovery, whatever number of monitors it may break.
+diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
+                         const ir::Decision& decision, const std::vector<Entry>& row, std::size_t i,
+                         const std::vector<std::size_t>& broken) {
+  const std::string& recovery = decision.monitors[i].recovery.name;
+  const auto name = [&](std::size_t j) { return decision.monitors[j].name; };
+  std::string names, accept;
+  for (std::size_t k = 0; k < broken.size(); ++k) {
+    names += (k == 0 ? "" : k + 1 == broken.size() ? " and " : ", ") + quoted(name(broken[k]));
+    accept += ", or `acknowledge " + recovery + " may break " + name(broken[k]) + " \"why\";`";
+  }
+  diag::Diagnostic d{};
+  d.code = diag::Code::recovery_breaks;
+  d.range = spec[from.priority[i]].recover_range;
+  d.message = "while " + quoted(recovery) + " drives, " + names + " may become false, and rank" +
+              (broken.size() == 1 ? "s" : "") + " lower";
+  d.label = "may break " + names;
+  for (const std::size_t j : broken) {
+    d.notes.push_back({std::nullopt, row[j].why});
+    d.notes.push_back({spec[from.priority[j]].name_range, quoted(name(j)) + " is declared here"});
+  }
+  const std::string& works = row[broken.front()].help;
+  d.help = quoted(name(broken.front()) + " > " + decision.monitors[i].name) + " as priority works" +
+           (works.empty() ? "" : ", or " + works) + accept;
+  return d;
+}
+
+}  // namespace
+
 void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
                        diag::Engine& diagnostics) {
   for (std::size_t n = 0; n < module.decisions.size(); ++n) {
     const ir::Decision& decision = module.decisions[n];
+    const sema::Decision& from = spec.decisions[n];
     if (decision.on_plan) continue;
-    const Arbitration all = arbitration_of(spec[spec.decisions[n].kind], module, decision, exact);
-    std::set<std::pair<std::string, std::string>> told;
+    const Arbitration all = arbitration_of(spec[from.kind], module, decision, exact);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const std::string& recovery = decision.monitors[i].recovery.name;
+      std::vector<std::size_t> broken;
       for (std::size_t j = i + 1; j < all.size(); ++j) {
-        const std::string& judged = decision.monitors[j].name;
         if (all[i][j].keeping != Keeping::broken) continue;
-        if (ir::acknowledged(decision, recovery, judged)) continue;
-        if (!told.emplace(recovery, judged).second) continue;
-        const sema::Monitor& written = spec[spec.decisions[n].priority[i]];
-        diag::Diagnostic d{};
-        d.code = diag::Code::recovery_breaks;
-        d.range = written.recover_range;
-        d.message = "while " + quoted(recovery) + " drives, " + quoted(judged) +
-                    " may become false, and ranks lower";
-        d.label = "may break " + quoted(judged);
-        d.notes.push_back({std::nullopt, all[i][j].why});
-        d.notes.push_back({spec[spec.decisions[n].priority[j]].name_range, "it is declared here"});
-        d.help = quoted(judged + " > " + decision.monitors[i].name) + " as priority works" +
-                 (all[i][j].help.empty() ? "" : ", or " + all[i][j].help) + ", or `acknowledge " +
-                 recovery + " may break " + judged + " \"why\";`";
-        diagnostics.report(std::move(d));
+        if (ir::acknowledged(decision, decision.monitors[i].recovery.name,
+                             decision.monitors[j].name)) {
+          continue;
+        }
+        broken.push_back(j);
       }
+      if (broken.empty()) continue;
+      diagnostics.report(finding(spec, from, decision, all[i], i, broken));
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/arbitration.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/magnitudes.h"
 #include "compiler/analysis/reach.h"
@@ -52,7 +53,7 @@ class Deriver {
   Deriver(const sema::Spec& spec, const SourceManager& sources, diag::Engine& diagnostics)
       : spec_(spec), sources_(sources), diagnostics_(diagnostics) {}
 
-  std::optional<Derived> run() {
+  std::optional<Derived> run(Finding finding) {
     out_.module.name = spec_.name;
     check_magnitudes(spec_, diagnostics_);
     const std::vector<ZoneUse> wanted = wanted_zones();
@@ -74,10 +75,13 @@ class Deriver {
     count_commands();
     fill_costs();
     fill_windows();
+    if (diagnostics_.has_errors()) finding = Finding::refuses;  // it could not be built
     check_well_formed(spec_, out_.module, out_.tables, diagnostics_);
+    const ExactZone exact = [this](ir::ZoneIndex zone) -> const geometry::Region& {
+      return zone_of(zone).exact;
+    };
     check_recoveries(
-        spec_, out_.module,
-        [this](ir::ZoneIndex zone) -> const geometry::Region& { return zone_of(zone).exact; },
+        spec_, out_.module, exact,
         [this](ir::ZoneIndex zone) {
           const EvaluatedZone& of = zone_of(zone);
           if (of.solid) return of.solid->exact;
@@ -85,7 +89,9 @@ class Deriver {
           return geometry::Solid::prism(of.exact, all.floor, all.ceiling);
         },
         diagnostics_);
-    if (diagnostics_.has_errors()) return std::nullopt;
+    if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
+    // Whatever it says, the module can be built, and passes look at the rest.
+    check_arbitration(spec_, out_.module, exact, diagnostics_);
     return std::move(out_);
   }
 
@@ -695,8 +701,8 @@ class Deriver {
 }  // namespace
 
 std::optional<Derived> derive(const sema::Spec& spec, const SourceManager& sources,
-                              diag::Engine& diagnostics) {
-  return Deriver(spec, sources, diagnostics).run();
+                              diag::Engine& diagnostics, Finding finding) {
+  return Deriver(spec, sources, diagnostics).run(finding);
 }
 
 }  // namespace rtac::analysis

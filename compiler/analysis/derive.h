@@ -16,9 +16,12 @@ struct Derived {
   ir::TableMap tables;
 };
 
-// nullopt when an error was reported.
+// What becomes of a module that could be built and is not well formed.
+enum class Finding { refuses, is_told };
+// nullopt when an error was reported, unless it is about arbitration (6005); `is_told`: not of one
+// that says that it is not well formed either.
 std::optional<Derived> derive(const sema::Spec& spec, const SourceManager& sources,
-                              diag::Engine& diagnostics);
+                              diag::Engine& diagnostics, Finding finding = Finding::refuses);
 
 // What `rtac check` tells about one monitor, in mm and us.
 struct MonitorSummary {

@@ -67,6 +67,14 @@ int refuse_mutant(const Options& options, Compilation& c) {
   return exit_usage;
 }
 
+void check_only(const Options& options, Compilation& c) {
+  const auto file = open_source(options.spec, c);
+  if (!file) return;
+  const syntax::Program program =
+      syntax::parse_program(*file, c.sources, c.diagnostics, c.dependencies);
+  c.spec = sema::check(program, c.diagnostics);
+}
+
 void compile(const Options& options, std::ostream& out, Compilation& c) {
   const auto file = open_source(options.spec, c);
   if (!file) return;
@@ -81,12 +89,17 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   if (options.dump_spec) out << sema::dump(*c.spec);
   // The interpreter shares nothing with what follows.
   if (options.command == Command::replay && options.engine == EngineKind::interp) return;
-  auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics);
+  // What is refused because it cannot work is told in full there, and played again.
+  const bool played = options.command == Command::sim && !options.recorded.empty();
+  const auto finding = options.command == Command::verify || played ? analysis::Finding::is_told
+                                                                    : analysis::Finding::refuses;
+  auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics, finding);
   if (!derived) return;
+  const int errors = finding == analysis::Finding::refuses ? 0 : c.diagnostics.error_count();
   c.module = std::move(derived->module);
   c.tables = std::move(derived->tables);
   run_passes(options, out, c);
-  if (c.diagnostics.has_errors() || !c.internal_error.empty()) {
+  if (c.diagnostics.error_count() > errors || !c.internal_error.empty()) {
     c.module.reset();
     return;
   }

@@ -32,6 +32,9 @@ std::optional<FileId> open_source(const std::string& path, Compilation& c);
 // Reports that a deliberately unsound variant is none; exit_usage.
 int refuse_mutant(const Options& options, Compilation& c);
 
+// The specification alone: text, tree, names and types.
+void check_only(const Options& options, Compilation& result);
+
 // Dumps asked for by the options go to `out`.
 void compile(const Options& options, std::ostream& out, Compilation& result);
 

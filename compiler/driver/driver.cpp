@@ -14,6 +14,7 @@
 #include "compiler/codegen/watch.h"
 #include "compiler/diagnostics/render.h"
 #include "compiler/diagnostics/render_sarif.h"
+#include "compiler/driver/certificates.h"
 #include "compiler/driver/compile.h"
 #include "compiler/driver/explain.h"
 #include "compiler/driver/explain_line.h"
@@ -24,6 +25,7 @@
 #include "compiler/driver/replay.h"
 #include "compiler/driver/sim.h"
 #include "compiler/driver/summary.h"
+#include "compiler/driver/verify.h"
 #include "compiler/driver/write_protocol.h"
 #include "compiler/driver/zone_layers.h"
 #include "compiler/driver/zone_svg.h"
@@ -221,6 +223,11 @@ bool is_ready(const Options& options, const Compilation& c) {
   return c.spec && (c.module || !needs_module) && !c.diagnostics.has_errors() &&
          c.internal_error.empty() && !(options.werror && has_warnings(c));
 }
+// A recorded run may show why a specification is refused.
+bool is_replayable(const Options& options, const Compilation& c) {
+  return options.command == Command::sim && !options.recorded.empty() && c.module &&
+         c.internal_error.empty();
+}
 
 int run_compiled(const Options& options, Compilation& c, std::ostream& out) {
   if (options.command == Command::replay) return replay(options, c, out);
@@ -235,12 +242,24 @@ int run_compiled(const Options& options, Compilation& c, std::ostream& out) {
   return exit_clean;
 }
 
+int run_recheck(const Options& options, std::ostream& out, std::ostream& err) {
+  Compilation c;
+  const int status = recheck_certificates(options, c, out);
+  show(options, c, err);
+  return status;
+}
+
 int run(const Options& options, std::ostream& out, std::ostream& err) {
+  if (!options.recheck.empty()) return run_recheck(options, out, err);
   Compilation c;
   compile(options, out, c);
   check_bytes(options, c);
   int status = c.unreadable ? exit_usage : exit_spec_errors;
-  if (is_ready(options, c)) status = run_compiled(options, c, out);
+  if (options.command == Command::verify) {
+    if (c.spec && c.internal_error.empty()) status = verify(options, c, out);
+  } else if (is_ready(options, c) || is_replayable(options, c)) {
+    status = run_compiled(options, c, out);
+  }
   if (!c.internal_error.empty()) {
     err << "internal error: " << c.internal_error
         << "\nthis is a bug of rtac; the specification may be fine\n";
@@ -294,6 +313,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     case Command::build:
     case Command::replay:
     case Command::sim:
+    case Command::verify:
     case Command::zones:
     case Command::protocol:
       break;

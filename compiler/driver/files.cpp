@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -114,6 +115,12 @@ std::string last_folder(const std::string& path) {
 }
 
 // Not std::cin, which takes a closed descriptor for an empty file.
+std::optional<std::string> read_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(in), {}};
+}
+
 std::optional<std::string> read_stdin(std::string& why) {
   std::string text;
   std::vector<char> block(std::size_t{1} << 16);

@@ -23,6 +23,9 @@ bool same_file(const std::string& a, const std::string& b);
 // The name of the directory itself: `out` of `build/out/`.
 std::string last_folder(const std::string& path);
 
+// The whole of a file; nullopt when it cannot be read.
+std::optional<std::string> read_file(const std::string& path);
+
 // The whole of standard input; nullopt when it is closed or cannot be read: `why` receives the
 // system's reason.
 std::optional<std::string> read_stdin(std::string& why);

@@ -12,8 +12,10 @@ struct FlagText {
 // In the order in which they are listed. A text may have several lines.
 constexpr FlagText flag_texts[] = {
     {"-o", "DIR", "directory of the generated files; made when it is not there", "build"},
+    {"-o", "DIR", "where the certificates go; made when it is not there", "verify"},
     {"-o", "FILE", "the picture; - is standard output", "zones"},
     {"-o", "DIR", "directory of the models; made when it is not there", "protocol"},
+    {"--recheck", "DIR", "check what was written with `-o DIR` instead, by other means; needs z3"},
     {"--namespace", "NAME",
      "C++ namespace of the generated code; default: the specification's name"},
     {"--depfile", "FILE", "write the dependencies for make or ninja"},
@@ -152,6 +154,28 @@ constexpr CommandText command_texts[] = {
      "  3  a property was violated\n"
      "  4  it cannot be simulated, or a run that is played again is another one\n"
      "  70 a bug of rtac\n"},
+    {"verify", "rtac verify SPEC [FLAG...]\n       rtac verify --recheck DIR",
+     "Says what the decisions of a specification need so that they keep what their monitors say, "
+     "and\n"
+     "how far each of it is shown: P1a to P3 of RTA modules for every monitor, whether its "
+     "recovery\n"
+     "keeps what the others say, whether there is a place where control can be given back. Each "
+     "is\n"
+     "proved, acknowledged by the specification, unknown, or refuted, with how and why. With -o "
+     "the\n"
+     "proofs are written as certificates, which --recheck checks by other means, with z3. SPEC is "
+     "the\n"
+     "path of a .rta file, or - for standard input. --format json is the form of the report, "
+     "too.\n",
+     "  rtac verify delivery.rta\n"
+     "  rtac verify delivery.rta --format json -o certificates\n"
+     "  rtac verify --recheck certificates\n",
+     "  0  everything is proved or acknowledged; every certificate is one\n"
+     "  1  the specification has errors that no obligation is about\n"
+     "  2  usage, or a file that cannot be read or written\n"
+     "  3  an obligation is refuted; a certificate is none\n"
+     "  4  an obligation is unknown; z3 is missing, or does not answer in time\n"
+     "  70 a bug of rtac\n"},
     {"zones", "rtac zones SPEC -o FILE [FLAG...]",
      "Draws the zones of a specification as SVG, with a scale: every zone that has a name, where "
      "it\n"
@@ -230,6 +254,7 @@ std::string overview() {
          "  rtac check SPEC              check, and print what was derived\n"
          "  rtac build SPEC -o DIR       write the modules and the runtime of the system\n"
          "  rtac replay SPEC TRACE       judge a recorded trace; the findings are CSV\n"
+         "  rtac verify SPEC             what the decisions need, and how far it is proved\n"
          "  rtac sim SPEC                attack the simulated robots; what is violated, who "
          "drives\n"
          "  rtac zones SPEC -o FILE      draw the zones as SVG: from where, and what checks leave\n"

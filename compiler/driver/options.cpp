@@ -84,6 +84,7 @@ const std::vector<CommandInfo>& commands() {
        {"--scenario", "--seed", "--runs", "--adversary", "--trace", "--replay", "--mutate",
         "--format", "-Werror"},
        1},
+      {"verify", Command::verify, {"-o", "--recheck", "--format", "-Werror"}, 1},
       {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"protocol", Command::protocol, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
@@ -121,6 +122,7 @@ struct Parser {
             {"--adversary", &options.adversary},
             {"--trace", &options.trace_out},
             {"--replay", &options.recorded},
+            {"--recheck", &options.recheck},
             {"--mutate", &options.mutant}};
   }
   std::map<std::string, bool*> switches() {
@@ -221,7 +223,18 @@ struct Parser {
     if (error == std::errc() && stop == end) return;
     problem = {"`" + text + "` is no number for `" + flag + "`", value_hint(flag)};
   }
+  // Certificates come with their specification.
+  bool brings_its_own() {
+    if (options.recheck.empty()) return false;
+    if (!operands.empty()) {
+      problem = {"`--recheck` takes the specification from `" + options.recheck + "`, and `" +
+                     operands[0] + "` is given",
+                 "leave one of them out"};
+    }
+    return true;
+  }
   void take_operands() {
+    if (brings_its_own()) return;
     const std::size_t due = options.command == Command::replay ? 2 : 1;
     if (operands.size() < due) {
       const std::size_t place = operands.size();
@@ -241,6 +254,7 @@ struct Parser {
       case Command::check:
       case Command::build:
       case Command::sim:
+      case Command::verify:
       case Command::zones:
       case Command::protocol:
       case Command::help:

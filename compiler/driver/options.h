@@ -9,7 +9,19 @@
 
 namespace rtac::driver {
 
-enum class Command { check, build, replay, sim, zones, protocol, format, explain, help, version };
+enum class Command {
+  check,
+  build,
+  replay,
+  sim,
+  verify,
+  zones,
+  protocol,
+  format,
+  explain,
+  help,
+  version
+};
 enum class Format { text, json, sarif };
 enum class EngineKind { kernel, interp };
 
@@ -41,6 +53,7 @@ struct Options {
   std::string scenario, seed, runs, adversary;
   std::string trace_out;  // where a run with a violation is written
   std::string recorded;   // a run that is played again
+  std::string recheck;    // of `verify`: the directory of certificates
   std::string mutant;     // of `build` and `sim`: a deliberately unsound variant
 };
 

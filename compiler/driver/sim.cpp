@@ -2,8 +2,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -15,6 +13,7 @@
 #include "compiler/codegen/simulation.h"
 #include "compiler/driver/decision_engine.h"
 #include "compiler/driver/driver.h"
+#include "compiler/driver/files.h"
 #include "compiler/driver/process.h"
 #include "compiler/driver/shared_object.h"
 #include "compiler/driver/sim_glue.h"
@@ -43,11 +42,6 @@ std::string simulator() {
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   const fs::path beside = self.parent_path() / "rtac-sim";
   return !error && fs::exists(beside, error) ? beside.string() : "rtac-sim";
-}
-
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::string base_name(const std::string& path) {
@@ -130,12 +124,12 @@ int simulate(const Options& options, Compilation& c, std::ostream& out) {
                   "the simulator `" + words.front() + "` cannot be started: " + result.problem,
                   "install `rtac-sim` beside `rtac`, or name it in $RTAC_SIM", exit_usage);
   }
-  out << text_of(said);
+  out << read_file(said).value_or("");
   if (result.status == exit_clean || result.status == exit_violation) return result.status;
   if (result.status == exit_usage || result.status == exit_inconclusive) {
-    return report_refusal(c, text_of(wrong), result.status);
+    return report_refusal(c, read_file(wrong).value_or(""), result.status);
   }
-  c.internal_error = "the simulator has failed: " + text_of(wrong);
+  c.internal_error = "the simulator has failed: " + read_file(wrong).value_or("");
   return exit_internal;
 }
 

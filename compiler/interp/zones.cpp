@@ -134,6 +134,11 @@ Zones::Zones(const sema::Spec& spec)
         return std::visit(Evaluate{*this, bound}, base.node);
       }) {}
 
+const geometry::Region* Zones::within(sema::ZoneId zone) {
+  const Region& known = region(zone, Bound::within);
+  return known ? &*known : nullptr;
+}
+
 const Zones::Region& Zones::region(sema::ZoneId zone, Bound bound) {
   Known& known = known_[static_cast<std::size_t>(zone)];
   std::optional<Region>& region = known.regions[bound == Bound::within ? 0 : 1];

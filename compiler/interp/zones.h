@@ -40,6 +40,8 @@ class Zones {
   void receive(sema::ZoneId zone, std::shared_ptr<const ReceivedZone> received);
   // Whether a place that is known exactly lies outside for sure, however near.
   bool outside(sema::ZoneId zone, const Whereabouts& at);
+  // What surely lies in a zone of the plane; nullptr: it is not known.
+  const geometry::Region* within(sema::ZoneId zone);
   // Whatever the clearance may be while the place is anything in its box.
   Span range(sema::ZoneId zone, const Whereabouts& at);
 

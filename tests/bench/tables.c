@@ -6,7 +6,7 @@
 #define robot_delivery_leave_mm bench_copy_leave_mm
 #define robot_delivery_border_of bench_copy_border_of
 #define robot_delivery_free_area bench_copy_free_area
-#define robot_delivery_zone_of_line_62_area bench_copy_zone_of_line_62_area
+#define robot_delivery_zone_of_line_63_area bench_copy_zone_of_line_63_area
 #include "robot_delivery_kernel.c"
 
 #include "tests/bench/tables.h"

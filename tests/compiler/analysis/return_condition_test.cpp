@@ -96,6 +96,10 @@ TEST(ReturnCondition, WithoutAFenceAnyDistanceCanBeHad) {
                             "  recover give_way;\n  return  when forall q : Cart, q != r : "
                             "distance(r, q) >= 30 m;");
   text = edited(text, "separation > fence > charge", "separation > charge");
+  text = edited(text,
+                "  acknowledge turn_back may break charge \"a test: the cart turns back and is "
+                "done\";\n",
+                "");
   EXPECT_FALSE(is_refused(text));
 }
 

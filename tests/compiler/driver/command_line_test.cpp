@@ -152,7 +152,7 @@ TEST_F(CommandLine, ADiagnosticIsFoundByItsNumberAsItIsPrinted) {
 // Every command has a page of its own, with what it takes, examples, and what its exit codes mean.
 TEST_F(CommandLine, EveryCommandHasItsHelp) {
   for (const std::string command :
-       {"check", "build", "replay", "zones", "protocol", "fmt", "explain"}) {
+       {"check", "build", "replay", "sim", "verify", "zones", "protocol", "fmt", "explain"}) {
     const Outcome page = rtac({"help", command});
     EXPECT_EQ(page.status, 0);
     EXPECT_EQ(page.out.find("usage: rtac " + command), 0U) << page.out;
@@ -171,8 +171,10 @@ TEST_F(CommandLine, EveryCommandHasItsHelp) {
 TEST_F(CommandLine, TheHelpNamesEveryFlag) {
   const std::string flags[] = {"--format",   "--namespace", "--depfile", "--print-after",
                                "--dump-ast", "--dump-spec", "--dump-ir", "--max-bytes",
-                               "-Werror",    "--engine",    "--monitor", "--check"};
-  for (const std::string command : {"check", "build", "replay", "zones", "protocol", "fmt"}) {
+                               "-Werror",    "--engine",    "--monitor", "--check",
+                               "--recheck",  "--scenario",  "--trace"};
+  for (const std::string command :
+       {"check", "build", "replay", "sim", "verify", "zones", "protocol", "fmt"}) {
     const std::string page = rtac({"help", command}).out;
     for (const std::string& flag : flags) {
       const bool writes = flag == "--depfile";  // `check` knows it to say that it writes nothing

@@ -43,10 +43,10 @@ const rtac::MonitorInfo plan_executor_monitors[] = {
    "robot_delivery.rta", 37, "give_way", "", "m"},
   {"geofence", "SR-1",
    "the robot stays in the free area",
-   "robot_delivery.rta", 44, "turn_back", "clearance(r, free) >= 5 cm for 1 s", "m"},
+   "robot_delivery.rta", 45, "turn_back", "clearance(r, free) >= 5 cm for 1 s", "m"},
   {"battery", "SR-2",
    "the robot always has the energy to reach its dock",
-   "robot_delivery.rta", 52, "go_charge", "r.battery >= 90 %", "%"},
+   "robot_delivery.rta", 53, "go_charge", "r.battery >= 90 %", "%"},
 };
 const char* const plan_executor_robots[] = {
   "r1",
@@ -61,7 +61,7 @@ const rtac::DecisionInfo plan_executor_info = {
 const rtac::MonitorInfo motion_planner_monitors[] = {
   {"plan_valid", "SR-4",
    "every leg of a plan keeps 15 cm between the robot and everything that stands",
-   "robot_delivery.rta", 60, "", "", "m"},
+   "robot_delivery.rta", 61, "", "", "m"},
 };
 const char* const motion_planner_robots[] = {
   "r1",
@@ -242,7 +242,7 @@ const std::int32_t free_clearance_mm[] = {
   0, 0, 0, 0
 };
 
-const std::int32_t zone_of_line_62_edges_mm[] = {
+const std::int32_t zone_of_line_63_edges_mm[] = {
   260, 260, 1740, 260, 1740, 260, 1740, 1016, 1740, 1016, 1743, 1047, 1743, 1047, 1752, 1082,
   1752, 1082, 1768, 1120, 1768, 1120, 1791, 1157, 1791, 1157, 1823, 1193, 1823, 1193, 1865, 1224,
   1865, 1224, 1915, 1248, 1915, 1248, 1971, 1260, 1971, 1260, 3016, 1260, 3016, 1260, 3047, 1257,
@@ -266,10 +266,10 @@ const std::int32_t zone_of_line_62_edges_mm[] = {
   1857, 1953, 1848, 1918, 1848, 1918, 1832, 1880, 1832, 1880, 1809, 1843, 1809, 1843, 1777, 1807,
   1777, 1807, 1735, 1776, 1735, 1776, 1685, 1752, 1685, 1752, 1629, 1740, 1629, 1740, 984, 1740
 };
-const std::size_t zone_of_line_62_rings[] = {
+const std::size_t zone_of_line_63_rings[] = {
   0, 24
 };
-const std::int32_t zone_of_line_62_clearance_mm[] = {
+const std::int32_t zone_of_line_63_clearance_mm[] = {
   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1,
   -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0,
   0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 100, 100,
@@ -842,11 +842,11 @@ const rtac::ZoneView& free_zone() {
   return view;
 }
 
-const rtac::ZoneView& zone_of_line_62_zone() {
-  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(robot_delivery_zone_of_line_62_area);
+const rtac::ZoneView& zone_of_line_63_zone() {
+  static const rtac::ZoneOutline tree = rtac::bridge::outline_of(robot_delivery_zone_of_line_63_area);
   static const rtac::ZoneView view = {
-    "zone_of_line_62", zone_of_line_62_edges_mm, 88, zone_of_line_62_rings, 2,
-    260, 260, 100, 45, 45, zone_of_line_62_clearance_mm, &tree
+    "zone_of_line_63", zone_of_line_63_edges_mm, 88, zone_of_line_63_rings, 2,
+    260, 260, 100, 45, 45, zone_of_line_63_clearance_mm, &tree
   };
   return view;
 }

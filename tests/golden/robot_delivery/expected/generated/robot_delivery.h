@@ -56,7 +56,7 @@ class MotionPlanner final : public rtac::PlanDecision {
 
 // Zones, as baked.
 const rtac::ZoneView& free_zone();
-const rtac::ZoneView& zone_of_line_62_zone();
+const rtac::ZoneView& zone_of_line_63_zone();
 
 // Limits of the robots, as declared.
 const rtac::RobotLimits& TurtleBot3_limits();

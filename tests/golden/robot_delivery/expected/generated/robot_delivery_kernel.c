@@ -1801,8 +1801,8 @@ const robot_delivery_area robot_delivery_free_area = {
   -1431655765, -1431655765, 12, 349525, 349525, 2, 2, 10, 440, 2147483647
 };
 
-/* Zone zone_of_line_62: 88 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
-static const edge zone_zone_of_line_62_edges[] = {
+/* Zone zone_of_line_63: 88 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
+static const edge zone_zone_of_line_63_edges[] = {
   {260, 260, 1740, 260, 1073741824, 0},
   {1740, 260, 1740, 1016, 0, 1073741824},
   {1740, 1016, 1743, 1047, 103427317, 1068748939},
@@ -1893,7 +1893,7 @@ static const edge zone_zone_of_line_62_edges[] = {
   {1629, 1740, 984, 1740, -1073741824, 0}
 };
 /* Of a place, at most 14 edges are checked, after 11 steps; distances up to 87380 mm are exact. */
-static const uint32_t zone_zone_of_line_62_cells[] = {
+static const uint32_t zone_zone_of_line_63_cells[] = {
   0x91000000, 0xc00001a0, 0xc0000170, 0x11800013, 0x11800014, 0xc00001b0, 0xc0000100, 0xc0000110, 0xc00001c0, 0x15000014, 0xc00001d0, 0xc0000120,
   0xc00001e0, 0xc0000130, 0x10000015, 0xc00001f0, 0xc0000140, 0xc0000160, 0xc0000150, 0x11000015, 0x11800016, 0xc0000200, 0xc0000210, 0xc0000220,
   0x11800015, 0xc0000020, 0x0, 0x0, 0x0, 0x0, 0x0, 0x0, 0x81000000, 0xfffffff, 0x41000014, 0x41000014,
@@ -2061,7 +2061,7 @@ static const uint32_t zone_zone_of_line_62_cells[] = {
   0x42000025, 0x41000026, 0x41000027, 0x41000028, 0x41000026, 0x41000027, 0x42000027, 0x41000028, 0x41000026, 0x41000027, 0x41000028, 0x40000029,
   0x40000027, 0x41000027, 0x41000028, 0x40000029
 };
-static const uint32_t zone_zone_of_line_62_lists[] = {
+static const uint32_t zone_zone_of_line_63_lists[] = {
   0x0, 0x17, 0x0, 0x1, 0x17, 0x0, 0x17, 0x18, 0x19, 0x1a, 0x1b, 0x1c,
   0x1d, 0x1e, 0x1f, 0x20, 0x57, 0xa, 0x49, 0x4a, 0x4b, 0x4c, 0x4d, 0x4e,
   0x4f, 0xa, 0xb, 0xc, 0xd, 0xe, 0xf, 0x10, 0x11, 0x12, 0x13, 0x14,
@@ -2110,10 +2110,10 @@ static const uint32_t zone_zone_of_line_62_lists[] = {
   0x3c, 0x3d, 0x3e, 0x16, 0x3a, 0x3b, 0x3c, 0x16, 0x3b, 0x3c, 0x16, 0x3b,
   0x3c, 0x3d, 0x16, 0x3c, 0x3d
 };
-static const zone zone_zone_of_line_62 = {zone_zone_of_line_62_edges, zone_zone_of_line_62_cells, zone_zone_of_line_62_lists, -1431655505, -1431655505, 10, 1398101, 1398101, 5, 5, 11, 1856, 87380};
+static const zone zone_zone_of_line_63 = {zone_zone_of_line_63_edges, zone_zone_of_line_63_cells, zone_zone_of_line_63_lists, -1431655505, -1431655505, 10, 1398101, 1398101, 5, 5, 11, 1856, 87380};
 
-const robot_delivery_area robot_delivery_zone_of_line_62_area = {
-  &zone_zone_of_line_62_edges[0].ax, zone_zone_of_line_62_cells, zone_zone_of_line_62_lists,
+const robot_delivery_area robot_delivery_zone_of_line_63_area = {
+  &zone_zone_of_line_63_edges[0].ax, zone_zone_of_line_63_cells, zone_zone_of_line_63_lists,
   88, 1984, 557,
   -1431655505, -1431655505, 10, 1398101, 1398101, 5, 5, 11, 1856, 87380
 };
@@ -2634,7 +2634,7 @@ static margin plan_executor_collision_ahead(const plan_executor_view *v) {
   return v2;
 }
 
-/* SR-1: the robot stays in the free area (robot_delivery.rta:44). r inside free */
+/* SR-1: the robot stays in the free area (robot_delivery.rta:45). r inside free */
 static margin plan_executor_geofence_now(const plan_executor_view *v) {
   const span v0 = clearance_now(&v->at_free, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -2662,7 +2662,7 @@ static margin plan_executor_geofence_return(const plan_executor_view *v) {
   return v3;
 }
 
-/* SR-2: the robot always has the energy to reach its dock (robot_delivery.rta:52). r.battery >=
+/* SR-2: the robot always has the energy to reach its dock (robot_delivery.rta:53). r.battery >=
  * energy_to(dock(r)) + 5 % */
 static margin plan_executor_battery_now(const plan_executor_view *v) {
   const span v0 = v->charge;
@@ -2920,9 +2920,9 @@ void robot_delivery_plan_executor_step(robot_delivery_plan_executor_state *s,
 
 /* ---- decision motion_planner for TurtleBot3, on a plan ---- */
 /* SR-4: every leg of a plan keeps 15 cm between the robot and everything that stands
- * (robot_delivery.rta:60). r.plan inside shrink(free, 26 cm) */
+ * (robot_delivery.rta:61). r.plan inside shrink(free, 26 cm) */
 static margin motion_planner_plan_valid_now(const robot_delivery_plan *v) {
-  const margin v0 = plan_in_zone(&zone_zone_of_line_62, v, 1);
+  const margin v0 = plan_in_zone(&zone_zone_of_line_63, v, 1);
   return v0;
 }
 

@@ -197,7 +197,7 @@ typedef struct robot_delivery_area {
 } robot_delivery_area;
 
 extern const robot_delivery_area robot_delivery_free_area;
-extern const robot_delivery_area robot_delivery_zone_of_line_62_area;
+extern const robot_delivery_area robot_delivery_zone_of_line_63_area;
 
 /* How far in mm a disc, or for radius 0 a place, may move from (x, y) to (to_x, to_y): at most
  * as far as it stays in the zone without touching the boundary; 0: not at all; INT64_MAX: all

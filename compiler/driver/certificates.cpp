@@ -1,0 +1,137 @@
+#include "compiler/driver/certificates.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <ostream>
+#include <set>
+#include <utility>
+
+#include "compiler/driver/driver.h"
+#include "compiler/driver/files.h"
+#include "compiler/driver/process.h"
+#include "compiler/recheck/recheck.h"
+#include "compiler/verify/report.h"
+
+namespace rtac::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* solver = "z3";
+constexpr const char* solver_limit = "-T:20";  // seconds, for one lemma
+
+// The folder above all files that were read, so that imports keep their places.
+fs::path common_folder(const std::vector<std::string>& files) {
+  fs::path common = fs::weakly_canonical(files.front()).parent_path();
+  for (const std::string& file : files) {
+    const fs::path path = fs::weakly_canonical(file);
+    while (!common.empty() && common != common.root_path()) {
+      const fs::path below = path.lexically_relative(common);
+      if (!below.empty() && *below.begin() != "..") break;
+      common = common.parent_path();
+    }
+  }
+  return common;
+}
+
+int refuse(Compilation& c, diag::Code code, std::string message, std::string help) {
+  c.diagnostics.report({code, std::nullopt, std::move(message), "", {}, std::move(help), {}});
+  return exit_usage;
+}
+
+// What z3 says of a script: `unsat` on every line, or else something is not proved.
+std::optional<recheck::Doubt> ask(const std::string& script, const std::string& folder) {
+  const std::string file = folder + "/lemma.smt2", said = folder + "/said";
+  std::ofstream(file, std::ios::binary) << script;
+  const ProgramResult result = run_program({solver, solver_limit, file}, said);
+  if (!result.started) return recheck::Doubt{false, "z3 cannot be started: " + result.problem};
+  const std::string answer = read_file(said).value_or("");
+  std::size_t from = 0;
+  bool any = false;
+  while (from < answer.size()) {
+    const std::size_t end = std::min(answer.find('\n', from), answer.size());
+    const std::string line = answer.substr(from, end - from);
+    from = end + 1;
+    any = true;
+    if (line == "unsat") continue;
+    if (line == "sat") return recheck::Doubt{true, "z3 has found a case in which it is false"};
+    return recheck::Doubt{false, "z3 says: " + line};
+  }
+  if (!any) return recheck::Doubt{false, "z3 has said nothing"};
+  return std::nullopt;
+}
+
+// A lemma is the one that this program knows, and z3 proves it.
+std::optional<recheck::Doubt> prove(const std::string& name, const std::string& folder,
+                                    const std::string& scratch) {
+  const auto known = lemma_texts().find(name);
+  if (known == lemma_texts().end()) return recheck::Doubt{true, "no lemma is called " + name};
+  const auto written = read_file(folder + "/lemmas/" + name + ".smt2");
+  if (!written) return recheck::Doubt{true, "lemmas/" + name + ".smt2 is missing"};
+  if (*written != known->second) return recheck::Doubt{true, "lemmas/" + name + ".smt2 is another"};
+  return ask(*written, scratch);
+}
+
+}  // namespace
+
+std::string write_certificates(const Compilation& c, const verify::Report& report,
+                               const std::string& folder) {
+  const fs::path common = common_folder(c.dependencies);
+  std::vector<OutputFile> files;
+  const auto place = [&](const std::string& path) {
+    return fs::weakly_canonical(path).lexically_relative(common).string();
+  };
+  for (const std::string& path : c.dependencies) {
+    auto text = read_file(path);
+    if (!text) return "cannot read " + path + " again";
+    files.push_back({folder + "/sources/" + place(path), std::move(*text)});
+  }
+  std::set<std::string> lemmas;
+  for (const verify::Decision& d : report.decisions) {
+    for (const verify::Obligation& o : d.obligations) {
+      for (const verify::Claim& claim : o.claims) {
+        if (claim.what == "lemma") lemmas.insert(claim.values.at("name"));
+      }
+    }
+  }
+  for (const std::string& name : lemmas) {
+    const auto known = lemma_texts().find(name);
+    if (known != lemma_texts().end()) {
+      files.push_back({folder + "/lemmas/" + name + ".smt2", known->second});
+    }
+  }
+  files.push_back({folder + "/specification", place(c.dependencies.front()) + "\n"});
+  files.push_back({folder + "/verification.json", verify::to_json(report, false)});
+  return write_all(files);
+}
+
+int recheck_certificates(const Options& options, Compilation& c, std::ostream& out) {
+  const std::string& folder = options.recheck;
+  auto name = read_file(folder + "/specification");
+  const auto report = read_file(folder + "/verification.json");
+  if (!name || !report) {
+    return refuse(c, diag::Code::cannot_read, "`" + folder + "` holds no certificates",
+                  "`rtac verify SPEC -o DIR` writes them");
+  }
+  while (!name->empty() && name->back() == '\n') name->pop_back();
+  Options of_spec = options;
+  of_spec.spec = folder + "/sources/" + *name;
+  check_only(of_spec, c);
+  if (!c.spec) return c.unreadable ? exit_usage : exit_spec_errors;
+  const TemporaryFolder scratch;
+  if (!scratch.problem().empty()) {
+    return refuse(c, diag::Code::cannot_write, scratch.problem(), "make room, or set TMPDIR");
+  }
+  const recheck::Outcome outcome = recheck::recheck(
+      *c.spec, c.sources, *report,
+      [&](const std::string& lemma) { return prove(lemma, folder, scratch.path()); });
+  for (const std::string& failed : outcome.failed) out << "not proved: " << failed << "\n";
+  for (const std::string& open : outcome.open) out << "unknown: " << open << "\n";
+  out << outcome.obligations << " obligations, " << outcome.claims << " claims, "
+      << outcome.failed.size() << " not proved, " << outcome.open.size() << " unknown\n";
+  if (!outcome.failed.empty()) return exit_violation;
+  return outcome.open.empty() ? exit_clean : exit_inconclusive;
+}
+
+}  // namespace rtac::driver

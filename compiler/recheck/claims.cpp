@@ -1,0 +1,362 @@
+#include "compiler/recheck/claims.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
+
+namespace rtac::recheck {
+namespace {
+
+using Found = std::optional<Doubt>;
+
+Doubt wrong(std::string why) {
+  return {true, std::move(why)};
+}
+
+std::optional<std::int64_t> number(const Values& v, const std::string& key) {
+  const auto at = v.find(key);
+  if (at == v.end()) return std::nullopt;
+  std::int64_t value = 0;
+  const char* const end = at->second.data() + at->second.size();
+  const auto [stop, error] = std::from_chars(at->second.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+std::string text(const Values& v, const std::string& key) {
+  const auto at = v.find(key);
+  return at == v.end() ? "" : at->second;
+}
+const sema::Monitor* monitor_of(const sema::Spec& spec, const sema::Decision& d,
+                                const std::string& name) {
+  for (const sema::MonitorId id : d.priority) {
+    if (spec[id].name == name) return &spec[id];
+  }
+  return nullptr;
+}
+Rational share(std::int64_t n, std::int64_t of) {
+  Rational value(n, of);
+  value.canonicalize();
+  return value;
+}
+Rational milli(std::int64_t n) {
+  return share(n, 1000);
+}
+Rational micro(std::int64_t n) {
+  return share(n, 1'000'000);
+}
+
+}  // namespace
+
+std::vector<sema::ZoneId> all_zones(const sema::Expr& property) {
+  std::vector<sema::ZoneId> zones;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    if (const auto* c = std::get_if<sema::Clearance>(&e.node)) zones.push_back(c->zone);
+    if (const auto* i = std::get_if<sema::InsideZone>(&e.node)) zones.push_back(i->zone);
+  });
+  return zones;
+}
+
+std::vector<sema::ZoneId> kept_in(const sema::Expr& property) {
+  if (const auto* inside = std::get_if<sema::InsideZone>(&property.node)) return {inside->zone};
+  const auto* logic = std::get_if<sema::Logic>(&property.node);
+  if (logic != nullptr) {
+    std::vector<sema::ZoneId> zones;
+    if (logic->op != sema::LogicOp::logical_and) return zones;
+    for (const auto& operand : logic->operands) {
+      for (const sema::ZoneId zone : kept_in(*operand)) zones.push_back(zone);
+    }
+    return zones;
+  }
+  // clearance(r, Z) >= c, c >= 0
+  const auto* compare = std::get_if<sema::Compare>(&property.node);
+  if (compare == nullptr) return {};
+  const bool at_least =
+      compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::greater_equal;
+  const sema::Expr& large = at_least ? *compare->left : *compare->right;
+  const sema::Expr& small = at_least ? *compare->right : *compare->left;
+  const auto* gap = std::get_if<sema::Clearance>(&large.node);
+  const auto* least = std::get_if<sema::Constant>(&small.node);
+  if (gap == nullptr || least == nullptr || least->value < 0) return {};
+  return {gap->zone};
+}
+
+std::vector<sema::ZoneId> moves_within(const sema::Controller& controller) {
+  std::vector<sema::ZoneId> zones;
+  for (const sema::Template& what : sema::templates_of(controller)) {
+    if (const auto moves = sema::moves_of(what)) zones.push_back(moves->zone);
+  }
+  if (const auto claim = sema::claim_of(controller)) zones.push_back(claim->zone);
+  return zones;
+}
+
+Found Claims::check(const Claim& claim) {
+  using Rule = Found (Claims::*)(const Values&);
+  static const std::map<std::string, Rule> rules = {
+      {"limits", &Claims::limits},      {"horizon", &Claims::horizon},
+      {"return", &Claims::returns},     {"output", &Claims::output},
+      {"recovery", &Claims::recovery},  {"contained", &Claims::contained},
+      {"place", &Claims::place},        {"ways", &Claims::ways},
+      {"outranks", &Claims::outranks},  {"fails", &Claims::fails},
+      {"start", &Claims::known},        {"judged", &Claims::on_plan},
+      {"no_fences", &Claims::no_fences}};
+  if (claim.what == "lemma") {
+    const std::string name = text(claim.values, "name");
+    const auto known = lemmas_.find(name);
+    if (known != lemmas_.end()) return known->second;
+    return lemmas_.emplace(name, prove_(name)).first->second;
+  }
+  const auto rule = rules.find(claim.what);
+  if (rule == rules.end()) return wrong("no claim is called `" + claim.what + "`");
+  return (this->*rule->second)(claim.values);
+}
+
+const sema::Decision* Claims::decision(const Values& v) const {
+  const std::string name = text(v, "decision");
+  for (const sema::Decision& d : spec_.decisions) {
+    if (d.name == name) return &d;
+  }
+  return nullptr;
+}
+
+// Every number on the safe side of what is declared.
+Found Claims::limits(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const auto jitter = number(v, "jitter_us");
+  if (d == nullptr || !jitter || *jitter < 0) return wrong("no such decision, or no jitter");
+  if (d->jitter && micro(*jitter) < d->jitter->value) return wrong("jitter_us is too small");
+  const Numbers n = numbers_of(spec_[d->kind], *d, micro(*jitter));
+  const std::tuple<const char*, Rational, int> least[] = {
+      {"radius_mm", n.radius, 1000},
+      {"position_error_mm", n.position_error, 1000},
+      {"velocity_error_mmps", n.velocity_error, 1000},
+      {"position_age_us", n.position_age, 1'000'000},
+      {"velocity_age_us", n.velocity_age, 1'000'000},
+      {"latency_us", n.latency, 1'000'000},
+      {"speed_mmps", n.speed, 1000},
+      {"disturbance_mmps2", n.disturbance, 1000},
+      {"brake_lag_ms", n.lag, 1000},
+      {"brake_lag_permille", n.bend, 1000},
+      {"hold_mm", n.hold, 1000}};
+  for (const auto& [key, value, steps] : least) {
+    const auto claimed = number(v, key);
+    if (!claimed || Rational(*claimed) < value * steps) {
+      return wrong(std::string(key) + " is less than what is declared asks for");
+    }
+  }
+  const auto accel = number(v, "accel_mmps2"), brake = number(v, "brake_mmps2");
+  if (!accel || *accel < 0 || milli(*accel) * milli(*accel) < n.accel_square) {
+    return wrong("accel_mmps2 is less than the robot may accelerate");
+  }
+  if (!brake || milli(*brake) > n.brake) return wrong("brake_mmps2 is more than is declared");
+  const auto period = number(v, "period_us");
+  if (!period || micro(*period) != n.period) return wrong("period_us is not that of the decision");
+  return std::nullopt;
+}
+
+Found Claims::horizon(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  const auto ahead = number(v, "lookahead_us"), horizon = number(v, "horizon_us");
+  if (m == nullptr || !ahead || !horizon || !d->period) return wrong("no such monitor");
+  const sema::RobotKind& kind = spec_[d->kind];
+  const bool external = m->recover && sema::templates_of(spec_[*m->recover]).empty();
+  const Rational least = d->period->value * (external ? 2 : 1);
+  const Rational jitter = d->jitter ? d->jitter->value : Rational(0);
+  if (m->ahead.duration && micro(*ahead) > m->ahead.duration->value) {
+    return wrong("it looks less far ahead than " + std::to_string(*ahead) + " us");
+  }
+  if (micro(*ahead) < least) return wrong("the look-ahead is shorter than the period asks for");
+  if (micro(*horizon) < micro(*ahead) + kind.latency.value + jitter) {
+    return wrong("the horizon leaves out the latency or the jitter");
+  }
+  return std::nullopt;
+}
+
+Found Claims::returns(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  if (d == nullptr || monitor_of(spec_, *d, text(v, "monitor")) == nullptr) {
+    return wrong("no such monitor");
+  }
+  const auto extra = number(v, "extra_us"), dwell = number(v, "dwell_ticks");
+  // theory, hysteresis: P3 needs no more than a test that looks as far, P2b a period of it
+  if (!extra || *extra < 0) return wrong("control returns on less than what lets it go on");
+  if (!dwell || *dwell < 1) return wrong("control returns without a dwell");
+  return std::nullopt;
+}
+
+Found Claims::output(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  if (d == nullptr) return wrong("no such decision");
+  const auto same = [&](sema::ControllerId id) { return spec_[id].kind == d->kind; };
+  bool all = same(d->advanced) && (!d->safe || same(*d->safe));
+  for (const sema::MonitorId id : d->priority) {
+    all = all && (!spec_[id].recover || same(*spec_[id].recover));
+  }
+  if (!all) return wrong("its controllers are of different robots");
+  return std::nullopt;
+}
+
+Found Claims::recovery(const Values& v) {
+  static const std::map<std::string, std::size_t> templates = {
+      {"extern", 0},         {"retreat", 1}, {"route", 2},    {"yield", 3},
+      {"brake_and_hold", 4}, {"loiter", 5},  {"sequence", 6}, {"land", 7}};
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  if (m == nullptr || !m->recover) return wrong("no such monitor, or it has no recovery");
+  const sema::Controller& c = spec_[*m->recover];
+  const auto kind = templates.find(text(v, "template"));
+  if (c.name != text(v, "controller")) return wrong("it recovers with `" + c.name + "`");
+  if (kind == templates.end() || kind->second != c.implementation.index()) {
+    return wrong("`" + c.name + "` is another kind of recovery");
+  }
+  return std::nullopt;
+}
+
+Found Claims::contained(const Values& v) {
+  const auto inner = zones_.find(text(v, "inner")), outer = zones_.find(text(v, "outer"));
+  if (!inner || !outer) return wrong("no such zone");
+  if (*inner == *outer) return std::nullopt;
+  const geometry::Region *const in = zones_.region(*inner), *const out = zones_.region(*outer);
+  if (in == nullptr || out == nullptr) return Doubt{false, "a zone is not known, or has height"};
+  if (!out->contains(*in)) return wrong("it is not contained");
+  return std::nullopt;
+}
+
+namespace {
+
+// The largest c of `clearance(r, zone) >= c` in a property.
+Rational gap_of(const sema::Expr& property, sema::ZoneId zone) {
+  Rational most = 0;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto* compare = std::get_if<sema::Compare>(&e.node);
+    if (compare == nullptr) return;
+    for (const auto& [gap, least] : {std::pair(compare->left.get(), compare->right.get()),
+                                     std::pair(compare->right.get(), compare->left.get())}) {
+      const auto* clearance = std::get_if<sema::Clearance>(&gap->node);
+      const auto* constant = std::get_if<sema::Constant>(&least->node);
+      if (clearance == nullptr || constant == nullptr || clearance->zone != zone) continue;
+      most = std::max(most, constant->value);
+    }
+  });
+  return most;
+}
+
+}  // namespace
+
+Rational Claims::return_clearance(const sema::Decision& d, sema::ZoneId zone,
+                                  const Rational& extra) const {
+  const Rational jitter = d.jitter ? d.jitter->value : Rational(0);
+  Numbers n = numbers_of(spec_[d.kind], d, jitter);
+  // a root from below: what is claimed rounds it up
+  const Rational accel = n.unicycle ? interp::square_root(n.accel_square).below : n.accel;
+  Rational ahead = 0, gap = 0;
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec_[id];
+    gap = std::max(gap, gap_of(*m.always, zone));
+    if (!m.ahead.waypoints_only) {
+      ahead = std::max(ahead, m.ahead.duration ? m.ahead.duration->value : n.period);
+    }
+  }
+  return resting_clearance(n, accel, ahead + extra) + gap;
+}
+
+Found Claims::place(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const auto zone = zones_.find(text(v, "zone"));
+  const auto x = number(v, "x_mm"), y = number(v, "y_mm"), gap = number(v, "clearance_mm");
+  const auto extra = number(v, "extra_us");
+  if (d == nullptr || !zone || !x || !y || !gap || !extra || *extra < 0) {
+    return wrong("no such zone or place");
+  }
+  if (d->period && milli(*gap) < return_clearance(*d, *zone, micro(*extra))) {
+    return wrong("a robot at rest with that clearance may not be given back");
+  }
+  // 2 mm: what is known of curves and offsets from inside
+  const Rational near = milli(std::max<std::int64_t>(*gap - 2, 0));
+  if (!zones_.clear(*zone, {milli(*x), milli(*y)}, near)) {
+    return wrong("the place is nearer to the boundary");
+  }
+  return std::nullopt;
+}
+
+Found Claims::ways(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  const auto zone = zones_.find(text(v, "zone"));
+  const auto route = number(v, "route_mm"), back = number(v, "return_mm");
+  const auto extra = number(v, "extra_us");
+  if (m == nullptr || !m->recover || !zone || !route || !back || !extra || *extra < 0) {
+    return wrong("no such zone");
+  }
+  const auto within = moves_within(spec_[*m->recover]);
+  if (within.empty() || within.back() != *zone) return wrong("the recovery moves elsewhere");
+  const geometry::Region* const region = zones_.region(*zone);
+  if (region == nullptr || region->empty()) return Doubt{false, "the zone is not known"};
+  if (milli(*back) < return_clearance(*d, *zone, micro(*extra))) {
+    return wrong("control may not be given back with that clearance");
+  }
+  std::vector<geometry::Point> sites;
+  if (const auto way = sema::route_of(spec_[*m->recover])) {
+    for (const auto& place : spec_[way->site].places) {
+      sites.push_back({place.position.x, place.position.y});
+    }
+  }
+  const Rational radius = spec_[d->kind].radius.value;
+  // Cells here are not those of the tables: what a whole cell has there, one beside it may miss by
+  // the distance of two centres.
+  constexpr std::int64_t shift_mm = 100;
+  const auto cell = without_way(*region, radius + milli(2 * shift_mm), milli(*route - shift_mm),
+                                milli(*back - shift_mm), sites);
+  if (!cell) return std::nullopt;
+  return wrong("from (" + to_decimal(cell->x) + " m, " + to_decimal(cell->y) +
+               " m) no way leads back");
+}
+
+Found Claims::outranks(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  if (d == nullptr) return wrong("no such decision");
+  const auto rank = [&](const std::string& name) {
+    std::size_t at = 0;
+    while (at < d->priority.size() && spec_[d->priority[at]].name != name) ++at;
+    return at;
+  };
+  const std::size_t high = rank(text(v, "higher")), low = rank(text(v, "lower"));
+  if (low == d->priority.size() || high >= low) return wrong("it does not rank higher");
+  return std::nullopt;
+}
+
+Found Claims::fails(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  if (m == nullptr) return wrong("no such monitor");
+  bool robot = false;
+  sema::for_each_expr(*m->always, [&](const sema::Expr& e) {
+    robot = robot || !std::holds_alternative<sema::Truth>(e.node);
+  });
+  if (!robot) return wrong("the property is constant");
+  return std::nullopt;
+}
+
+Found Claims::known(const Values& v) {
+  if (decision(v) == nullptr) return wrong("no such decision");
+  return std::nullopt;
+}
+
+Found Claims::on_plan(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  if (d == nullptr || !d->on_plan) return wrong("the decision does not run on a plan");
+  return std::nullopt;
+}
+
+Found Claims::no_fences(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  if (d == nullptr) return wrong("no such decision");
+  for (const sema::MonitorId id : d->priority) {
+    if (!kept_in(*spec_[id].always).empty()) return wrong("`" + spec_[id].name + "` has a zone");
+  }
+  return std::nullopt;
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,63 @@
+// What each kind of claim says, held against the specification.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/recheck/numbers.h"
+#include "compiler/recheck/recheck.h"
+#include "compiler/recheck/zones.h"
+
+namespace rtac::recheck {
+
+using Values = std::map<std::string, std::string>;
+struct Claim {
+  std::string what;
+  Values values;
+};
+
+class Claims {
+ public:
+  Claims(const sema::Spec& spec, const SourceManager& sources, ProveLemma prove)
+      : spec_(spec), zones_(spec, sources), prove_(std::move(prove)) {}
+
+  std::optional<Doubt> check(const Claim& claim);
+  NamedZones& zones() { return zones_; }
+
+ private:
+  std::optional<Doubt> limits(const Values& v);
+  std::optional<Doubt> horizon(const Values& v);
+  std::optional<Doubt> returns(const Values& v);
+  std::optional<Doubt> output(const Values& v);
+  std::optional<Doubt> recovery(const Values& v);
+  std::optional<Doubt> contained(const Values& v);
+  std::optional<Doubt> place(const Values& v);
+  std::optional<Doubt> ways(const Values& v);
+  std::optional<Doubt> outranks(const Values& v);
+  std::optional<Doubt> fails(const Values& v);
+  std::optional<Doubt> known(const Values& v);
+  std::optional<Doubt> on_plan(const Values& v);
+  std::optional<Doubt> no_fences(const Values& v);
+
+  const sema::Decision* decision(const Values& v) const;
+  // The clearance in a zone of a robot at rest whose monitors all give control back, at least, when
+  // they look `extra` s further ahead for that.
+  Rational return_clearance(const sema::Decision& d, sema::ZoneId zone,
+                            const Rational& extra) const;
+
+  const sema::Spec& spec_;
+  NamedZones zones_;
+  ProveLemma prove_;
+  std::map<std::string, std::optional<Doubt>> lemmas_;  // each is proved once
+};
+
+// The zones that a property keeps the robot in whatever else it says, and those of all its atoms.
+std::vector<sema::ZoneId> kept_in(const sema::Expr& property);
+std::vector<sema::ZoneId> all_zones(const sema::Expr& property);
+// The zones that a recovery moves within, of all of its steps.
+std::vector<sema::ZoneId> moves_within(const sema::Controller& controller);
+
+}  // namespace rtac::recheck

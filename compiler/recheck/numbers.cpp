@@ -1,0 +1,80 @@
+#include "compiler/recheck/numbers.h"
+
+#include <algorithm>
+
+namespace rtac::recheck {
+namespace {
+
+Rational value(const std::optional<sema::Quantity>& q) {
+  return q ? q->value : Rational(0);
+}
+
+// Of the latched hold of a point mass (docs/templates.md, the brake that all of them begin with).
+Rational hold_of(const Numbers& n, const Rational& delay) {
+  const Rational left = n.brake - n.disturbance;
+  const Rational loop = std::max(Rational(delay + n.position_age), Rational(1, 100));
+  Rational omega = std::min(Rational(2), Rational(Rational(1, 4) / loop));
+  if (n.velocity_error > 0) omega = std::min(omega, Rational(left / (4 * n.velocity_error)));
+  const Rational latched = 2 * n.velocity_error + (n.brake + n.disturbance) * delay;
+  return 2 * n.position_error + 2 * n.velocity_error / omega + n.disturbance / (omega * omega) +
+         latched * (Rational(7, 25) / omega + delay / 2);
+}
+
+}  // namespace
+
+Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
+                   const Rational& jitter) {
+  Numbers n;
+  n.period = value(decision.period);
+  n.jitter = jitter;
+  n.radius = kind.radius.value;
+  n.latency = kind.latency.value;
+  if (kind.position) {
+    n.position_error = kind.position->error.value;
+    n.position_age = kind.position->max_age.value;
+  }
+  if (kind.velocity) {
+    n.velocity_error = kind.velocity->error.value;
+    n.velocity_age = kind.velocity->max_age.value;
+  }
+  n.speed = kind.motion.speed.value;
+  n.brake = kind.motion.brake.value;
+  n.disturbance = value(kind.motion.disturbance) + value(kind.output_error);
+  n.unicycle = kind.motion.model == sema::MotionModel::unicycle;
+  if (n.unicycle) {
+    // theory, unicycle: A_eff^2 = A^2 + (V W)^2, and W / turn_accel is the time of the turn
+    const Rational lateral = n.speed * value(kind.motion.turn);
+    n.accel_square = kind.motion.accel.value * kind.motion.accel.value + lateral * lateral;
+    n.bend = 2;
+    if (kind.motion.turn_accel) {
+      const Rational turn = value(kind.motion.turn);
+      n.bend = std::min(n.bend, Rational(turn * turn / kind.motion.turn_accel->value));
+    }
+    return n;
+  }
+  n.accel = std::max(kind.motion.accel.value, n.brake) + n.disturbance;
+  n.accel_square = n.accel * n.accel;
+  const Rational left = n.brake - n.disturbance;
+  if (left <= 0) return n;
+  const Rational delay = n.velocity_age + n.period + n.jitter + n.latency;
+  const Rational eta = n.velocity_error + (n.brake + n.disturbance) * delay;
+  n.lag = eta / left;
+  n.hold = eta * eta / left + hold_of(n, delay);
+  return n;
+}
+
+Rational resting_clearance(const Numbers& n, const Rational& accel, const Rational& ahead) {
+  const Rational horizon = ahead + n.position_age + n.latency + n.jitter;
+  const Rational apart = accel * std::max(n.position_age, n.velocity_age);
+  const Rational s0 = std::min(n.speed, Rational(2 * n.velocity_error + apart));
+  const Rational unbounded = s0 + accel * horizon;
+  const Rational s1 = std::min(n.speed, unbounded);
+  Rational way = s0 * horizon + accel * horizon * horizon / 2;
+  if (unbounded > n.speed) {
+    way = n.speed * horizon - (n.speed - s0) * (n.speed - s0) / (2 * accel);
+  }
+  const Rational stop = s1 * s1 / (2 * (n.brake - n.disturbance));
+  return n.position_error + way + stop * (1 + n.bend) + n.lag * s1 + n.hold + n.radius;
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,27 @@
+// The limits of a decision once more, exactly, from what the specification declares (theory: the
+// look-ahead against any control; docs/templates.md: the brake and the hold). SI units.
+#pragma once
+
+#include "compiler/sema/spec.h"
+
+namespace rtac::recheck {
+
+struct Numbers {
+  Rational period, radius, position_error, velocity_error, position_age, velocity_age, latency,
+      jitter;
+  Rational speed, accel, brake, disturbance;
+  Rational accel_square;  // of unicycles, whose planar acceleration is a root
+  bool unicycle = false;
+  // eta / (b - d): how much longer the sampled brake takes, and how far its hold may be.
+  Rational lag, hold;
+  Rational bend;  // of unicycles: share of the stopping distance
+};
+Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
+                   const Rational& jitter);
+
+// How much clearance of the measured centre lets a robot at rest be given back, when the test looks
+// `ahead` s ahead from a sample as old as it may be: the disc, stop and hold included.
+// `accel`: planar, at least.
+Rational resting_clearance(const Numbers& n, const Rational& accel, const Rational& ahead);
+
+}  // namespace rtac::recheck

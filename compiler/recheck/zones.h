@@ -1,0 +1,40 @@
+// The zones of a specification by the names that claims give them, and what is asked of them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/interp/zones.h"
+#include "compiler/sema/spec.h"
+#include "compiler/support/source.h"
+
+namespace rtac::recheck {
+
+class NamedZones {
+ public:
+  NamedZones(const sema::Spec& spec, const SourceManager& sources);
+  // none: no zone is called like that.
+  [[nodiscard]] std::optional<sema::ZoneId> find(const std::string& name) const;
+  [[nodiscard]] std::string name(sema::ZoneId zone) const;
+  // nullptr: a zone with height, or one that is received.
+  const geometry::Region* region(sema::ZoneId zone) { return zones_.within(zone); }
+  // Whether the place (m) lies in the zone, as far from its boundary; false: it is not known.
+  bool clear(sema::ZoneId zone, const geometry::Point& place, const Rational& clearance);
+
+ private:
+  const sema::Spec& spec_;
+  const SourceManager& sources_;
+  interp::Zones zones_;
+};
+
+// Whether from every cell of the zone whose places have `body_m` of clearance a way leads, over
+// cells as clear as `route_m` or as the one that it starts from, to one as clear as `goal_m`, or to
+// one of `sites`. Clearances of cells are bounds from below of exact ones. The place of a cell from
+// which none leads.
+std::optional<geometry::Point> without_way(const geometry::Region& zone, const Rational& body_m,
+                                           const Rational& route_m, const Rational& goal_m,
+                                           const std::vector<geometry::Point>& sites);
+
+}  // namespace rtac::recheck

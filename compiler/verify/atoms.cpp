@@ -1,0 +1,80 @@
+#include "compiler/verify/atoms.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "compiler/ir/linear.h"
+
+namespace rtac::verify {
+
+Atoms atoms_of(const ir::Block& property) {
+  Atoms atoms;
+  ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
+      switch (leaf.kind) {
+        case ir::Leaf::Kind::battery:
+          atoms.charge = true;
+          break;
+        case ir::Leaf::Kind::clearance:
+          atoms.clearance = true;
+          break;
+        case ir::Leaf::Kind::distance:
+          atoms.distance = true;
+          break;
+        case ir::Leaf::Kind::energy_to:
+          atoms.energy = true;
+          break;
+        case ir::Leaf::Kind::count:
+          atoms.others = true;
+          break;
+        case ir::Leaf::Kind::speed:
+          atoms.speed = true;
+          break;
+        case ir::Leaf::Kind::altitude:
+          atoms.altitude = true;
+          break;
+        case ir::Leaf::Kind::agent:
+          atoms.agent = true;
+          break;
+      }
+    }
+  });
+  for (const ir::Value& v : property.values) {
+    atoms.clearance = atoms.clearance || std::holds_alternative<ir::PlanInZone>(v.op);
+  }
+  return atoms;
+}
+
+std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decision,
+                                   const ir::Monitor& monitor) {
+  std::vector<std::string> all;
+  const auto add = [&](std::initializer_list<const char*> names) {
+    all.insert(all.end(), names.begin(), names.end());
+  };
+  const ir::Body& body = decision.body;
+  const bool places = atoms.clearance || atoms.distance || atoms.altitude || atoms.agent;
+  if (atoms.only_facts()) return all;
+  add({"norms", "quotients", "roots", "horizon", "unequal_stamps"});
+  if (places || atoms.energy) {
+    add({"drift", "stop_difference"});
+    // of the bodies that are told accelerations, and those that are told speeds
+    if (body.brake_lag_ms > 0) {
+      add({"sampled_brake", "hold"});
+    } else {
+      add({"unicycle"});
+    }
+    if (body.disturbance_mmps2 > 0) add({"stop_disturbed", "still_lag"});
+  }
+  if (atoms.clearance || atoms.altitude) add({"capsule", "disc", "distances"});
+  if (atoms.distance || atoms.others) add({"capsule", "disc", "separation"});
+  if (atoms.agent) add({"agent"});
+  if (atoms.speed) add({"speed"});
+  if (atoms.charge) add({"energy"});
+  if (body.in_space && places) add({"space_tube"});
+  if (monitor.lookahead.command) add({"command_legs", "command_stops"});
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace rtac::verify

@@ -1,0 +1,25 @@
+// What a property speaks of, and which lemmas its look-ahead rests on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::verify {
+
+struct Atoms {
+  bool clearance = false, distance = false, charge = false, speed = false, altitude = false;
+  bool agent = false, energy = false, others = false;
+  // Nothing of the above: no robot can change what it says.
+  [[nodiscard]] bool only_facts() const {
+    return !clearance && !distance && !charge && !speed && !altitude && !agent && !others;
+  }
+};
+Atoms atoms_of(const ir::Block& property);
+
+// Names of compiler/verify/lemmas.
+std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decision,
+                                   const ir::Monitor& monitor);
+
+}  // namespace rtac::verify

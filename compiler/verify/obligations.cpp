@@ -1,0 +1,197 @@
+#include "compiler/verify/obligations.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "compiler/analysis/zones.h"
+#include "compiler/verify/atoms.h"
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+namespace {
+
+using diag::Code;
+
+// The zones of the specification behind the tables of a module, exactly.
+class ExactZones {
+ public:
+  ExactZones(const sema::Spec& spec, const ir::TableMap& tables) : shown_(exact_zones(spec)) {
+    for (std::size_t i = 0; i < tables.zones.size(); ++i) {
+      if (!tables.zones[i]) continue;
+      const auto at = static_cast<std::size_t>(*tables.zones[i]);
+      if (of_table_.size() <= at) of_table_.resize(at + 1);
+      of_table_[at] = i;
+    }
+  }
+  const geometry::Region& operator()(ir::ZoneIndex zone) const {
+    const auto& slabs = shown_[of_table_[static_cast<std::size_t>(zone)]];
+    return slabs.empty() ? none_ : slabs.front().region;
+  }
+
+ private:
+  static std::vector<std::vector<analysis::ShownSlab>> exact_zones(const sema::Spec& spec) {
+    return analysis::exact_zones(spec);
+  }
+  std::vector<std::vector<analysis::ShownSlab>> shown_;
+  std::vector<std::size_t> of_table_;
+  geometry::Region none_;
+};
+
+class Prover {
+ public:
+  explicit Prover(const Subject& subject) : s_(subject) {}
+
+  Decision run() {
+    out_.name = s_.decision.name;
+    out_.kind = s_.kind.name;
+    if (s_.decision.on_plan) {
+      for (Obligation& o : plan_obligations(s_)) out_.obligations.push_back(std::move(o));
+      return std::move(out_);
+    }
+    for (std::size_t k = 0; k < s_.decision.monitors.size(); ++k) of_monitor(k);
+    take([&] { return same_output(s_); });
+    arbitration();
+    take([&] { return returns_together(s_); });
+    take([&] { return starts_well(s_); });
+    return std::move(out_);
+  }
+
+ private:
+  template <class Prove>
+  void take(const Prove& prove) {
+    const auto start = std::chrono::steady_clock::now();
+    Obligation o = prove();
+    const auto took = std::chrono::steady_clock::now() - start;
+    o.micros = std::chrono::duration_cast<std::chrono::microseconds>(took).count();
+    out_.obligations.push_back(std::move(o));
+  }
+  void of_monitor(std::size_t k) {
+    take([&] { return decided_in_time(s_, k); });
+    take([&] { return recovery_keeps(s_, k); });
+    take([&] { return control_returns(s_, k); });
+    take([&] { return drives_until_next(s_, k); });
+    take([&] { return can_hold(s_, k); });
+    // of inputs alone, nothing is asked of the module
+    if (!atoms_of(s_.decision.monitors[k].property).only_facts()) {
+      take([&] { return can_fail(s_, k); });
+    }
+  }
+  void arbitration() {
+    const analysis::Arbitration all =
+        analysis::arbitration_of(s_.kind, s_.module, s_.decision, s_.exact);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t j = 0; j < all.size(); ++j) {
+        if (i != j) take([&] { return keeps_others(s_, all[i][j], i, j); });
+      }
+    }
+  }
+
+  const Subject& s_;
+  Decision out_;
+};
+
+// Which obligation an error of the analysis refutes; none: it is of another kind.
+std::optional<Kind> refuted_by(Code code) {
+  switch (code) {
+    case Code::lookahead_too_short:
+    case Code::latency_too_long:
+      return Kind::p1a;
+    case Code::outputs_differ:
+      return Kind::p1b;
+    case Code::recovery_missing:
+    case Code::recovery_elsewhere:
+    case Code::recovery_unclaimed:
+    case Code::recovery_spends_charge:
+    case Code::landing_outside:
+    case Code::window_without_way_out:
+    case Code::window_may_pass:
+    case Code::speed_limit_unkept:
+    case Code::others_unkept:
+    case Code::agent_unkept:
+      return Kind::p2a;
+    case Code::return_set_empty:
+    case Code::site_not_returnable:
+    case Code::site_unreachable:
+    case Code::no_way_back:
+    case Code::recovery_stands:
+      return Kind::p2b;
+    case Code::recovery_breaks:
+      return Kind::keeps;
+    case Code::limit_contradictory:
+    case Code::window_too_short:
+      return Kind::satisfiable;
+    default:
+      return std::nullopt;
+  }
+}
+
+// By the place of the report: the monitor or the decision around it.
+void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, Report& report) {
+  Obligation o;
+  o.kind = kind;
+  o.status = Status::refuted;
+  o.method = "diagnostic " + std::to_string(static_cast<int>(d.code));
+  o.because = d.message;
+  o.repair = d.help;
+  std::size_t at = 0;
+  for (const sema::Monitor& m : spec.monitors) {
+    if (!d.range || d.range->file != m.range.file) continue;
+    if (d.range->begin < m.range.begin || d.range->begin > m.range.end) continue;
+    o.monitor = m.name;
+    for (std::size_t n = 0; n < spec.decisions.size(); ++n) {
+      for (const sema::MonitorId id : spec.decisions[n].priority) {
+        if (&spec[id] == &m) at = n;
+      }
+    }
+  }
+  if (at >= report.decisions.size()) return;
+  // What was shown of the rest of it is no proof any more.
+  auto& all = report.decisions[at].obligations;
+  const auto same = std::find_if(all.begin(), all.end(), [&](const Obligation& other) {
+    return other.kind == kind && other.monitor == o.monitor;
+  });
+  if (same != all.end()) {
+    *same = std::move(o);
+  } else {
+    all.push_back(std::move(o));
+  }
+}
+
+void prove(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
+           Report& report) {
+  const ExactZones zones(spec, tables);
+  const analysis::ExactZone exact = [&](ir::ZoneIndex zone) -> const geometry::Region& {
+    return zones(zone);
+  };
+  for (std::size_t n = 0; n < module.decisions.size(); ++n) {
+    const sema::Decision& written = spec.decisions[n];
+    const Subject subject{spec, module, written, module.decisions[n], exact, spec[written.kind]};
+    report.decisions.push_back(Prover(subject).run());
+  }
+}
+
+}  // namespace
+
+Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
+              const std::vector<diag::Diagnostic>& found) {
+  Report report;
+  report.spec = spec.name;
+  report.complete = module != nullptr;
+  if (module != nullptr) {
+    prove(spec, *module, tables, report);
+  } else {
+    for (const sema::Decision& d : spec.decisions) {
+      report.decisions.push_back({d.name, spec[d.kind].name, {}});
+    }
+  }
+  for (const diag::Diagnostic& d : found) {
+    if (diag::info(d.code).severity != diag::Severity::error) continue;
+    const auto kind = refuted_by(d.code);
+    // what the matrix says already
+    if (kind && *kind != Kind::keeps) add_refuted(spec, d, *kind, report);
+  }
+  return report;
+}
+
+}  // namespace rtac::verify

@@ -1,0 +1,18 @@
+// Every obligation of every decision, shown by closed forms and exact geometry as far as they
+// reach.
+#pragma once
+
+#include "compiler/ir/module.h"
+#include "compiler/ir/table_map.h"
+#include "compiler/sema/spec.h"
+#include "compiler/verify/obligation.h"
+
+namespace rtac::verify {
+
+// Of a module that is well formed but for what `found` says: errors of 5xxx and 6xxx each refute an
+// obligation.
+// `module`: null when none could be built; then nothing but that is told.
+Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
+              const std::vector<diag::Diagnostic>& found);
+
+}  // namespace rtac::verify

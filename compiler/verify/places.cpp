@@ -1,0 +1,204 @@
+// Whether properties can be seen to hold, can be false, and whether there is a place where all
+// monitors of a decision give control back.
+#include <algorithm>
+
+#include "compiler/analysis/fences.h"
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/return_condition.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/verify/atoms.h"
+#include "compiler/verify/proofs.h"
+#include "compiler/verify/words.h"
+
+namespace rtac::verify {
+namespace {
+
+Claim place_claim(const Subject& s, ir::ZoneIndex zone, std::int64_t x_mm, std::int64_t y_mm,
+                  std::int64_t clearance_mm) {
+  return {"place",
+          {{"decision", s.decision.name},
+           {"zone", s.module[zone].name},
+           {"x_mm", std::to_string(x_mm)},
+           {"y_mm", std::to_string(y_mm)},
+           {"extra_us", std::to_string(s.decision.return_extra_us)},
+           {"clearance_mm", std::to_string(clearance_mm)}}};
+}
+
+// Square of the distance of a place from the boundary of a region, in m^2.
+Rational square_to(const std::vector<geometry::Ring>& rings, const geometry::Point& p) {
+  Rational least = -1;
+  for (const geometry::Ring& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const geometry::Point& a = ring[i];
+      const geometry::Point& b = ring[(i + 1) % ring.size()];
+      const Rational dx = b.x - a.x, dy = b.y - a.y;
+      Rational along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
+      along = std::clamp(along, Rational(0), Rational(1));
+      const Rational ex = a.x + along * dx - p.x, ey = a.y + along * dy - p.y;
+      const Rational square = ex * ex + ey * ey;
+      if (least < 0 || square < least) least = square;
+    }
+  }
+  return least;
+}
+
+// A zone, and the clearance in it at which every monitor that speaks of it gives control back.
+struct Need {
+  ir::ZoneIndex zone;
+  std::int64_t clearance_mm;
+};
+std::vector<Need> needs_of(const Subject& s) {
+  std::vector<Need> all;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    const ir::Monitor& m = s.decision.monitors[k];
+    if (!m.lookahead.duration) continue;
+    analysis::Standoffs own;
+    analysis::ask_for_standoffs(m.property, s.decision.facts.params, own);
+    const std::int64_t mm =
+        std::max(analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own.fence_mm,
+                 analysis::asked_clearance_mm(s.module, s.decision, k));
+    for (const ir::ZoneIndex zone : analysis::fences_of(m.property, s.decision.facts.params)) {
+      const auto known =
+          std::find_if(all.begin(), all.end(), [&](const Need& need) { return need.zone == zone; });
+      if (known == all.end()) {
+        all.push_back({zone, mm});
+      } else {
+        known->clearance_mm = std::max(known->clearance_mm, mm);
+      }
+    }
+  }
+  return all;
+}
+
+// A place, of the cells of the narrowest zone or its widest one, that is as clear of all
+// boundaries.
+std::optional<geometry::Point> common_place(const Subject& s, const std::vector<Need>& all) {
+  const Need& narrowest =
+      *std::min_element(all.begin(), all.end(), [&](const Need& a, const Need& b) {
+        return s.module[a.zone].widest_mm - a.clearance_mm <
+               s.module[b.zone].widest_mm - b.clearance_mm;
+      });
+  const ir::ZoneTable& zone = s.module[narrowest.zone];
+  const auto clear = [&](const geometry::Point& p) {
+    return std::all_of(all.begin(), all.end(), [&](const Need& need) {
+      const geometry::Region& region = s.exact(need.zone);
+      const Rational metres(need.clearance_mm, 1000);
+      return region.contains(p) && square_to(region.rings(), p) >= metres * metres;
+    });
+  };
+  const geometry::Point widest{Rational(zone.widest_x_mm, 1000), Rational(zone.widest_y_mm, 1000)};
+  if (clear(widest)) return widest;
+  const ir::Cells& cells = zone.cells;
+  for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
+    if (cells.clearance_mm_lo[at] < narrowest.clearance_mm) continue;
+    const auto columns = static_cast<std::size_t>(cells.columns);
+    const std::int64_t half = cells.cell_mm / 2;
+    const geometry::Point centre{
+        Rational(cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half, 1000),
+        Rational(cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half, 1000)};
+    if (clear(centre)) return centre;
+  }
+  return std::nullopt;
+}
+
+std::int64_t in_mm(const Rational& m) {
+  return floor_to_int(Rational(m * 1000));
+}
+
+}  // namespace
+
+namespace {
+
+// The zones that a monitor holds the robot, or the legs of its plans, against.
+std::vector<ir::ZoneIndex> places_of(const Subject& s, const ir::Monitor& m) {
+  std::vector<ir::ZoneIndex> zones = analysis::fences_of(m.property, s.decision.facts.params);
+  for (const ir::Value& v : m.property.values) {
+    if (const auto* plan = std::get_if<ir::PlanInZone>(&v.op)) zones.push_back(plan->zone);
+  }
+  return zones;
+}
+
+}  // namespace
+
+Obligation can_hold(const Subject& s, std::size_t k) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  Obligation o;
+  o.kind = Kind::satisfiable;
+  o.monitor = m.name;
+  o.status = Status::proved;
+  o.method = "witness";
+  const std::int64_t need = s.decision.on_plan ? 0 : ir::last_step(m.recovery).return_clearance_mm;
+  for (const ir::ZoneIndex zone : places_of(s, m)) {
+    const ir::ZoneTable& table = s.module[zone];
+    if (table.has_height()) continue;
+    o.because = std::string(s.decision.on_plan ? "a plan to (" : "a robot at rest at (") +
+                metres(table.widest_x_mm) + ", " + metres(table.widest_y_mm) +
+                ") is seen to be in " + quoted(table.name) + ", whatever the errors";
+    o.claims.push_back(place_claim(s, zone, table.widest_x_mm, table.widest_y_mm,
+                                   std::min<std::int64_t>(need, table.widest_mm)));
+  }
+  if (o.because.empty() && !s.decision.on_plan) {
+    o.method = "closed form";
+    o.because = "a robot at rest that is far from others and charged is seen to keep it";
+    o.claims.push_back(limits_claim(s));
+  }
+  return o;
+}
+
+Obligation can_fail(const Subject& s, std::size_t k) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  const Atoms atoms = atoms_of(m.property);
+  Obligation o;
+  o.kind = Kind::not_vacuous;
+  o.monitor = m.name;
+  o.status = Status::proved;
+  o.method = "witness";
+  o.because = atoms.clearance  ? "it is false outside of its zones, which are bounded"
+              : atoms.distance ? "it is false where two robots are in the same place"
+              : atoms.charge   ? "it is false with an empty battery"
+              : atoms.speed    ? "it is false at a speed beyond its limit"
+                               : "it is false on the wrong side of its limit";
+  o.claims.push_back({"fails", {{"decision", s.decision.name}, {"monitor", m.name}}});
+  return o;
+}
+
+Obligation returns_together(const Subject& s) {
+  Obligation o;
+  o.kind = Kind::joint_return;
+  const std::vector<Need> all = needs_of(s);
+  o.method = "witness";
+  if (all.empty() || s.decision.body.in_space) {
+    o.status = s.decision.body.in_space && !all.empty() ? Status::unknown : Status::proved;
+    o.because = all.empty() ? "no monitor asks for a place"
+                            : "places between zones with heights are not looked for";
+    if (all.empty()) o.claims.push_back({"no_fences", {{"decision", s.decision.name}}});
+    return o;
+  }
+  if (const auto at = common_place(s, all)) {
+    o.status = Status::proved;
+    o.because = "all monitors give control back at (" + metres(in_mm(at->x)) + ", " +
+                metres(in_mm(at->y)) + ")";
+    for (const Need& need : all) {
+      o.because += ", " + metres(need.clearance_mm) + " from the boundary of " +
+                   quoted(s.module[need.zone].name);
+      o.claims.push_back(place_claim(s, need.zone, in_mm(at->x), in_mm(at->y), need.clearance_mm));
+    }
+    return o;
+  }
+  // `shrink` takes up to 2 mm more than it is asked for
+  geometry::Region common = geometry::Region::everywhere();
+  for (const Need& need : all) {
+    common = common.intersect(s.exact(need.zone).shrink(Rational(need.clearance_mm - 3, 1000)));
+  }
+  if (common.empty()) {
+    o.status = Status::refuted;
+    o.because = "no place is so clear of the boundaries that all monitors give control back there";
+    o.repair = "zones that share more room, a shorter `ahead` or a lower `speed` work";
+  } else {
+    o.status = Status::unknown;
+    o.because = "a place where all monitors give control back was not found among the cells";
+  }
+  return o;
+}
+
+}  // namespace rtac::verify

@@ -1,0 +1,213 @@
+// P2a, P2b and the matrix of arbitration.
+#include <algorithm>
+
+#include "compiler/analysis/fences.h"
+#include "compiler/analysis/liveness.h"
+#include "compiler/ir/acknowledged.h"
+#include "compiler/verify/atoms.h"
+#include "compiler/verify/proofs.h"
+#include "compiler/verify/words.h"
+
+namespace rtac::verify {
+namespace {
+
+const char* words_of(ir::RecoveryKind kind) {
+  switch (kind) {
+    case ir::RecoveryKind::external:
+      return "extern";
+    case ir::RecoveryKind::retreat:
+      return "retreat";
+    case ir::RecoveryKind::route:
+      return "route";
+    case ir::RecoveryKind::yield:
+      return "yield";
+    case ir::RecoveryKind::brake:
+      return "brake_and_hold";
+    case ir::RecoveryKind::loiter:
+      return "loiter";
+    case ir::RecoveryKind::sequence:
+      return "sequence";
+    case ir::RecoveryKind::land:
+      return "land";
+  }
+  return "";
+}
+
+// "" : it is not acknowledged.
+std::string reason(const ir::Decision& decision, const std::string& recovery,
+                   const std::string& monitor) {
+  for (const ir::Acknowledgement& a : decision.acknowledgements) {
+    if (a.recovery == recovery && a.monitor == monitor) return a.reason;
+  }
+  return "";
+}
+
+Obligation start(const Subject& s, std::size_t k, Kind kind) {
+  Obligation o;
+  o.kind = kind;
+  o.monitor = s.decision.monitors[k].name;
+  return o;
+}
+Obligation acknowledged(Obligation o, std::string why) {
+  o.status = Status::acknowledged;
+  o.method = "acknowledged";
+  o.because = std::move(why);
+  return o;
+}
+
+Claim contained(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer) {
+  return {"contained", {{"inner", s.module[inner].name}, {"outer", s.module[outer].name}}};
+}
+// That each step of a recovery stays within the zones of a property.
+void claim_zones(const Subject& s, const ir::Recovery& recovery, const ir::Block& property,
+                 std::vector<Claim>& claims) {
+  for (const ir::Recovery* step : ir::steps_of(recovery)) {
+    if (!ir::moves(step->kind) && !step->claims) continue;
+    for (const ir::ZoneIndex fence : analysis::fences_of(property, s.decision.facts.params)) {
+      claims.push_back(contained(s, step->zone, fence));
+    }
+  }
+}
+Claim recovery_claim(const Subject& s, std::size_t k) {
+  const ir::Recovery& r = s.decision.monitors[k].recovery;
+  return {"recovery",
+          {{"decision", s.decision.name},
+           {"monitor", s.decision.monitors[k].name},
+           {"controller", r.name},
+           {"template", words_of(r.kind)}}};
+}
+
+// A way from everywhere in the zone to where control is given back, as `liveness` finds them.
+Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Recovery& recovery = s.decision.monitors[k].recovery;
+  const ir::Recovery& last = ir::last_step(recovery);
+  const ir::ZoneTable& zone = s.module[last.zone];
+  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
+  o.method = "ways over cells";
+  if (!ways.stranded.empty()) {
+    const analysis::Stranded& part = ways.stranded.front();
+    o.status = Status::refuted;
+    o.because = "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " +
+                quoted(zone.name) + " no way leads to where control is given back";
+    o.repair = "a width of " + metres(2 * last.return_clearance_mm) +
+               " there works, it has about " + metres(2 * part.clearance_mm);
+    return o;
+  }
+  const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);
+  o.status = Status::proved;
+  o.because = "from everywhere in " + quoted(zone.name) + " a way leads to a clearance of " +
+              metres(last.return_clearance_mm) +
+              (bound ? ", within " + seconds(*bound) + " in all"
+                     : ", along cells that it enters once each");
+  o.claims.push_back({"ways",
+                      {{"decision", s.decision.name},
+                       {"monitor", o.monitor},
+                       {"zone", zone.name},
+                       {"route_mm", std::to_string(last.route_clearance_mm)},
+                       {"extra_us", std::to_string(s.decision.return_extra_us)},
+                       {"return_mm", std::to_string(last.return_clearance_mm)}}});
+  o.claims.push_back(lemma_claim("return_reached"));
+  return o;
+}
+
+}  // namespace
+
+Obligation recovery_keeps(const Subject& s, std::size_t k) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  Obligation o = start(s, k, Kind::p2a);
+  if (const std::string why = reason(s.decision, m.recovery.name, m.name); !why.empty()) {
+    return acknowledged(std::move(o), why);
+  }
+  const Atoms atoms = atoms_of(m.property);
+  o.status = Status::proved;
+  o.method = std::string("template ") + words_of(m.recovery.kind);
+  if (m.recovery.kind == ir::RecoveryKind::external) {
+    o.method = "claim, checked in every tick";
+    o.because = quoted(m.recovery.name) + " is braked as soon as it might leave " +
+                quoted(s.module[m.recovery.zone].name);
+  } else if (atoms.only_facts()) {
+    o.method = "no part of the robot";
+    o.because = "what " + quoted(m.name) + " says depends on inputs alone";
+  } else {
+    o.because = quoted(m.recovery.name) +
+                " brakes within what was found clear, and moves only where the property holds, "
+                "gated by the distances to others";
+  }
+  o.claims.push_back(limits_claim(s));
+  o.claims.push_back(recovery_claim(s, k));
+  claim_zones(s, m.recovery, m.property, o.claims);
+  if (m.recovery.kind != ir::RecoveryKind::brake) o.claims.push_back(lemma_claim("way_pieces"));
+  for (const std::string& lemma : lemmas_of(atoms, s.decision, m)) {
+    o.claims.push_back(lemma_claim(lemma));
+  }
+  return o;
+}
+
+Obligation control_returns(const Subject& s, std::size_t k) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  Obligation o = start(s, k, Kind::p2b);
+  if (!m.hold_reason.empty()) return acknowledged(std::move(o), m.hold_reason);
+  if (const std::string why = reason(s.decision, m.recovery.name, m.name); !why.empty()) {
+    return acknowledged(std::move(o), why);
+  }
+  const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
+  const Atoms atoms = atoms_of(m.property);
+  if (atoms.only_facts() || last == ir::RecoveryKind::brake) {
+    o.status = Status::proved;
+    o.method = "closed form";
+    o.because = atoms.only_facts()
+                    ? "a robot at rest keeps its place until the inputs let it go on"
+                    : "at rest the robot is as slow as every limit of " + quoted(m.name);
+    o.claims.push_back(limits_claim(s));
+    o.claims.push_back(recovery_claim(s, k));
+    return o;
+  }
+  if (ir::moves(last) && last != ir::RecoveryKind::yield && !s.decision.body.in_space) {
+    return ways_back(s, k, std::move(o));
+  }
+  o.status = Status::unknown;
+  o.method = "no proof";
+  if (last == ir::RecoveryKind::yield) {
+    o.because =
+        "robots let each other pass where there is room; that there is room everywhere is "
+        "not shown";
+  } else if (last == ir::RecoveryKind::external) {
+    o.because = "nothing is claimed of where " + quoted(m.recovery.name) + " leads";
+  } else {
+    o.because = "ways of " + quoted(m.recovery.name) + " in space have no bound";
+  }
+  return o;
+}
+
+Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::size_t driving,
+                        std::size_t judged) {
+  const ir::Monitor& i = s.decision.monitors[driving];
+  const ir::Monitor& j = s.decision.monitors[judged];
+  Obligation o = start(s, judged, Kind::keeps);
+  o.recovery = i.recovery.name;
+  const std::string why = reason(s.decision, i.recovery.name, j.name);
+  if (entry.keeping == analysis::Keeping::broken) {
+    o.because = entry.why;
+    o.repair = entry.help;
+    if (!why.empty()) return acknowledged(std::move(o), why);
+    o.status = Status::refuted;
+    o.method = "geometry and bounds";
+    return o;
+  }
+  o.status = Status::proved;
+  o.claims.push_back(recovery_claim(s, driving));
+  if (entry.keeping == analysis::Keeping::guarded) {
+    o.method = "priority";
+    o.because = quoted(j.name) + " ranks higher, is judged under the motion of " +
+                quoted(i.recovery.name) + " and takes over: " + entry.why;
+    o.claims.push_back(
+        {"outranks", {{"decision", s.decision.name}, {"higher", j.name}, {"lower", i.name}}});
+    return o;
+  }
+  o.method = "geometry and bounds";
+  o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);
+  claim_zones(s, i.recovery, j.property, o.claims);
+  return o;
+}
+
+}  // namespace rtac::verify

@@ -1,0 +1,97 @@
+#include "compiler/verify/report.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace rtac::verify {
+namespace {
+
+constexpr std::array statuses = {Status::proved, Status::acknowledged, Status::unknown,
+                                 Status::refuted};
+
+std::string padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.append(width - text.size(), ' ');
+  return text;
+}
+
+// Whom it is about: `geofence`, `give_way, battery`, or nobody in particular.
+std::string whom(const Obligation& o) {
+  return o.recovery.empty() ? o.monitor : o.recovery + ", " + o.monitor;
+}
+
+void add_decision(const Decision& d, std::string& out) {
+  std::size_t about = 0;
+  for (const Obligation& o : d.obligations) about = std::max(about, whom(o).size());
+  out += "decision " + d.name + " for " + d.kind + "\n";
+  for (const Obligation& o : d.obligations) {
+    out += "  " + padded(name(o.kind), 13) + padded(whom(o), about + 2) +
+           padded(name(o.status), 14) + o.method + ": " + o.because + "\n";
+    if (!o.repair.empty()) out += "  " + padded("", 13) + "what works: " + o.repair + "\n";
+    if (!o.trace.empty()) out += "  " + padded("", 13) + "shown by " + o.trace + "\n";
+  }
+}
+
+std::string milliseconds(std::int64_t micros) {
+  return std::to_string(micros / 1000) + "." + std::to_string(micros / 100 % 10) + " ms";
+}
+
+nlohmann::ordered_json json_of(const Obligation& o, bool with_times) {
+  nlohmann::ordered_json j;
+  j["obligation"] = name(o.kind);
+  if (!o.monitor.empty()) j["monitor"] = o.monitor;
+  if (!o.recovery.empty()) j["recovery"] = o.recovery;
+  j["status"] = name(o.status);
+  j["method"] = o.method;
+  j["because"] = o.because;
+  if (!o.repair.empty()) j["repair"] = o.repair;
+  if (!o.trace.empty()) j["trace"] = o.trace;
+  if (with_times) j["milliseconds"] = double(o.micros) / 1000;
+  if (o.claims.empty()) return j;
+  for (const Claim& claim : o.claims) {
+    nlohmann::ordered_json c;
+    c["claim"] = claim.what;
+    for (const auto& [key, value] : claim.values) c[key] = value;
+    j["claims"].push_back(std::move(c));
+  }
+  return j;
+}
+
+}  // namespace
+
+std::string to_text(const Report& report) {
+  std::string out;
+  std::int64_t micros = 0;
+  std::array<int, statuses.size()> counts{};
+  for (const Decision& d : report.decisions) {
+    add_decision(d, out);
+    for (const Obligation& o : d.obligations) {
+      micros += o.micros;
+      for (std::size_t i = 0; i < statuses.size(); ++i)
+        counts[i] += o.status == statuses[i] ? 1 : 0;
+    }
+  }
+  if (report.decisions.empty()) out += "no decision: nothing is obliged\n";
+  std::string sums;
+  for (std::size_t i = 0; i < statuses.size(); ++i) {
+    sums += (i == 0 ? "" : ", ") + std::to_string(counts[i]) + " " + name(statuses[i]);
+  }
+  return out + sums + " in " + milliseconds(micros) + "\n";
+}
+
+std::string to_json(const Report& report, bool with_times) {
+  nlohmann::ordered_json j;
+  j["spec"] = report.spec;
+  j["decisions"] = nlohmann::ordered_json::array();
+  for (const Decision& d : report.decisions) {
+    nlohmann::ordered_json of;
+    of["decision"] = d.name;
+    of["robot"] = d.kind;
+    of["obligations"] = nlohmann::ordered_json::array();
+    for (const Obligation& o : d.obligations) of["obligations"].push_back(json_of(o, with_times));
+    j["decisions"].push_back(std::move(of));
+  }
+  return j.dump(2) + "\n";
+}
+
+}  // namespace rtac::verify

@@ -1,0 +1,24 @@
+// Numbers and names in sentences.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "compiler/support/rational.h"
+
+namespace rtac::verify {
+
+inline std::string quoted(const std::string& name) {
+  return "`" + name + "`";
+}
+inline std::string metres(std::int64_t mm) {
+  return to_decimal(Rational(mm, 1000)) + " m";
+}
+inline std::string millis(std::int64_t us) {
+  return to_decimal(Rational(us, 1000)) + " ms";
+}
+inline std::string seconds(const Rational& s) {
+  return to_decimal(Rational(ceil_to_int(Rational(s * 10)), 10)) + " s";
+}
+
+}  // namespace rtac::verify

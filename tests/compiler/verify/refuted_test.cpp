@@ -1,0 +1,89 @@
+// Specifications that cannot work, each in a file of `refuted`: the obligation that its first line
+// names is refuted, and where robots under attack can show it, a recorded run is played again to
+// the violation.
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/compiler/driver/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Expected {
+  std::string kind, monitor;
+  bool shown = false;
+};
+// `// refuted: P2a of walls; shown`
+Expected expected_of(const std::string& text) {
+  const std::string start = "// refuted: ";
+  std::string line = text.substr(0, text.find('\n'));
+  EXPECT_EQ(line.substr(0, start.size()), start);
+  line = line.substr(start.size());
+  Expected e;
+  const std::size_t shown = line.find("; shown");
+  e.shown = shown != std::string::npos;
+  line = line.substr(0, shown);
+  const std::size_t of = line.find(" of ");
+  e.kind = line.substr(0, of);
+  if (of != std::string::npos) e.monitor = line.substr(of + 4);
+  return e;
+}
+
+class Refuted : public InFolder, public ::testing::WithParamInterface<std::string> {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+};
+
+TEST_P(Refuted, IsRefutedAndShown) {
+  const std::string path =
+      std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/" + GetParam() + ".rta";
+  const Expected e = expected_of(read(path));
+  const Outcome o = rtac({"verify", path, "--format", "json", "-o", "certificates"});
+  ASSERT_EQ(o.status, exit_violation) << o.out << o.err;
+  bool found = false;
+  std::string trace;
+  const Json report = Json::parse(o.out);
+  for (const Json& d : report["decisions"]) {
+    for (const Json& obligation : d["obligations"]) {
+      if (obligation["status"] != "refuted") continue;
+      // nothing else is wrong with it
+      EXPECT_EQ(obligation["obligation"], e.kind) << o.out;
+      EXPECT_EQ(obligation.value("monitor", ""), e.monitor) << o.out;
+      found = true;
+      trace = obligation.value("trace", trace);
+    }
+  }
+  EXPECT_TRUE(found) << o.out;
+  if (!e.shown) return;
+  ASSERT_NE(trace, "") << o.out;
+  const Outcome again = rtac({"sim", path, "--replay", trace});
+  EXPECT_EQ(again.status, exit_violation) << again.out << again.err;
+  EXPECT_NE(again.out.find("violated: " + e.monitor), std::string::npos) << again.out;
+}
+
+std::vector<std::string> names() {
+  const std::set<std::string> shared = {"battery", "parts"};
+  std::vector<std::string> all;
+  for (const auto& entry :
+       fs::directory_iterator(std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted")) {
+    const std::string name = entry.path().stem().string();
+    if (shared.count(name) == 0) all.push_back(name);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Specs, Refuted, ::testing::ValuesIn(names()),
+                         [](const auto& info) { return info.param; });
+
+TEST(RefutedSpecs, AreTwelveOrMore) {
+  EXPECT_GE(names().size(), 12u);
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
