@@ -128,7 +128,8 @@ std::optional<geometry::Point> without_way(const geometry::Region& zone, const R
     if (is_goal) reach(at, grid.clearance[at]);
   }
   while (!open.empty()) {
-    const auto [with, at] = open.top();
+    const double with = open.top().first;
+    const std::size_t at = open.top().second;
     open.pop();
     if (with < reached[at]) continue;
     const std::size_t column = at % grid.columns, row = at / grid.columns;
