@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/interp/number.h"
+
 namespace rtac::recheck {
 namespace {
 
@@ -15,7 +17,13 @@ Rational hold_of(const Numbers& n, const Rational& delay) {
   const Rational loop = std::max(Rational(delay + n.position_age), Rational(1, 100));
   Rational omega = std::min(Rational(2), Rational(Rational(1, 4) / loop));
   if (n.velocity_error > 0) omega = std::min(omega, Rational(left / (4 * n.velocity_error)));
-  const Rational latched = 2 * n.velocity_error + (n.brake + n.disturbance) * delay;
+  // and its square: a root from above, so that what is asked for is not more than it takes
+  if (n.position_error > 0) {
+    const Rational square = left / (4 * n.position_error);
+    if (omega * omega > square) omega = interp::square_root(square).above;
+  }
+  const Rational eta = n.velocity_error + (n.brake + n.disturbance) * delay;
+  const Rational latched = n.velocity_error + eta * n.brake / left;
   return 2 * n.position_error + 2 * n.velocity_error / omega + n.disturbance / (omega * omega) +
          latched * (Rational(7, 25) / omega + delay / 2);
 }
