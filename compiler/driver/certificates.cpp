@@ -21,6 +21,8 @@ namespace fs = std::filesystem;
 constexpr const char* solver = "z3";
 constexpr const char* solver_limit = "-T:20";  // seconds, for one lemma
 
+constexpr const char* standard_input = "<stdin>";
+
 // The folder above all files that were read, so that imports keep their places.
 fs::path common_folder(const std::vector<std::string>& files) {
   fs::path common = fs::weakly_canonical(files.front()).parent_path();
@@ -80,10 +82,16 @@ std::string write_certificates(const Compilation& c, const verify::Report& repor
   const fs::path common = common_folder(c.dependencies);
   std::vector<OutputFile> files;
   const auto place = [&](const std::string& path) {
+    if (path == standard_input) return std::string("specification.rta");
     return fs::weakly_canonical(path).lexically_relative(common).string();
   };
   for (const std::string& path : c.dependencies) {
-    auto text = read_file(path);
+    std::optional<std::string> text;
+    if (path == standard_input) {
+      text = std::string(c.sources.text(c.spec->name_range.file));
+    } else {
+      text = read_file(path);
+    }
     if (!text) return "cannot read " + path + " again";
     files.push_back({folder + "/sources/" + place(path), std::move(*text)});
   }

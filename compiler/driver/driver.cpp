@@ -257,6 +257,7 @@ int run(const Options& options, std::ostream& out, std::ostream& err) {
   int status = c.unreadable ? exit_usage : exit_spec_errors;
   if (options.command == Command::verify) {
     if (c.spec && c.internal_error.empty()) status = verify(options, c, out);
+    if (status == exit_clean && options.werror && has_warnings(c)) status = exit_spec_errors;
   } else if (is_ready(options, c) || is_replayable(options, c)) {
     status = run_compiled(options, c, out);
   }

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -116,9 +115,8 @@ std::string last_folder(const std::string& path) {
 
 // Not std::cin, which takes a closed descriptor for an empty file.
 std::optional<std::string> read_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(in), {}};
+  std::string why;
+  return rtac::read_file(path, why);
 }
 
 std::optional<std::string> read_stdin(std::string& why) {

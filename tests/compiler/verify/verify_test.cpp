@@ -75,6 +75,13 @@ TEST_F(Verify, OtherMistakesAreErrors) {
   EXPECT_EQ(o.out, "");
 }
 
+TEST_F(Verify, WarningsCountWhereTheyAreAskedFor) {
+  const std::string text = edited(drone_spec(), "decision fly",
+                                  "param unused : length in 1 m .. 2 m = 1 m;\ndecision fly");
+  EXPECT_EQ(verified(text).status, exit_clean);
+  EXPECT_EQ(verified(text, {"-Werror"}).status, exit_spec_errors);
+}
+
 // Each of two monitors could be satisfied, and never both.
 TEST_F(Verify, ZonesThatShareNoRoomHaveNoJointReturn) {
   std::string text = edited(drone_spec(), "decision fly", R"(
