@@ -60,8 +60,9 @@ Grid grid_of(const std::vector<Segment>& all) {
   grid.rows = static_cast<std::size_t>(std::ceil((top - grid.y) / cell_m)) + 1;
   if (grid.columns * grid.rows > cells_most) return grid;
   for (std::size_t i = 0; i < grid.columns * grid.rows; ++i) {
-    const double x = grid.x + (double(i % grid.columns) + 0.5) * cell_m;
-    const double y = grid.y + (double(i / grid.columns) + 0.5) * cell_m;
+    const std::size_t column = i % grid.columns, row = i / grid.columns;
+    const double x = grid.x + (double(column) + 0.5) * cell_m;
+    const double y = grid.y + (double(row) + 0.5) * cell_m;
     double square = 1e300;
     for (const Segment& s : all) square = std::min(square, square_to(s, x, y));
     const double gap = std::sqrt(square) - cell_m * std::sqrt(0.5) - slack_m;
@@ -103,8 +104,9 @@ std::optional<geometry::Point> without_way(const geometry::Region& zone, const R
   const std::vector<Segment> all = segments(zone);
   const Grid grid = grid_of(all);
   const auto place = [&](std::size_t at) {
-    return geometry::Point{Rational(grid.x + (double(at % grid.columns) + 0.5) * cell_m),
-                           Rational(grid.y + (double(at / grid.columns) + 0.5) * cell_m)};
+    const std::size_t column = at % grid.columns, row = at / grid.columns;
+    return geometry::Point{Rational(grid.x + (double(column) + 0.5) * cell_m),
+                           Rational(grid.y + (double(row) + 0.5) * cell_m)};
   };
   if (grid.clearance.empty()) return place(0);
   // From the goals on: a cell is entered from one that asks for no more than it has. The clearest
