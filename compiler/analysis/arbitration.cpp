@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "compiler/analysis/fences.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
@@ -43,13 +42,16 @@ class Pair {
   bool keeps(const ir::Block& block, ir::ValueId id) {
     const ir::Op& op = block[id].op;
     if (const auto* v = std::get_if<ir::And>(&op)) return keeps(block, v->a) && keeps(block, v->b);
-    // Whichever side holds at the take-over, it goes on to hold.
-    if (const auto* v = std::get_if<ir::Or>(&op)) return keeps_choice(block, id, *v);
-    if (const auto* v = std::get_if<ir::Not>(&op)) return keeps(block, v->a);
+    // Whichever side holds at the take-over, it goes on to hold. That a zone lies in the union of
+    // two is not enough: a body on their seam is in neither.
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      return speaks_of_windows(block, id) || (keeps(block, v->a) && keeps(block, v->b));
+    }
     if (const ir::Block* body = ir::body_of(op)) return keeps(*body, body->result);
     if (const auto* v = std::get_if<ir::AtLeast>(&op)) return keeps_comparison(block, *v);
-    return true;  // what the robot has no part in, and plans, which are judged before they are
-                  // flown
+    // What the robot has no part in, plans, which are judged before they are driven, and what
+    // cannot be looked ahead, which is refused (5006).
+    return true;
   }
   // Of zones that come and go, only the monitor's own recovery leads out in time, and whoever
   // outranks it needs an acknowledgement of its own (5031).
@@ -65,32 +67,6 @@ class Pair {
     }
     return false;
   }
-  bool keeps_choice(const ir::Block& block, ir::ValueId id, const ir::Or& either) {
-    if (speaks_of_windows(block, id)) return true;
-    if (const auto zones = choice_of(block, id); zones.size() > 1) {
-      geometry::Region all;
-      for (const ir::ZoneIndex zone : zones) all = all.unite(exact_(zone));
-      if (stays_within(all)) return true;
-    }
-    return keeps(block, either.a) && keeps(block, either.b);
-  }
-  // The zones of which one holds the robot, when it is that kind of `or`.
-  std::vector<ir::ZoneIndex> choice_of(const ir::Block& block, ir::ValueId id) const {
-    std::vector<ir::ZoneIndex> zones;
-    return add_choice(block, id, zones) ? zones : std::vector<ir::ZoneIndex>{};
-  }
-  bool add_choice(const ir::Block& block, ir::ValueId id, std::vector<ir::ZoneIndex>& zones) const {
-    if (const auto* v = std::get_if<ir::Or>(&block[id].op)) {
-      return add_choice(block, v->a, zones) && add_choice(block, v->b, zones);
-    }
-    const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
-    const auto bound =
-        compare ? ir::lower_bound(block, *compare, decision_.facts.params) : std::nullopt;
-    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return false;
-    zones.push_back(ir::ZoneIndex{bound->leaf.table});
-    return true;
-  }
-
   bool keeps_comparison(const ir::Block& block, const ir::AtLeast& compare) {
     bool kept = true;
     for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
@@ -123,15 +99,9 @@ class Pair {
     if (ir::moves(step.kind) || step.claims) return step.zone;
     return std::nullopt;
   }
-  bool stays_within(const geometry::Region& all) const {
-    const auto steps = ir::steps_of(recovery_);
-    return std::all_of(steps.begin(), steps.end(), [&](const ir::Recovery* step) {
-      const auto zone = moves_within(*step);
-      return !zone || all.contains(exact_(*zone));
-    });
-  }
   bool keeps_clearance(ir::ZoneIndex fence) {
     for (const ir::Recovery* step : ir::steps_of(recovery_)) {
+      if (step->kind == ir::RecoveryKind::land && !reaches_down(fence, step->land_mm)) return false;
       const auto zone = moves_within(*step);
       if (!zone || *zone == fence) continue;
       if (module_[fence].has_height() || module_[*zone].has_height()) {
@@ -147,6 +117,18 @@ class Pair {
       return false;
     }
     return true;
+  }
+  // Straight down from anywhere in it: shown of one slab, and of zones of the plane.
+  bool reaches_down(ir::ZoneIndex fence, std::int64_t land_mm) {
+    const auto& slabs = module_[fence].slabs;
+    const ir::Body& body = decision_.body;
+    const std::int64_t low_mm =
+        land_mm - body.radius_mm - 2 * body.position_error_mm - body.hold_mm;
+    if (slabs.empty() || (slabs.size() == 1 && slabs[0].floor_mm <= low_mm)) return true;
+    entry_.why = "whether the way down of " + quoted(recovery_.name) + " lies in " +
+                 quoted(module_[fence].name) + " is not shown";
+    entry_.help = "`brake_and_hold` works";
+    return false;
   }
   bool in_space(ir::ZoneIndex fence, ir::ZoneIndex zone) {
     entry_.why = "whether " + quoted(module_[zone].name) + " lies in " +

@@ -58,6 +58,15 @@ std::vector<sema::ZoneId> all_zones(const sema::Expr& property) {
   return zones;
 }
 
+std::vector<sema::ZoneId> held_by(const sema::Expr& property) {
+  bool either = false;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto* logic = std::get_if<sema::Logic>(&e.node);
+    either = either || (logic != nullptr && logic->op != sema::LogicOp::logical_and);
+  });
+  return either ? all_zones(property) : kept_in(property);
+}
+
 std::vector<sema::ZoneId> kept_in(const sema::Expr& property) {
   if (const auto* inside = std::get_if<sema::InsideZone>(&property.node)) return {inside->zone};
   const auto* logic = std::get_if<sema::Logic>(&property.node);

@@ -57,6 +57,9 @@ class Claims {
 // The zones that a property keeps the robot in whatever else it says, and those of all its atoms.
 std::vector<sema::ZoneId> kept_in(const sema::Expr& property);
 std::vector<sema::ZoneId> all_zones(const sema::Expr& property);
+// The zones that a recovery has to stay within to keep a property: those, or, where it says `or`
+// and the like, all that it names, since one side of it has to go on to hold.
+std::vector<sema::ZoneId> held_by(const sema::Expr& property);
 // The zones that a recovery moves within, of all of its steps.
 std::vector<sema::ZoneId> moves_within(const sema::Controller& controller);
 

@@ -224,7 +224,7 @@ class Check {
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     need(d, e, "limits");
     need(d, e, "recovery", {{"monitor", m.name}});
-    if (m.recover) within(d, e, spec_[*m.recover], kept_in(*m.always));
+    if (m.recover) within(d, e, spec_[*m.recover], held_by(*m.always));
     if (all_zones(*m.always).empty()) return;
     for (const char* lemma : {"capsule", "disc", "stop_difference"}) {
       need(d, e, "lemma", {{"name", lemma}}, false);
@@ -244,7 +244,7 @@ class Check {
       if (has(e, "outranks", {{"decision", d.name}, {"higher", m.name}, {"lower", driving.name}})) {
         continue;
       }
-      within(d, e, spec_[*driving.recover], kept_in(*m.always));
+      within(d, e, spec_[*driving.recover], held_by(*m.always));
     }
   }
 

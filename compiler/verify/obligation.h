@@ -23,7 +23,6 @@ enum class Kind {
   joint_return,  // there is a place where all monitors give control back
   initial,       // the invariant holds when the module is armed
 };
-inline constexpr int kinds = 10;
 // "P2a", "C", "joint return"
 const char* name(Kind kind);
 
@@ -57,8 +56,7 @@ struct Decision {
 struct Report {
   std::string spec;
   std::vector<Decision> decisions;
-  // Of a specification that is refused: what else it needs.
-  bool complete = true;
+  bool complete = true;  // false: no module could be built, so that nothing but errors is told
 };
 
 // The worst of all: refuted, unknown, acknowledged, proved.

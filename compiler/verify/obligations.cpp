@@ -16,7 +16,8 @@ using diag::Code;
 // The zones of the specification behind the tables of a module, exactly.
 class ExactZones {
  public:
-  ExactZones(const sema::Spec& spec, const ir::TableMap& tables) : shown_(exact_zones(spec)) {
+  ExactZones(const sema::Spec& spec, const ir::TableMap& tables)
+      : shown_(analysis::exact_zones(spec)) {
     for (std::size_t i = 0; i < tables.zones.size(); ++i) {
       if (!tables.zones[i]) continue;
       const auto at = static_cast<std::size_t>(*tables.zones[i]);
@@ -30,9 +31,6 @@ class ExactZones {
   }
 
  private:
-  static std::vector<std::vector<analysis::ShownSlab>> exact_zones(const sema::Spec& spec) {
-    return analysis::exact_zones(spec);
-  }
   std::vector<std::vector<analysis::ShownSlab>> shown_;
   std::vector<std::size_t> of_table_;
   geometry::Region none_;

@@ -3,7 +3,7 @@
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/liveness.h"
-#include "compiler/ir/acknowledged.h"
+#include "compiler/ir/linear.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 #include "compiler/verify/words.h"
@@ -58,13 +58,41 @@ Obligation acknowledged(Obligation o, std::string why) {
 Claim contained(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer) {
   return {"contained", {{"inner", s.module[inner].name}, {"outer", s.module[outer].name}}};
 }
+bool has(const ir::Block& property, bool (*is)(const ir::Op&)) {
+  return std::any_of(property.values.begin(), property.values.end(),
+                     [&](const ir::Value& v) { return is(v.op); });
+}
+bool speaks_of_windows(const ir::Block& property) {
+  return has(property, [](const ir::Op& op) { return std::holds_alternative<ir::ZoneThere>(op); });
+}
+// The zones that hold the robot wherever the property holds; with an `or`, all that it names: one
+// side of it has to go on to hold.
+std::vector<ir::ZoneIndex> zones_of(const Subject& s, const ir::Block& property) {
+  if (!has(property, [](const ir::Op& op) { return std::holds_alternative<ir::Or>(op); })) {
+    return analysis::fences_of(property, s.decision.facts.params);
+  }
+  std::vector<ir::ZoneIndex> zones;
+  ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
+      if (leaf.kind == ir::Leaf::Kind::clearance) zones.push_back(ir::ZoneIndex{leaf.table});
+    }
+  });
+  return zones;
+}
+// The zones that a recovery moves within, of all of its steps.
+std::vector<ir::ZoneIndex> moves_within(const ir::Recovery& recovery) {
+  std::vector<ir::ZoneIndex> zones;
+  for (const ir::Recovery* step : ir::steps_of(recovery)) {
+    if (ir::moves(step->kind) || step->claims) zones.push_back(step->zone);
+  }
+  return zones;
+}
 // That each step of a recovery stays within the zones of a property.
 void claim_zones(const Subject& s, const ir::Recovery& recovery, const ir::Block& property,
                  std::vector<Claim>& claims) {
-  for (const ir::Recovery* step : ir::steps_of(recovery)) {
-    if (!ir::moves(step->kind) && !step->claims) continue;
-    for (const ir::ZoneIndex fence : analysis::fences_of(property, s.decision.facts.params)) {
-      claims.push_back(contained(s, step->zone, fence));
+  for (const ir::ZoneIndex inner : moves_within(recovery)) {
+    for (const ir::ZoneIndex outer : zones_of(s, property)) {
+      claims.push_back(contained(s, inner, outer));
     }
   }
 }
@@ -75,6 +103,30 @@ Claim recovery_claim(const Subject& s, std::size_t k) {
            {"monitor", s.decision.monitors[k].name},
            {"controller", r.name},
            {"template", words_of(r.kind)}}};
+}
+
+// Why it is not shown that a recovery keeps a property; "": it is.
+std::string doubt_about(const Subject& s, const ir::Recovery& recovery, const ir::Block& property) {
+  const std::vector<ir::ZoneIndex> inner = moves_within(recovery);
+  if (inner.empty()) return "";
+  if (speaks_of_windows(property)) {
+    return "the way out of zones that come and go is checked (5030, 5031), and has no certificate";
+  }
+  for (const ir::ZoneIndex outer : zones_of(s, property)) {
+    for (const ir::ZoneIndex zone : inner) {
+      if (zone == outer || s.decision.body.in_space) continue;  // in space: 5016
+      if (s.exact(outer).contains(s.exact(zone))) continue;
+      return "a way from one zone of the `or` to another is not shown to stay in one of them";
+    }
+  }
+  return "";
+}
+Obligation doubted(Obligation o, std::string why) {
+  o.status = Status::unknown;
+  o.method = "no proof";
+  o.because = std::move(why);
+  o.claims.clear();
+  return o;
 }
 
 // A way from everywhere in the zone to where control is given back, as `liveness` finds them.
@@ -132,6 +184,9 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
     o.because = quoted(m.recovery.name) +
                 " brakes within what was found clear, and moves only where the property holds, "
                 "gated by the distances to others";
+  }
+  if (std::string doubt = doubt_about(s, m.recovery, m.property); !doubt.empty()) {
+    return doubted(std::move(o), std::move(doubt));
   }
   o.claims.push_back(limits_claim(s));
   o.claims.push_back(recovery_claim(s, k));
@@ -194,8 +249,8 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     o.method = "geometry and bounds";
     return o;
   }
-  o.status = Status::proved;
   o.claims.push_back(recovery_claim(s, driving));
+  o.status = Status::proved;
   if (entry.keeping == analysis::Keeping::guarded) {
     o.method = "priority";
     o.because = quoted(j.name) + " ranks higher, is judged under the motion of " +
@@ -203,6 +258,9 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     o.claims.push_back(
         {"outranks", {{"decision", s.decision.name}, {"higher", j.name}, {"lower", i.name}}});
     return o;
+  }
+  if (std::string doubt = doubt_about(s, i.recovery, j.property); !doubt.empty()) {
+    return why.empty() ? doubted(std::move(o), std::move(doubt)) : acknowledged(std::move(o), why);
   }
   o.method = "geometry and bounds";
   o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);

@@ -71,6 +71,8 @@ std::string to_text(const Report& report) {
         counts[i] += o.status == statuses[i] ? 1 : 0;
     }
   }
+  if (!report.complete)
+    out += "no module could be built: the other obligations are not looked at\n";
   if (report.decisions.empty()) out += "no decision: nothing is obliged\n";
   std::string sums;
   for (std::size_t i = 0; i < statuses.size(); ++i) {
@@ -82,6 +84,7 @@ std::string to_text(const Report& report) {
 std::string to_json(const Report& report, bool with_times) {
   nlohmann::ordered_json j;
   j["spec"] = report.spec;
+  j["complete"] = report.complete;
   j["decisions"] = nlohmann::ordered_json::array();
   for (const Decision& d : report.decisions) {
     nlohmann::ordered_json of;

@@ -1,8 +1,4 @@
 // P1a, P1b, P3 and the start: what the compiler and the shape of the decision give.
-#include <algorithm>
-
-#include "compiler/analysis/reach.h"
-#include "compiler/ir/acknowledged.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 #include "compiler/verify/words.h"

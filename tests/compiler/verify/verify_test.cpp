@@ -82,6 +82,21 @@ TEST_F(Verify, WarningsCountWhereTheyAreAskedFor) {
   EXPECT_EQ(verified(text, {"-Werror"}).status, exit_spec_errors);
 }
 
+// Two halves of a room are no room: on their seam a body is in neither.
+TEST_F(Verify, TheSeamOfTwoZonesIsNotProved) {
+  const std::string halves = R"(
+zone west = rectangle (0 m, 0 m) to (2.5 m, 5 m);
+zone east = rectangle (2.5 m, 0 m) to (5 m, 5 m);
+monitor side for d : Drone { "SR-2: on a side" always d inside west or d inside east; recover back_off; }
+decision fly)";
+  std::string text = edited(drone_spec(), "decision fly", halves);
+  text = edited(text, "priority walls;", "priority side > walls;");
+  const Outcome o = verified(text, {"--format", "json"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "P2a", "side"), Statuses{"unknown"}) << o.out;
+  EXPECT_EQ(statuses(o.out, "C", "side"), Statuses{"unknown"}) << o.out;  // the same recovery
+}
+
 // Each of two monitors could be satisfied, and never both.
 TEST_F(Verify, ZonesThatShareNoRoomHaveNoJointReturn) {
   std::string text = edited(drone_spec(), "decision fly", R"(
