@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "compiler/analysis/fences.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
@@ -29,6 +30,7 @@ class Pair {
         module_(module),
         decision_(decision),
         exact_(exact),
+        driving_(driving),
         recovery_(driving.recovery),
         judged_(judged) {}
 
@@ -45,13 +47,23 @@ class Pair {
     // Whichever side holds at the take-over, it goes on to hold. That a zone lies in the union of
     // two is not enough: a body on their seam is in neither.
     if (const auto* v = std::get_if<ir::Or>(&op)) {
-      return speaks_of_windows(block, id) || (keeps(block, v->a) && keeps(block, v->b));
+      if (speaks_of_windows(block, id)) return !decision_.coordinated || keeps_windows();
+      return keeps(block, v->a) && keeps(block, v->b);
     }
     if (const ir::Block* body = ir::body_of(op)) return keeps(*body, body->result);
     if (const auto* v = std::get_if<ir::AtLeast>(&op)) return keeps_comparison(block, *v);
     // What the robot has no part in, plans, which are judged before they are driven, and what
     // cannot be looked ahead, which is refused (5006).
-    return true;
+    return !decision_.coordinated || std::holds_alternative<ir::Truth>(op) || answers_to_inputs();
+  }
+  // No recovery makes an input true again, and none makes it false. But its own one is the answer
+  // to it, and whoever coordinates must not take another one for as good.
+  bool answers_to_inputs() {
+    entry_.why = quoted(recovery_.name) + " is not the answer to what " + quoted(judged_.name) +
+                 " says of inputs";
+    entry_.help =
+        quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
+    return false;
   }
   // Of zones that come and go, only the monitor's own recovery leads out in time, and whoever
   // outranks it needs an acknowledgement of its own (5031).
@@ -65,6 +77,13 @@ class Pair {
     if (const auto* v = std::get_if<ir::Or>(&op)) {
       return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
     }
+    return false;
+  }
+  // Who coordinates has to know who leads out.
+  bool keeps_windows() {
+    entry_.why = quoted(recovery_.name) + " does not lead out of zones that come and go in time";
+    entry_.help =
+        quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
     return false;
   }
   bool keeps_comparison(const ir::Block& block, const ir::AtLeast& compare) {
@@ -110,13 +129,31 @@ class Pair {
       if (exact_(fence).contains(exact_(*zone))) continue;
       const geometry::Region beyond = exact_(*zone).subtract(exact_(fence));
       const Rational square_mm(ceil_to_int(Rational(beyond.area() * 1'000'000)));
+      const std::string name = name_as_written(module_[fence]);
       entry_.why = to_decimal(Rational(square_mm / 1'000'000)) + " m^2 of " +
-                   quoted(module_[*zone].name) + ", where " + quoted(recovery_.name) +
-                   " may drive, lie outside " + quoted(module_[fence].name);
-      entry_.help = "a recovery within " + quoted(module_[fence].name) + " works";
+                   name_as_written(module_[*zone]) + ", where " + quoted(recovery_.name) +
+                   " may drive, lie outside " + name;
+      if (would_do(fence)) entry_.help = "a recovery within " + name + " works";
       return false;
     }
     return true;
+  }
+  // It would lie in all that the monitors keep the robot in which it recovers for, lead straight in
+  // from the rest of that, and have a place to return to.
+  [[nodiscard]] bool would_do(ir::ZoneIndex fence) const {
+    const auto& params = decision_.facts.params;
+    const ir::Recovery& last = ir::last_step(recovery_);
+    if (last.kind == ir::RecoveryKind::route) return false;
+    if (module_[fence].widest_mm < last.return_clearance_mm) return false;
+    const auto leads_in = [&](ir::ZoneIndex zone) {
+      return zone == fence || (is_convex(exact_(zone)) && exact_(zone).contains(exact_(fence)));
+    };
+    return std::all_of(
+        decision_.monitors.begin(), decision_.monitors.end(), [&](const ir::Monitor& m) {
+          if (m.recovery.name != recovery_.name) return true;
+          const auto own = fences_of(m.property, params);
+          return choices_of(m.property, params).empty() && std::ranges::all_of(own, leads_in);
+        });
   }
   // Straight down from anywhere in it: shown of one slab, and of zones of the plane.
   bool reaches_down(ir::ZoneIndex fence, std::int64_t land_mm) {
@@ -193,17 +230,42 @@ class Pair {
   const ir::Module& module_;
   const ir::Decision& decision_;
   const ExactZone& exact_;
+  const ir::Monitor& driving_;
   const ir::Recovery& recovery_;
   const ir::Monitor& judged_;
   Entry entry_;
 };
 
+// Whether a circle is led to from `at`, by pairs that are not kept, among the first `count`. The
+// way there is left in `way`; `dead` ones lead to none.
+bool finds_circle(const std::vector<std::vector<bool>>& unkept, std::size_t at, std::size_t count,
+                  std::vector<std::size_t>& way, std::vector<bool>& dead) {
+  if (dead[at]) return false;
+  const bool closes = std::find(way.begin(), way.end(), at) != way.end();
+  way.push_back(at);
+  if (closes) return true;
+  for (std::size_t next = 0; next < count; ++next) {
+    if (next != at && unkept[at][next] && finds_circle(unkept, next, count, way, dead)) return true;
+  }
+  way.pop_back();
+  dead[at] = true;
+  return false;
+}
+
 }  // namespace
+
+std::vector<std::size_t> conflict_of(const std::vector<std::vector<bool>>& unkept, std::size_t j) {
+  std::vector<std::size_t> way;
+  std::vector<bool> dead(j + 1, false);
+  finds_circle(unkept, j, j + 1, way, dead);
+  return way;
+}
 
 Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module,
                            const ir::Decision& decision, const ExactZone& exact) {
   const std::size_t count = decision.monitors.size();
   Arbitration all(count, std::vector<Entry>(count));
+  std::vector<std::vector<bool>> unkept(count, std::vector<bool>(count, false));
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
       // its own property: check_recoveries
@@ -211,11 +273,48 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
       auto broken =
           Pair(kind, module, decision, exact, decision.monitors[i], decision.monitors[j]).broken();
       if (!broken) continue;
+      unkept[i][j] = true;
       broken->keeping = j < i ? Keeping::guarded : Keeping::broken;
       all[i][j] = std::move(*broken);
     }
   }
+  if (!decision.coordinated) return all;
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::vector<std::size_t> conflict = conflict_of(unkept, j);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!unkept[i][j]) continue;
+      all[i][j].keeping = conflict.empty() ? Keeping::coordinated : Keeping::broken;
+      all[i][j].conflict = conflict;
+    }
+  }
   return all;
+}
+
+void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact) {
+  for (std::size_t n = 0; n < module.decisions.size(); ++n) {
+    ir::Decision& decision = module.decisions[n];
+    if (!decision.coordinated) continue;
+    const Arbitration all = arbitration_of(spec[spec.decisions[n].kind], module, decision, exact);
+    decision.keeps.clear();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      decision.keeps.emplace_back();
+      for (std::size_t j = 0; j < all.size(); ++j) {
+        const bool own = decision.monitors[i].recovery.name == decision.monitors[j].recovery.name;
+        decision.keeps[i].push_back(own                                  ? ir::Kept::own
+                                    : all[i][j].keeping == Keeping::kept ? ir::Kept::proved
+                                                                         : ir::Kept::unproved);
+      }
+    }
+  }
+}
+
+std::string conflict_text(const ir::Decision& decision, const Entry& entry) {
+  std::string text;
+  for (std::size_t k = 0; k + 1 < entry.conflict.size(); ++k) {
+    text += (k == 0 ? "" : ", ") + quoted(decision.monitors[entry.conflict[k]].recovery.name) +
+            " is not shown to keep " + quoted(decision.monitors[entry.conflict[k + 1]].name);
+  }
+  return text;
 }
 
 namespace {
@@ -234,12 +333,21 @@ diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
   diag::Diagnostic d{};
   d.code = diag::Code::recovery_breaks;
   d.range = spec[from.priority[i]].recover_range;
-  d.message = "while " + quoted(recovery) + " drives, " + names + " may become false, and rank" +
-              (broken.size() == 1 ? "s" : "") + " lower";
+  d.message =
+      "while " + quoted(recovery) + " drives, " + names + " may become false, and " +
+      (decision.coordinated ? "no recovery keeps it with what ranks above"
+                            : "rank" + std::string(broken.size() == 1 ? "s" : "") + " lower");
   d.label = "may break " + names;
   for (const std::size_t j : broken) {
     d.notes.push_back({std::nullopt, row[j].why});
     d.notes.push_back({spec[from.priority[j]].name_range, quoted(name(j)) + " is declared here"});
+    if (!row[j].conflict.empty())
+      d.notes.push_back({std::nullopt, conflict_text(decision, row[j])});
+  }
+  if (decision.coordinated) {
+    const std::string& works = row[broken.front()].help;
+    d.help = (works.empty() ? "" : works + ", ") + accept.substr(works.empty() ? 5 : 2);
+    return d;
   }
   const std::string& works = row[broken.front()].help;
   d.help = quoted(name(broken.front()) + " > " + decision.monitors[i].name) + " as priority works" +
@@ -258,7 +366,7 @@ void check_arbitration(const sema::Spec& spec, const ir::Module& module, const E
     const Arbitration all = arbitration_of(spec[from.kind], module, decision, exact);
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::vector<std::size_t> broken;
-      for (std::size_t j = i + 1; j < all.size(); ++j) {
+      for (std::size_t j = 0; j < all.size(); ++j) {
         if (all[i][j].keeping != Keeping::broken) continue;
         if (ir::acknowledged(decision, decision.monitors[i].recovery.name,
                              decision.monitors[j].name)) {

@@ -17,12 +17,16 @@ enum class Keeping {
   kept,     // by the recovery itself, braking in and standing included
   guarded,  // the other monitor ranks higher: it is judged under the recovery's own motion in every
             // tick, and its recovery takes over in time
-  broken,   // the other monitor ranks lower, and the recovery may lead to where it is false
+  broken,   // the recovery may lead to where it is false, and nobody takes over in time
+  coordinated,  // the same, but for a recovery that does, by `coordinate`
 };
 struct Entry {
   Keeping keeping = Keeping::kept;
   std::string why;   // in words, with numbers
   std::string help;  // of what is broken: what would work
+  // Of what is broken under `coordinate`: monitors, the first of them this one, the last one for
+  // the second time. The recovery of each does not keep the next.
+  std::vector<std::size_t> conflict{};
 };
 // One row for the recovery of each monitor, one column for the property of each.
 using Arbitration = std::vector<std::vector<Entry>>;
@@ -30,7 +34,23 @@ using Arbitration = std::vector<std::vector<Entry>>;
 Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module,
                            const ir::Decision& decision, const ExactZone& exact);
 
-// 6005: a recovery that breaks what a monitor below it says, unless that is acknowledged.
+// Under `coordinate` a recovery drives that keeps the longest prefix of the order, and what has
+// failed counts as kept where that is proved (docs/language.md, rule 12.1). So j is kept, whoever
+// drives, exactly when among j and the monitors above it no circle of recoveries that do not keep
+// each other is led to from j: of any of them that have failed at once, j among them, one has a
+// recovery that keeps them all, and it or one as good drives.
+// The circle as in Entry::conflict; empty: there is none. unkept[i][j]: it is not proved that the
+// recovery of i keeps j.
+std::vector<std::size_t> conflict_of(const std::vector<std::vector<bool>>& unkept, std::size_t j);
+
+// Which recoveries do not keep each other, in words; "": the entry has no conflict.
+std::string conflict_text(const ir::Decision& decision, const Entry& entry);
+
+// Fills the matrices of decisions that `coordinate`.
+void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact);
+
+// 6005: a recovery that breaks what a monitor says and that nobody else keeps, unless that is
+// acknowledged.
 void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
                        diag::Engine& diagnostics);
 

@@ -7,8 +7,10 @@
 #include "compiler/analysis/magnitudes.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/recoveries.h"
+#include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/timing.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/well_formed.h"
 #include "compiler/analysis/windows.h"
@@ -28,13 +30,6 @@ using diag::Code;
 
 // A recovery hands back after its return condition held for this long (hysteresis), and a tick.
 constexpr std::int64_t dwell_us = 50'000;
-// That condition looks further ahead than the check: a period, since what holds for less is lost at
-// once. Where commands are judged, more of them, within a time: the check lets the advanced
-// controller far beyond the places from which any control is safe, and a place a little deeper is
-// cheap for what it brings.
-constexpr std::int64_t return_periods_of_commands = 4, return_extra_of_commands_us = 200'000;
-// The part of the period that a step may be late where nothing else is declared.
-constexpr std::int64_t jitter_share = 10;
 // How long a HELD robot promises to stay; renewed every tick.
 constexpr std::int64_t lease_us = 1'000'000;
 // A connector leads from a place that a moving recovery avoids back to its cells, in mm between
@@ -75,8 +70,8 @@ class Deriver {
     count_commands();
     fill_costs();
     fill_windows();
-    if (diagnostics_.has_errors()) finding = Finding::refuses;  // it could not be built
-    check_well_formed(spec_, out_.module, out_.tables, diagnostics_);
+    if (!could_be_built()) finding = Finding::refuses;
+    check_well_formed(spec_, out_.module, out_.tables, lies_, diagnostics_);
     const ExactZone exact = [this](ir::ZoneIndex zone) -> const geometry::Region& {
       return zone_of(zone).exact;
     };
@@ -88,14 +83,23 @@ class Deriver {
           const geometry::Slab all = geometry::Solid::everywhere().slabs().front();
           return geometry::Solid::prism(of.exact, all.floor, all.ceiling);
         },
-        diagnostics_);
+        lies_, diagnostics_);
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
     // Whatever it says, the module can be built, and passes look at the rest.
+    coordinate(spec_, out_.module, exact);
     check_arbitration(spec_, out_.module, exact, diagnostics_);
     return std::move(out_);
   }
 
  private:
+  // A look-ahead that is too short is built as if its author had accepted that.
+  bool could_be_built() const {
+    const auto& all = diagnostics_.all();
+    return std::all_of(all.begin(), all.end(), [](const diag::Diagnostic& d) {
+      return d.code == Code::lookahead_too_short ||
+             diag::info(d.code).severity != diag::Severity::error;
+    });
+  }
   std::vector<ZoneUse> wanted_zones() const {
     std::vector<ZoneUse> wanted(spec_.zones.size());
     const auto robots = [&](sema::ZoneId id) { wanted[index(id)].robots = true; };
@@ -362,14 +366,15 @@ class Deriver {
     d.advanced = spec_[from.advanced].name;
     if (from.safe) d.safe = spec_[*from.safe].name;
     d.on_plan = from.on_plan;
+    d.coordinated = from.coordinated && !from.on_plan;
     d.period_us = from.period ? ceil_to_int(from.period->value * 1'000'000) : 0;
-    d.return_extra_us = return_extra_us(from, d.period_us);
+    d.return_extra_us = return_extra_us(spec_, from, d.period_us);
     d.dwell_ticks = from.on_plan ? 0 : (dwell_us + d.period_us - 1) / d.period_us;
     d.lease_us = lease_us;
     d.robots = fleet_size(from.kind);
     d.open_fleet = kind.open_fleet;
     d.plan_capacity = kind.plan ? kind.plan->capacity : 0;
-    d.body = body_of(kind, d.period_us, from.on_plan ? 0 : jitter_us(from));
+    d.body = body_of(kind, d.period_us, from.on_plan ? 0 : jitter_us(spec_, from, d.period_us));
     if (kind.energy) {
       const auto& e = *kind.energy;
       d.hold_reserve_ppm = ceil_to_int(
@@ -380,20 +385,13 @@ class Deriver {
     for (const sema::MonitorId id : from.priority) {
       need_drain(spec_[id], kind);
       d.monitors.push_back(monitor(spec_[id], d));
-      if (!from.on_plan) d.motions.push_back(motion(spec_[id], kind, d.period_us));
+      if (!from.on_plan) d.motions.push_back(motion(spec_[id], from, d.period_us));
     }
     d.heard_reach_mm = heard_reach_mm(d);
     for (const auto& a : from.acknowledgements) {
       d.acknowledgements.push_back({spec_[a.recovery].name, spec_[a.monitor].name, a.reason});
     }
     return d;
-  }
-  std::int64_t return_extra_us(const sema::Decision& from, std::int64_t period_us) const {
-    const bool commands = std::any_of(from.priority.begin(), from.priority.end(),
-                                      [&](sema::MonitorId id) { return spec_[id].ahead.command; });
-    if (!commands) return period_us;
-    return std::max(period_us,
-                    std::min(return_periods_of_commands * period_us, return_extra_of_commands_us));
   }
   // See ir::Decision: what leaving out the robots far off counts with.
   static std::int64_t heard_reach_mm(const ir::Decision& d) {
@@ -402,27 +400,6 @@ class Deriver {
     for (const ir::Monitor& m : d.monitors) horizon_us = std::max(horizon_us, ir::horizon_us(d, m));
     return disc_mm(d.body, d.motions[0], d.motions[0].speed_mmps,
                    d.body.hears_age_us + horizon_us + d.return_extra_us);
-  }
-  // theory, horizon: a template is computed every tick and issued in the failing one (k = 1); an
-  // external recovery is asynchronous (k = 2).
-  std::int64_t periods_of(const sema::Monitor& m) const {
-    return m.recover && is_template(*m.recover) ? 1 : 2;
-  }
-  static std::int64_t duration_us(const sema::Monitor& m, std::int64_t k, std::int64_t period_us) {
-    return m.ahead.duration ? ceil_to_int(m.ahead.duration->value * 1'000'000) : k * period_us;
-  }
-  // No timer is exact. Where nothing is declared and a look-ahead leaves no room, a step may still
-  // be late by a part of the period, for which every horizon gets longer.
-  std::int64_t jitter_us(const sema::Decision& from) const {
-    if (from.jitter) return ceil_to_int(from.jitter->value * 1'000'000);
-    const std::int64_t period_us = ceil_to_int(from.period->value * 1'000'000);
-    std::int64_t jitter = 0;
-    for (const sema::MonitorId id : from.priority) {
-      const std::int64_t k = periods_of(spec_[id]);
-      const std::int64_t room_us = duration_us(spec_[id], k, period_us) - k * period_us;
-      if (room_us >= 0) jitter = std::max(jitter, period_us / jitter_share - room_us);
-    }
-    return jitter;
   }
   std::uint32_t fleet_size(sema::KindId kind) const {
     return static_cast<std::uint32_t>(
@@ -443,8 +420,8 @@ class Deriver {
     m.source = from.always_range;
     m.lookahead_source = from.ahead.range;
     m.lookahead.duration = !from.ahead.waypoints_only && !d.on_plan;
-    const std::int64_t k = periods_of(from);
-    m.lookahead.duration_us = duration_us(from, k, d.period_us);
+    const std::int64_t k = periods_of(spec_, from);
+    m.lookahead.duration_us = lookahead_us(spec_, from, d.period_us);
     m.lookahead.too_short = m.lookahead.duration && m.lookahead.duration_us < k * d.period_us;
     // what is left for the time between two steps; never less than what every step takes
     m.lookahead.gap_us =
@@ -480,9 +457,6 @@ class Deriver {
                          {},
                          "a template as recovery works, or `ahead` without `command`",
                          {}});
-  }
-  bool is_template(sema::ControllerId id) const {
-    return !std::holds_alternative<sema::ExternController>(spec_[id].implementation);
   }
   ir::Recovery recovery(const sema::Controller& from, sema::KindId kind) const {
     const std::vector<sema::Template> all = sema::templates_of(from);
@@ -528,8 +502,9 @@ class Deriver {
     }
     return r;
   }
-  ir::Motion motion(const sema::Monitor& from, const sema::RobotKind& kind,
+  ir::Motion motion(const sema::Monitor& from, const sema::Decision& decision,
                     std::int64_t period_us) {
+    const sema::RobotKind& kind = spec_[decision.kind];
     const sema::Controller& c = spec_[*from.recover];
     const std::vector<sema::Template> all = sema::templates_of(c);
     if (all.empty()) {
@@ -537,44 +512,60 @@ class Deriver {
       return recovery_motion(kind, c.name, claim ? claim->speed.value : kind.motion.speed.value,
                              period_us);
     }
-    const Rational pushed = pushed_speed(kind, period_us), least = least_speed(kind, pushed);
+    const Rational least = least_speed(kind, period_us);
     Rational speed = 0;  // whoever stands never gets faster than it was found
     for (const sema::Template& what : all) {
       const auto own = sema::speed_of(what);
       if (!own) continue;
       speed = std::max(speed, *own);
-      if (*own < least) report_no_way(c, least, pushed, kind);
+      if (*own < least) report_no_way(decision, c, *own, least);
     }
     return recovery_motion(kind, c.name, speed, period_us);
   }
   // The slowest recovery of a point mass that makes half of its speed good, whatever its velocity
   // errs and whatever pushes it back. Wheels drive at the speed that they are told; in space the
   // place of a hold moves, whatever the velocity errs.
-  static Rational least_speed(const sema::RobotKind& kind, const Rational& pushed) {
+  static Rational least_speed(const sema::RobotKind& kind, std::int64_t period_us) {
+    const Rational pushed = pushed_speed(kind, period_us);
     const bool steers = kind.motion.model == sema::MotionModel::point && !kind.in_space;
     if (!steers || !kind.velocity) return pushed;
     return 2 * (kind.velocity->error.value + pushed);
   }
-  void report_no_way(const sema::Controller& c, const Rational& least, const Rational& pushed,
-                     const sema::RobotKind& kind) {
+  void report_no_way(const sema::Decision& decision, const sema::Controller& c, const Rational& own,
+                     const Rational& least) {
+    const sema::RobotKind& kind = spec_[decision.kind];
     std::vector<diag::Note> notes;
     if (kind.velocity) {
       notes.push_back(
           {kind.velocity->error.range,
            "its velocity errs by up to " + to_decimal(kind.velocity->error.value) + " m/s"});
     }
+    const Rational pushed =
+        pushed_speed(kind, ceil_to_int(Rational(decision.period->value * 1'000'000)));
     if (pushed > 0) {
       notes.push_back(
           {kind.motion.disturbance ? kind.motion.disturbance->range : kind.output_error->range,
            "pushes it back at up to " + to_decimal(pushed) + " m/s"});
     }
-    const Rational works(ceil_to_int(Rational(least * 1000)), 1000);
+    // a faster one, up to what the robot reaches, or another number with which it makes way as it
+    // is
+    std::vector<std::string> works;
+    const Rational faster(ceil_to_int(Rational(least * 1000)), 1000);
+    if (faster <= kind.motion.speed.value) {
+      works.push_back("a speed of at least " + to_decimal(faster) + " m/s");
+    } else {
+      works = repairs(spec_, decision, [&](const Trial& t) {
+        return least_speed(t.kind, t.decision.period_us) <= own;
+      });
+    }
     diagnostics_.report({Code::limit_contradictory,
                          c.name_range,
                          "`" + c.name + "` is too slow to make way for sure",
                          "it may be driven back instead",
                          std::move(notes),
-                         "a speed of at least " + to_decimal(works) + " m/s works",
+                         works.empty()
+                             ? "no speed up to that of the robot works, nor one other number alone"
+                             : joined(works) + " works",
                          {}});
   }
 
@@ -590,7 +581,10 @@ class Deriver {
                            "how fast it runs down is not declared",
                            {{kind.name_range, "the robot is declared here"}},
                            "write `energy { drive <= 0.4 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; "
-                           "charge >= 1 %/s at dock; }`",
+                           "charge >= 1 %/s at " +
+                               (spec_.sites.empty() ? "dock; }`, with a `site dock = (1 m, 1 m);`"
+                                                    : spec_.sites.front().name + "; }`") +
+                               " and the robot's own values",
                            {}});
     };
     sema::for_each_expr(*monitor.always, in);
@@ -602,24 +596,39 @@ class Deriver {
   void fill_clearances(ir::Decision& d) const {
     if (d.on_plan) return;
     const Standoffs wanted = standoffs_of(d);
-    std::int64_t lookahead_us = 0;
+    std::int64_t longest_us = 0;
     for (const ir::Monitor& m : d.monitors) {
-      lookahead_us = std::max(lookahead_us, m.lookahead.duration_us);
+      longest_us = std::max(longest_us, m.lookahead.duration_us);
     }
-    d.cruise_clearance_mm = cruise_clearance_mm(d, d.motions[0], lookahead_us) + wanted.fence_mm;
+    d.cruise_clearance_mm = cruise_clearance_mm(d, d.motions[0], longest_us) + wanted.fence_mm;
+    const std::int64_t back_mm = return_clearance_mm(d, longest_us);
     for (std::size_t k = 0; k < d.monitors.size(); ++k) {
-      ir::Recovery& r = d.monitors[k].recovery;
-      r.return_clearance_mm = std::max(return_clearance_mm(d, lookahead_us) + wanted.fence_mm,
-                                       asked_clearance_mm(out_.module, d, k));
-      r.route_clearance_mm =
-          cruise_clearance_mm(d, d.motions[k + 1], lookahead_us) + wanted.fence_mm;
-      r.pass_gap_mm = pass_gap_mm(d, lookahead_us, wanted.separation_mm);
-      for (ir::Recovery& step : r.steps) {
-        step.return_clearance_mm = r.return_clearance_mm;
-        step.route_clearance_mm = r.route_clearance_mm;
-        step.pass_gap_mm = r.pass_gap_mm;
-      }
+      const std::int64_t cruise_mm = cruise_clearance_mm(d, d.motions[k + 1], longest_us);
+      const std::int64_t asked_mm = asked_clearance_mm(out_.module, d, k);
+      const auto fill = [&](ir::Recovery& r) {
+        const bool knows = ir::moves(r.kind) || r.claims;
+        const std::int64_t own_mm =
+            knows ? standoff_in(d, d.monitors[k], r.zone, lies_) : wanted.fence_mm;
+        r.return_clearance_mm = std::max(back_mm + own_mm, asked_mm);
+        r.route_clearance_mm = cruise_mm + own_mm;
+        r.pass_gap_mm = pass_gap_mm(d, longest_us, wanted.separation_mm);
+      };
+      ir::Recovery& recovery = d.monitors[k].recovery;
+      fill(recovery);
+      for (ir::Recovery& step : recovery.steps) fill(step);
+      // of a sequence counts what it does in the end
+      if (recovery.steps.empty()) continue;
+      const ir::Recovery last = recovery.steps.back();
+      recovery.return_clearance_mm = last.return_clearance_mm;
+      recovery.route_clearance_mm = last.route_clearance_mm;
     }
+  }
+  Lies how_it_lies(ir::ZoneIndex inner, const Standoff& outer) const {
+    const EvaluatedZone &in = zone_of(inner), &out = zone_of(outer.zone);
+    if (in.solid || out.solid) return Lies::in;
+    if (!out.exact.contains(in.exact)) return Lies::elsewhere;
+    const auto kept = within(out.exact, outer.mm);
+    return kept && kept->contains(in.exact) ? Lies::deep : Lies::in;
   }
   // A step may come early, within a period, too; where there are more, any control is assumed.
   void count_commands() {
@@ -696,6 +705,9 @@ class Deriver {
   diag::Engine& diagnostics_;
   std::vector<std::optional<EvaluatedZone>> zones_;
   Derived out_;
+  const HowItLies lies_ = [this](ir::ZoneIndex inner, const Standoff& outer) {
+    return how_it_lies(inner, outer);
+  };
 };
 
 }  // namespace

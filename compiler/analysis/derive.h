@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "compiler/analysis/share.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
 #include "compiler/ir/table_map.h"
@@ -31,6 +32,9 @@ struct MonitorSummary {
   std::int64_t return_clearance_mm = 0;
   std::int64_t lookahead_max_us = 0;  // longest D with a place to return to, 0: not a fence
   std::int64_t leave_us = 0;          // to lead out of zones that come and go, 0: there are none
+  // Of the first zone of the plane that it holds the robot in; "": there is none.
+  std::string zone{};
+  Share share{};
 };
 std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision);
 

@@ -40,6 +40,14 @@ bool branches(const ir::Block& block, ir::ValueId id, const std::vector<ir::Para
   if (const auto* v = std::get_if<ir::Or>(&block[id].op)) {
     return branches(block, v->a, params, choice) && branches(block, v->b, params, choice);
   }
+  // of a zone that is there at times: where it may be, at the best
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
+    const auto there = [&](ir::ValueId side) {
+      return std::holds_alternative<ir::ZoneThere>(block[side].op);
+    };
+    if (there(v->a)) return branches(block, v->b, params, choice);
+    return there(v->b) && branches(block, v->a, params, choice);
+  }
   const auto* negated = std::get_if<ir::Not>(&block[id].op);
   if (std::holds_alternative<ir::Fact>(block[negated ? negated->a : id].op)) {
     return true;

@@ -166,6 +166,15 @@ std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t look
          b.position_error_mm;
 }
 
+std::int64_t claim_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
+                                std::int64_t lookahead_us) {
+  const ir::Body& b = decision.body;
+  const std::int64_t apart_ms = div_up(std::max(b.position_age_us, b.velocity_age_us), 1000);
+  const std::int64_t apart_mmps = div_up(b.accel_mmps2 * apart_ms, 1000);
+  return disc_mm(b, motion, b.velocity_error_mmps + apart_mmps, horizon_us_max(b, lookahead_us)) +
+         b.position_error_mm;
+}
+
 std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
                                  std::int64_t lookahead_us) {
   const std::int64_t t_us = horizon_us_max(decision.body, lookahead_us);
@@ -173,6 +182,17 @@ std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion&
                  t_us) +
          decision.body.position_error_mm +
          (motion.recovery ? tracking_of_recovery_mm(decision) : 0);
+}
+
+std::int64_t standoff_mm(const ir::Decision& decision, const ir::Recovery& recovery) {
+  std::int64_t longest_us = 0;
+  for (const ir::Monitor& m : decision.monitors) {
+    longest_us = std::max(longest_us, m.lookahead.duration_us);
+  }
+  const auto own =
+      std::find_if(decision.motions.begin(), decision.motions.end(),
+                   [&](const ir::Motion& m) { return m.recovery && m.name == recovery.name; });
+  return recovery.route_clearance_mm - cruise_clearance_mm(decision, *own, longest_us);
 }
 
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,

@@ -20,9 +20,16 @@ ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
 // robot at rest, in spite of noise (theory: rho_ret + r_eff, plus one more position error because
 // the recovery steers by measurements).
 std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us);
+// Clearance of the centre at which a robot at rest is seen to keep the claim of an external
+// recovery with that motion, in spite of noise.
+std::int64_t claim_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
+                                std::int64_t lookahead_us);
 // Clearance of the centre at which `motion` never fails the disc test, whatever the speed.
 std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
                                  std::int64_t lookahead_us);
+// Of the clearances of a recovery, what the properties keep from the boundary of its zone beyond
+// touching it.
+std::int64_t standoff_mm(const ir::Decision& decision, const ir::Recovery& recovery);
 // Distance of centres at which a robot at full speed passes one that is HELD, standoff included.
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
                          std::int64_t standoff_mm);

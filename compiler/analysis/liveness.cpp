@@ -5,7 +5,7 @@
 #include <numeric>
 #include <queue>
 
-#include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/travel.h"
 
 namespace rtac::analysis {
@@ -168,8 +168,8 @@ std::vector<bool> clear_cells(const ir::Cells& cells, std::int64_t least_mm) {
   for (const std::int32_t clearance : cells.clearance_mm_lo) goals.push_back(clearance >= least_mm);
   return goals;
 }
-std::vector<bool> site_cells(const ir::Module& module, const ir::Recovery& route) {
-  const ir::Cells& cells = module[route.zone].cells;
+std::vector<bool> site_cells(const ir::Module& module, const ir::Recovery& route,
+                             const ir::Cells& cells) {
   std::vector<bool> goals(cells.clearance_mm_lo.size(), false);
   for (const ir::SiteTable::Place& place : module[route.site].places) {
     const std::int64_t column = (place.x_mm - cells.origin_x_mm) / cells.cell_mm;
@@ -234,11 +234,14 @@ std::vector<Stranded> narrow_parts(const ir::Cells& cells, std::int64_t body_mm,
 }
 
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery) {
-  const ir::Cells& cells = module[recovery.zone].cells;
-  const std::int64_t body_mm = decision.body.radius_mm + standoffs_of(decision).fence_mm;
+  return ways_over(module[recovery.zone].cells, module, decision, recovery);
+}
+Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
+               const ir::Recovery& recovery) {
+  const std::int64_t body_mm = decision.body.radius_mm + standoff_mm(decision, recovery);
   const std::int64_t route_mm = recovery.route_clearance_mm;
   if (recovery.kind == ir::RecoveryKind::route) {
-    return ways_to(cells, site_cells(module, recovery), body_mm, route_mm);
+    return ways_to(cells, site_cells(module, recovery, cells), body_mm, route_mm);
   }
   // A retreat aims a little deeper than it needs, as far as a way leads there.
   const std::int64_t needed_mm = recovery.return_clearance_mm;

@@ -34,6 +34,9 @@ std::vector<Stranded> narrow_parts(const ir::Cells& cells, std::int64_t body_mm,
 
 // Where a recovery leads and for how long; of one that stands nothing.
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery);
+// The same if its zone had these cells.
+Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
+               const ir::Recovery& recovery);
 
 // Upper bound of the time from taking over until control is given back, as long as no other robot
 // is near and nothing else keeps it: braking, looking, driving, dwelling. none: there is no bound.

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "compiler/sema/visit.h"
+
 namespace rtac::analysis {
 namespace {
 
@@ -10,6 +12,8 @@ using diag::Code;
 // Far above any robot, and small enough that products of three of them fit int64 on the grid.
 const Rational length_max_m = 1000, speed_max_mps = 100, accel_max_mps2 = 1000, time_max_s = 60,
                turn_max = 1000, energy_max = 1000, hold_max_s = 1'000'000;
+// Of steps and conditions that somebody waits for.
+const Rational lasts_max_s = 86'400;
 // A brake is rounded down to the grid and then divides.
 const Rational least_accel_mps2(1, 1000);
 const Rational extent_m(536'870'912, 1000);
@@ -29,7 +33,9 @@ class Checker {
     }
     for (const sema::Monitor& m : spec_.monitors) {
       if (m.ahead.duration) most("the look-ahead", *m.ahead.duration, time_max_s, "s");
+      check(m);
     }
+    for (const sema::Controller& c : spec_.controllers) check(c);
     for (const sema::Site& site : spec_.sites) {
       for (const sema::Site::Place& place : site.places) check(site, place);
     }
@@ -56,10 +62,11 @@ class Checker {
     if (k.motion.turn_accel) {
       least("the turn acceleration", *k.motion.turn_accel, Rational(1, 1'000'000), "rad/s^2");
     }
-    sense(k.position, length_max_m, "m");
-    sense(k.velocity, speed_max_mps, "m/s");
-    sense(k.heading, turn_max, "rad");
-    sense(k.battery, Rational(1), "of a full battery");
+    sense(k.position, length_max_m, "m", time_max_s);
+    sense(k.velocity, speed_max_mps, "m/s", time_max_s);
+    sense(k.heading, turn_max, "rad", time_max_s);
+    // a battery is slow: its samples may be older than those of a motion
+    sense(k.battery, Rational(1), "of a full battery", 60 * time_max_s);
     if (k.hears_max_age) most("the age", *k.hears_max_age, time_max_s, "s");
     if (k.plan) most("the tracking", k.plan->tracking, length_max_m, "m");
     most("the latency", k.latency, time_max_s, "s");
@@ -96,11 +103,37 @@ class Checker {
     most("`held`", e.held, hold_max_s, "s");
     most("`detour`", e.detour, hold_max_s, "m");
   }
-  void sense(const std::optional<sema::Sense>& s, const Rational& error, const char* unit) {
+  void sense(const std::optional<sema::Sense>& s, const Rational& error, const char* unit,
+             const Rational& age_s) {
     if (!s) return;
     most("the error", s->error, error, unit);
-    // a battery is slow: its samples may be older than those of a motion
-    most("the age", s->max_age, 60 * time_max_s, "s");
+    most("the age", s->max_age, age_s, "s");
+  }
+  // Control is not given back before it is over.
+  void lasts(const sema::Quantity& q, const char* what) {
+    if (q.value <= lasts_max_s) return;
+    diagnostics_.report({Code::quantity_out_of_range,
+                         q.range,
+                         std::string(what) + " lasts " + to_decimal(Rational(q.value / 3600)) +
+                             " h: control is not given back before it is over",
+                         "longer than a day",
+                         {},
+                         "at most 24 h works",
+                         {}});
+  }
+  void check(const sema::Monitor& m) {
+    if (!m.return_when) return;
+    sema::for_each_expr(*m.return_when, [&](const sema::Expr& e) {
+      const auto* held = std::get_if<sema::HeldFor>(&e.node);
+      if (held != nullptr) lasts(held->duration, "the `for` of a return condition");
+    });
+  }
+  void check(const sema::Controller& c) {
+    const auto* sequence = std::get_if<sema::Sequence>(&c.implementation);
+    if (sequence == nullptr) return;
+    for (const auto& step : sequence->steps) {
+      if (step.lasts) lasts(*step.lasts, "the step");
+    }
   }
   void check(const sema::Site& site, const sema::Site::Place& place) {
     if (abs(place.position.x) <= extent_m && abs(place.position.y) <= extent_m) return;
@@ -114,10 +147,10 @@ class Checker {
   }
 
   void most(const char* what, const sema::Quantity& q, const Rational& limit, const char* unit) {
-    if (q.value > limit) report(what, q, "at most " + to_decimal(limit) + " " + unit + " works");
+    if (q.value > limit) report(what, q, "at most " + to_decimal(limit) + " " + unit + " fits");
   }
   void least(const char* what, const sema::Quantity& q, const Rational& limit, const char* unit) {
-    if (q.value < limit) report(what, q, "at least " + to_decimal(limit) + " " + unit + " works");
+    if (q.value < limit) report(what, q, "at least " + to_decimal(limit) + " " + unit + " fits");
   }
   void report(const char* what, const sema::Quantity& q, std::string help) {
     diagnostics_.report({Code::value_out_of_range,

@@ -3,11 +3,14 @@
 #include <algorithm>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/joint_return.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/widening.h"
 
 namespace rtac::analysis {
 namespace {
@@ -31,11 +34,12 @@ constexpr std::int64_t stranded_cells_least = 4;
 class Recoveries {
  public:
   Recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-             const ir::Decision& decision, const sema::Monitor& written, const ir::Monitor& monitor,
-             diag::Engine& diagnostics)
+             const sema::Decision& decided, const ir::Decision& decision,
+             const sema::Monitor& written, const ir::Monitor& monitor, diag::Engine& diagnostics)
       : spec_(spec),
         module_(module),
         exact_(exact),
+        decided_(decided),
         decision_(decision),
         written_(written),
         monitor_(monitor),
@@ -44,12 +48,11 @@ class Recoveries {
 
   void run() {
     const auto& params = decision_.facts.params;
-    for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
-      if (!ir::moves(step->kind) || decision_.body.in_space) continue;
-      for (const ir::ZoneIndex fence : fences_of(monitor_.property, params)) {
-        if (elsewhere(*step, fence)) break;
+    if (!decision_.body.in_space) {
+      for (diag::Diagnostic& found :
+           misplaced(written_, controller_, module_, exact_, decision_, monitor_)) {
+        diagnostics_.report(std::move(found));
       }
-      for (const Choice& choice : choices_of(monitor_.property, params)) chosen(*step, choice);
     }
     outward(asks_of(monitor_.property, params));
     claimed();
@@ -58,74 +61,6 @@ class Recoveries {
   }
 
  private:
-  // A recovery keeps clear of the border of its own zone, whatever the property says of another.
-  bool elsewhere(const ir::Recovery& step, ir::ZoneIndex fence) {
-    return step.zone != fence && elsewhere(step, exact_(fence), name_of(fence), name_of(fence));
-  }
-  bool elsewhere(const ir::Recovery& step, const geometry::Region& fence, const std::string& of,
-                 const std::string& works) {
-    if (fence.contains(exact_(step.zone))) return false;
-    const geometry::Region beyond = exact_(step.zone).subtract(fence);
-    const std::string zone = "`" + module_[step.zone].name + "`";
-    diag::Diagnostic d = finding(Code::recovery_elsewhere,
-                                 "`" + controller_.name + "` moves within " + zone + ", and `" +
-                                     monitor_.name + "` needs it to stay in " + of);
-    d.label = "leads out of " + of;
-    d.notes.push_back({std::nullopt, area(beyond) + " of " + zone + " lie outside " + of +
-                                         some_place(beyond, fence)});
-    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = "a zone that lies in " + of + " works, such as " + works;
-    diagnostics_.report(std::move(d));
-    return true;
-  }
-  // Of several zones one is enough: the recovery stays in their union. Where it knows a part of it
-  // alone, it may lead there from another part, and across what lies between.
-  void chosen(const ir::Recovery& step, const Choice& choice) {
-    const geometry::Region& own = exact_(step.zone);
-    geometry::Region all;
-    std::string names;
-    for (const ir::ZoneIndex zone : choice) {
-      all = all.unite(exact_(zone));
-      names += (names.empty() ? "" : " or ") + name_of(zone);
-    }
-    const std::string works = choice.size() < 2 ? names : "their union";
-    if (elsewhere(step, all, names, works) || choice.size() < 2) return;
-    const auto within = [&](ir::ZoneIndex zone) { return exact_(zone).contains(own); };
-    if (std::all_of(choice.begin(), choice.end(), within) || own.contains(all)) return;
-    const geometry::Region beyond = all.subtract(own);
-    diag::Diagnostic d = finding(Code::recovery_elsewhere,
-                                 "`" + controller_.name + "` knows a part of what `" +
-                                     monitor_.name + "` allows, and may lead there from the rest");
-    d.label = "leads across what lies between";
-    d.notes.push_back({std::nullopt, area(beyond) + " of " + names + " lie outside `" +
-                                         module_[step.zone].name + "`" + some_place(beyond, own)});
-    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = "a recovery within " + works + " works";
-    diagnostics_.report(std::move(d));
-  }
-  // As it is written: a zone within a property has no name of its own.
-  std::string name_of(ir::ZoneIndex zone) const {
-    const std::string& name = module_[zone].name;
-    const std::string unnamed = "zone_of_line_";
-    return name.starts_with(unnamed) ? "the zone of line " + name.substr(unnamed.size())
-                                     : "`" + name + "`";
-  }
-  static std::string area(const geometry::Region& region) {
-    const std::int64_t square_mm = ceil_to_int(Rational(region.area() * 1'000'000));
-    return to_decimal(Rational(square_mm, 1'000'000)) + " m^2";
-  }
-  static std::string some_place(const geometry::Region& region,
-                                const geometry::Region& outside_of) {
-    for (const geometry::Ring& ring : region.rings()) {
-      for (const geometry::Point& p : ring) {
-        if (outside_of.contains(p)) continue;
-        return ", such as (" + metres(floor_to_int(Rational(p.x * 1000))) + ", " +
-               metres(floor_to_int(Rational(p.y * 1000))) + ")";
-      }
-    }
-    return "";
-  }
-
   // Language rule 11: where the property is false, at the start or because an assumption was, the
   // recovery has to lead out of that.
   void outward(const Asks& asks) {
@@ -133,11 +68,13 @@ class Recoveries {
     const bool stands = last == ir::RecoveryKind::brake || last == ir::RecoveryKind::land;
     const bool stays = (asks.clearance || asks.distance) && stands;
     const bool waits = asks.clearance && last == ir::RecoveryKind::yield;
-    const bool holds = stays || waits;
+    const bool braked = asks.clearance && monitor_.recovery.claims;
+    const bool holds = stays || waits || braked;
     // Whether there is room to pass each other is not shown: it may be accepted that there is none.
     const bool may_wait = asks.distance && last == ir::RecoveryKind::yield;
     if (written_.hold_reason && !holds && !may_wait) return unneeded();
     if (written_.hold_reason || !holds) return;
+    if (braked) return breaks_its_claim();
     const ir::Motion& any = decision_.motions[0];
     const std::int64_t farther_mm =
         disc_mm(decision_.body, any, any.speed_mmps,
@@ -154,10 +91,41 @@ class Recoveries {
     d.notes.push_back({std::nullopt, "beyond the property at full speed, it stops up to " +
                                          metres(farther_mm) + " farther on, and stays there"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = std::string(asks.clearance ? "`retreat within Z speed 0.1 m/s` works"
-                                        : "`yield within Z speed 0.1 m/s order id` works") +
+    d.help = (asks.clearance
+                  ? "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "` works"
+                  : "`yield within Z speed " + speed_to_name() + " order id` works") +
              ", or `hold when violated \"why\";` in the monitor";
     diagnostics_.report(std::move(d));
+  }
+  // Outside of what it claims an external recovery is braked, in every tick.
+  void breaks_its_claim() {
+    const std::string zone = "`" + module_[monitor_.recovery.zone].name + "`";
+    diag::Diagnostic d =
+        finding(Code::no_way_back, "where `" + monitor_.name + "` is false, `" + controller_.name +
+                                       "` breaks its claim: it is braked, and control is never "
+                                       "given back");
+    d.label = "does not lead out of a violation";
+    d.notes.push_back(
+        {controller_.name_range, "its claim to stay inside " + zone + " is declared here"});
+    d.help =
+        "`hold when violated \"why\";` in the monitor says why that is acceptable; or "
+        "`retreat within " +
+        zone_to_name() + " speed " + speed_to_name() + "` leads back in";
+    diagnostics_.report(std::move(d));
+  }
+  // A zone and a speed of a recovery that would be accepted, as far as the property tells.
+  std::string zone_to_name() const {
+    const auto fences = fences_of(monitor_.property, decision_.facts.params);
+    const std::string name = fences.size() == 1 ? module_[fences[0]].name : "Z";
+    const std::string outside = "outside_of_";
+    return name.starts_with(outside) || name.starts_with("zone_of_line_") ? "Z" : name;
+  }
+  std::string speed_to_name() const {
+    const std::int64_t least_mmps =
+        2 * (decision_.body.velocity_error_mmps + decision_.pushed_mmps);
+    const std::int64_t mmps =
+        std::min(decision_.motions[0].speed_mmps, std::max<std::int64_t>(100, least_mmps));
+    return to_decimal(Rational(mmps, 1000)) + " m/s";
   }
   void unneeded() {
     diag::Diagnostic d{};
@@ -171,33 +139,47 @@ class Recoveries {
   }
 
   // theory, horizon: the module runs every Delta; a command that acts later than the look-ahead
-  // lasts is overtaken by the next decisions before it does anything.
+  // lasts is overtaken by the next decisions before it does anything. Every horizon contains the
+  // latency, so that this is safe; no look-ahead that covers it may leave a place to return to.
   void acts_in_time() {
     const std::int64_t latency_us = decision_.body.latency_us;
     const std::int64_t ahead_us = monitor_.lookahead.duration_us;
     if (!monitor_.lookahead.duration || monitor_.lookahead.too_short || latency_us <= ahead_us) {
       return;
     }
+    const Fits returns = [&](const Trial& t) { return returns_covered(t); };
+    const bool covered = returns(trial_of(spec_, decided_));
     diag::Diagnostic d{};
-    d.code = Code::latency_too_long;
+    d.code = covered ? Code::latency_too_long : Code::limit_contradictory;
     d.range = monitor_.lookahead_source;
     if (d.range->begin == d.range->end) d.range = written_.name_range;
     d.message = "a command acts " + millis(latency_us) + " after it is decided, and `" +
                 monitor_.name + "` looks " + millis(ahead_us) + " ahead";
-    d.label = "the latency is longer than the look-ahead";
+    d.label = covered ? "the latency is longer than the look-ahead"
+                      : "no look-ahead that covers the latency leaves a place to return to";
     d.notes.push_back({spec_[written_.kind].latency.range, "the latency is declared here"});
     const std::string least = "a latency of at most " + millis(ahead_us);
-    d.help = returns_with(latency_us) ? "`ahead " + millis(latency_us) + "` works, or " + least
-                                      : least + " works";
+    const auto others = covered ? std::vector<std::string>{} : repairs(spec_, decided_, returns);
+    d.help = covered          ? "`ahead " + millis(latency_us) + "` works, or " + least
+             : others.empty() ? "no number alone works: a wider zone and " + least + " are needed"
+                              : joined(others) + " works";
     diagnostics_.report(std::move(d));
   }
-  // With that look-ahead, the fences of the property leave a place to return to.
-  bool returns_with(std::int64_t ahead_us) const {
-    const auto fences = fences_of(monitor_.property, decision_.facts.params);
-    return std::all_of(fences.begin(), fences.end(), [&](ir::ZoneIndex zone) {
-      return lookahead_max_us(decision_, module_[zone].widest_mm,
-                              standoffs_of(decision_).fence_mm) >= ahead_us;
-    });
+  // With a look-ahead that covers the latency, each zone that a recovery of the decision ends in,
+  // or that a property keeps the robot in, has a place to return to.
+  bool returns_covered(const Trial& t) const {
+    const std::int64_t need_mm = return_clearance_mm(t.decision, covering_us(t));
+    for (const ir::Monitor& m : decision_.monitors) {
+      const ir::Recovery& last = ir::last_step(m.recovery);
+      auto zones = fences_of(m.property, decision_.facts.params);
+      if (last.kind == ir::RecoveryKind::retreat || last.kind == ir::RecoveryKind::loiter) {
+        zones.push_back(last.zone);
+      }
+      for (const ir::ZoneIndex zone : zones) {
+        if (need_mm + standoff_mm(decision_, m.recovery) > module_[zone].widest_mm) return false;
+      }
+    }
+    return true;
   }
 
   // What nobody has verified may be wrong; what it claims is checked while it drives.
@@ -205,13 +187,7 @@ class Recoveries {
     const ir::Recovery& r = monitor_.recovery;
     if (r.kind != ir::RecoveryKind::external) return;
     if (r.claims && decision_.body.in_space) return;  // refused before
-    if (r.claims) {
-      ir::Recovery mover = r;
-      for (const ir::ZoneIndex fence : fences_of(monitor_.property, decision_.facts.params)) {
-        if (elsewhere(mover, fence)) break;
-      }
-      return;
-    }
+    if (r.claims) return claims_too_little();
     const auto fences = fences_of(monitor_.property, decision_.facts.params);
     const std::string zone = fences.empty() ? "Z" : module_[fences.front()].name;
     diag::Diagnostic d =
@@ -223,6 +199,42 @@ class Recoveries {
              " speed <= " + to_decimal(Rational(decision_.motions[0].speed_mmps, 1000)) +
              " m/s` works: a robot that leaves its claim is braked";
     diagnostics_.report(std::move(d));
+  }
+
+  // runtime, claim: the body, and what it may do until it is braked, have to be seen to lie in the
+  // zone, at rest and whatever the measurements err.
+  void claims_too_little() {
+    const ir::ZoneTable& zone = module_[monitor_.recovery.zone];
+    std::int64_t ahead_us = 0;
+    for (const ir::Monitor& m : decision_.monitors) {
+      if (m.recovery.name != monitor_.recovery.name) continue;
+      ahead_us = std::max(ahead_us, m.lookahead.duration_us);
+    }
+    const auto k = static_cast<std::size_t>(&monitor_ - decision_.monitors.data());
+    const std::int64_t need_mm = claim_clearance_mm(decision_, decision_.motions[k + 1], ahead_us);
+    if (zone.widest_mm >= need_mm) return;
+    diag::Diagnostic d =
+        finding(Code::recovery_unclaimed, "`" + controller_.name + "` claims to stay inside `" +
+                                              zone.name + "`, which is never seen to hold");
+    d.label = "braked at once, and for good";
+    d.notes.push_back({std::nullopt, "the widest place of `" + zone.name + "` has a clearance of " +
+                                         metres(zone.widest_mm) + ", at " +
+                                         place(zone.widest_x_mm, zone.widest_y_mm)});
+    d.notes.push_back({std::nullopt,
+                       "body, errors, and what a robot at rest may do until it is "
+                       "braked take " +
+                           metres(need_mm)});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = "a zone in which a place has a clearance of " + metres(need_mm) + " works" +
+             wider_claim(need_mm);
+    diagnostics_.report(std::move(d));
+  }
+  std::string wider_claim(std::int64_t need_mm) const {
+    const auto fences = fences_of(monitor_.property, decision_.facts.params);
+    if (fences.size() != 1 || module_[fences[0]].widest_mm < need_mm || zone_to_name() == "Z") {
+      return "";
+    }
+    return ", such as `" + module_[fences[0]].name + "`";
   }
 
   // theory, P2b: parts of the zone from where the recovery finds no way to give control back.
@@ -250,16 +262,29 @@ class Recoveries {
              (ways.stranded.size() > 1
                   ? ", and there are " + std::to_string(ways.stranded.size() - 1) + " more"
                   : "")});
-    d.help = "widen it to " + metres(2 * last.return_clearance_mm) +
-             ", join it to a wider part, or take it out of the zone";
+    const auto leads_back = [&](const ir::Cells& cells) {
+      const Ways of_it = ways_over(cells, module_, decision_, last);
+      return of_it.stranded.empty() || of_it.stranded.front().cells < stranded_cells_least;
+    };
+    d.help = grown(last, leads_back).value_or("widen it") +
+             ", or join it to a wider part, or take it out of the zone";
     diagnostics_.report(std::move(d));
+  }
+  // With how much more on every side `fits` holds.
+  std::optional<std::string> grown(const ir::Recovery& last,
+                                   const std::function<bool(const ir::Cells&)>& fits) const {
+    const ir::ZoneTable& zone = module_[last.zone];
+    const std::int64_t most_mm = 2 * last.return_clearance_mm + 4 * zone.cells.cell_mm;
+    const auto by_mm = widening_mm(exact_(last.zone), most_mm, fits);
+    if (!by_mm) return std::nullopt;
+    return "`grow(" + zone.name + ", " + metres(*by_mm) + ")` in its place works";
   }
 
   // The advanced controller never drives there: what is too narrow for control to be given back is
   // too narrow for it to be kept.
   void too_narrow(const ir::Recovery& last) {
     const ir::ZoneTable& zone = module_[last.zone];
-    const std::int64_t body_mm = decision_.body.radius_mm + standoffs_of(decision_).fence_mm;
+    const std::int64_t body_mm = decision_.body.radius_mm + standoff_mm(decision_, last);
     const auto parts = narrow_parts(zone.cells, body_mm, last.return_clearance_mm);
     if (parts.empty() || parts.front().cells < stranded_cells_least) return;
     diag::Diagnostic d =
@@ -267,8 +292,14 @@ class Recoveries {
                                                place(parts.front().x_mm, parts.front().y_mm) +
                                                " in `" + zone.name + "`");
     d.label = "takes the robot out of there";
-    d.help = "it is about " + metres(2 * parts.front().clearance_mm) + " wide there, and " +
-             metres(2 * last.return_clearance_mm) + " would be wide enough";
+    const auto wide = [&](const ir::Cells& cells) {
+      const auto left = narrow_parts(cells, body_mm, last.return_clearance_mm);
+      return left.empty() || left.front().cells < stranded_cells_least;
+    };
+    d.help =
+        "it is about " + metres(2 * parts.front().clearance_mm) + " wide there; " +
+        grown(last, wide)
+            .value_or(metres(2 * last.return_clearance_mm) + " and two cells would be wide enough");
     diagnostics_.report(std::move(d));
   }
 
@@ -283,6 +314,7 @@ class Recoveries {
   const sema::Spec& spec_;
   const ir::Module& module_;
   const ExactZone& exact_;
+  const sema::Decision& decided_;
   const ir::Decision& decision_;
   const sema::Monitor& written_;
   const ir::Monitor& monitor_;
@@ -293,18 +325,24 @@ class Recoveries {
 }  // namespace
 
 void check_recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                      const ExactSolid& solid, diag::Engine& diagnostics) {
+                      const ExactSolid& solid, const HowItLies& lies, diag::Engine& diagnostics) {
   for (std::size_t i = 0; i < module.decisions.size(); ++i) {
     const ir::Decision& decision = module.decisions[i];
     if (decision.on_plan) continue;
     for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
       const sema::Monitor& written = spec[spec.decisions[i].priority[k]];
       if (!written.recover) continue;
-      Recoveries(spec, module, exact, decision, written, decision.monitors[k], diagnostics).run();
+      Recoveries(spec, module, exact, spec.decisions[i], decision, written, decision.monitors[k],
+                 diagnostics)
+          .run();
       if (!decision.body.in_space) continue;
       if (auto found = misplaced_in_space(written, module, decision, decision.monitors[k], solid)) {
         diagnostics.report(std::move(*found));
       }
+    }
+    if (decision.body.in_space || diagnostics.has_errors()) continue;
+    if (auto found = apart_for_ever({spec, spec.decisions[i], module, decision, lies}, exact)) {
+      diagnostics.report(std::move(*found));
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/recovery_places.h"
 #include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
@@ -89,6 +90,7 @@ class InSpace {
                      some_corner(slab.region),
           "a zone that lies in `" + module_[fence].name + "` works, such as that one itself");
     }
+    if (Found found = across()) return found;
     if (!zone.has_height()) return std::nullopt;  // it keeps its height
     const std::int64_t top_mm = zone.slabs.back().ceiling_mm;
     const std::int64_t bottom_mm = zone.slabs.front().floor_mm;
@@ -101,6 +103,34 @@ class InSpace {
       return elsewhere("the heights from " + metres(*least_mm_) + " on",
                        "`" + zone.name + "` reaches down to " + metres(bottom_mm),
                        "a zone with a floor of at least " + metres(*least_mm_) + " works");
+    }
+    return std::nullopt;
+  }
+  // From outside its zone it makes straight for it, as in the plane: what is convex is not left.
+  Found across() const {
+    geometry::Solid starts = geometry::Solid::everywhere();
+    for (const ir::Monitor& m : decision_.monitors) {
+      for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
+        starts = starts.intersect(exact_(fence));
+      }
+    }
+    for (const ir::ZoneIndex fence : fences()) {
+      const geometry::Solid allowed = exact_(fence);
+      const bool convex = allowed.slabs().size() == 1 && is_convex(allowed.slabs()[0].region);
+      if (fence == recovery_.zone || convex) continue;
+      const geometry::Solid from = starts.subtract(exact_(recovery_.zone));
+      if (from.empty()) continue;
+      const std::string name = "`" + module_[fence].name + "`";
+      diag::Diagnostic d = finding(
+          Code::no_way_back, "`" + recovery_.name + "` knows a part of what `" + monitor_.name +
+                                 "` allows, and may lead across what lies "
+                                 "between, or find no way in");
+      d.label = "makes straight for its zone";
+      d.notes.push_back({std::nullopt, "from the rest of " + name + ", such as at a height of " +
+                                           metres(from.slabs().front().floor) + " over " +
+                                           some_corner(from.slabs().front().region)});
+      d.help = "a recovery within " + name + " works: it finds its ways inside";
+      return d;
     }
     return std::nullopt;
   }

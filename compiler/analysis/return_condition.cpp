@@ -57,6 +57,28 @@ std::optional<std::int64_t> price_at(const ir::Module& module, ir::SiteIndex sit
   return most;
 }
 
+// That a value is the constant false: said so, or of two numbers that are written.
+bool is_never(const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::Truth>(&op)) return !v->value;
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (!compare) return false;
+  const auto* a = std::get_if<ir::Const>(&block[compare->a].op);
+  const auto* b = std::get_if<ir::Const>(&block[compare->b].op);
+  return a != nullptr && b != nullptr &&
+         (a->value < b->value || (compare->strict && a->value == b->value));
+}
+bool is_never_at_all(const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return is_never_at_all(block, v->a) || is_never_at_all(block, v->b);
+  }
+  if (const auto* v = std::get_if<ir::Or>(&op)) {
+    return is_never_at_all(block, v->a) && is_never_at_all(block, v->b);
+  }
+  return is_never(block, id);
+}
+
 class Judge {
  public:
   Judge(const ir::Module& module, const ir::Decision& decision, std::size_t k)
@@ -84,6 +106,7 @@ class Judge {
       Finding a = condition(block, v->a);
       return a && condition(block, v->b) ? a : std::nullopt;
     }
+    if (is_never(block, id)) return never(block[id].source);
     if (const auto* v = std::get_if<ir::HeldFor>(&op)) return condition(block, v->a);
     if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
       if (v->universal && decision_.robots < 2) return std::nullopt;  // there is no other
@@ -104,6 +127,8 @@ class Judge {
       }
       return std::nullopt;
     }
+    const auto most = ir::upper_bound(block, *compare);
+    if (most && most->leaf.kind == Leaf::Kind::speed) return slow(most->most, source);
     const auto way = way_of(block, *compare);
     if (!way) return std::nullopt;
     const ir::Body& b = decision_.body;
@@ -123,6 +148,11 @@ class Judge {
       Finding a = property(block, v->a);
       return a ? a : property(block, v->b);
     }
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      Finding a = property(block, v->a);
+      return a && property(block, v->b) ? a : std::nullopt;
+    }
+    if (is_never(block, id)) return never(block[id].source);
     if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
       if (v->universal && decision_.robots < 2) return std::nullopt;  // there is no other
       return property(*v->body, v->body->result);
@@ -289,6 +319,23 @@ class Judge {
                                : "no charge works" + beyond + ": a nearer site is needed";
     return d;
   }
+  // Measured to stand, this instant, it may still have the error of its velocity.
+  Finding slow(std::int64_t most_mmps, const SourceRange& source) const {
+    const std::int64_t error_mmps = decision_.body.velocity_error_mmps;
+    if (most_mmps >= error_mmps) return std::nullopt;
+    diag::Diagnostic d = finding(source);
+    const auto text = [](std::int64_t mmps) { return to_decimal(Rational(mmps, 1000)) + " m/s"; };
+    d.label = "no robot at rest is seen to be so slow";
+    d.notes.push_back({std::nullopt, "its velocity errs by up to " + text(error_mmps)});
+    d.help = "a speed of at least " + text(error_mmps) + " can be seen";
+    return d;
+  }
+  Finding never(const SourceRange& source) const {
+    diag::Diagnostic d = finding(source);
+    d.label = "is false, whatever the robot does";
+    d.help = "what can be true works; nothing else of the monitor makes up for it";
+    return d;
+  }
   diag::Diagnostic finding(const SourceRange& source) const {
     diag::Diagnostic d{};
     d.code = diag::Code::return_set_empty;
@@ -309,6 +356,10 @@ std::int64_t asked_clearance_mm(const ir::Module& module, const ir::Decision& de
                                 std::size_t k) {
   const auto& when = decision.monitors[k].return_when;
   return when ? Judge(module, decision, k).asked(*when, when->result) : 0;
+}
+
+bool never_holds(const ir::Block& property) {
+  return is_never_at_all(property, property.result);
 }
 
 std::optional<diag::Diagnostic> hopeless_return(const ir::Module& module,

@@ -19,4 +19,7 @@ std::int64_t asked_clearance_mm(const ir::Module& module, const ir::Decision& de
 std::optional<diag::Diagnostic> hopeless_return(const ir::Module& module,
                                                 const ir::Decision& decision, std::size_t k);
 
+// A property that is false whatever is measured: `false`, `1 m >= 2 m`, or all sides of an `or`.
+bool never_holds(const ir::Block& property);
+
 }  // namespace rtac::analysis

@@ -4,12 +4,17 @@
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
-#include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/timing.h"
+#include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
 namespace {
+
+// No zone gets so much wider.
+constexpr std::int64_t wider_most_mm = 1'000'000;
 
 std::string metres(std::int64_t mm) {
   return to_decimal(Rational(mm, 1000)) + " m";
@@ -35,22 +40,21 @@ std::optional<ir::ZoneIndex> place_of(const ir::Module& module, const ir::Decisi
 }
 
 // Every recovery heads for the clearance that suits all monitors (derive.cpp): it grows with the
-// longest look-ahead and the largest standoff, whosever they are.
+// longest look-ahead and the standoffs that count in its zone, whosever they are.
 class ReturnSet {
  public:
-  ReturnSet(const ir::Module& module, const ir::Decision& decision)
-      : module_(module), decision_(decision), standoff_mm_(standoffs_of(decision).fence_mm) {
-    for (const ir::Monitor& m : decision.monitors) {
-      lookahead_us_ = std::max(lookahead_us_, m.lookahead.duration_us);
+  explicit ReturnSet(const Decided& of)
+      : of_(of), module_(of.module), decision_(of.decision), now_(trial_of(of.spec, of.written)) {
+    for (const ir::Monitor& m : decision_.monitors) {
       if (!returns(m)) continue;
-      // what works in the narrowest of their zones works in all
-      if (!retreat_ || widest_mm(m) < widest_mm(*retreat_)) retreat_ = &m;
+      // what works where most is missing works in all of their zones
+      if (!retreat_ || missing_mm(m) > missing_mm(*retreat_)) retreat_ = &m;
     }
   }
 
   std::vector<diag::Diagnostic> findings() const {
     if (!retreat_) return {};
-    if (need_mm(lookahead_us_, standoff_mm_) > widest_mm(*retreat_)) return of_all_monitors();
+    if (missing_mm(*retreat_) > 0) return of_all_monitors();
     std::vector<diag::Diagnostic> all;
     for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
       const ir::Monitor& m = decision_.monitors[k];
@@ -65,40 +69,128 @@ class ReturnSet {
     return module_[*place_of(module_, decision_, m)];
   }
   std::int64_t widest_mm(const ir::Monitor& m) const { return zone_of(m).widest_mm; }
-  std::int64_t need_mm(std::int64_t lookahead_us, std::int64_t standoff_mm) const {
-    return return_clearance_mm(decision_, lookahead_us) + standoff_mm;
-  }
   std::int64_t standoff_mm(const ir::Monitor& m) const {
-    Standoffs own;
-    ask_for_standoffs(m.property, decision_.facts.params, own);
-    return own.fence_mm;
+    return standoff_in(decision_, m, *place_of(module_, decision_, m), of_.lies);
+  }
+  static std::int64_t need_mm(const Trial& trial, std::int64_t standoff_mm) {
+    return return_clearance_mm(trial.decision, trial.lookahead_us) + standoff_mm;
+  }
+  std::int64_t missing_mm(const ir::Monitor& m) const {
+    return need_mm(now_, standoff_mm(m)) - widest_mm(m);
+  }
+  // What the property of a monitor adds where most is missing.
+  std::int64_t added_mm(const ir::Monitor& m) const {
+    return standoff_of(m.property, decision_.facts.params,
+                       m.recovery.name == retreat_->recovery.name,
+                       *place_of(module_, decision_, *retreat_), of_.lies);
+  }
+  // The most that a monitor may ask for where nothing but `spare_mm` is left: of another zone also
+  // what the whole place keeps from its boundary.
+  std::int64_t kept_mm(const ir::Monitor& m, std::int64_t spare_mm) const {
+    const ir::ZoneIndex place = *place_of(module_, decision_, *retreat_);
+    std::optional<std::int64_t> least;
+    for (const Standoff& each : fence_standoffs(m.property, decision_.facts.params)) {
+      if (each.mm <= spare_mm) continue;
+      const auto deep = [&](std::int64_t mm) {
+        return of_.lies(place, {each.zone, mm}) == Lies::deep;
+      };
+      if (each.zone == place || !deep(spare_mm)) return spare_mm;
+      std::int64_t low = spare_mm, high = each.mm;
+      while (high - low > 1) {
+        const std::int64_t middle = low + (high - low) / 2;
+        (deep(middle) ? low : high) = middle;
+      }
+      least = std::min(least.value_or(low), low);
+    }
+    return least.value_or(spare_mm);
+  }
+  const sema::Monitor& written(const ir::Monitor& m) const {
+    const auto k = static_cast<std::size_t>(&m - decision_.monitors.data());
+    return of_.spec[of_.written.priority[k]];
+  }
+
+  // The longest look-ahead with which `fits` holds, in whole ms, if all that are longer are
+  // declared and may be so short.
+  std::optional<std::int64_t> shorter_us(const Fits& fits) const {
+    std::int64_t low = 0, high = now_.lookahead_us / 1000 + 1;  // ms
+    const auto works = [&](std::int64_t ms) {
+      return fits(with_lookahead(of_.spec, of_.written, 1000 * ms));
+    };
+    if (!works(low)) return std::nullopt;
+    while (high - low > 1) {
+      const std::int64_t middle = (low + high) / 2;
+      (works(middle) ? low : high) = middle;
+    }
+    for (const ir::Monitor& m : decision_.monitors) {
+      if (m.lookahead.duration_us <= 1000 * low) continue;
+      const std::int64_t least_us = periods_of(of_.spec, written(m)) * decision_.period_us;
+      if (!written(m).ahead.duration || 1000 * low < least_us) return std::nullopt;
+    }
+    return 1000 * low;
   }
 
   // Shorter look-aheads work, or smaller standoffs, or neither does alone.
   std::vector<diag::Diagnostic> of_all_monitors() const {
-    const std::int64_t widest = widest_mm(*retreat_);
-    const std::int64_t ahead_us = lookahead_max_us(decision_, widest, standoff_mm_);
-    const std::int64_t spare_mm = widest - need_mm(lookahead_us_, 0);
+    const std::int64_t widest = widest_mm(*retreat_), standoff = standoff_mm(*retreat_);
+    // with a look-ahead that covers the latency, too
+    const Fits fits = [&](const Trial& t) {
+      return return_clearance_mm(t.decision, covering_us(t)) + standoff <= widest;
+    };
+    const std::optional<std::int64_t> ahead_us = shorter_us(fits);
+    const std::int64_t spare_mm = widest - need_mm(now_, 0);
     std::vector<diag::Diagnostic> all;
     for (const ir::Monitor& m : decision_.monitors) {
-      const std::int64_t own_mm = standoff_mm(m);
-      if (ahead_us >= decision_.period_us) {
-        if (m.lookahead.duration_us <= ahead_us) continue;
-        all.push_back(finding(m, need_mm(m.lookahead.duration_us, standoff_mm_)));
-        all.back().help = "`ahead` of at most " + millis(ahead_us) + " works";
+      const std::int64_t own_mm = added_mm(m);
+      if (ahead_us) {
+        if (m.lookahead.duration_us <= *ahead_us) continue;
+        all.push_back(finding(
+            m, need_mm(with_lookahead(of_.spec, of_.written, m.lookahead.duration_us), standoff)));
+        all.back().help = "`ahead` of at most " + millis(*ahead_us) + " works";
       } else if (spare_mm >= 0) {
         if (own_mm <= spare_mm) continue;
-        all.push_back(finding(m, need_mm(lookahead_us_, own_mm)));
+        all.push_back(finding(m, need_mm(now_, own_mm)));
         all.back().range = standoff_source(m, own_mm);
-        all.back().help = "a clearance of at most " + metres(spare_mm) + " works";
-      } else if (m.lookahead.duration_us == lookahead_us_) {
-        const std::int64_t need = need_mm(lookahead_us_, standoff_mm_);
-        all.push_back(finding(m, need));
-        all.back().help = "no look-ahead works here: widen the zone by " +
-                          metres(2 * (need - widest)) + ", or lower `speed` or `accel`";
+        all.back().help = "a clearance of at most " + metres(kept_mm(m, spare_mm)) + " works";
+      } else if (m.lookahead.duration_us == now_.lookahead_us) {
+        all.push_back(finding(m, need_mm(now_, standoff)));
+        all.back().help = "no look-ahead works here" + wider(fits);
       }
     }
     return all;
+  }
+  // On both sides of the widest place. A large zone has wide cells, of which all of one has to be
+  // clear: as much more as its diagonal (well_formed.cpp, cells).
+  std::int64_t wider_mm() const {
+    const ir::ZoneTable& zone = zone_of(*retreat_);
+    const std::int64_t least_mm = 2 * missing_mm(*retreat_);
+    if (zone.edges.empty() || !ir::moves(ir::last_step(retreat_->recovery).kind)) return least_mm;
+    const auto extent = [&](auto of) {
+      const auto [low, high] =
+          std::minmax_element(zone.edges.begin(), zone.edges.end(),
+                              [&](const ir::Edge& a, const ir::Edge& b) { return of(a) < of(b); });
+      return std::int64_t{of(*high)} - of(*low);
+    };
+    const std::int64_t width_mm = extent([](const ir::Edge& e) { return e.ax; });
+    const std::int64_t height_mm = extent([](const ir::Edge& e) { return e.ay; });
+    std::int64_t by_mm = least_mm;
+    for (std::int64_t cell_mm = 0;;) {
+      const std::int64_t now_mm = cell_mm_for(width_mm + by_mm, height_mm + by_mm);
+      if (now_mm <= cell_mm || now_mm <= cell_mm_least) return by_mm;
+      cell_mm = now_mm;
+      by_mm = least_mm + 2 * (cell_mm * 14'143 / 10'000 + 1);
+    }
+  }
+  // Or one other number.
+  std::string wider(const Fits& fits) const {
+    const auto others = repairs(of_.spec, of_.written, fits);
+    const std::int64_t by_mm = wider_mm();
+    const std::string one = others.empty() ? "" : joined(others) + " works";
+    if (by_mm > wider_most_mm) {
+      return one.empty() ? ", nor any one other number: several have to change" : ": " + one;
+    }
+    const std::string zone = zone_of(*retreat_).has_height() ? "the zone has to be wider and higher"
+                                                             : "widen the zone by " + metres(by_mm);
+    return ": " + zone + (one.empty() ? "" : "; or " + one);
   }
 
   // The return condition of the monitor itself asks for more, in another zone than it retreats in.
@@ -153,17 +245,17 @@ class ReturnSet {
     return m.lookahead_source;
   }
 
+  const Decided& of_;
   const ir::Module& module_;
   const ir::Decision& decision_;
-  std::int64_t lookahead_us_ = 0, standoff_mm_;
-  const ir::Monitor* retreat_ = nullptr;  // in the narrowest zone; none: no monitor does
+  const Trial now_;
+  const ir::Monitor* retreat_ = nullptr;  // where most is missing; none: no monitor returns
 };
 
 }  // namespace
 
-std::vector<diag::Diagnostic> empty_return_sets(const ir::Module& module,
-                                                const ir::Decision& decision) {
-  return ReturnSet(module, decision).findings();
+std::vector<diag::Diagnostic> empty_return_sets(const Decided& of) {
+  return ReturnSet(of).findings();
 }
 
 std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,

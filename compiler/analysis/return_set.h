@@ -3,16 +3,15 @@
 
 #include <vector>
 
+#include "compiler/analysis/decided.h"
 #include "compiler/diagnostics/engine.h"
-#include "compiler/ir/module.h"
 
 namespace rtac::analysis {
 
 // 5007: a zone that a monitor retreats within has the clearance nowhere at which all monitors of
 // the decision hand back. Named is the monitor that asks for it, which need not be the one that
 // retreats, with the longest look-ahead, the largest standoff or the width that works.
-std::vector<diag::Diagnostic> empty_return_sets(const ir::Module& module,
-                                                const ir::Decision& decision);
+std::vector<diag::Diagnostic> empty_return_sets(const Decided& of);
 
 // Longest look-ahead (us, whole ms) whose return clearance fits into `widest_mm`; 0: none.
 std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,

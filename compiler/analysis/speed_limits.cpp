@@ -1,8 +1,13 @@
 #include "compiler/analysis/speed_limits.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/repairs.h"
+#include "compiler/analysis/timing.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 
@@ -15,49 +20,160 @@ std::string speed_text(std::int64_t mmps) {
 
 // What the kernel may take a robot at rest for, until a recovery would act: it is measured to have
 // the error of the velocity, which counts once more, and each component lies on the grid.
-std::int64_t fastest_from_rest(const ir::Decision& decision, const ir::Monitor& monitor) {
+std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us) {
   constexpr std::int64_t grid_mmps = 4;
   const ir::Body& body = decision.body;
-  const std::int64_t us =
-      horizon_us_max(body, monitor.lookahead.duration_us) + decision.return_extra_us;
+  const std::int64_t us = horizon_us_max(body, lookahead_us) + decision.return_extra_us;
   // theory, horizon: stamps that differ add to the error of the velocity
   const std::int64_t apart_us = std::max(body.position_age_us, body.velocity_age_us);
-  const Rational gained = Rational(body.accel_mmps2) * Rational(us + apart_us, 1'000'000);
+  const Rational gained =
+      Rational(static_cast<long>(body.accel_mmps2)) * (us + apart_us) / 1'000'000;
   const std::int64_t mmps = 2 * body.velocity_error_mmps + grid_mmps + ceil_to_int(gained);
   return std::min(decision.motions[0].speed_mmps, mmps);
 }
 
-diag::Diagnostic finding(const SourceRange& range, std::string message, std::string help) {
-  return {diag::Code::speed_limit_unkept, range, std::move(message), "", {}, std::move(help), {}};
-}
+// The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
+// where nothing else of it holds.
+class Limits {
+ public:
+  Limits(const Decided& of, std::size_t k)
+      : of_(of),
+        decision_(of.decision),
+        monitor_(of.decision.monitors[k]),
+        written_(of.spec[of.written.priority[k]]),
+        block_(monitor_.property),
+        need_mmps_(fastest_from_rest(decision_, monitor_.lookahead.duration_us)) {}
+
+  std::vector<diag::Diagnostic> run() {
+    look(block_.result);
+    return std::move(found_);
+  }
+
+ private:
+  struct Limit {
+    const ir::Value* value;
+    std::int64_t most_mmps;
+  };
+  [[nodiscard]] std::optional<Limit> limit(ir::ValueId id) const {
+    const auto* compare = std::get_if<ir::AtLeast>(&block_[id].op);
+    const auto bound = compare ? ir::upper_bound(block_, *compare) : std::nullopt;
+    if (!bound || bound->leaf.kind != ir::Leaf::Kind::speed) return std::nullopt;
+    return Limit{&block_[id], bound->most};
+  }
+  // The first one below; none: the value is none of the speed.
+  [[nodiscard]] std::optional<Limit> first(ir::ValueId id) const {
+    const ir::Op& op = block_[id].op;
+    const auto either = [&](ir::ValueId a, ir::ValueId b) {
+      const auto left = first(a);
+      return left ? left : first(b);
+    };
+    if (const auto* v = std::get_if<ir::And>(&op)) return either(v->a, v->b);
+    if (const auto* v = std::get_if<ir::Or>(&op)) return either(v->a, v->b);
+    return limit(id);
+  }
+
+  void look(ir::ValueId id) {
+    if (const auto* v = std::get_if<ir::And>(&block_[id].op)) {
+      look(v->a);
+      look(v->b);
+      return;
+    }
+    const std::optional<Limit> limit = first(id);
+    if (!limit) return;
+    if (!returns(id)) return report_no_return(*limit);
+    for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
+      const std::string& name = decision_.monitors[k].recovery.name;
+      if (keeps(k, id) || ir::acknowledged(decision_, name, monitor_.name)) continue;
+      report_too_fast(*limit, k, std::holds_alternative<ir::Or>(block_[id].op));
+    }
+  }
+  // Whether some place or other lets control return, as far as speeds are concerned.
+  [[nodiscard]] bool returns(ir::ValueId id) const {
+    const ir::Op& op = block_[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) return returns(v->a) && returns(v->b);
+    if (const auto* v = std::get_if<ir::Or>(&op)) return returns(v->a) || returns(v->b);
+    const auto own = limit(id);
+    return !own || need_mmps_ <= own->most_mmps;
+  }
+  // Whether a recovery does not break it: by its speed, or in a zone that it stays in.
+  [[nodiscard]] bool keeps(std::size_t k, ir::ValueId id) const {
+    const ir::Op& op = block_[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) return keeps(k, v->a) && keeps(k, v->b);
+    if (const auto* v = std::get_if<ir::Or>(&op)) return keeps(k, v->a) || keeps(k, v->b);
+    if (const auto own = limit(id)) return decision_.motions[k + 1].speed_mmps <= own->most_mmps;
+    const auto* compare = std::get_if<ir::AtLeast>(&op);
+    const auto bound =
+        compare ? ir::lower_bound(block_, *compare, decision_.facts.params) : std::nullopt;
+    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return false;
+    const Standoff fence{ir::ZoneIndex{bound->leaf.table}, bound->need.strictest};
+    const auto inside = [&](const ir::Recovery* step) {
+      return ir::moves(step->kind) &&
+             (step->zone == fence.zone ? fence.mm <= 0 : of_.lies(step->zone, fence) == Lies::deep);
+    };
+    const auto steps = ir::steps_of(decision_.monitors[k].recovery);
+    return std::all_of(steps.begin(), steps.end(), inside);
+  }
+
+  void report_no_return(const Limit& limit) {
+    std::int64_t works_mmps = need_mmps_;
+    for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
+      const std::string& name = decision_.monitors[k].recovery.name;
+      if (ir::acknowledged(decision_, name, monitor_.name)) continue;
+      works_mmps = std::max(works_mmps, decision_.motions[k + 1].speed_mmps);
+    }
+    const auto others = repairs(of_.spec, of_.written, [&](const Trial& t) {
+      const std::int64_t ahead_us = lookahead_us(of_.spec, written_, t.decision.period_us);
+      return fastest_from_rest(t.decision, ahead_us) <= limit.most_mmps;
+    });
+    report(limit,
+           "monitor `" + monitor_.name +
+               "` can never hand control back: from rest the robot may reach " +
+               speed_text(need_mmps_) + " before a recovery acts",
+           "a limit of " + speed_text(works_mmps) + " works" +
+               (others.empty() ? "" : "; for control to return, " + joined(others) + " works"));
+  }
+  void report_too_fast(const Limit& limit, std::size_t k, bool of_a_choice) {
+    const std::string& name = decision_.monitors[k].recovery.name;
+    const std::int64_t mmps = decision_.motions[k + 1].speed_mmps;
+    // a recovery may be faster than it means to be by twice of what pushes it, and is no slower
+    // than it takes to make way
+    const ir::Body& body = decision_.body;
+    const std::int64_t slower_mmps = limit.most_mmps - 2 * decision_.pushed_mmps;
+    const std::int64_t least_mmps = 2 * (body.velocity_error_mmps + decision_.pushed_mmps);
+    const std::string works = slower_mmps >= std::max<std::int64_t>(1, least_mmps)
+                                  ? "a recovery of at most " + speed_text(slower_mmps)
+                                  : "a limit of " + speed_text(mmps);
+    report(limit,
+           "the recovery `" + name + "` drives at up to " + speed_text(mmps) + ", and `" +
+               monitor_.name + "` allows " + speed_text(limit.most_mmps) +
+               (of_a_choice ? " where nothing else of the `or` holds" : ""),
+           works + " works; or `acknowledge " + name + " may break " + monitor_.name + " \"why\"`");
+  }
+  void report(const Limit& limit, std::string message, std::string help) {
+    found_.push_back({diag::Code::speed_limit_unkept,
+                      limit.value->source,
+                      std::move(message),
+                      "",
+                      {},
+                      std::move(help),
+                      {}});
+  }
+
+  const Decided& of_;
+  const ir::Decision& decision_;
+  const ir::Monitor& monitor_;
+  const sema::Monitor& written_;
+  const ir::Block& block_;
+  const std::int64_t need_mmps_;
+  std::vector<diag::Diagnostic> found_;
+};
 
 }  // namespace
 
-std::vector<diag::Diagnostic> unkept_speed_limits(const ir::Decision& decision) {
+std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of) {
   std::vector<diag::Diagnostic> all;
-  for (const ir::Monitor& monitor : decision.monitors) {
-    for (const ir::Value& value : monitor.property.values) {
-      const auto* compare = std::get_if<ir::AtLeast>(&value.op);
-      const auto bound = compare ? ir::upper_bound(monitor.property, *compare) : std::nullopt;
-      if (!bound || bound->leaf.kind != ir::Leaf::Kind::speed) continue;
-      for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
-        const std::string& name = decision.monitors[k].recovery.name;
-        const std::int64_t mmps = decision.motions[k + 1].speed_mmps;
-        if (mmps <= bound->most || ir::acknowledged(decision, name, monitor.name)) continue;
-        all.push_back(finding(value.source,
-                              "the recovery `" + name + "` drives at up to " + speed_text(mmps) +
-                                  ", and `" + monitor.name + "` allows " + speed_text(bound->most),
-                              "at most " + speed_text(bound->most) + " works; or `acknowledge " +
-                                  name + " may break " + monitor.name + " \"why\"`"));
-      }
-      const std::int64_t need = fastest_from_rest(decision, monitor);
-      if (need <= bound->most) continue;
-      all.push_back(finding(value.source,
-                            "monitor `" + monitor.name +
-                                "` can never hand control back: from rest the robot may reach " +
-                                speed_text(need) + " before a recovery acts",
-                            "a limit of " + speed_text(need) + " works, or a lower `accel`"));
-    }
+  for (std::size_t k = 0; k < of.decision.monitors.size(); ++k) {
+    for (diag::Diagnostic& found : Limits(of, k).run()) all.push_back(std::move(found));
   }
   return all;
 }

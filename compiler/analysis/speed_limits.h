@@ -3,12 +3,12 @@
 
 #include <vector>
 
+#include "compiler/analysis/decided.h"
 #include "compiler/diagnostics/engine.h"
-#include "compiler/ir/module.h"
 
 namespace rtac::analysis {
 
 // 5033, of each comparison that asks for at most some speed.
-std::vector<diag::Diagnostic> unkept_speed_limits(const ir::Decision& decision);
+std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of);
 
 }  // namespace rtac::analysis

@@ -37,4 +37,36 @@ Standoffs standoffs_of(const ir::Decision& decision) {
   return wanted;
 }
 
+std::vector<Standoff> fence_standoffs(const ir::Block& property,
+                                      const std::vector<ir::Param>& params) {
+  std::vector<Standoff> all;
+  ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    const auto bound = ir::lower_bound(block, compare, params);
+    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return;
+    all.push_back({ir::ZoneIndex{bound->leaf.table}, std::min(bound->need.strictest, most_mm)});
+  });
+  return all;
+}
+
+std::int64_t standoff_of(const ir::Block& property, const std::vector<ir::Param>& params, bool own,
+                         ir::ZoneIndex zone, const HowItLies& lies) {
+  std::int64_t most = 0;
+  for (const Standoff& each : fence_standoffs(property, params)) {
+    if (each.mm <= most) continue;
+    const Lies how = each.zone == zone ? Lies::in : lies(zone, each);
+    if (how == Lies::in || (how == Lies::elsewhere && own)) most = each.mm;
+  }
+  return most;
+}
+
+std::int64_t standoff_in(const ir::Decision& decision, const ir::Monitor& own, ir::ZoneIndex zone,
+                         const HowItLies& lies) {
+  std::int64_t most = 0;
+  for (const ir::Monitor& m : decision.monitors) {
+    most = std::max(most, standoff_of(m.property, decision.facts.params,
+                                      m.recovery.name == own.recovery.name, zone, lies));
+  }
+  return most;
+}
+
 }  // namespace rtac::analysis

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <vector>
 
 #include "compiler/ir/module.h"
 
@@ -18,5 +20,26 @@ void ask_for_standoffs(const ir::Block& property, const std::vector<ir::Param>& 
                        Standoffs& wanted);
 // Of all monitors of the decision.
 Standoffs standoffs_of(const ir::Decision& decision);
+
+// A clearance of some zone that a property asks for, on whichever side of an `or`.
+struct Standoff {
+  ir::ZoneIndex zone;
+  std::int64_t mm;
+};
+std::vector<Standoff> fence_standoffs(const ir::Block& property,
+                                      const std::vector<ir::Param>& params);
+
+// How a zone lies in another one: `deep` where each of its places keeps the standoff of that.
+enum class Lies { elsewhere, in, deep };
+using HowItLies = std::function<Lies(ir::ZoneIndex inner, const Standoff& outer)>;
+
+// What a recovery has to keep from the boundary of its `zone`, beyond what it keeps from any: so
+// that the properties of the decision hold which the zone lies in, and that of its own monitor,
+// whatever the zone. Of other zones, their own recoveries take care.
+std::int64_t standoff_in(const ir::Decision& decision, const ir::Monitor& own, ir::ZoneIndex zone,
+                         const HowItLies& lies);
+// What one property adds to that.
+std::int64_t standoff_of(const ir::Block& property, const std::vector<ir::Param>& params, bool own,
+                         ir::ZoneIndex zone, const HowItLies& lies);
 
 }  // namespace rtac::analysis

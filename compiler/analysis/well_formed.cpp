@@ -7,12 +7,13 @@
 
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/derive.h"
+#include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/speed_limits.h"
-#include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
@@ -43,17 +44,18 @@ std::optional<std::size_t> cell_at(const ir::Cells& cells, std::int64_t x_mm, st
 class WellFormed {
  public:
   WellFormed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-             diag::Engine& diagnostics)
-      : spec_(spec), module_(module), tables_(tables), diagnostics_(diagnostics) {}
+             const HowItLies& lies, diag::Engine& diagnostics)
+      : spec_(spec), module_(module), tables_(tables), lies_(lies), diagnostics_(diagnostics) {}
 
   void run() {
     for (std::size_t i = 0; i < module_.decisions.size(); ++i) {
       const ir::Decision& decision = module_.decisions[i];
       if (decision.on_plan) continue;
-      for (diag::Diagnostic& found : empty_return_sets(module_, decision)) {
+      const Decided decided{spec_, spec_.decisions[i], module_, decision, lies_};
+      for (diag::Diagnostic& found : empty_return_sets(decided)) {
         diagnostics_.report(std::move(found));
       }
-      for (diag::Diagnostic& found : unkept_speed_limits(decision)) {
+      for (diag::Diagnostic& found : unkept_speed_limits(decided)) {
         diagnostics_.report(std::move(found));
       }
       for (diag::Diagnostic& found : unkept_company(decision)) {
@@ -66,15 +68,24 @@ class WellFormed {
         const ir::Monitor& monitor = decision.monitors[k];
         for (const ir::Recovery* step : ir::steps_of(monitor.recovery)) cells(*step);
         exact_far_enough(decision, monitor);
-        if (auto found = hopeless_return(module_, decision, k)) {
+        legs(decision, monitor);
+        if (auto found = hopeless_return(module_, decision, k); found && !is_told_of(*found)) {
           diagnostics_.report(std::move(*found));
         }
-        site(spec_.decisions[i].kind, decision, monitor);
+        site(decided, monitor);
       }
     }
   }
 
  private:
+  // What cannot be built counts as false, and has been reported where it stands.
+  bool is_told_of(const diag::Diagnostic& found) const {
+    const auto& all = diagnostics_.all();
+    return std::any_of(all.begin(), all.end(), [&](const diag::Diagnostic& d) {
+      return diag::info(d.code).severity == diag::Severity::error && d.range && found.range &&
+             d.range->file == found.range->file && d.range->begin == found.range->begin;
+    });
+  }
   // A recovery searches cells: in a large zone they are wide, and all of a cell counts for as clear
   // as its worst place. Cells as narrow as can be are not asked: what they miss, straight ways
   // find. Where a route ends is asked of its site.
@@ -98,10 +109,42 @@ class WellFormed {
     d.help = narrower(zone.widest_mm - need);
     diagnostics_.report(std::move(d));
   }
+  // `ahead n waypoints`: a leg that keeps its distance has to fit somewhere (passes, legs).
+  void legs(const ir::Decision& decision, const ir::Monitor& monitor) {
+    if (monitor.lookahead.waypoints == 0) return;
+    for (const ir::ZoneIndex fence : fences_of(monitor.property, decision.facts.params)) {
+      std::int64_t own_mm = 0;
+      for (const Standoff& each : fence_standoffs(monitor.property, decision.facts.params)) {
+        if (each.zone == fence) own_mm = std::max(own_mm, each.mm);
+      }
+      const std::int64_t tracking_mm =
+          monitor.lookahead.points_only ? 0 : decision.body.tracking_mm;
+      const std::int64_t rest_mm = decision.body.radius_mm + own_mm + 1;
+      const std::int64_t spare_mm = module_[fence].widest_mm - rest_mm;
+      if (tracking_mm <= spare_mm) continue;
+      const std::string zone = "`" + module_[fence].name + "`";
+      diag::Diagnostic d{};
+      d.code = Code::return_set_empty;
+      d.range = monitor.lookahead_source;
+      d.message = "with a plan, monitor `" + monitor.name + "` can never hand control back";
+      d.label = "each way-point and leg keeps " + metres(rest_mm + tracking_mm) +
+                " from the boundary of " + zone;
+      d.notes.push_back({std::nullopt, "the widest place of " + zone + " has a clearance of " +
+                                           metres(module_[fence].widest_mm)});
+      d.help = spare_mm >= 0 ? "`tracking <= " + metres(spare_mm) + "` works"
+                             : "no `tracking` works: widen the zone by " + metres(-2 * spare_mm);
+      diagnostics_.report(std::move(d));
+      return;
+    }
+  }
   // A cell of width s around the widest place has at least the clearance there less its diagonal.
   static std::string narrower(std::int64_t spare_mm) {
-    const std::int64_t cell_mm =
-        std::max<std::int64_t>(spare_mm * 7071 / 100'000 * 10, cell_mm_least);
+    const std::int64_t cell_mm = spare_mm * 7071 / 100'000 * 10;
+    if (cell_mm < cell_mm_least) {  // cells are never so narrow
+      const std::int64_t wider_mm = cell_mm_least * 14'143 / 10'000 + 1 - spare_mm;
+      return "split the zone into parts within 20 m x 20 m, and widen its passages by " +
+             metres(2 * wider_mm) + ": cells of " + metres(cell_mm_least) + " work then";
+    }
     const std::int64_t side_mm = 200 * cell_mm;  // of the square with `cells_most` cells
     return "split the zone, or widen its passages: cells of at most " + metres(cell_mm) +
            " work, as a zone within " + metres(side_mm) + " x " + metres(side_mm) + " has them";
@@ -153,7 +196,8 @@ class WellFormed {
     diagnostics_.report(std::move(d));
   }
 
-  void site(sema::KindId kind, const ir::Decision& decision, const ir::Monitor& monitor) {
+  void site(const Decided& of, const ir::Monitor& monitor) {
+    const sema::KindId kind = of.written.kind;
     const ir::Recovery& way = ir::last_step(monitor.recovery);
     if (way.kind != ir::RecoveryKind::route) return;
     const ir::SiteTable& site = module_[way.site];
@@ -168,19 +212,19 @@ class WellFormed {
       const std::int64_t give_back = way.return_clearance_mm;
       if (clearance < 0) {
         report(Code::site_outside_zone, range, what + " lies outside `" + zone.name + "`",
-               nearest_place(zone, place, std::max(route, give_back)));
+               nearest_place(of, way, place));
       } else if (clearance < route) {
         report(Code::site_unreachable, range,
                what + " has a clearance of about " + clearance_text(zone.cells, clearance) + ", `" +
                    monitor.recovery.name + "` keeps " + metres(route),
-               nearest_place(zone, place, std::max(route, give_back)));
+               nearest_place(of, way, place));
       } else if (clearance < give_back) {
         report(Code::site_not_returnable, range,
                "control cannot be handed back at " + what + ": its clearance is about " +
                    clearance_text(zone.cells, clearance) + ", " + metres(give_back) + " is needed",
-               nearest_place(zone, place, std::max(route, give_back)));
+               nearest_place(of, way, place));
       } else if (!place.cost_ppm.empty()) {
-        affordable(spec_[kind], decision, monitor, place, range, what, zone.cells.cell_mm);
+        affordable(spec_[kind], of.decision, monitor, place, range, what, zone.cells.cell_mm);
       }
     }
   }
@@ -194,8 +238,10 @@ class WellFormed {
   }
 
   // The centre of the nearest cell that would do.
-  static std::string nearest_place(const ir::ZoneTable& zone, const ir::SiteTable::Place& from,
-                                   std::int64_t clearance_mm) {
+  std::string nearest_place(const Decided& of, const ir::Recovery& way,
+                            const ir::SiteTable::Place& from) const {
+    const ir::ZoneTable& zone = module_[way.zone];
+    const std::int64_t clearance_mm = std::max(way.route_clearance_mm, way.return_clearance_mm);
     const ir::Cells& cells = zone.cells;
     std::int64_t best = std::numeric_limits<std::int64_t>::max();
     std::string where;
@@ -209,11 +255,30 @@ class WellFormed {
       best = dx * dx + dy * dy;
       where = place(x, y);
     }
-    if (where.empty()) {
-      return "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm) +
-             ": widen it, or lower `speed` or `ahead`";
-    }
+    if (where.empty()) return no_place(of, way, clearance_mm);
     return "the nearest place with a clearance of " + metres(clearance_mm) + " is " + where;
+  }
+
+  // Wider by what is missing, and by what a cell may hide; or other numbers with which one of the
+  // cells would do.
+  std::string no_place(const Decided& of, const ir::Recovery& way,
+                       std::int64_t clearance_mm) const {
+    const ir::ZoneTable& zone = module_[way.zone];
+    const auto& cells = zone.cells.clearance_mm_lo;
+    const std::int64_t best_mm = *std::max_element(cells.begin(), cells.end());
+    const std::int64_t hidden_mm = zone.cells.cell_mm * 14'143 / 10'000 + 1;
+    const std::int64_t wider_mm =
+        2 * (clearance_mm - std::max<std::int64_t>(best_mm, 0) + hidden_mm);
+    const auto others = repairs(of.spec, of.written, [&](const Trial& t) {
+      const Rational speed(static_cast<long>(way.speed_mmps), 1000);
+      const ir::Motion motion = recovery_motion(t.kind, way.name, speed, t.decision.period_us);
+      const std::int64_t need_mm = std::max(cruise_clearance_mm(t.decision, motion, t.lookahead_us),
+                                            return_clearance_mm(t.decision, t.lookahead_us));
+      return need_mm + standoff_mm(of.decision, way) <= best_mm;
+    });
+    return "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm) +
+           ": widen it by " + metres(wider_mm) +
+           (others.empty() ? "" : "; or " + joined(others) + " works");
   }
 
   // A full battery must bring the robot home from the farthest connected place.
@@ -283,14 +348,15 @@ class WellFormed {
   const sema::Spec& spec_;
   const ir::Module& module_;
   const ir::TableMap& tables_;
+  const HowItLies& lies_;
   diag::Engine& diagnostics_;
 };
 
 }  // namespace
 
 void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-                       diag::Engine& diagnostics) {
-  WellFormed(spec, module, tables, diagnostics).run();
+                       const HowItLies& lies, diag::Engine& diagnostics) {
+  WellFormed(spec, module, tables, lies, diagnostics).run();
 }
 
 std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision) {
@@ -305,10 +371,17 @@ std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decisi
           disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps, s.horizon_us);
       s.return_clearance_mm = m.recovery.return_clearance_mm;
       s.leave_us = m.recovery.leave_us;
+      for (const ir::ZoneIndex fence : fences_of(m.property, decision.facts.params)) {
+        const auto share =
+            share_of(module[fence], decision.body.radius_mm, s.stopping_mm, s.return_clearance_mm);
+        if (!share || !s.zone.empty()) continue;
+        s.zone = module[fence].name;
+        s.share = *share;
+      }
       const ir::Recovery& last = ir::last_step(m.recovery);
       if (last.kind == ir::RecoveryKind::retreat || last.kind == ir::RecoveryKind::loiter) {
-        s.lookahead_max_us = lookahead_max_us(decision, module[last.zone].widest_mm,
-                                              standoffs_of(decision).fence_mm);
+        s.lookahead_max_us =
+            lookahead_max_us(decision, module[last.zone].widest_mm, standoff_mm(decision, last));
       }
     }
     all.push_back(std::move(s));

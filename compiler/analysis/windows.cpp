@@ -5,7 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
@@ -52,6 +55,7 @@ std::int64_t clearance_mm(const ir::ZoneTable& zone, std::int64_t x_mm, std::int
 // What a property holds places against, with every zone that comes or goes as it is at its worst.
 class AtItsWorst {
  public:
+  // `clearance_mm`: beyond what the property asks for.
   AtItsWorst(const ir::Module& module, const ir::Decision& decision, const ir::Block& property,
              std::int64_t clearance_mm)
       : module_(module), decision_(decision), property_(property), clearance_mm_(clearance_mm) {}
@@ -78,7 +82,8 @@ class AtItsWorst {
       const auto bound = ir::lower_bound(property_, *v, decision_.facts.params);
       if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return true;
       const ir::ZoneTable& zone = module_[ir::ZoneIndex(bound->leaf.table)];
-      return clearance_mm(zone, x_mm, y_mm) >= clearance_mm_;
+      const std::int64_t own_mm = std::max<std::int64_t>(bound->need.strictest, 0);
+      return clearance_mm(zone, x_mm, y_mm) >= clearance_mm_ + own_mm;
     }
     return true;
   }
@@ -88,6 +93,63 @@ class AtItsWorst {
   const ir::Block& property_;
   std::int64_t clearance_mm_;
 };
+
+// Where a property holds with every zone that comes or goes at its worst, whatever the standoffs.
+class AllowedAtWorst {
+ public:
+  AllowedAtWorst(const ir::Decision& decision, const ir::Block& property,
+                 const WindowTables& tables)
+      : decision_(decision), property_(property), tables_(tables) {}
+
+  [[nodiscard]] geometry::Region region() const { return region(property_.result); }
+
+ private:
+  [[nodiscard]] geometry::Region region(ir::ValueId id) const {
+    const ir::Op& op = property_[id].op;
+    if (std::holds_alternative<ir::ZoneThere>(op)) return {};
+    if (const auto* v = std::get_if<ir::Not>(&op)) {
+      const bool there = std::holds_alternative<ir::ZoneThere>(property_[v->a].op);
+      return there ? geometry::Region() : geometry::Region::everywhere();
+    }
+    if (const auto* v = std::get_if<ir::And>(&op)) return region(v->a).intersect(region(v->b));
+    if (const auto* v = std::get_if<ir::Or>(&op)) return region(v->a).unite(region(v->b));
+    const auto* compare = std::get_if<ir::AtLeast>(&op);
+    const auto bound =
+        compare ? ir::lower_bound(property_, *compare, decision_.facts.params) : std::nullopt;
+    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) {
+      return geometry::Region::everywhere();
+    }
+    return tables_.zone(ir::ZoneIndex(bound->leaf.table)).exact;
+  }
+
+  const ir::Decision& decision_;
+  const ir::Block& property_;
+  const WindowTables& tables_;
+};
+bool is_rectangle(const geometry::Region& region) {
+  const auto parts = region.polygons();
+  if (parts.size() != 1 || !parts[0].holes.empty() || parts[0].outer.size() != 4) return false;
+  const geometry::Ring& ring = parts[0].outer;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const geometry::Point &a = ring[i], &b = ring[(i + 1) % 4];
+    if (a.x != b.x && a.y != b.y) return false;
+  }
+  return true;
+}
+
+// The middle of an edge of the region that `from` lies outside of: who sets out there for `from`
+// leaves the region at once. None: every place of it is seen from there.
+std::optional<geometry::Point> hidden_from(const geometry::Region& region,
+                                           const geometry::Point& from) {
+  for (const geometry::Ring& ring : region.rings()) {  // the region on their left
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const geometry::Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if ((b.x - a.x) * (from.y - a.y) >= (b.y - a.y) * (from.x - a.x)) continue;
+      return geometry::Point{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    }
+  }
+  return std::nullopt;
+}
 
 bool keeps_apart(const ir::Decision& decision) {
   return std::any_of(decision.monitors.begin(), decision.monitors.end(), [](const ir::Monitor& m) {
@@ -173,6 +235,7 @@ class Planner {
     ir::Recovery& recovery = monitor.recovery;
     const ir::SiteTable& site = module_[recovery.site];
     std::int64_t far_mm = 0, clearance_mm = decision_.body.radius_mm;
+    crosses(monitor);
     for (std::size_t r = 0; r < site.places.size(); ++r) {
       if (site.table_of(r) != r) continue;
       if (!matters_not(monitor, site, site.places[r])) return;
@@ -187,10 +250,51 @@ class Planner {
     recovery.leave_us = std::max(stop_us(), whole_ms_us(seconds));
   }
 
+  // A way knows its zone alone, and leads through what comes or goes: before its time, as it has to
+  // lead out of it, and all the time else. What is left of the zone then, at the worst, is not left
+  // by ways over cells if it is a rectangle: none of them is longer than it has to be in either
+  // direction; nor if the zone is convex, so that ways are straight, and the site sees all of it.
+  void crosses(const ir::Monitor& monitor) {
+    const ir::Recovery& way = monitor.recovery;
+    if (ir::acknowledged(decision_, way.name, monitor.name)) return;
+    const geometry::Region& own = tables_.zone(way.zone).exact;
+    const auto left = own.intersect(AllowedAtWorst(decision_, monitor.property, tables_).region());
+    if (left.contains(own) || is_rectangle(left)) return;
+    const bool straight = is_convex(own);
+    std::optional<geometry::Point> hidden;
+    for (const ir::SiteTable::Place& home : module_[way.site].places) {
+      if (hidden) break;
+      Rational x_m(home.x_mm, 1000), y_m(home.y_mm, 1000);
+      x_m.canonicalize();
+      y_m.canonicalize();
+      hidden = hidden_from(left, {x_m, y_m});
+    }
+    if (straight && !hidden) return;
+    diag::Diagnostic d{};
+    d.code = Code::window_may_pass;
+    d.range = monitor.source;
+    d.message = "the way of `" + way.name + "` may lead through where `" + monitor.name +
+                "` does not hold, whether `" + zone_name(monitor) + "` is there or not";
+    if (straight) {
+      d.notes.push_back({std::nullopt, "such as from " + text_of(*hidden) + ", straight to `" +
+                                           module_[way.site].name + "`"});
+    }
+    d.help =
+        "a zone of ways of which a rectangle is left without it works, such as a strip beside "
+        "it" +
+        std::string(straight ? ", or a site that sees all of what is left" : "") +
+        "; or `acknowledge " + way.name + " may break " + monitor.name + " \"why\"`";
+    diagnostics_.report(std::move(d));
+  }
+  static std::string text_of(const geometry::Point& p) {
+    return place_text(floor_to_int(Rational(p.x * 1000)), floor_to_int(Rational(p.y * 1000)));
+  }
+
   // Of the place that the way ends at.
   bool matters_not(const ir::Monitor& monitor, const ir::SiteTable& site,
                    const ir::SiteTable::Place& place) {
-    const std::int64_t need_mm = monitor.recovery.return_clearance_mm;
+    const ir::Recovery& way = monitor.recovery;
+    const std::int64_t need_mm = way.return_clearance_mm - standoff_mm(decision_, way);
     if (AtItsWorst(module_, decision_, monitor.property, need_mm).allows(place.x_mm, place.y_mm)) {
       return true;
     }
@@ -198,9 +302,18 @@ class Planner {
            "the recovery `" + monitor.recovery.name + "` ends at `" + site.name + "`, " +
                place_text(place.x_mm, place.y_mm) + ", where it matters when `" +
                zone_name(monitor) + "` changes",
-           "a site with a clearance of " + metres(need_mm) +
+           "a site with a clearance of " + metres(need_mm + asked_most_mm(monitor)) +
                " works, whether that zone is there or not");
     return false;
+  }
+
+  // The largest clearance that its property asks for.
+  [[nodiscard]] std::int64_t asked_most_mm(const ir::Monitor& monitor) const {
+    std::int64_t most = 0;
+    for (const Standoff& each : fence_standoffs(monitor.property, decision_.facts.params)) {
+      most = std::max(most, each.mm);
+    }
+    return most;
   }
 
   // Raises `clearance_mm` until a way is known from every place that has so much; the longest of

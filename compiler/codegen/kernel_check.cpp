@@ -330,6 +330,40 @@ void CheckPrinter::print_horizon(std::size_t horizon, Code& to) {
   });
 }
 
+// Where no recovery is faster than who drives, what was found under his motion is as good: then a
+// tick costs no more than one that does not coordinate.
+void CheckPrinter::print_predict() {
+  use({"margin_type", "faster_of"});
+  out_.comment(
+      "What every monitor finds ahead, row by row under the motion of each recovery, if it is "
+      "faster than who drives, and of his else.");
+  out_.block(
+      signature("static void " + id_ + "_predict",
+                {view_ + " *v", "const check *checks", "margin *ahead"}),
+      [&](Code& to) {
+        to.line("int32_t i, j;");
+        to.block("for (i = 0; i < MONITORS; ++i, ahead += MONITORS)", [&](Code& each) {
+          each.line("const int32_t driver =");
+          each.line("    v->driver > MONITORS ? v->driver : faster_of(MOTIONS, v->driver, i + 1);");
+          each.block("for (j = 0; j < MONITORS; ++j)",
+                     [&](Code& body) { body.line("ahead[j] = checks[j].ahead;"); });
+          each.block("if (driver != v->driver)", [&](Code& body) { predict_row(body); });
+        });
+      });
+  out_.blank();
+}
+
+void CheckPrinter::predict_row(Code& to) {
+  for (std::size_t h = 0; h < horizons_.size(); ++h) {
+    to.line(id_ + "_look(v, &MOTIONS[driver], " + id_ + "_horizons_us[" + num(std::int64_t(h)) +
+            (pairs() ? "], 1);" : "]);"));
+    for_monitors(h, [&](const Monitor& m, const std::string& at) {
+      const std::string entry = at.substr(at.find('['));
+      to.line("ahead" + entry + " = " + this->ahead(m) + ";");
+    });
+  }
+}
+
 void CheckPrinter::print_check() {
   use({"check_type", "margin_unknown"});
   for (const Monitor& m : d_.monitors) {

@@ -15,6 +15,7 @@ class CheckPrinter : public FactPrinter {
   void print_course(Code& to);
   void print_measure();  // inputs -> estimates
   void print_check();    // fills the findings of all monitors
+  void print_predict();  // the same under the motion of every recovery, to coordinate by
 
  private:
   [[nodiscard]] std::string function(const ir::Monitor& m, const char* what) const;
@@ -31,6 +32,7 @@ class CheckPrinter : public FactPrinter {
   [[nodiscard]] std::string is_far();
   void measure_agents(Code& to);
   void print_horizon(std::size_t horizon, Code& to);
+  void predict_row(Code& to);
   [[nodiscard]] bool uses_battery() const;
   template <class Each>
   void for_monitors(std::size_t horizon, const Each& each) const;

@@ -174,11 +174,31 @@ void DecisionPrinter::print_constants() {
         if (pairs()) to.line("{0, 1, 1} /* holding, and bound by its promise to stay */");
       },
       "};");
+  if (d_.coordinated) print_keeps();
   out_.comment(std::string("From the decision until its recovery acts: look-ahead") +
                (b.jitter_us > 0 ? ", jitter" : "") + " and latency, us.");
   std::string list;
   for (const std::int64_t h : horizons_) list += (list.empty() ? "" : ", ") + num(h);
   out_.line("static const int64_t " + id_ + "_horizons_us[] = {" + list + "};").blank();
+}
+
+void DecisionPrinter::print_keeps() {
+  out_.comment(
+      "What is shown to keep what, to coordinate by. Row: a recovery, column: a monitor; 0: not "
+      "shown, 1: shown, 2: its own recovery.");
+  out_.block(
+      "static const int32_t " + id_ + "_keeps[] =",
+      [&](Code& to) {
+        for (std::size_t i = 0; i < d_.keeps.size(); ++i) {
+          std::string row;
+          for (std::size_t j = 0; j < d_.keeps[i].size(); ++j) {
+            const bool last = i + 1 == d_.keeps.size() && j + 1 == d_.keeps[i].size();
+            row += (j == 0 ? "" : " ") + num(std::int64_t(d_.keeps[i][j])) + (last ? "" : ",");
+          }
+          to.line(row + " /* " + d_.monitors[i].recovery.name + " */");
+        }
+      },
+      "};");
 }
 
 void DecisionPrinter::print_agents() {

@@ -57,6 +57,7 @@ class DecisionPrinter {
 
  private:
   void print_agents();
+  void print_keeps();
   void print_body(const std::string& name, std::int64_t position_age_us,
                   std::int64_t velocity_age_us);
   std::vector<std::string> defined_;

@@ -226,7 +226,7 @@ class Header {
     if (has_signals(d)) given.push_back(name + "_facts_in facts;");
     record(id + "_in", given);
     state(d, headed);
-    outputs(id, up, headed);
+    outputs(d, up, headed);
     code_.comment(
         "Step once a period, in time: by how much a step may be late is declared. "
         "now_us "
@@ -292,18 +292,26 @@ class Header {
     record(names_(d.name) + "_facts_state", memory);
   }
 
-  void outputs(const std::string& id, const std::string& up, bool headed) {
+  void outputs(const Decision& d, const std::string& up, bool headed) {
+    const std::string& id = names_(d.name);
     code_.comment(
         "mode 0: the advanced controller; k + 1: the recovery of monitor k. violation_us: no "
         "property of lengths is violated within that time, however the robots move at their "
         "declared speeds; -1: not known.");
-    record(id + "_out", {"int64_t tick, time_us;", "int32_t mode, previous_mode;",
-                         "int32_t monitor; /* that decides; -1: none */", p_ + "_finding found;",
-                         "int32_t gate; /* binds the recovery that drives */",
-                         "int64_t lease_end_us; /* of the promise to announce; INT64_MIN: none */",
-                         "int64_t position_age_us, velocity_age_us, battery_age_us; /* -1: none */",
-                         headed ? "int64_t heading_age_us, violation_us;" : "int64_t violation_us;",
-                         p_ + "_result monitors[" + up + "_MONITORS];"});
+    std::vector<std::string> given = {
+        "int64_t tick, time_us;",
+        "int32_t mode, previous_mode;",
+        "int32_t monitor; /* that decides; -1: none */",
+        p_ + "_finding found;",
+        "int32_t gate; /* binds the recovery that drives */",
+        "int64_t lease_end_us; /* of the promise to announce; INT64_MIN: none */",
+        "int64_t position_age_us, velocity_age_us, battery_age_us; /* -1: none */",
+        headed ? "int64_t heading_age_us, violation_us;" : "int64_t violation_us;",
+        p_ + "_result monitors[" + up + "_MONITORS];"};
+    if (d.coordinated) {
+      given.push_back("int32_t keeps; /* who drives keeps so many monitors, from the first on */");
+    }
+    record(id + "_out", given);
   }
 
   void on_plan(const Decision& d) {

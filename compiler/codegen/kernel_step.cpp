@@ -26,6 +26,7 @@ class StepPrinter : public CheckPrinter {
     init();
     print_measure();
     print_check();
+    if (d_.coordinated) print_predict();
     report();
     step();
     close();
@@ -165,17 +166,16 @@ class StepPrinter : public CheckPrinter {
   }
 
   void step() {
-    use({"next_tick", "mode_step", "first_engaged", "first_not_safer", "driver_of", "later"});
+    use({"next_tick", "first_not_safer", "driver_of", "later"});
+    if (!d_.coordinated) use({"mode_step"});
+    if (pairs() || !d_.coordinated) use({"first_engaged"});
     const std::string head = signature(
         "void " + name_ + "_step",
         {name_ + "_state *s", "const " + name_ + "_in *in", "int64_t now_us", name_ + "_out *out"});
     out_.block(head, [&](Code& to) {
       begin_tick(to);
       to.line(id_ + "_check(&v, before, back, checks);");
-      to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, " +
-              num(d_.dwell_ticks) + ",");
-      to.line("                    in->surrender ? " + num(surrender_mode(d_)) +
-              " : 0, may_leave);");
+      choose(to);
       to.block("if (first || s->mode != before)", [&](Code& body) {
         body.line("s->takeover.before = first ? 0 : v.driver;");
         // the latest time seen: a clock that goes backwards neither dates this back nor shortens a
@@ -197,6 +197,26 @@ class StepPrinter : public CheckPrinter {
       to.line(id_ + "_report(&v, s, checks, back, out);");
     });
     out_.blank();
+  }
+
+  // Who drives.
+  void choose(Code& to) {
+    const std::string dwell = num(d_.dwell_ticks) + ",";
+    const std::string rest = "in->surrender ? " + num(surrender_mode(d_)) + " : 0, may_leave);";
+    if (!d_.coordinated) {
+      to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, " +
+              dwell);
+      to.line("                    " + rest);
+      return;
+    }
+    use({"coordinated_step", "kept_prefix", "ranking_type"});
+    to.line(id_ + "_predict(&v, checks, ahead);");
+    to.line("s->mode = coordinated_step(s->monitors, checks, &by, before, first, elapsed, " +
+            dwell);
+    to.line("                           " + rest);
+    to.comment("of a recovery: how many monitors it keeps, from the first on");
+    to.line("out->keeps = s->mode == 0 ? MONITORS");
+    to.line("                          : kept_prefix(s->monitors, checks, &by, s->mode - 1);");
   }
 
   // `elapsed`: of the look-ahead, for which a gap that it does not cover has missed a tick,
@@ -229,6 +249,10 @@ class StepPrinter : public CheckPrinter {
     to.line("const int32_t before = s->mode; /* who has driven until now */");
     to.line("int64_t seen_us; /* when the robot was where it was seen */");
     to.line("check checks[MONITORS];");
+    if (d_.coordinated) {
+      to.line("margin ahead[MONITORS * MONITORS];");
+      to.line("const ranking by = {" + id_ + "_keeps, ahead, MONITORS};");
+    }
     to.line(view_ + " v;");
     to.line("v.in = in;");
     to.line("v.now_us = now_us;");
@@ -268,7 +292,8 @@ class StepPrinter : public CheckPrinter {
     to.block(
         "if (s->mode != 0 && may_leave)",
         [&](Code& body) {
-          const bool seen = separation_horizon() + 1 == horizons_.size();
+          // a prediction may have looked elsewhere since
+          const bool seen = !d_.coordinated && separation_horizon() + 1 == horizons_.size();
           body.line("const int32_t driver = " + driver("s->mode"));
           const std::string look = id_ + "_look(&v, &MOTIONS[driver], " + id_ + "_horizons_us[" +
                                    num(std::int64_t(separation_horizon())) +

@@ -84,7 +84,8 @@ Json assumptions(const Module& module, const sema::RobotKind& k) {
       if (d.kind != k.name || !m.recovery.claims) continue;
       add(m.recovery.name + " stays inside " + module[m.recovery.zone].name + ", speed",
           Rational(static_cast<long>(m.recovery.speed_mmps), 1000), "m/s",
-          "runtime: every tick under its own motion; where it fails, the robot is braked");
+          "runtime: every tick under its own motion; where it fails, the robot is braked, and "
+          "nothing leads it back");
     }
   }
   if (k.open_fleet) {
@@ -180,6 +181,19 @@ Json facts(const Module& module, const sema::Spec& spec, const Decision& d) {
   }
   return j;
 }
+// Of a decision that coordinates: which monitors the recovery of each is shown to keep, whatever is
+// measured.
+Json keeps(const Decision& d) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < d.keeps.size(); ++i) {
+    Json kept = Json::array();
+    for (std::size_t k = 0; k < d.keeps[i].size(); ++k) {
+      if (d.keeps[i][k] != Kept::unproved) kept.push_back(d.monitors[k].name);
+    }
+    rows.push_back({{"recovery", d.monitors[i].recovery.name}, {"monitors", std::move(kept)}});
+  }
+  return rows;
+}
 Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
   Json j;
   j["name"] = d.name;
@@ -199,6 +213,7 @@ Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
     j["acknowledged"].push_back(
         {{"recovery", a.recovery}, {"monitor", a.monitor}, {"reason", a.reason}});
   }
+  if (d.coordinated) j["keeps"] = keeps(d);
   for (const Agent& a : d.agents) {
     j["agents"].push_back({{"name", a.name},
                            {"radius_mm", a.radius_mm},

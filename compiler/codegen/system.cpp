@@ -136,8 +136,11 @@ class SystemPrinter {
     body.comment(
         "Clearances of the centre: where control can be given back, where a robot at "
         "full speed never fails a fence; and the distance at which robots pass.");
-    body.line("static constexpr double return_clearance_m = " +
-              metres(d().monitors[0].recovery.return_clearance_mm) + ";");
+    std::int64_t return_mm = 0;
+    for (const Monitor& m : d().monitors) {
+      return_mm = std::max(return_mm, m.recovery.return_clearance_mm);
+    }
+    body.line("static constexpr double return_clearance_m = " + metres(return_mm) + ";");
     body.line("static constexpr double cruise_clearance_m = " + metres(d().cruise_clearance_mm) +
               ";");
     body.line("static constexpr double pass_gap_m = " +

@@ -9,6 +9,7 @@
 
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
+#include "compiler/driver/model_checker.h"
 #include "compiler/driver/process.h"
 #include "compiler/recheck/recheck.h"
 #include "compiler/verify/report.h"
@@ -75,6 +76,27 @@ std::optional<recheck::Doubt> prove(const std::string& name, const std::string& 
   return ask(*written, scratch);
 }
 
+std::string model_path(const std::string& folder, const std::string& decision) {
+  return folder + "/models/" + decision + ".pml";
+}
+// The model that was written is this one, but for its comments in front, and all claims hold of it.
+std::optional<recheck::Doubt> prove_model(const protocol::Model& model, const std::string& folder) {
+  const std::string name = "models/" + model.decision + ".pml", first = "#define MONITORS";
+  const auto written = read_file(model_path(folder, model.decision));
+  if (!written) return recheck::Doubt{true, name + " is missing"};
+  const std::string text = model.text();
+  const std::size_t from = written->find(first);
+  if (from == std::string::npos || written->substr(from) != text.substr(text.find(first))) {
+    return recheck::Doubt{true, name + " is another"};
+  }
+  for (const protocol::Answer& a : check_model(model)) {
+    if (a.kind == protocol::Answer::Kind::holds) continue;
+    const bool broken = a.kind == protocol::Answer::Kind::broken;
+    return recheck::Doubt{broken, a.claim + ": " + (broken ? "a run breaks it" : a.why)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string write_certificates(const Compilation& c, const verify::Report& report,
@@ -101,6 +123,7 @@ std::string write_certificates(const Compilation& c, const verify::Report& repor
       for (const verify::Claim& claim : o.claims) {
         if (claim.what == "lemma") lemmas.insert(claim.values.at("name"));
       }
+      if (!o.model.empty()) files.push_back({model_path(folder, d.name), o.model});
     }
   }
   for (const std::string& name : lemmas) {
@@ -131,9 +154,10 @@ int recheck_certificates(const Options& options, Compilation& c, std::ostream& o
   if (!scratch.problem().empty()) {
     return refuse(c, diag::Code::cannot_write, scratch.problem(), "make room, or set TMPDIR");
   }
-  const recheck::Outcome outcome = recheck::recheck(
-      *c.spec, c.sources, *report,
-      [&](const std::string& lemma) { return prove(lemma, folder, scratch.path()); });
+  const recheck::Provers provers{
+      [&](const std::string& lemma) { return prove(lemma, folder, scratch.path()); },
+      [&](const protocol::Model& model) { return prove_model(model, folder); }};
+  const recheck::Outcome outcome = recheck::recheck(*c.spec, c.sources, *report, provers);
   for (const std::string& failed : outcome.failed) out << "not proved: " << failed << "\n";
   for (const std::string& open : outcome.open) out << "unknown: " << open << "\n";
   out << outcome.obligations << " obligations, " << outcome.claims << " claims, "

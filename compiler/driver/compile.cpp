@@ -1,5 +1,6 @@
 #include "compiler/driver/compile.h"
 
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -28,6 +29,15 @@ void run_passes(const Options& options, std::ostream& out, Compilation& c) {
   if (auto problem = passes::run_pipeline(*c.module, c.diagnostics, after)) {
     c.internal_error = std::move(*problem);
   }
+}
+
+// A recovery that spends charge is built as if that were acknowledged.
+int errors_in_building(const diag::Engine& diagnostics) {
+  const auto& all = diagnostics.all();
+  return static_cast<int>(std::count_if(all.begin(), all.end(), [](const diag::Diagnostic& d) {
+    return d.code != diag::Code::recovery_spends_charge &&
+           diag::info(d.code).severity == diag::Severity::error;
+  }));
 }
 
 }  // namespace
@@ -95,11 +105,13 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
                                                                     : analysis::Finding::refuses;
   auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics, finding);
   if (!derived) return;
-  const int errors = finding == analysis::Finding::refuses ? 0 : c.diagnostics.error_count();
+  const int errors = finding == analysis::Finding::refuses ? 0 : errors_in_building(c.diagnostics);
   c.module = std::move(derived->module);
   c.tables = std::move(derived->tables);
   run_passes(options, out, c);
-  if (c.diagnostics.error_count() > errors || !c.internal_error.empty()) {
+  const int now = finding == analysis::Finding::refuses ? c.diagnostics.error_count()
+                                                        : errors_in_building(c.diagnostics);
+  if (now > errors || !c.internal_error.empty()) {
     c.module.reset();
     return;
   }

@@ -11,7 +11,9 @@
 
 #include "compiler/codegen/generate.h"
 #include "compiler/codegen/library_names.h"
+#include "compiler/codegen/names.h"
 #include "compiler/codegen/watch.h"
+#include "compiler/contract/contract.h"
 #include "compiler/diagnostics/render.h"
 #include "compiler/diagnostics/render_sarif.h"
 #include "compiler/driver/certificates.h"
@@ -108,6 +110,19 @@ bool is_overwritten(const Options& options, const Compilation& c,
                      [&](const OutputFile& file) { return is_depfile(file.path); });
 }
 
+// The kernel again, with contracts; what they leave out stands in its first lines.
+OutputFile with_contracts(const Options& options, const std::string& stem, const sema::Spec& spec,
+                          const std::string& kernel) {
+  const std::string prefix =
+      options.name_space.empty() ? codegen::legal_namespace(spec.name) : options.name_space;
+  const contract::Contracts contracts = contract::contracts_of(spec, prefix);
+  const contract::Annotated annotated = contract::annotate(kernel, prefix, contracts.text);
+  std::string head;
+  for (const std::string& gap : contracts.gaps) head += "/* gap: " + gap + " */\n";
+  for (const std::string& missing : annotated.missing) head += "/* gap: " + missing + " */\n";
+  return {options.output + "/" + stem + "_proof.c", head + annotated.text};
+}
+
 int build(const Options& options, Compilation& c) {
   codegen::Naming naming;
   naming.stem = stem_of(options, c);
@@ -117,6 +132,9 @@ int build(const Options& options, Compilation& c) {
   naming.mutant = options.mutant;
   std::vector<OutputFile> files;
   for (auto& file : codegen::generate(std::move(*c.module), *c.spec, naming)) {
+    if (options.contracts && file.name == naming.stem + "_kernel.c") {
+      files.push_back(with_contracts(options, naming.stem, *c.spec, file.text));
+    }
     files.push_back({options.output + "/" + file.name, std::move(file.text)});
   }
   if (files.empty()) return refuse_mutant(options, c);

@@ -123,6 +123,18 @@ class RobotRemarks {
     return text;
   }
 
+  // Of a decision that coordinates.
+  static std::string keeping(const Decision& d, std::size_t row) {
+    std::string doubtful;
+    for (std::size_t j = 0; j < d.keeps[row].size(); ++j) {
+      if (d.keeps[row][j] != Kept::unproved) continue;
+      doubtful += (doubtful.empty() ? "" : ", ") + d.monitors[j].name;
+    }
+    const std::string who = "coordinated: " + d.monitors[row].recovery.name + " keeps ";
+    if (doubtful.empty()) return who + "all of them";
+    return who + "the others, and " + doubtful + " as long as that is seen ahead of it";
+  }
+
   void decision(const sema::Decision& from, const Decision& d) {
     std::vector<std::string> details;
     if (!d.on_plan) {
@@ -137,6 +149,7 @@ class RobotRemarks {
       details.push_back("state: " + bytes(codegen::decision_state_bytes(d)) + " a robot");
     }
     for (const Monitor& m : d.monitors) details.push_back("monitor " + m.name);
+    for (std::size_t k = 0; k < d.keeps.size(); ++k) details.push_back(keeping(d, k));
     add(from.period ? join(from.name_range, from.period->range) : from.name_range,
         "decision " + d.name + " for " + d.kind + (d.on_plan ? ", on a plan" : ""),
         std::move(details));
@@ -274,6 +287,12 @@ class RobotRemarks {
                    ", with sample age, latency and jitter");
       to.push_back("stopping from full speed takes a clearance of " + metres(s.stopping_mm));
       to.push_back("control returns at a clearance of " + metres(s.return_clearance_mm));
+      if (!s.zone.empty()) {
+        to.push_back("predicted share of the advanced controller: of the places in " + s.zone +
+                     " where the body fits, it may go at any speed in " +
+                     std::to_string(s.share.any_speed) + " %, and gets control back in " +
+                     std::to_string(s.share.returns) + " %");
+      }
       if (s.lookahead_max_us > 0) {
         to.push_back("the zone allows a look-ahead of up to " + time(s.lookahead_max_us));
       }

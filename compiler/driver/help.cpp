@@ -12,10 +12,17 @@ struct FlagText {
 // In the order in which they are listed. A text may have several lines.
 constexpr FlagText flag_texts[] = {
     {"-o", "DIR", "directory of the generated files; made when it is not there", "build"},
-    {"-o", "DIR", "where the certificates go; made when it is not there", "verify"},
+    {"-o", "DIR",
+     "where the certificates go, with the run that shows a refutation; made when it is not there.\n"
+     "Without it such a run goes to the specification's name with .trace",
+     "verify"},
     {"-o", "FILE", "the picture; - is standard output", "zones"},
     {"-o", "DIR", "directory of the models; made when it is not there", "protocol"},
-    {"--recheck", "DIR", "check what was written with `-o DIR` instead, by other means; needs z3"},
+    {"--recheck", "DIR",
+     "check what was written with `-o DIR` instead, by other means; needs z3, spin"},
+    {"--conservatism", "",
+     "measure how much of what each monitor keeps free the worst admissible control, error and\n"
+     "latency that is found reaches; more than all of it is a refutation. Takes seconds"},
     {"--namespace", "NAME",
      "C++ namespace of the generated code; default: the specification's name"},
     {"--depfile", "FILE", "write the dependencies for make or ninja"},
@@ -23,6 +30,8 @@ constexpr FlagText flag_texts[] = {
      "run the generated code (default; needs a C compiler, $CC or cc),\n"
      "or the reference interpreter on exact numbers"},
     {"--monitor", "NAME", "the findings of one monitor only"},
+    {"--contracts", "",
+     "write STEM_proof.c, too: the kernel with contracts for Frama-C, see `./dev prove`"},
     {"--check", "", "change nothing; name the files that are not in the layout, exit 1 then"},
     {"--max-bytes", "N",
      "refuse monitors that remember more, those without a robot or of one robot;\n"
@@ -159,22 +168,25 @@ constexpr CommandText command_texts[] = {
      "and\n"
      "how far each of it is shown: P1a to P3 of RTA modules for every monitor, whether its "
      "recovery\n"
-     "keeps what the others say, whether there is a place where control can be given back. Each "
+     "keeps what the others say, whether there is a place where control can be given back, and "
+     "whether\n"
+     "recoveries take over from each other for ever, which the model checker spin is asked. Each "
      "is\n"
      "proved, acknowledged by the specification, unknown, or refuted, with how and why. With -o "
      "the\n"
-     "proofs are written as certificates, which --recheck checks by other means, with z3. SPEC is "
-     "the\n"
-     "path of a .rta file, or - for standard input. --format json is the form of the report, "
-     "too.\n",
+     "proofs are written as certificates, which --recheck checks by other means, with z3 and spin. "
+     "SPEC\n"
+     "is the path of a .rta file, or - for standard input. --format json is the form of the "
+     "report, too.\n",
      "  rtac verify delivery.rta\n"
      "  rtac verify delivery.rta --format json -o certificates\n"
+     "  rtac verify delivery.rta --conservatism\n"
      "  rtac verify --recheck certificates\n",
      "  0  everything is proved or acknowledged; every certificate is one\n"
      "  1  the specification has errors that no obligation is about\n"
      "  2  usage, or a file that cannot be read or written\n"
      "  3  an obligation is refuted; a certificate is none\n"
-     "  4  an obligation is unknown; z3 is missing, or does not answer in time\n"
+     "  4  an obligation is unknown; z3 or spin is missing, or does not end in time\n"
      "  70 a bug of rtac\n"},
     {"zones", "rtac zones SPEC -o FILE [FLAG...]",
      "Draws the zones of a specification as SVG, with a scale: every zone that has a name, where "
@@ -190,9 +202,9 @@ constexpr CommandText command_texts[] = {
      "DIR/DECISION.pml. A model has what decision and runtime do in a tick, everything that may\n"
      "happen to them, and what is claimed of all runs: one controller always drives, an engaged\n"
      "recovery does so in time, recoveries do not take over from each other for ever, and control\n"
-     "comes back. What recoveries keep of other monitors is taken for granted, in tables, but for\n"
-     "what the specification acknowledges. SPEC is the path of a .rta file, or - for standard\n"
-     "input.\n",
+     "comes back. What is proved of the recoveries stands in tables in front. `rtac verify` asks "
+     "spin\n"
+     "by itself. SPEC is the path of a .rta file, or - for standard input.\n",
      "  rtac protocol delivery.rta -o models\n"
      "  cd models && spin -search -a -ltl no_livelock plan_executor.pml\n"
      "  cd models && spin -t -T -B plan_executor.pml\n",

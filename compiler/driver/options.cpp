@@ -72,8 +72,8 @@ const std::vector<CommandInfo>& commands() {
        1},
       {"build",
        Command::build,
-       {"-o", "--depfile", "--namespace", "--mutate", "--print-after", "--format", "--dump-ast",
-        "--dump-spec", "--dump-ir", "-Werror", "--max-bytes"},
+       {"-o", "--depfile", "--namespace", "--mutate", "--contracts", "--print-after", "--format",
+        "--dump-ast", "--dump-spec", "--dump-ir", "-Werror", "--max-bytes"},
        1},
       {"replay",
        Command::replay,
@@ -84,7 +84,10 @@ const std::vector<CommandInfo>& commands() {
        {"--scenario", "--seed", "--runs", "--adversary", "--trace", "--replay", "--mutate",
         "--format", "-Werror"},
        1},
-      {"verify", Command::verify, {"-o", "--recheck", "--format", "-Werror"}, 1},
+      {"verify",
+       Command::verify,
+       {"-o", "--recheck", "--conservatism", "--mutate", "--format", "-Werror"},
+       1},
       {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"protocol", Command::protocol, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
@@ -130,6 +133,8 @@ struct Parser {
             {"--dump-spec", &options.dump_spec},
             {"--dump-ir", &options.dump_ir},
             {"--check", &options.only_check},
+            {"--conservatism", &options.conservatism},
+            {"--contracts", &options.contracts},
             {"-Werror", &options.werror}};
   }
 
@@ -230,6 +235,14 @@ struct Parser {
       problem = {"`--recheck` takes the specification from `" + options.recheck + "`, and `" +
                      operands[0] + "` is given",
                  "leave one of them out"};
+    }
+    const std::pair<const char*, bool> others[] = {{"-o", !options.output.empty()},
+                                                   {"--conservatism", options.conservatism}};
+    for (const auto& [flag, given] : others) {
+      if (!given) continue;
+      problem = {
+          std::string("`--recheck` writes and measures nothing, and `") + flag + "` is given",
+          "leave one of them out"};
     }
     return true;
   }
@@ -341,6 +354,10 @@ struct Parser {
       problem = {
           "`" + options.name_space + "` is not a name of a C++ namespace",
           "letters, digits and `_` make one; it is no keyword, and no name of the C library"};
+    }
+    if (options.command == Command::verify && !options.mutant.empty() && !options.conservatism) {
+      problem = {"what `rtac verify` proves of a specification is not true of its mutants",
+                 "`--conservatism --mutate NAME` measures one"};
     }
     if (!options.mutant.empty() && codegen::find_mutant(options.mutant) == nullptr) {
       problem = {"no mutant is called `" + options.mutant + "`",

@@ -51,10 +51,12 @@ struct Options {
   std::optional<std::uint64_t> state_bytes_max;  // memory that the monitors may take
   // Of `sim`; empty: its defaults.
   std::string scenario, seed, runs, adversary;
-  std::string trace_out;  // where a run with a violation is written
-  std::string recorded;   // a run that is played again
-  std::string recheck;    // of `verify`: the directory of certificates
-  std::string mutant;     // of `build` and `sim`: a deliberately unsound variant
+  std::string trace_out;      // where a run with a violation is written
+  std::string recorded;       // a run that is played again
+  std::string recheck;        // of `verify`: the directory of certificates
+  std::string mutant;         // of `build`, `sim` and measures: a deliberately unsound variant
+  bool conservatism = false;  // of `verify`: measure it
+  bool contracts = false;     // of `build`: the kernel with contracts, too
 };
 
 struct UsageError {

@@ -1,33 +1,95 @@
 #include "compiler/driver/process.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace rtac::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int letters = 6;  // that `mkdtemp` makes up
+constexpr std::string_view prefix = "rtac-";
+
+// A lock on the folder itself, as long as the descriptor is open; -1: there is none. It ends with
+// the process, however that ends, and holds between containers that share the folder.
+int locked(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+// The process that a folder is named after: rtac-PID-XXXXXX; 0: it is no such folder.
+pid_t maker_of(const std::string& name) {
+  if (!name.starts_with(prefix)) return 0;
+  const std::size_t end = name.find('-', prefix.size());
+  if (end == std::string::npos || name.size() != end + 1 + letters) return 0;
+  long pid = 0;
+  for (std::size_t i = prefix.size(); i < end; ++i) {
+    if (std::isdigit(static_cast<unsigned char>(name[i])) == 0 || pid > 100'000'000) return 0;
+    pid = 10 * pid + (name[i] - '0');
+  }
+  return static_cast<pid_t>(pid);
+}
+
+// What processes have left behind that were killed before they could remove it: those that are gone
+// and hold no lock, of this user.
+void sweep(const fs::path& base) {
+  std::error_code error;
+  for (fs::directory_iterator at(base, error), end; !error && at != end; at.increment(error)) {
+    const pid_t maker = maker_of(at->path().filename().string());
+    if (maker <= 0 || ::kill(maker, 0) == 0 || errno != ESRCH) continue;
+    struct stat found {};
+    if (::lstat(at->path().c_str(), &found) != 0 || found.st_uid != ::geteuid()) continue;
+    const int lock = locked(at->path());
+    if (lock < 0) continue;
+    std::error_code ignored;
+    fs::remove_all(at->path(), ignored);
+    ::close(lock);
+  }
+}
+
+}  // namespace
 
 TemporaryFolder::TemporaryFolder() {
   std::error_code error;
-  const auto base = std::filesystem::temp_directory_path(error);
+  const auto base = fs::temp_directory_path(error);
   if (error) {
     problem_ = "there is no folder for temporary files: " + error.message();
     return;
   }
-  std::string name = (base / "rtac-XXXXXX").string();
+  sweep(base);
+  std::string name = (base / "rtac.XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {
     problem_ = "cannot create a folder in `" + base.string() + "`: " + std::strerror(errno);
-  } else {
-    path_ = name;
+    return;
   }
+  // it gets the name that others sweep when it is locked
+  lock_ = locked(name);
+  path_ = name;
+  const fs::path own = base / (std::string(prefix) + std::to_string(::getpid()) + "-" +
+                               name.substr(name.size() - letters));
+  fs::rename(name, own, error);
+  if (!error) path_ = own.string();
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& log) {

@@ -9,7 +9,7 @@
 namespace rtac::driver {
 
 // A folder of its own below the temporary folder, removed with what is in it, also when a signal
-// ends the program.
+// ends the program. After one that cannot be caught the next one removes it.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -22,6 +22,7 @@ class TemporaryFolder {
  private:
   Ending ending_;  // goes last, when the folder is removed
   std::string path_, problem_;
+  int lock_ = -1;
 };
 
 struct ProgramResult {

@@ -14,7 +14,6 @@
 #include "compiler/driver/decision_engine.h"
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
-#include "compiler/driver/process.h"
 #include "compiler/driver/shared_object.h"
 #include "compiler/driver/sim_glue.h"
 
@@ -24,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // The prefix of the generated names does not matter to anybody.
-constexpr const char* kernel_name = "sim";
-constexpr const char* kernel_source = "sim_kernel.c";
+constexpr const char* sim_kernel_name = "sim";
+constexpr const char* sim_kernel_source = "sim_kernel.c";
 constexpr const char* nothing_mutated = "nothing is mutated";
 
 int refuse(Compilation& c, diag::Code code, std::string message, std::string help, int status) {
@@ -49,12 +48,12 @@ std::string base_name(const std::string& path) {
 }
 
 // What is generated of the module, which is gone then; what went wrong, or nothing was generated.
-std::string build(const Options& options, Compilation& c, const std::string& manifest,
-                  const std::string& folder) {
+std::string compile_kernel(const Options& options, Compilation& c, const std::string& manifest,
+                           const std::string& folder) {
   const std::vector<DecisionInterface> decisions =
-      decision_interfaces(*c.module, *c.spec, kernel_name);
+      decision_interfaces(*c.module, *c.spec, sim_kernel_name);
   codegen::Naming naming;
-  naming.stem = naming.space = kernel_name;
+  naming.stem = naming.space = sim_kernel_name;
   naming.mutant = options.mutant;
   std::vector<OutputFile> files;
   for (auto& file : codegen::generate(std::move(*c.module), *c.spec, naming)) {
@@ -62,16 +61,15 @@ std::string build(const Options& options, Compilation& c, const std::string& man
   }
   if (files.empty()) return nothing_mutated;
   files.push_back({"simulation.json", manifest});
-  return compile_object(files, sim_glue(decisions, kernel_source), folder);
+  return compile_object(files, sim_glue(decisions, sim_kernel_source), folder);
 }
 
-std::vector<std::string> command(const Options& options, const std::string& folder) {
-  std::vector<std::string> words{simulator(), "--kernel", folder + "/kernel.so", "--manifest",
-                                 folder + "/simulation.json"};
+std::vector<std::string> flags_of(const Options& options) {
   const std::pair<const char*, const std::string*> flags[] = {
       {"--scenario", &options.scenario}, {"--seed", &options.seed},
       {"--runs", &options.runs},         {"--adversary", &options.adversary},
       {"--trace", &options.trace_out},   {"--replay", &options.recorded}};
+  std::vector<std::string> words;
   for (const auto& [flag, value] : flags) {
     if (value->empty()) continue;
     words.emplace_back(flag);
@@ -100,7 +98,7 @@ int report_refusal(Compilation& c, const std::string& said, int status) {
 
 }  // namespace
 
-int simulate(const Options& options, Compilation& c, std::ostream& out) {
+int Simulator::build(const Options& options, Compilation& c) {
   const codegen::Simulation told =
       codegen::simulation(*c.module, *c.spec, c.tables, base_name(options.spec));
   if (!told.problems.empty()) {
@@ -109,28 +107,40 @@ int simulate(const Options& options, Compilation& c, std::ostream& out) {
                   "zones, distances and charge and recover by templates",
                   exit_inconclusive);
   }
-  const TemporaryFolder folder;
-  std::string problem = folder.problem();
-  if (problem.empty()) problem = build(options, c, told.manifest, folder.path());
+  std::string problem = folder_.problem();
+  if (problem.empty()) problem = compile_kernel(options, c, told.manifest, folder());
   if (problem == nothing_mutated) return refuse_mutant(options, c);
-  if (!problem.empty()) {
-    return refuse(c, diag::Code::no_kernel, problem, "set CC to a C compiler", exit_usage);
-  }
-  const std::string said = folder.path() + "/said", wrong = folder.path() + "/wrong";
-  const std::vector<std::string> words = command(options, folder.path());
-  const ProgramResult result = run_program(words, said, wrong);
+  if (problem.empty()) return exit_clean;
+  return refuse(c, diag::Code::no_kernel, problem, "set CC to a C compiler", exit_usage);
+}
+
+int Simulator::run(const std::vector<std::string>& flags, Compilation& c, std::string& said) {
+  const std::string out = folder() + "/said", wrong = folder() + "/wrong";
+  std::vector<std::string> words{simulator(), "--kernel", folder() + "/kernel.so", "--manifest",
+                                 folder() + "/simulation.json"};
+  words.insert(words.end(), flags.begin(), flags.end());
+  const ProgramResult result = run_program(words, out, wrong);
   if (!result.started) {
     return refuse(c, diag::Code::no_kernel,
                   "the simulator `" + words.front() + "` cannot be started: " + result.problem,
                   "install `rtac-sim` beside `rtac`, or name it in $RTAC_SIM", exit_usage);
   }
-  out << read_file(said).value_or("");
+  said = read_file(out).value_or("");
   if (result.status == exit_clean || result.status == exit_violation) return result.status;
   if (result.status == exit_usage || result.status == exit_inconclusive) {
     return report_refusal(c, read_file(wrong).value_or(""), result.status);
   }
   c.internal_error = "the simulator has failed: " + read_file(wrong).value_or("");
   return exit_internal;
+}
+
+int simulate(const Options& options, Compilation& c, std::ostream& out) {
+  Simulator simulator;
+  if (const int status = simulator.build(options, c); status != exit_clean) return status;
+  std::string said;
+  const int status = simulator.run(flags_of(options), c, said);
+  out << said;
+  return status;
 }
 
 }  // namespace rtac::driver

@@ -2,14 +2,32 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
+#include <vector>
 
 #include "compiler/driver/compile.h"
 #include "compiler/driver/options.h"
+#include "compiler/driver/process.h"
 
 namespace rtac::driver {
 
 // Compiles the decisions of the module and starts `rtac-sim`, a program of its own, with them and
 // with a manifest of everything else; its output goes to `out`, its exit code is returned.
 int simulate(const Options& options, Compilation& c, std::ostream& out);
+
+// The compiled decisions of a module, for as many calls of `rtac-sim` as it takes.
+class Simulator {
+ public:
+  // Takes the module. exit_clean, or a diagnostic says what is wrong.
+  int build(const Options& options, Compilation& c);
+  // Starts it with these flags besides. exit_clean and exit_violation: it did what it was asked
+  // for; otherwise a diagnostic, or an internal error, says what is wrong.
+  int run(const std::vector<std::string>& flags, Compilation& c, std::string& said);
+  // Of its own, removed with the simulator.
+  [[nodiscard]] const std::string& folder() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
 
 }  // namespace rtac::driver

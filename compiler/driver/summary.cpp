@@ -57,6 +57,11 @@ std::string summary(const ir::Module& module) {
              " with sample age, latency and jitter\n";
       out += "    full speed needs a clearance of " + metres(s.stopping_mm) +
              ", control returns at " + metres(s.return_clearance_mm) + "\n";
+      if (!s.zone.empty()) {
+        out += "    predicted share of the advanced controller: any speed in " +
+               std::to_string(s.share.any_speed) + " % of " + s.zone + ", control back in " +
+               std::to_string(s.share.returns) + " %\n";
+      }
       if (s.lookahead_max_us > 0) {
         out += "    the zone allows a look-ahead of up to " + millis(s.lookahead_max_us) + "\n";
       }
@@ -74,6 +79,9 @@ std::string summary(const ir::Module& module) {
       for (const ir::Agent& a : d.agents) names += (names.empty() ? "" : ", ") + a.name;
       out += "  assumed: nobody keeps " + names + " from a robot that stands (up to " +
              to_decimal(Rational(ir::rest_mmps(d.body), 1000)) + " m/s)\n";
+    }
+    if (d.coordinated) {
+      out += "  coordinated: of several recoveries the one drives that keeps most of the order\n";
     }
     for (const ir::Monitor& m : d.monitors) {
       if (m.hold_reason.empty()) continue;

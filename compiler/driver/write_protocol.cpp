@@ -7,6 +7,7 @@
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
 #include "compiler/protocol/protocol.h"
+#include "compiler/verify/turns.h"
 
 namespace rtac::driver {
 namespace {
@@ -23,8 +24,10 @@ int write_protocol(const Options& options, Compilation& c) {
   const std::string source =
       piped ? "standard input" : options.spec.substr(options.spec.find_last_of('/') + 1);
   std::vector<OutputFile> files;
-  for (const ir::Decision& d : c.module->decisions) {
-    const auto model = protocol::protocol_model(d, protocol::assumed(d), source);
+  const auto turns = verify::turns_of(*c.spec, *c.module, c.tables);
+  for (std::size_t n = 0; n < turns.size(); ++n) {
+    const ir::Decision& d = c.module->decisions[n];
+    const auto model = protocol::protocol_model(verify::protocol_subject(d), turns[n], source);
     files.push_back({options.output + "/" + d.name + ".pml", model.text()});
   }
   if (files.empty()) {

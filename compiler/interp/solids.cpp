@@ -187,6 +187,11 @@ const Solids::Solid& Solids::solid(sema::ZoneId zone, Bound bound) {
   return *known;
 }
 
+const geometry::Solid* Solids::within(sema::ZoneId zone) {
+  const Solid& known = solid(zone, Bound::within);
+  return known ? &*known : nullptr;
+}
+
 const Solids::Known& Solids::surfaces(sema::ZoneId zone) {
   Known& known = known_[static_cast<std::size_t>(zone)];
   if (!known.surfaced) {

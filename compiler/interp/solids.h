@@ -64,6 +64,8 @@ class Solids {
   Span clearance_of_robots(sema::ZoneId zone, const Place& place, const Rational& z);
   bool outside(sema::ZoneId zone, const Whereabouts& at);
   Span range(sema::ZoneId zone, const Whereabouts& at);
+  // What surely lies in the zone; nullptr: it is not known, or of the plane.
+  const geometry::Solid* within(sema::ZoneId zone);
 
  private:
   using Solid = std::optional<geometry::Solid>;

@@ -42,6 +42,8 @@ class Zones {
   bool outside(sema::ZoneId zone, const Whereabouts& at);
   // What surely lies in a zone of the plane; nullptr: it is not known.
   const geometry::Region* within(sema::ZoneId zone);
+  // The same of a zone with height.
+  const geometry::Solid* solid_within(sema::ZoneId zone) { return solids_.within(zone); }
   // Whatever the clearance may be while the place is anything in its box.
   Span range(sema::ZoneId zone, const Whereabouts& at);
 

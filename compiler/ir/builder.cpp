@@ -69,11 +69,13 @@ class BlockBuilder {
   ValueId margin(const sema::Truth& v, const sema::Expr& e) {
     return add(Truth{v.value}, std::nullopt, e.range);
   }
-  ValueId margin(const sema::InsideZone& v, const sema::Expr& e) {
-    // bodies: the centre lies in the zone and keeps the radius, that is clearance >= 0
+  ValueId margin(const sema::InsideZone& v, const sema::Expr& e) { return inside(v, e, true); }
+  // bodies: the centre lies in the zone and keeps the radius, that is clearance >= 0
+  ValueId inside(const sema::InsideZone& v, const sema::Expr& e, bool is) {
     const ValueId clearance = add(Clearance{tables_.zone(v.zone)}, Unit::mm, e.range);
     const ValueId zero = add(Const{0}, Unit::mm, e.range);
-    return add(AtLeast{clearance, zero, false}, std::nullopt, e.range);
+    return add(is ? AtLeast{clearance, zero, false} : AtLeast{zero, clearance, true}, std::nullopt,
+               e.range);
   }
   ValueId margin(const sema::ZoneOpen& v, const sema::Expr& e) {
     return add(ZoneThere{schedule_in(decision_.facts.schedules, spec_[v.zone])}, std::nullopt,
@@ -82,9 +84,10 @@ class BlockBuilder {
   ValueId margin(const sema::PlanInside& v, const sema::Expr& e) {
     return add(PlanInZone{tables_.zone(v.zone)}, std::nullopt, e.range);
   }
-  ValueId margin(const sema::Compare& v, const sema::Expr& e) {
-    const bool flipped = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
-    const bool strict = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
+  ValueId margin(const sema::Compare& v, const sema::Expr& e) { return margin(v, e, v.op); }
+  ValueId margin(const sema::Compare& v, const sema::Expr& e, sema::CompareOp op) {
+    const bool flipped = op == sema::CompareOp::less || op == sema::CompareOp::less_equal;
+    const bool strict = op == sema::CompareOp::less || op == sema::CompareOp::greater;
     if (counts(*v.left) || counts(*v.right)) return count_margin(v, flipped, strict, e);
     if (!is_compared(v.left->dimension)) {
       refuse(e, "the kernel compares lengths, ratios and speeds only");
@@ -118,11 +121,12 @@ class BlockBuilder {
     return add(CountOthers{std::move(body)}, Unit::robots, e.range);
   }
   ValueId margin(const sema::Logic& v, const sema::Expr& e) {
-    const auto negated = [&](ValueId a) { return add(Not{a}, std::nullopt, e.range); };
+    const auto inverse = [&](ValueId a) { return add(Not{a}, std::nullopt, e.range); };
     const auto both = [&](ValueId a, ValueId b) { return add(And{a, b}, std::nullopt, e.range); };
     const auto either = [&](ValueId a, ValueId b) { return add(Or{a, b}, std::nullopt, e.range); };
-    const ValueId a = margin(*v.operands[0]);
-    if (v.op == sema::LogicOp::logical_not) return negated(a);
+    if (v.op == sema::LogicOp::logical_not) return negated(*v.operands[0]);
+    const bool implies = v.op == sema::LogicOp::implies;
+    const ValueId a = implies ? negated(*v.operands[0]) : margin(*v.operands[0]);
     const ValueId b = margin(*v.operands[1]);
     switch (v.op) {
       case sema::LogicOp::logical_not:
@@ -130,15 +134,52 @@ class BlockBuilder {
       case sema::LogicOp::logical_and:
         return both(a, b);
       case sema::LogicOp::logical_or:
-        return either(a, b);
       case sema::LogicOp::implies:
-        return either(negated(a), b);
+        return either(a, b);
       case sema::LogicOp::iff:
-        return both(either(negated(a), b), either(negated(b), a));
+        return both(either(inverse(a), b), either(inverse(b), a));
       case sema::LogicOp::logical_xor:
-        return either(both(a, negated(b)), both(b, negated(a)));
+        return either(both(a, inverse(b)), both(b, inverse(a)));
     }
     return a;
+  }
+  // A negation moves inwards, so that what it says of a robot is a comparison, as if it had been
+  // written that way round.
+  ValueId negated(const sema::Expr& e) {
+    if (!is_fact(e)) {
+      if (const auto* v = std::get_if<sema::Truth>(&e.node)) {
+        return add(Truth{!v->value}, std::nullopt, e.range);
+      }
+      if (const auto* v = std::get_if<sema::Compare>(&e.node)) {
+        return margin(*v, e, opposite(v->op));
+      }
+      if (const auto* v = std::get_if<sema::InsideZone>(&e.node)) return inside(*v, e, false);
+      if (const auto* v = std::get_if<sema::Logic>(&e.node)) {
+        if (v->op == sema::LogicOp::logical_not) return margin(*v->operands[0]);
+        const bool either = v->op == sema::LogicOp::logical_and;
+        const bool implies = v->op == sema::LogicOp::implies;
+        if (either || implies || v->op == sema::LogicOp::logical_or) {
+          const ValueId a = implies ? margin(*v->operands[0]) : negated(*v->operands[0]);
+          const ValueId b = negated(*v->operands[1]);
+          return add(either ? Op(Or{a, b}) : Op(And{a, b}), std::nullopt, e.range);
+        }
+      }
+    }
+    const ValueId a = margin(e);
+    return add(Not{a}, std::nullopt, e.range);
+  }
+  static sema::CompareOp opposite(sema::CompareOp op) {
+    switch (op) {
+      case sema::CompareOp::less:
+        return sema::CompareOp::greater_equal;
+      case sema::CompareOp::less_equal:
+        return sema::CompareOp::greater;
+      case sema::CompareOp::greater:
+        return sema::CompareOp::less_equal;
+      case sema::CompareOp::greater_equal:
+        break;
+    }
+    return sema::CompareOp::less;
   }
   ValueId margin(const sema::HeldFor& v, const sema::Expr& e) {
     const ValueId operand = margin(*v.operand);

@@ -612,6 +612,9 @@ struct Monitor {
 struct Acknowledgement {
   std::string recovery, monitor, reason;
 };
+// Whether a recovery keeps a property: it is not shown, it is, or the property is that of its
+// monitor.
+enum class Kept { unproved, proved, own };
 struct Decision {
   std::string name, kind, advanced, safe;
   bool on_plan = false;
@@ -645,6 +648,11 @@ struct Decision {
   [[nodiscard]] const Agent& operator[](AgentIndex i) const {
     return agents[static_cast<std::uint32_t>(i)];
   }
+  // `coordinate`: of the recoveries of engaged monitors the one drives that keeps the longest
+  // prefix of the order. A row says what is proved of the recovery of a monitor, a column of which
+  // property.
+  bool coordinated = false;
+  std::vector<std::vector<Kept>> keeps{};
 };
 // From a decision until its recovery acts, the age of the sample apart.
 inline std::int64_t horizon_us(const Decision& d, const Monitor& m) {

@@ -306,6 +306,11 @@ class Printer {
       line("  agent " + a.name + " radius " + num(a.radius_mm) + ", error " + num(a.error_mm) +
            " mm, speed " + num(a.speed_mmps) + ", age " + num(a.age_us) + " us");
     }
+    for (std::size_t i = 0; i < d.keeps.size(); ++i) {
+      std::string row;
+      for (const Kept kept : d.keeps[i]) row += " " + num(std::int64_t(kept));
+      line("  keeps " + d.monitors[i].recovery.name + row);
+    }
     watch_ = &d.facts;
     signals(d.facts);
     for (const Schedule& s : d.facts.schedules) schedule(s);

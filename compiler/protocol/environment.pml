@@ -64,18 +64,27 @@ inline choose_rest() {
   fi
 }
 
-/* What is found of monitor m. */
+/* What is found of monitor m. Where its return set holds, its look-ahead does, which is shorter. */
 inline choose_check(m) {
   if
-  :: calm && !engaged[m] && KEEPS(m) -> clear = 1
-  :: calm && m == own && home -> clear = 1
-  :: else -> either(violated); either(clear)
+  :: calm && home && (m == own || SETTLES(m)) -> clear = 1; safer = 1
+  :: else ->
+     if
+     :: calm && m != own && !engaged[m] && KEEPS(m) -> clear = 1
+     :: else -> either(violated); either(clear)
+     fi;
+     if
+     :: calm && m == own && !asks[m] /* not home */
+     :: else -> either(safer)
+     fi
   fi;
   if
-  :: calm && m == own && home -> safer = 1; gives_back = 1
-  :: calm && m == own && !home -> either(safer)
-  :: calm && m != own && home && SETTLES(m) -> safer = 1; either(gives_back)
-  :: else -> either(safer); either(gives_back)
+  :: calm && m == own -> gives_back = home
+  :: else ->
+     if
+     :: asks[m] -> either(gives_back)
+     :: else -> gives_back = 1
+     fi
   fi
 }
 

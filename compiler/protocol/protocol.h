@@ -3,23 +3,43 @@
 // is left out, and why that is sound: compiler/docs/protocol.md.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "compiler/ir/module.h"
-
 namespace rtac::protocol {
 
-// What the model takes for granted of the recoveries of a decision, when nothing comes from
-// outside. A row is the recovery of a monitor, a column a monitor, both by priority.
-struct Arbitration {
-  // While recovery i drives, monitor j does not engage.
-  std::vector<std::vector<bool>> keeps;
-  // Where the return conditions of monitor i hold under its recovery, the derived one of j does.
-  std::vector<std::vector<bool>> settles;
+// A decision, as far as the protocol goes.
+struct Monitor {
+  std::string name, recovery;
+  std::string about;             // for people: its requirement, and where it is written
+  std::int64_t ahead_ticks = 1;  // of its look-ahead, the one in which it fails included
+  bool asks = false;             // it has a `return when`
 };
-// Both of all pairs, but of those that the specification acknowledges.
-Arbitration assumed(const ir::Decision& decision);
+struct Subject {
+  std::string decision, robot;
+  std::string advanced, safe;  // controllers; `safe`: on a plan
+  bool on_plan = false;        // then what follows plays no part, but for the monitors
+  std::int64_t period_us = 0, dwell_ticks = 0;
+  bool promises = false;           // robots promise each other to stay
+  std::int64_t surrenders_to = 1;  // who drives when control is given up: 1 + index of a monitor
+  std::vector<Monitor> monitors;   // highest first
+  // It coordinates: by what the recovery of a row is shown to keep of a column; 2: its own monitor.
+  bool coordinated = false;
+  std::vector<std::vector<int>> shown;
+};
+
+// What is known of the recoveries, when nothing comes from outside. A row is the recovery of a
+// monitor, a column a monitor, both by priority.
+using Table = std::vector<std::vector<bool>>;
+struct Arbitration {
+  Table keeps;    // while recovery i drives, monitor j does not engage
+  Table settles;  // where recovery i may return, the derived return condition of j holds
+};
+// "110 111 111", and back; of something else: no rows.
+std::string text_of(const Table& table);
+Table table_of(const std::string& text);
 
 // The parts follow each other in one file.
 struct Model {
@@ -28,12 +48,21 @@ struct Model {
   std::string environment;  // what it may find
   std::string claims;       // formulas of linear temporal logic
   std::vector<std::string> claim_names;
+  std::size_t monitors = 0;  // how many there are
   [[nodiscard]] std::string text() const { return rules + environment + claims; }
 };
 
 // `source`: name of the specification's file. The decision may be one `on plan`, too; it remembers
 // nothing, and `arbitration` plays no part.
-Model protocol_model(const ir::Decision& decision, const Arbitration& arbitration,
+Model protocol_model(const Subject& subject, const Arbitration& arbitration,
                      const std::string& source);
+
+// What a model checker says of one claim.
+struct Answer {
+  enum class Kind { holds, broken, unknown } kind = Kind::unknown;
+  std::string claim;
+  std::string why;  // unknown: what went wrong; broken: who drives in turn for ever, or ""
+};
+using CheckModel = std::function<std::vector<Answer>(const Model&)>;
 
 }  // namespace rtac::protocol

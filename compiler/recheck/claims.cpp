@@ -15,19 +15,6 @@ Doubt wrong(std::string why) {
   return {true, std::move(why)};
 }
 
-std::optional<std::int64_t> number(const Values& v, const std::string& key) {
-  const auto at = v.find(key);
-  if (at == v.end()) return std::nullopt;
-  std::int64_t value = 0;
-  const char* const end = at->second.data() + at->second.size();
-  const auto [stop, error] = std::from_chars(at->second.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
-std::string text(const Values& v, const std::string& key) {
-  const auto at = v.find(key);
-  return at == v.end() ? "" : at->second;
-}
 const sema::Monitor* monitor_of(const sema::Spec& spec, const sema::Decision& d,
                                 const std::string& name) {
   for (const sema::MonitorId id : d.priority) {
@@ -49,6 +36,19 @@ Rational micro(std::int64_t n) {
 
 }  // namespace
 
+std::optional<std::int64_t> number(const Values& v, const std::string& key) {
+  const auto at = v.find(key);
+  if (at == v.end()) return std::nullopt;
+  std::int64_t value = 0;
+  const char* const end = at->second.data() + at->second.size();
+  const auto [stop, error] = std::from_chars(at->second.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+std::string text(const Values& v, const std::string& key) {
+  const auto at = v.find(key);
+  return at == v.end() ? "" : at->second;
+}
 std::vector<sema::ZoneId> all_zones(const sema::Expr& property) {
   std::vector<sema::ZoneId> zones;
   sema::for_each_expr(property, [&](const sema::Expr& e) {
@@ -103,13 +103,14 @@ std::vector<sema::ZoneId> moves_within(const sema::Controller& controller) {
 Found Claims::check(const Claim& claim) {
   using Rule = Found (Claims::*)(const Values&);
   static const std::map<std::string, Rule> rules = {
-      {"limits", &Claims::limits},      {"horizon", &Claims::horizon},
-      {"return", &Claims::returns},     {"output", &Claims::output},
-      {"recovery", &Claims::recovery},  {"contained", &Claims::contained},
-      {"place", &Claims::place},        {"ways", &Claims::ways},
-      {"outranks", &Claims::outranks},  {"fails", &Claims::fails},
-      {"start", &Claims::known},        {"judged", &Claims::on_plan},
-      {"no_fences", &Claims::no_fences}};
+      {"limits", &Claims::limits},       {"horizon", &Claims::horizon},
+      {"return", &Claims::returns},      {"output", &Claims::output},
+      {"recovery", &Claims::recovery},   {"contained", &Claims::contained},
+      {"place", &Claims::place},         {"ways", &Claims::ways},
+      {"legs", &Claims::legs},           {"height", &Claims::height},
+      {"outranks", &Claims::outranks},   {"fails", &Claims::fails},
+      {"start", &Claims::known},         {"judged", &Claims::on_plan},
+      {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -228,8 +229,13 @@ Found Claims::contained(const Values& v) {
   if (!inner || !outer) return wrong("no such zone");
   if (*inner == *outer) return std::nullopt;
   const geometry::Region *const in = zones_.region(*inner), *const out = zones_.region(*outer);
-  if (in == nullptr || out == nullptr) return Doubt{false, "a zone is not known, or has height"};
-  if (!out->contains(*in)) return wrong("it is not contained");
+  if (in != nullptr && out != nullptr) {
+    if (!out->contains(*in)) return wrong("it is not contained");
+    return std::nullopt;
+  }
+  const auto small = zones_.solid(*inner), large = zones_.solid(*outer);
+  if (!small || !large) return Doubt{false, "a zone is not known"};
+  if (!small->subtract(*large).empty()) return wrong("it is not contained");
   return std::nullopt;
 }
 
@@ -254,7 +260,34 @@ Rational gap_of(const sema::Expr& property, sema::ZoneId zone) {
 
 }  // namespace
 
-Rational Claims::return_clearance(const sema::Decision& d, sema::ZoneId zone,
+namespace {
+
+// How far a height is from the limit of a comparison with it, to the good side; nullopt: it is
+// none.
+std::optional<Rational> room_at(const sema::Expr& e, const Rational& z) {
+  const auto* compare = std::get_if<sema::Compare>(&e.node);
+  if (compare == nullptr) return std::nullopt;
+  const bool at_least =
+      compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::greater_equal;
+  const sema::Expr& large = at_least ? *compare->left : *compare->right;
+  const sema::Expr& small = at_least ? *compare->right : *compare->left;
+  const auto is_height = [](const sema::Expr& x) {
+    const auto* signal = std::get_if<sema::SignalRef>(&x.node);
+    return signal != nullptr && signal->signal == sema::Signal::altitude;
+  };
+  if (const auto* least = std::get_if<sema::Constant>(&small.node); least && is_height(large)) {
+    return Rational(z - least->value);
+  }
+  if (const auto* most = std::get_if<sema::Constant>(&large.node); most && is_height(small)) {
+    return Rational(most->value - z);
+  }
+  if (is_height(large) || is_height(small)) return Rational(-1);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::ZoneId> zone,
                                   const Rational& extra) const {
   const Rational jitter = d.jitter ? d.jitter->value : Rational(0);
   Numbers n = numbers_of(spec_[d.kind], d, jitter);
@@ -263,7 +296,7 @@ Rational Claims::return_clearance(const sema::Decision& d, sema::ZoneId zone,
   Rational ahead = 0, gap = 0;
   for (const sema::MonitorId id : d.priority) {
     const sema::Monitor& m = spec_[id];
-    gap = std::max(gap, gap_of(*m.always, zone));
+    if (zone) gap = std::max(gap, gap_of(*m.always, *zone));
     if (!m.ahead.waypoints_only) {
       ahead = std::max(ahead, m.ahead.duration ? m.ahead.duration->value : n.period);
     }
@@ -284,8 +317,40 @@ Found Claims::place(const Values& v) {
   }
   // 2 mm: what is known of curves and offsets from inside
   const Rational near = milli(std::max<std::int64_t>(*gap - 2, 0));
-  if (!zones_.clear(*zone, {milli(*x), milli(*y)}, near)) {
-    return wrong("the place is nearer to the boundary");
+  const auto z = number(v, "z_mm");
+  const bool clear = z ? zones_.clear_in_space(*zone, {milli(*x), milli(*y)}, milli(*z), near)
+                       : zones_.clear(*zone, {milli(*x), milli(*y)}, near);
+  if (!clear) return wrong("the place is nearer to the boundary");
+  return std::nullopt;
+}
+
+Found Claims::legs(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  const auto zone = zones_.find(text(v, "zone"));
+  if (m == nullptr || !m->recover || !zone) return wrong("no such zone or monitor");
+  const auto within = moves_within(spec_[*m->recover]);
+  if (within.empty() || within.back() != *zone) return wrong("the recovery moves elsewhere");
+  if (!zones_.convex(*zone)) return wrong("the zone is not convex");
+  return place(v);
+}
+
+Found Claims::height(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const auto z = number(v, "z_mm"), gap = number(v, "gap_mm"), extra = number(v, "extra_us");
+  if (d == nullptr || !d->period || !z || !gap || !extra || *extra < 0) {
+    return wrong("no such decision or height");
+  }
+  if (milli(*gap) < return_clearance(*d, std::nullopt, micro(*extra))) {
+    return wrong("a robot at rest with that clearance may not be given back");
+  }
+  for (const sema::MonitorId id : d->priority) {
+    bool low = false;
+    sema::for_each_expr(*spec_[id].always, [&](const sema::Expr& e) {
+      const auto room = room_at(e, milli(*z));
+      low = low || (room && *room < milli(*gap));
+    });
+    if (low) return wrong("`" + spec_[id].name + "` needs another height");
   }
   return std::nullopt;
 }
@@ -331,8 +396,19 @@ Found Claims::outranks(const Values& v) {
     while (at < d->priority.size() && spec_[d->priority[at]].name != name) ++at;
     return at;
   };
+  if (d->coordinated) return wrong("who ranks higher does not take over under `coordinate`");
   const std::size_t high = rank(text(v, "higher")), low = rank(text(v, "lower"));
   if (low == d->priority.size() || high >= low) return wrong("it does not rank higher");
+  return std::nullopt;
+}
+
+// That nobody leads round in a circle is a matter of all pairs: recheck.cpp.
+Found Claims::coordinated(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  if (d == nullptr || !d->coordinated || d->on_plan) return wrong("nobody coordinates");
+  for (const char* const who : {"driving", "judged"}) {
+    if (monitor_of(spec_, *d, text(v, who)) == nullptr) return wrong("no such monitor");
+  }
   return std::nullopt;
 }
 

@@ -26,6 +26,11 @@ class Claims {
 
   std::optional<Doubt> check(const Claim& claim);
   NamedZones& zones() { return zones_; }
+  // The clearance in a zone of a robot at rest whose monitors all give control back, at least, when
+  // they look `extra` s further ahead for that.
+  // No zone: of a limit of height.
+  Rational return_clearance(const sema::Decision& d, std::optional<sema::ZoneId> zone,
+                            const Rational& extra) const;
 
  private:
   std::optional<Doubt> limits(const Values& v);
@@ -36,23 +41,26 @@ class Claims {
   std::optional<Doubt> contained(const Values& v);
   std::optional<Doubt> place(const Values& v);
   std::optional<Doubt> ways(const Values& v);
+  std::optional<Doubt> legs(const Values& v);
+  std::optional<Doubt> height(const Values& v);
   std::optional<Doubt> outranks(const Values& v);
+  std::optional<Doubt> coordinated(const Values& v);
   std::optional<Doubt> fails(const Values& v);
   std::optional<Doubt> known(const Values& v);
   std::optional<Doubt> on_plan(const Values& v);
   std::optional<Doubt> no_fences(const Values& v);
 
   const sema::Decision* decision(const Values& v) const;
-  // The clearance in a zone of a robot at rest whose monitors all give control back, at least, when
-  // they look `extra` s further ahead for that.
-  Rational return_clearance(const sema::Decision& d, sema::ZoneId zone,
-                            const Rational& extra) const;
 
   const sema::Spec& spec_;
   NamedZones zones_;
   ProveLemma prove_;
   std::map<std::string, std::optional<Doubt>> lemmas_;  // each is proved once
 };
+
+// nullopt: there is none, or it is no number.
+std::optional<std::int64_t> number(const Values& v, const std::string& key);
+std::string text(const Values& v, const std::string& key);
 
 // The zones that a property keeps the robot in whatever else it says, and those of all its atoms.
 std::vector<sema::ZoneId> kept_in(const sema::Expr& property);

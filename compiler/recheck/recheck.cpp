@@ -1,66 +1,22 @@
 #include "compiler/recheck/recheck.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "compiler/recheck/claims.h"
+#include "compiler/recheck/coordination.h"
+#include "compiler/recheck/turns.h"
+#include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
 namespace {
 
-using Json = nlohmann::json;
-
-struct Entry {
-  std::string kind, monitor, recovery, status;
-  std::vector<Claim> claims;
-};
-struct Part {
-  std::string decision;
-  std::vector<Entry> entries;
-};
-
-std::string text(const Json& j, const char* key) {
-  const auto at = j.find(key);
-  return at != j.end() && at->is_string() ? at->get<std::string>() : "";
-}
-
-// nullopt: it is no report.
-std::optional<std::vector<Part>> read(const std::string& report) {
-  const Json j = Json::parse(report, nullptr, false);
-  if (!j.is_object() || !j.contains("decisions") || !j["decisions"].is_array()) return std::nullopt;
-  std::vector<Part> parts;
-  for (const Json& d : j["decisions"]) {
-    if (!d.is_object() || !d.contains("obligations") || !d["obligations"].is_array()) {
-      return std::nullopt;
-    }
-    Part part{text(d, "decision"), {}};
-    for (const Json& o : d["obligations"]) {
-      if (!o.is_object()) return std::nullopt;
-      Entry e{
-          text(o, "obligation"), text(o, "monitor"), text(o, "recovery"), text(o, "status"), {}};
-      if (o.contains("claims")) {
-        for (const Json& c : o["claims"]) {
-          if (!c.is_object()) return std::nullopt;
-          Claim claim;
-          for (const auto& [key, value] : c.items()) {
-            if (!value.is_string()) return std::nullopt;
-            (key == "claim" ? claim.what : claim.values[key]) = value.get<std::string>();
-          }
-          e.claims.push_back(std::move(claim));
-        }
-      }
-      part.entries.push_back(std::move(e));
-    }
-    parts.push_back(std::move(part));
-  }
-  return parts;
-}
+constexpr const char* switching = "switching";
 
 class Check {
  public:
-  Check(const sema::Spec& spec, const SourceManager& sources, const ProveLemma& prove)
-      : spec_(spec), claims_(spec, sources, prove) {}
+  Check(const sema::Spec& spec, const SourceManager& sources, const Provers& provers)
+      : spec_(spec), provers_(provers), claims_(spec, sources, provers.lemma) {}
 
   Outcome run(const std::vector<Part>& parts) {
     for (const sema::Decision& d : spec_.decisions) {
@@ -71,7 +27,18 @@ class Check {
         continue;
       }
       complete(d, *part);
-      for (const Entry& e : part->entries) entry(d, e);
+      for (const Entry& e : part->entries) {
+        if (e.kind != switching) entry(d, e, *part);
+      }
+    }
+    // Rests on the others, and takes longest.
+    for (const sema::Decision& d : spec_.decisions) {
+      for (const Part& part : parts) {
+        if (part.decision != d.name) continue;
+        for (const Entry& e : part.entries) {
+          if (e.kind == switching) entry(d, e, part);
+        }
+      }
     }
     return std::move(out_);
   }
@@ -81,13 +48,6 @@ class Check {
   static std::string whom(const sema::Decision& d, const Entry& e) {
     return d.name + ", " + e.kind + (e.monitor.empty() ? "" : " of `" + e.monitor + "`") +
            (e.recovery.empty() ? "" : " while `" + e.recovery + "` drives");
-  }
-  static const Entry* find(const Part& part, const std::string& kind, const std::string& monitor,
-                           const std::string& recovery = "") {
-    for (const Entry& e : part.entries) {
-      if (e.kind == kind && e.monitor == monitor && e.recovery == recovery) return &e;
-    }
-    return nullptr;
   }
 
   // theory, well-formed RTA modules: what there has to be.
@@ -108,12 +68,13 @@ class Check {
         if (other != id && spec_[other].recover) need("C", name, spec_[*spec_[other].recover].name);
       }
     }
+    need(switching, "");
     if (d.on_plan) return;
     need("joint return", "");
     need("initial", "");
   }
 
-  void entry(const sema::Decision& d, const Entry& e) {
+  void entry(const sema::Decision& d, const Entry& e, const Part& part) {
     ++out_.obligations;
     if (e.status == "acknowledged") {
       if (!accepted(d, e)) fail(whom(d, e) + ": nobody acknowledges it");
@@ -121,18 +82,28 @@ class Check {
     }
     if (e.status == "unknown" || e.status == "refuted") return;  // nothing is claimed
     if (e.status != "proved") return fail(whom(d, e) + ": `" + e.status + "` is no status");
-    rests_on(d, e);
+    rests_on(d, e, part);
     for (const Claim& claim : e.claims) {
       ++out_.claims;
-      const auto doubt = claims_.check(claim);
+      const auto doubt = claim.what == "protocol" ? turns(d, part, claim) : claims_.check(claim);
       if (!doubt) continue;
       (doubt->refuted ? out_.failed : out_.open)
           .push_back(whom(d, e) + ": " + claim.what + ": " + doubt->why);
     }
   }
 
+  std::optional<Doubt> turns(const sema::Decision& d, const Part& part, const Claim& claim) {
+    if (!out_.failed.empty()) return Doubt{false, "not asked, while something else is not proved"};
+    return check_turns(spec_, d, part, claim, claims_, provers_.model);
+  }
+
   // What the specification accepts in its own words.
   bool accepted(const sema::Decision& d, const Entry& e) const {
+    if (e.kind == switching) {
+      return !d.acknowledgements.empty() ||
+             std::any_of(d.priority.begin(), d.priority.end(),
+                         [&](sema::MonitorId id) { return spec_[id].hold_reason.has_value(); });
+    }
     for (const sema::MonitorId id : d.priority) {
       const sema::Monitor& m = spec_[id];
       if (m.name != e.monitor) continue;
@@ -164,10 +135,11 @@ class Check {
   }
 
   // A proof that leaves out a part proves nothing.
-  void rests_on(const sema::Decision& d, const Entry& e) {
+  void rests_on(const sema::Decision& d, const Entry& e, const Part& part) {
     const Values of_monitor{{"monitor", e.monitor}};
     if (e.kind == "P1b") return need(d, e, "output");
     if (e.kind == "initial") return need(d, e, "start");
+    if (e.kind == switching) return need(d, e, "protocol");
     if (d.on_plan && e.kind != "satisfiable") return need(d, e, "judged");
     if (e.kind == "P1a") return need(d, e, "horizon", of_monitor);
     if (e.kind == "not vacuous") return need(d, e, "fails", of_monitor);
@@ -181,7 +153,7 @@ class Check {
       need(d, e, "return", of_monitor);
       return need(d, e, "lemma", {{"name", "return_implies_ahead"}}, false);
     }
-    if (e.kind == "C") return keeps_other(d, e, *m);
+    if (e.kind == "C") return keeps_other(d, e, *m, part);
     if (e.kind == "satisfiable" && e.claims.empty()) fail(whom(d, e) + ": it rests on no claim");
   }
   const sema::Monitor* monitor(const sema::Decision& d, const std::string& name) const {
@@ -206,8 +178,21 @@ class Check {
                         : "");
       zones.erase(c.values.count("zone") != 0 ? c.values.at("zone") : "");
     }
+    if (asks_for_height(d) && !has(e, "height", {{"decision", d.name}})) {
+      fail(whom(d, e) + ": nothing is said of the height");
+    }
     if (!zones.empty()) fail(whom(d, e) + ": nothing is said of zone `" + *zones.begin() + "`");
     if (places.size() > 1) fail(whom(d, e) + ": it is not one place");
+  }
+  bool asks_for_height(const sema::Decision& d) const {
+    bool asks = false;
+    for (const sema::MonitorId id : d.priority) {
+      sema::for_each_expr(*spec_[id].always, [&](const sema::Expr& e) {
+        const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+        asks = asks || (signal != nullptr && signal->signal == sema::Signal::altitude);
+      });
+    }
+    return asks;
   }
   // Each zone that a recovery moves within lies in each zone that the property keeps the robot in.
   void within(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
@@ -231,12 +216,14 @@ class Check {
     }
   }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    if (has(e, "legs", {{"decision", d.name}, {"monitor", m.name}})) return;
     if (m.recover && !moves_within(spec_[*m.recover]).empty() && !all_zones(*m.always).empty()) {
       return need(d, e, "ways", {{"monitor", m.name}});
     }
     if (e.claims.empty()) fail(whom(d, e) + ": it rests on no claim");
   }
-  void keeps_other(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+  void keeps_other(const sema::Decision& d, const Entry& e, const sema::Monitor& m,
+                   const Part& part) {
     for (const sema::MonitorId id : d.priority) {
       const sema::Monitor& driving = spec_[id];
       if (!driving.recover || spec_[*driving.recover].name != e.recovery) continue;
@@ -244,11 +231,22 @@ class Check {
       if (has(e, "outranks", {{"decision", d.name}, {"higher", m.name}, {"lower", driving.name}})) {
         continue;
       }
+      if (has(e, "coordinated",
+              {{"decision", d.name}, {"driving", driving.name}, {"judged", m.name}})) {
+        if (in_circle(spec_, d, part, m)) {
+          fail(whom(d, e) + ": recoveries that do not keep each other lead round in a circle");
+        }
+        continue;
+      }
+      if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
+        fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
+      }
       within(d, e, spec_[*driving.recover], held_by(*m.always));
     }
   }
 
   const sema::Spec& spec_;
+  const Provers& provers_;
   Claims claims_;
   Outcome out_;
 };
@@ -256,14 +254,14 @@ class Check {
 }  // namespace
 
 Outcome recheck(const sema::Spec& spec, const SourceManager& sources, const std::string& report,
-                const ProveLemma& prove) {
-  const auto parts = read(report);
+                const Provers& provers) {
+  const auto parts = read_report(report);
   if (!parts) {
     Outcome out;
     out.failed.emplace_back("verification.json is no report of `rtac verify`");
     return out;
   }
-  return Check(spec, sources, prove).run(*parts);
+  return Check(spec, sources, provers).run(*parts);
 }
 
 }  // namespace rtac::recheck

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/protocol/protocol.h"
 #include "compiler/sema/spec.h"
 #include "compiler/support/source.h"
 
@@ -19,6 +20,12 @@ struct Doubt {
   std::string why;
 };
 using ProveLemma = std::function<std::optional<Doubt>(const std::string& name)>;
+// That the model that was written is this one, and that its claims hold.
+using ProveModel = std::function<std::optional<Doubt>(const protocol::Model& model)>;
+struct Provers {
+  ProveLemma lemma;
+  ProveModel model;
+};
 
 struct Outcome {
   int obligations = 0, claims = 0;
@@ -26,6 +33,6 @@ struct Outcome {
 };
 // `report`: the text of verification.json.
 Outcome recheck(const sema::Spec& spec, const SourceManager& sources, const std::string& report,
-                const ProveLemma& prove);
+                const Provers& provers);
 
 }  // namespace rtac::recheck

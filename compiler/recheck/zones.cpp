@@ -98,6 +98,40 @@ bool NamedZones::clear(sema::ZoneId zone, const geometry::Point& place, const Ra
   return outline.square_to({place.x, place.y}) >= clearance * clearance;
 }
 
+std::optional<geometry::Solid> NamedZones::solid(sema::ZoneId zone) {
+  if (const geometry::Solid* const known = zones_.solid_within(zone)) return *known;
+  const geometry::Region* const flat = region(zone);
+  if (flat == nullptr || flat->empty()) return std::nullopt;
+  const geometry::Solid everywhere = geometry::Solid::everywhere();
+  const geometry::Slab& all = everywhere.slabs().front();
+  return geometry::Solid::prism(*flat, all.floor, all.ceiling);
+}
+
+bool NamedZones::clear_in_space(sema::ZoneId zone, const geometry::Point& place, const Rational& z,
+                                const Rational& clearance) {
+  const auto known = solid(zone);
+  if (!known || known->empty()) return false;
+  const interp::Surface surface(*known);
+  return surface.contains({place.x, place.y}, z) &&
+         surface.clearance({place.x, place.y}, z).below >= clearance;
+}
+
+bool NamedZones::convex(sema::ZoneId zone) {
+  const auto known = solid(zone);
+  if (!known || known->slabs().size() != 1) return false;
+  const auto rings = known->slabs().front().region.rings();
+  if (rings.size() != 1) return false;
+  const std::size_t count = rings.front().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const geometry::Point &a = rings[0][i], &b = rings[0][(i + 1) % count];
+    // no corner lies to the right of an edge
+    for (const geometry::Point& p : rings[0]) {
+      if ((b.x - a.x) * (p.y - a.y) < (b.y - a.y) * (p.x - a.x)) return false;
+    }
+  }
+  return true;
+}
+
 std::optional<geometry::Point> without_way(const geometry::Region& zone, const Rational& body_m,
                                            const Rational& route_m, const Rational& goal_m,
                                            const std::vector<geometry::Point>& sites) {

@@ -20,8 +20,15 @@ class NamedZones {
   [[nodiscard]] std::string name(sema::ZoneId zone) const;
   // nullptr: a zone with height, or one that is received.
   const geometry::Region* region(sema::ZoneId zone) { return zones_.within(zone); }
+  // Of a zone of the plane, as far up and down as coordinates go; nullopt: it is not known.
+  std::optional<geometry::Solid> solid(sema::ZoneId zone);
   // Whether the place (m) lies in the zone, as far from its boundary; false: it is not known.
   bool clear(sema::ZoneId zone, const geometry::Point& place, const Rational& clearance);
+  // The same of a place in space.
+  bool clear_in_space(sema::ZoneId zone, const geometry::Point& place, const Rational& z,
+                      const Rational& clearance);
+  // Whether the zone is one convex prism, or convex in the plane.
+  bool convex(sema::ZoneId zone);
 
  private:
   const sema::Spec& spec_;

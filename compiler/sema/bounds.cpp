@@ -44,8 +44,8 @@ bool relation_fits(Context& context, const syntax::Bound& bound, const BoundRule
 BoundValue check_bound(Context& context, const syntax::Bound& bound, const BoundRule& rule) {
   BoundValue value{{0, bound.name.range}, false, &bound};
   const bool fits = relation_fits(context, bound, rule);
-  const auto number =
-      quantity(context, *bound.value, {rule.dimension, "`" + rule.name + "`", rule.limit});
+  const auto number = quantity(context, *bound.value,
+                               {rule.dimension, "`" + rule.name + "`", rule.limit, rule.works});
   if (number) value.quantity = *number;
   value.good = fits && number.has_value();
   return value;

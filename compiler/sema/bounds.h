@@ -17,6 +17,7 @@ struct BoundRule {
   Limit limit;
   bool required;
   std::string example;  // "speed <= 0.22 m/s"
+  std::string works{};  // instead of a value out of range
 };
 
 // The limits by name. A limit with a mistake is there with the value 0: it was reported, and

@@ -1,5 +1,7 @@
 #include "compiler/sema/controllers.h"
 
+#include <algorithm>
+
 #include "compiler/sema/quantity.h"
 #include "compiler/sema/zones.h"
 
@@ -158,10 +160,28 @@ class ControllerChecker {
       return {0, range_};
     }
     const auto value =
-        quantity(context_, *expr, {dims::speed, "the speed of `" + name + "`", Limit::positive});
+        quantity(context_, *expr,
+                 {dims::speed, "the speed of `" + name + "`", Limit::positive, speeds_that_work()});
     if (!value) return {0, expr->range};
     if (kind_known_) compare_with_limit(*value);
     return *value;
+  }
+
+  // The slowest recovery that makes way in spite of the error of its velocity, where nothing pushes
+  // it (analysis/derive.cpp); 1 mm/s: the grid.
+  static Rational slowest(const RobotKind& kind) {
+    const bool steers = kind.motion.model == MotionModel::point && !kind.in_space;
+    const Rational least =
+        steers && kind.velocity ? Rational(2 * kind.velocity->error.value) : Rational(0);
+    return Rational(std::max<std::int64_t>(1, ceil_to_int(Rational(least * 1000))), 1000);
+  }
+  // "": no speed does; that is found where it is derived, as is what pushes the robot.
+  std::string speeds_that_work() const {
+    if (!kind_known_) return "";
+    const RobotKind& kind = context_.spec[controller_.kind];
+    const Rational &most = kind.motion.speed.value, least = slowest(kind);
+    if (most < least || disturbance_of(kind) > 0) return "";
+    return show(least, dims::speed) + " to " + show(most, dims::speed) + " works";
   }
 
   void compare_with_limit(const Quantity& speed) {
@@ -169,13 +189,18 @@ class ControllerChecker {
     const Quantity& limit = kind.motion.speed;
     if (limit.value <= 0 || speed.value <= limit.value) return;  // 0: reported already
     const std::string most = show(limit.value, dims::speed);
+    // the robot itself is too slow for any recovery: its limit is what has to change
+    const bool slow_robot = limit.value < slowest(kind);
     context_.report(Finding(Code::limit_contradictory, speed.range,
                             "`" + controller_.name + "` drives at " +
                                 show(speed.value, dims::speed) + ", but `" + kind.name +
                                 "` reaches at most " + most)
                         .label("faster than the robot")
                         .note(limit.range, "the limit is declared here")
-                        .help("a speed of at most " + most + " works"));
+                        .help(slow_robot ? "no speed of a recovery works with that limit: a limit "
+                                           "of at least " +
+                                               show(speed.value, dims::speed) + " works"
+                                         : "a speed of at most " + most + " works"));
   }
 
   Context& context_;

@@ -23,7 +23,7 @@ class DecisionChecker {
     check_trigger();
     check_advanced();
     check_safe();
-    check_priority();
+    check_order();
     for (const syntax::Acknowledge& written : written_.acknowledge) acknowledge(written);
     check_monitors_of(context_, decision_);
   }
@@ -97,7 +97,9 @@ class DecisionChecker {
   }
 
   void check_period(const syntax::Expr& expr) {
-    const auto period = quantity(context_, expr, {dims::time, "the period", Limit::positive});
+    const auto period =
+        quantity(context_, expr,
+                 {dims::time, "the period", Limit::positive, "1 ms works, or a multiple of it"});
     if (!period) return;
     const Rational in_ms = period->value * 1000;
     if (in_ms.get_den() == 1) {
@@ -193,25 +195,58 @@ class DecisionChecker {
             .help("write `recover " + written_.safe.front().text + ";` in the monitors"));
   }
 
-  void check_priority() {
-    if (written_.priority.empty()) {
+  using Orders = std::vector<std::vector<syntax::Name>>;
+  void one_order(const Orders& orders, const std::string& what) {
+    for (std::size_t i = 1; i < orders.size(); ++i) {
+      if (orders[i].empty() || orders.front().empty()) continue;
+      context_.duplicate_clause(orders[i].front().range, orders.front().front().range, what);
+    }
+  }
+
+  void check_order() {
+    one_order(written_.priority, "`priority`");
+    one_order(written_.coordinate, "`coordinate`");
+    if (written_.priority.empty() && written_.coordinate.empty()) {
       context_.missing_clause(decision_.name_range, owner(), "`priority`",
                               "priority first > second;");
       return;
     }
-    for (std::size_t i = 1; i < written_.priority.size(); ++i) {
-      if (written_.priority[i].empty() || written_.priority.front().empty()) continue;
-      context_.duplicate_clause(written_.priority[i].front().range,
-                                written_.priority.front().front().range, "`priority`");
-    }
-    for (const syntax::Name& name : written_.priority.front()) add_monitor(name);
+    decision_.coordinated = written_.priority.empty();
+    const auto& order =
+        decision_.coordinated ? written_.coordinate.front() : written_.priority.front();
+    if (!order.empty()) decision_.order_range = order.front().range;
+    for (const syntax::Name& name : order) add_monitor(name);
+    if (!written_.coordinate.empty()) check_coordinate(written_.coordinate.front());
     if (decision_.priority.size() <= max_priority) return;
     const std::string most = std::to_string(max_priority);
     context_.report(
-        Finding(Code::quantity_out_of_range, written_.priority.front()[max_priority].range,
+        Finding(Code::quantity_out_of_range, order[max_priority].range,
                 owner() + " has " + std::to_string(decision_.priority.size()) + " monitors")
             .label("at most " + most)
             .help("up to " + most + " monitors in one decision work"));
+  }
+
+  // The order of both is the same kind of list: what differs is who drives of several recoveries.
+  void check_coordinate(const std::vector<syntax::Name>& order) {
+    if (order.empty()) return;
+    const SourceRange& at = order.front().range;
+    if (!written_.priority.empty() && !written_.priority.front().empty()) {
+      context_.report(Finding(Code::two_orders, at,
+                              owner() + " has an order to `coordinate` by and a `priority`")
+                          .label("the second order")
+                          .note(written_.priority.front().front().range, "the first order is here")
+                          .help("leave out one of the two"));
+    } else if (decision_.on_plan) {
+      context_.report(Finding(Code::clause_without_effect, at,
+                              "`coordinate` has no effect on a decision on a plan")
+                          .label("no recovery drives there")
+                          .help("write `priority`"));
+    } else if (order.size() == 1) {
+      context_.report(Finding(Code::coordinate_of_one, at,
+                              owner() + " has one monitor, whose recovery always drives")
+                          .label("nothing to coordinate")
+                          .help("`priority " + order.front().text + ";` says the same"));
+    }
   }
 
   void add_monitor(const syntax::Name& name) {
@@ -330,8 +365,10 @@ void warn_unused(Context& context) {
   std::set<std::uint32_t> used;
   bool incomplete = false;  // a priority is missing or names nothing: it may mean any monitor
   for (const auto& decision : context.decisions) {
-    incomplete = incomplete || decision.node->priority.empty();
-    for (const auto& list : decision.node->priority) {
+    auto lists = decision.node->priority;
+    for (const auto& list : decision.node->coordinate) lists.push_back(list);
+    incomplete = incomplete || lists.empty();
+    for (const auto& list : lists) {
       for (const syntax::Name& name : list) {
         const Symbol* listed = context.symbols.find(name.text);
         if (listed == nullptr) {

@@ -44,7 +44,8 @@ class AheadChecker {
     if (!first("the duration of `ahead`", range)) return;
     duration_range_ = range;
     ahead_.duration = quantity(context_, *written.duration,
-                               {dims::time, "the duration of `ahead`", Limit::positive});
+                               {dims::time, "the duration of `ahead`", Limit::positive,
+                                "leave `ahead` out, and the least that works is taken"});
     if (!written.unsound || !reason_given(range, *written.unsound)) return;
     ahead_.duration_unsound = written.unsound->text;
     warn(range, "a duration below the reaction time of the module is allowed");

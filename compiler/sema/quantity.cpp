@@ -265,7 +265,9 @@ std::optional<Quantity> quantity(Context& context, const syntax::Expr& expr, con
     context.report(Finding(Code::quantity_out_of_range, expr.range,
                            due.what + " cannot be " + show(measure->value, due.dimension))
                        .label("must be " + std::string(words_for(due.limit)))
-                       .help("a value of " + std::string(words_for(due.limit)) + " works"));
+                       .help(due.works.empty()
+                                 ? "a value of " + std::string(words_for(due.limit)) + " works"
+                                 : due.works));
     return std::nullopt;
   }
   return Quantity{measure->value, expr.range};

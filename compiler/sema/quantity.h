@@ -20,6 +20,7 @@ struct Due {
   Dimension dimension;
   std::string what;  // "the radius of the body"
   Limit limit = Limit::any;
+  std::string works{};  // the help, where the limit alone is not what works
 };
 
 // A number with its unit. `due` only improves the suggestion for an unknown unit.

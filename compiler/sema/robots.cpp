@@ -86,15 +86,17 @@ class KindChecker {
     kind_.motion.model = unicycle ? MotionModel::unicycle : MotionModel::point;
     motion_known_ = true;
     std::vector<BoundRule> rules{
-        {"speed", Relation::at_most, dims::speed, Limit::positive, true, "speed <= 0.5 m/s"},
-        {"accel", Relation::at_most, dims::acceleration, Limit::positive, true, "accel <= 1 m/s^2"},
+        {"speed", Relation::at_most, dims::speed, Limit::positive, true, "speed <= 0.5 m/s",
+         "at least 0.001 m/s works, and no less than its recoveries drive at"},
+        {"accel", Relation::at_most, dims::acceleration, Limit::positive, true, "accel <= 1 m/s^2",
+         "at least 0.001 m/s^2 works"},
         {"brake", Relation::at_least, dims::acceleration, Limit::not_negative, true,
-         "brake >= 1 m/s^2"}};
+         "brake >= 1 m/s^2", "at least 0.001 m/s^2 works"}};
     if (unicycle) {
-      rules.push_back(
-          {"turn", Relation::at_most, dims::turn_rate, Limit::positive, true, "turn <= 2 rad/s"});
+      rules.push_back({"turn", Relation::at_most, dims::turn_rate, Limit::positive, true,
+                       "turn <= 2 rad/s", "at least 0.001 rad/s works"});
       rules.push_back({"turn_accel", Relation::at_most, dims::turn_acceleration, Limit::positive,
-                       false, "turn_accel <= 10 rad/s^2"});
+                       false, "turn_accel <= 10 rad/s^2", "at least 0.001 rad/s^2 works"});
     } else {
       rules.push_back({"disturbance", Relation::at_most, dims::acceleration, Limit::not_negative,
                        false, "disturbance <= 0.1 m/s^2"});
@@ -161,8 +163,8 @@ class KindChecker {
     context_.report(Finding(Code::limit_contradictory, kind_.motion.brake.range,
                             owner() + " cannot stop: `brake` is 0 m/s^2")
                         .label("must be more than 0")
-                        .help("give the least deceleration that the robot is sure to reach; any "
-                              "value above 0 m/s^2 works"));
+                        .help("give the least deceleration that the robot is sure to reach; at "
+                              "least 0.001 m/s^2 works"));
   }
 
   void clause(const SourceRange& range, const syntax::SenseClause& sense) {

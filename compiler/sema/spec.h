@@ -555,6 +555,9 @@ struct Decision {
   std::vector<MonitorId> priority;  // highest first
   std::vector<Acknowledgement> acknowledgements;
   std::optional<Quantity> jitter{};  // a step comes so much later than due; none: derived
+  // Of several recoveries the one drives that keeps the longest prefix of the order (rule 12.1).
+  bool coordinated = false;
+  SourceRange order_range{};  // where the order begins
 };
 
 struct Spec {

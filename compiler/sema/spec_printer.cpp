@@ -221,7 +221,7 @@ class SpecPrinter {
     for (const MonitorId monitor : decision.priority) {
       order += (order.empty() ? "" : " > ") + spec_[monitor].name;
     }
-    line(1, "priority " + order);
+    line(1, (decision.coordinated ? "coordinate " : "priority ") + order);
     for (const Acknowledgement& each : decision.acknowledgements) {
       line(1, "acknowledge " + spec_[each.recovery].name + " may break " +
                   spec_[each.monitor].name + " " + quoted(each.reason));

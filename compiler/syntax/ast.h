@@ -450,6 +450,7 @@ struct DecisionItem {
   std::vector<std::vector<Name>> priority;
   std::vector<Acknowledge> acknowledge;
   std::vector<ExprPtr> jitter;
+  std::vector<std::vector<Name>> coordinate;
 };
 struct Item {
   SourceRange range;

@@ -317,6 +317,9 @@ class Dumper {
     for (const auto& ranking : node.priority) {
       line("Priority " + join(ranking, " > "), ranking.front().range);
     }
+    for (const auto& order : node.coordinate) {
+      line("Coordinate " + join(order, " > "), order.front().range);
+    }
     for (const Acknowledge& entry : node.acknowledge) {
       line("Acknowledge " + entry.recovery.text + " may break " + entry.monitor.text + ' ' +
                spell_text(entry.reason.text),

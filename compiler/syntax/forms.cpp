@@ -193,6 +193,7 @@ const std::vector<Form>& all_forms() {
       {Block::monitor, T::MARGIN, "margin full;"},
       {Block::monitor, T::HOLD, "hold when violated \"a person carries it back\";"},
       {Block::decision, T::PRIORITY, "priority collision > fence;"},
+      {Block::decision, T::COORDINATE, "coordinate collision > fence;"},
       {Block::decision, T::ADVANCED, "advanced pilot;"},
       {Block::decision, T::SAFE, "safe certified_planner;"},
       {Block::decision, T::ON, "on plan;"},

@@ -256,6 +256,7 @@ std::string print_node(const DecisionItem& node) {
   for (const ExprPtr& expr : node.period) result += "  period " + print_expr(*expr) + ";\n";
   for (const ExprPtr& expr : node.jitter) result += "  jitter " + print_expr(*expr) + ";\n";
   for (const auto& ranking : node.priority) result += "  priority " + join(ranking, " > ") + ";\n";
+  for (const auto& order : node.coordinate) result += "  coordinate " + join(order, " > ") + ";\n";
   for (const Acknowledge& entry : node.acknowledge) {
     result += "  acknowledge " + entry.recovery.text + " may break " + entry.monitor.text + ' ' +
               spell_text(entry.reason.text) + ";\n";

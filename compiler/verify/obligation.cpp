@@ -25,6 +25,8 @@ const char* name(Kind kind) {
       return "not vacuous";
     case Kind::joint_return:
       return "joint return";
+    case Kind::switching:
+      return "switching";
     case Kind::initial:
       return "initial";
   }

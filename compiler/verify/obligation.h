@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/diagnostics/engine.h"
@@ -21,6 +22,7 @@ enum class Kind {
   satisfiable,   // the property can be seen to hold, in spite of every error
   not_vacuous,   // and can be false
   joint_return,  // there is a place where all monitors give control back
+  switching,     // somebody drives, and recoveries take over from each other in bounded turns
   initial,       // the invariant holds when the module is armed
 };
 // "P2a", "C", "joint return"
@@ -47,11 +49,29 @@ struct Obligation {
   std::string repair;         // of what is refuted: what would work; may be empty
   std::string trace;          // of what is refuted: a run that shows it; may be empty
   std::vector<Claim> claims;  // of what is proved: all that it rests on
+  std::string model;          // of `switching`, proved: what the claims hold of
   std::int64_t micros = 0;    // how long it took
+  std::string not_shown{};    // of what is refuted: why there is no run
+  // Of what is refuted: where a robot would be in trouble, in mm.
+  std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
+};
+// How much of what a monitor keeps free the worst motion needs that a search has found, from states
+// that just pass its look-ahead. It refutes, and proves nothing.
+struct Conservatism {
+  std::string monitor;
+  std::string why_not;              // not measured; empty: it was
+  double found_m = 0, bound_m = 0;  // at the state with the largest share
+  double speed_mps = 0;             // there
+  double ahead_s = 0;               // from the sample until the brake acts
+  std::string by;                   // "Ipopt" or "restarts"
+  int states = 0, searches = 0, failures = 0;
+  bool complete = true;  // false: the time was up
+  [[nodiscard]] double share() const { return found_m / bound_m; }
 };
 struct Decision {
   std::string name, kind;
   std::vector<Obligation> obligations;
+  std::vector<Conservatism> conservatism;  // by monitor; empty: nobody asked
 };
 struct Report {
   std::string spec;

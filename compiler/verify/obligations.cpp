@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <map>
 #include <utility>
 
+#include "compiler/analysis/joint_return.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
+#include "compiler/verify/turns.h"
 
 namespace rtac::verify {
 namespace {
@@ -29,22 +33,35 @@ class ExactZones {
     const auto& slabs = shown_[of_table_[static_cast<std::size_t>(zone)]];
     return slabs.empty() ? none_ : slabs.front().region;
   }
+  // Of a zone with height.
+  const geometry::Solid& solid(ir::ZoneIndex zone) {
+    const std::size_t at = of_table_[static_cast<std::size_t>(zone)];
+    const auto known = solids_.find(at);
+    if (known != solids_.end()) return known->second;
+    std::vector<geometry::Slab> slabs;
+    for (const analysis::ShownSlab& slab : shown_[at]) {
+      if (slab.heights) slabs.push_back({slab.heights->first, slab.heights->second, slab.region});
+    }
+    return solids_.emplace(at, geometry::Solid::of_slabs(slabs)).first->second;
+  }
 
  private:
   std::vector<std::vector<analysis::ShownSlab>> shown_;
   std::vector<std::size_t> of_table_;
+  std::map<std::size_t, geometry::Solid> solids_;
   geometry::Region none_;
 };
 
 class Prover {
  public:
-  explicit Prover(const Subject& subject) : s_(subject) {}
+  Prover(const Subject& subject, const protocol::CheckModel& check) : s_(subject), check_(check) {}
 
   Decision run() {
     out_.name = s_.decision.name;
     out_.kind = s_.kind.name;
     if (s_.decision.on_plan) {
       for (Obligation& o : plan_obligations(s_)) out_.obligations.push_back(std::move(o));
+      take([&] { return switches_well(s_, {}, check_); });
       return std::move(out_);
     }
     for (std::size_t k = 0; k < s_.decision.monitors.size(); ++k) of_monitor(k);
@@ -83,9 +100,11 @@ class Prover {
         if (i != j) take([&] { return keeps_others(s_, all[i][j], i, j); });
       }
     }
+    take([&] { return switches_well(s_, all, check_); });
   }
 
   const Subject& s_;
+  const protocol::CheckModel& check_;
   Decision out_;
 };
 
@@ -132,11 +151,12 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   o.method = "diagnostic " + std::to_string(static_cast<int>(d.code));
   o.because = d.message;
   o.repair = d.help;
+  const bool of_decision = kind == Kind::joint_return;
   std::size_t at = 0;
   for (const sema::Monitor& m : spec.monitors) {
     if (!d.range || d.range->file != m.range.file) continue;
     if (d.range->begin < m.range.begin || d.range->begin > m.range.end) continue;
-    o.monitor = m.name;
+    if (!of_decision) o.monitor = m.name;
     for (std::size_t n = 0; n < spec.decisions.size(); ++n) {
       for (const sema::MonitorId id : spec.decisions[n].priority) {
         if (&spec[id] == &m) at = n;
@@ -156,40 +176,59 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   }
 }
 
-void prove(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-           Report& report) {
-  const ExactZones zones(spec, tables);
+template <class Visit>
+void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
+                      const Visit& visit) {
+  ExactZones zones(spec, tables);
   const analysis::ExactZone exact = [&](ir::ZoneIndex zone) -> const geometry::Region& {
     return zones(zone);
   };
+  const std::function<const geometry::Solid&(ir::ZoneIndex)> solid =
+      [&](ir::ZoneIndex zone) -> const geometry::Solid& { return zones.solid(zone); };
   for (std::size_t n = 0; n < module.decisions.size(); ++n) {
     const sema::Decision& written = spec.decisions[n];
-    const Subject subject{spec, module, written, module.decisions[n], exact, spec[written.kind]};
-    report.decisions.push_back(Prover(subject).run());
+    visit(Subject{spec, module, written, module.decisions[n], exact, solid, spec[written.kind]});
   }
 }
 
 }  // namespace
 
 Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
-              const std::vector<diag::Diagnostic>& found) {
+              const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check) {
   Report report;
   report.spec = spec.name;
   report.complete = module != nullptr;
   if (module != nullptr) {
-    prove(spec, *module, tables, report);
+    const bool refuted = std::any_of(found.begin(), found.end(), [](const diag::Diagnostic& d) {
+      return diag::info(d.code).severity == diag::Severity::error;
+    });
+    const protocol::CheckModel asked = refuted ? protocol::CheckModel() : check;
+    for_each_subject(spec, *module, tables,
+                     [&](const Subject& s) { report.decisions.push_back(Prover(s, asked).run()); });
   } else {
     for (const sema::Decision& d : spec.decisions) {
-      report.decisions.push_back({d.name, spec[d.kind].name, {}});
+      report.decisions.push_back({d.name, spec[d.kind].name, {}, {}});
     }
   }
   for (const diag::Diagnostic& d : found) {
     if (diag::info(d.code).severity != diag::Severity::error) continue;
-    const auto kind = refuted_by(d.code);
+    const auto kind =
+        analysis::is_apart_for_ever(d) ? std::optional(Kind::joint_return) : refuted_by(d.code);
     // what the matrix says already
     if (kind && *kind != Kind::keeps) add_refuted(spec, d, *kind, report);
   }
   return report;
+}
+
+std::vector<protocol::Arbitration> turns_of(const sema::Spec& spec, const ir::Module& module,
+                                            const ir::TableMap& tables) {
+  std::vector<protocol::Arbitration> all;
+  for_each_subject(spec, module, tables, [&](const Subject& s) {
+    all.push_back(s.decision.on_plan ? protocol::Arbitration()
+                                     : known_turns(s, analysis::arbitration_of(
+                                                          s.kind, s.module, s.decision, s.exact)));
+  });
+  return all;
 }
 
 }  // namespace rtac::verify

@@ -4,6 +4,7 @@
 
 #include "compiler/ir/module.h"
 #include "compiler/ir/table_map.h"
+#include "compiler/protocol/protocol.h"
 #include "compiler/sema/spec.h"
 #include "compiler/verify/obligation.h"
 
@@ -11,8 +12,9 @@ namespace rtac::verify {
 
 // Of a module that is well formed but for what `found` says: errors of 5xxx and 6xxx each refute an
 // obligation.
-// `module`: null when none could be built; then nothing but that is told.
+// `module`: null when none could be built; then nothing but that is told. `check` goes through all
+// runs of a model of the switching protocol.
 Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
-              const std::vector<diag::Diagnostic>& found);
+              const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check);
 
 }  // namespace rtac::verify

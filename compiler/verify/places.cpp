@@ -13,63 +13,6 @@
 namespace rtac::verify {
 namespace {
 
-Claim place_claim(const Subject& s, ir::ZoneIndex zone, std::int64_t x_mm, std::int64_t y_mm,
-                  std::int64_t clearance_mm) {
-  return {"place",
-          {{"decision", s.decision.name},
-           {"zone", s.module[zone].name},
-           {"x_mm", std::to_string(x_mm)},
-           {"y_mm", std::to_string(y_mm)},
-           {"extra_us", std::to_string(s.decision.return_extra_us)},
-           {"clearance_mm", std::to_string(clearance_mm)}}};
-}
-
-// Square of the distance of a place from the boundary of a region, in m^2.
-Rational square_to(const std::vector<geometry::Ring>& rings, const geometry::Point& p) {
-  Rational least = -1;
-  for (const geometry::Ring& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const geometry::Point& a = ring[i];
-      const geometry::Point& b = ring[(i + 1) % ring.size()];
-      const Rational dx = b.x - a.x, dy = b.y - a.y;
-      Rational along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
-      along = std::clamp(along, Rational(0), Rational(1));
-      const Rational ex = a.x + along * dx - p.x, ey = a.y + along * dy - p.y;
-      const Rational square = ex * ex + ey * ey;
-      if (least < 0 || square < least) least = square;
-    }
-  }
-  return least;
-}
-
-// A zone, and the clearance in it at which every monitor that speaks of it gives control back.
-struct Need {
-  ir::ZoneIndex zone;
-  std::int64_t clearance_mm;
-};
-std::vector<Need> needs_of(const Subject& s) {
-  std::vector<Need> all;
-  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
-    const ir::Monitor& m = s.decision.monitors[k];
-    if (!m.lookahead.duration) continue;
-    analysis::Standoffs own;
-    analysis::ask_for_standoffs(m.property, s.decision.facts.params, own);
-    const std::int64_t mm =
-        std::max(analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own.fence_mm,
-                 analysis::asked_clearance_mm(s.module, s.decision, k));
-    for (const ir::ZoneIndex zone : analysis::fences_of(m.property, s.decision.facts.params)) {
-      const auto known =
-          std::find_if(all.begin(), all.end(), [&](const Need& need) { return need.zone == zone; });
-      if (known == all.end()) {
-        all.push_back({zone, mm});
-      } else {
-        known->clearance_mm = std::max(known->clearance_mm, mm);
-      }
-    }
-  }
-  return all;
-}
-
 // A place, of the cells of the narrowest zone or its widest one, that is as clear of all
 // boundaries.
 std::optional<geometry::Point> common_place(const Subject& s, const std::vector<Need>& all) {
@@ -101,8 +44,10 @@ std::optional<geometry::Point> common_place(const Subject& s, const std::vector<
   return std::nullopt;
 }
 
-std::int64_t in_mm(const Rational& m) {
-  return floor_to_int(Rational(m * 1000));
+// Where a robot fits into all of them, whether control is given back there or not.
+std::optional<geometry::Point> any_place(const Subject& s, std::vector<Need> all) {
+  for (Need& need : all) need.clearance_mm = s.decision.body.radius_mm;
+  return common_place(s, all);
 }
 
 }  // namespace
@@ -120,22 +65,84 @@ std::vector<ir::ZoneIndex> places_of(const Subject& s, const ir::Monitor& m) {
 
 }  // namespace
 
+Claim place_claim(const Subject& s, ir::ZoneIndex zone, std::int64_t x_mm, std::int64_t y_mm,
+                  std::int64_t clearance_mm) {
+  return {"place",
+          {{"decision", s.decision.name},
+           {"zone", s.module[zone].name},
+           {"x_mm", std::to_string(x_mm)},
+           {"y_mm", std::to_string(y_mm)},
+           {"extra_us", std::to_string(s.decision.return_extra_us)},
+           {"clearance_mm", std::to_string(clearance_mm)}}};
+}
+
+// Square of the distance of a place from the boundary of a region, in m^2.
+Rational square_to(const std::vector<geometry::Ring>& rings, const geometry::Point& p) {
+  Rational least = -1;
+  for (const geometry::Ring& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const geometry::Point& a = ring[i];
+      const geometry::Point& b = ring[(i + 1) % ring.size()];
+      const Rational dx = b.x - a.x, dy = b.y - a.y;
+      Rational along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
+      along = std::clamp(along, Rational(0), Rational(1));
+      const Rational ex = a.x + along * dx - p.x, ey = a.y + along * dy - p.y;
+      const Rational square = ex * ex + ey * ey;
+      if (least < 0 || square < least) least = square;
+    }
+  }
+  return least;
+}
+
+std::vector<Need> needs_of(const Subject& s) {
+  std::vector<Need> all;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    const ir::Monitor& m = s.decision.monitors[k];
+    if (!m.lookahead.duration) continue;
+    analysis::Standoffs own;
+    analysis::ask_for_standoffs(m.property, s.decision.facts.params, own);
+    const std::int64_t mm =
+        std::max(analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own.fence_mm,
+                 analysis::asked_clearance_mm(s.module, s.decision, k));
+    for (const ir::ZoneIndex zone : analysis::fences_of(m.property, s.decision.facts.params)) {
+      const auto known =
+          std::find_if(all.begin(), all.end(), [&](const Need& need) { return need.zone == zone; });
+      if (known == all.end()) {
+        all.push_back({zone, mm});
+      } else {
+        known->clearance_mm = std::max(known->clearance_mm, mm);
+      }
+    }
+  }
+  return all;
+}
+
 Obligation can_hold(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   Obligation o;
   o.kind = Kind::satisfiable;
   o.monitor = m.name;
+  if (analysis::never_holds(m.property)) {
+    o.status = Status::refuted;
+    o.method = "static check";
+    o.because = "it is false, whatever is measured";
+    o.repair = "a property that can be true works";
+    return o;
+  }
   o.status = Status::proved;
   o.method = "witness";
   const std::int64_t need = s.decision.on_plan ? 0 : ir::last_step(m.recovery).return_clearance_mm;
   for (const ir::ZoneIndex zone : places_of(s, m)) {
     const ir::ZoneTable& table = s.module[zone];
-    if (table.has_height()) continue;
+    const std::string height = table.has_height() ? ", " + metres(table.widest_z_mm) : "";
     o.because = std::string(s.decision.on_plan ? "a plan to (" : "a robot at rest at (") +
-                metres(table.widest_x_mm) + ", " + metres(table.widest_y_mm) +
+                metres(table.widest_x_mm) + ", " + metres(table.widest_y_mm) + height +
                 ") is seen to be in " + quoted(table.name) + ", whatever the errors";
     o.claims.push_back(place_claim(s, zone, table.widest_x_mm, table.widest_y_mm,
                                    std::min<std::int64_t>(need, table.widest_mm)));
+    if (table.has_height()) {
+      o.claims.back().values["z_mm"] = std::to_string(table.widest_z_mm);
+    }
   }
   if (o.because.empty() && !s.decision.on_plan) {
     o.method = "closed form";
@@ -167,13 +174,13 @@ Obligation returns_together(const Subject& s) {
   o.kind = Kind::joint_return;
   const std::vector<Need> all = needs_of(s);
   o.method = "witness";
-  if (all.empty() || s.decision.body.in_space) {
-    o.status = s.decision.body.in_space && !all.empty() ? Status::unknown : Status::proved;
-    o.because = all.empty() ? "no monitor asks for a place"
-                            : "places between zones with heights are not looked for";
-    if (all.empty()) o.claims.push_back({"no_fences", {{"decision", s.decision.name}}});
+  if (all.empty()) {
+    o.status = Status::proved;
+    o.because = "no monitor asks for a place";
+    o.claims.push_back({"no_fences", {{"decision", s.decision.name}}});
     return o;
   }
+  if (s.decision.body.in_space) return returns_together_in_space(s);
   if (const auto at = common_place(s, all)) {
     o.status = Status::proved;
     o.because = "all monitors give control back at (" + metres(in_mm(at->x)) + ", " +
@@ -192,6 +199,7 @@ Obligation returns_together(const Subject& s) {
   }
   if (common.empty()) {
     o.status = Status::refuted;
+    if (const auto at = any_place(s, all)) o.place_mm = {in_mm(at->x), in_mm(at->y)};
     o.because = "no place is so clear of the boundaries that all monitors give control back there";
     o.repair = "zones that share more room, a shorter `ahead` or a lower `speed` work";
   } else {

@@ -2,12 +2,22 @@
 // that it rests on.
 #pragma once
 
+#include <functional>
+
 #include "compiler/analysis/arbitration.h"
+#include "compiler/geometry/solid.h"
 #include "compiler/ir/module.h"
+#include "compiler/protocol/protocol.h"
 #include "compiler/sema/spec.h"
 #include "compiler/verify/obligation.h"
 
 namespace rtac::verify {
+
+// A zone, and the clearance in it at which every monitor that speaks of it gives control back.
+struct Need {
+  ir::ZoneIndex zone;
+  std::int64_t clearance_mm;
+};
 
 // What all proofs of a decision speak of.
 struct Subject {
@@ -16,6 +26,7 @@ struct Subject {
   const sema::Decision& written;
   const ir::Decision& decision;
   const analysis::ExactZone& exact;
+  const std::function<const geometry::Solid&(ir::ZoneIndex)>& solid;  // of a zone with height
   const sema::RobotKind& kind;
   [[nodiscard]] const sema::Monitor& monitor(std::size_t k) const {
     return spec[written.priority[k]];
@@ -27,6 +38,10 @@ Obligation decided_in_time(const Subject& s, std::size_t k);
 Obligation same_output(const Subject& s);
 Obligation drives_until_next(const Subject& s, std::size_t k);
 Obligation starts_well(const Subject& s);
+protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration& matrix);
+// `check`: none while something else is refuted.
+Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
+                         const protocol::CheckModel& check);
 
 // ---- the recoveries
 Obligation recovery_keeps(const Subject& s, std::size_t k);
@@ -35,9 +50,19 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
                         std::size_t judged);
 
 // ---- the places
+std::vector<Need> needs_of(const Subject& s);
+Claim place_claim(const Subject& s, ir::ZoneIndex zone, std::int64_t x_mm, std::int64_t y_mm,
+                  std::int64_t clearance_mm);
+// Square of the distance of a place from the boundary of a region, in m^2.
+Rational square_to(const std::vector<geometry::Ring>& rings, const geometry::Point& p);
 Obligation can_hold(const Subject& s, std::size_t k);
 Obligation can_fail(const Subject& s, std::size_t k);
 Obligation returns_together(const Subject& s);
+// Whether one zone lies in another, in the plane or in space.
+bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer);
+// In space: a place, and whether a straight leg leads to one as clear from everywhere in a zone.
+Obligation returns_together_in_space(const Subject& s);
+Obligation legs_back(const Subject& s, std::size_t k);
 
 // Of a decision on a plan.
 std::vector<Obligation> plan_obligations(const Subject& s);

@@ -114,8 +114,7 @@ std::string doubt_about(const Subject& s, const ir::Recovery& recovery, const ir
   }
   for (const ir::ZoneIndex outer : zones_of(s, property)) {
     for (const ir::ZoneIndex zone : inner) {
-      if (zone == outer || s.decision.body.in_space) continue;  // in space: 5016
-      if (s.exact(outer).contains(s.exact(zone))) continue;
+      if (zone == outer || lies_in(s, zone, outer)) continue;
       return "a way from one zone of the `or` to another is not shown to stay in one of them";
     }
   }
@@ -139,6 +138,7 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   if (!ways.stranded.empty()) {
     const analysis::Stranded& part = ways.stranded.front();
     o.status = Status::refuted;
+    o.place_mm = {part.x_mm, part.y_mm};
     o.because = "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " +
                 quoted(zone.name) + " no way leads to where control is given back";
     o.repair = "a width of " + metres(2 * last.return_clearance_mm) +
@@ -217,8 +217,8 @@ Obligation control_returns(const Subject& s, std::size_t k) {
     o.claims.push_back(recovery_claim(s, k));
     return o;
   }
-  if (ir::moves(last) && last != ir::RecoveryKind::yield && !s.decision.body.in_space) {
-    return ways_back(s, k, std::move(o));
+  if (ir::moves(last) && last != ir::RecoveryKind::yield) {
+    return s.decision.body.in_space ? legs_back(s, k) : ways_back(s, k, std::move(o));
   }
   o.status = Status::unknown;
   o.method = "no proof";
@@ -226,10 +226,8 @@ Obligation control_returns(const Subject& s, std::size_t k) {
     o.because =
         "robots let each other pass where there is room; that there is room everywhere is "
         "not shown";
-  } else if (last == ir::RecoveryKind::external) {
-    o.because = "nothing is claimed of where " + quoted(m.recovery.name) + " leads";
   } else {
-    o.because = "ways of " + quoted(m.recovery.name) + " in space have no bound";
+    o.because = "nothing is claimed of where " + quoted(m.recovery.name) + " leads";
   }
   return o;
 }
@@ -243,6 +241,7 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   const std::string why = reason(s.decision, i.recovery.name, j.name);
   if (entry.keeping == analysis::Keeping::broken) {
     o.because = entry.why;
+    if (!entry.conflict.empty()) o.because += "; " + analysis::conflict_text(s.decision, entry);
     o.repair = entry.help;
     if (!why.empty()) return acknowledged(std::move(o), why);
     o.status = Status::refuted;
@@ -257,6 +256,14 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
                 quoted(i.recovery.name) + " and takes over: " + entry.why;
     o.claims.push_back(
         {"outranks", {{"decision", s.decision.name}, {"higher", j.name}, {"lower", i.name}}});
+    return o;
+  }
+  if (entry.keeping == analysis::Keeping::coordinated) {
+    o.method = "coordination";
+    o.because = quoted(j.name) + " is judged under the motion of " + quoted(i.recovery.name) +
+                ", and when it fails a recovery drives that keeps it: " + entry.why;
+    o.claims.push_back(
+        {"coordinated", {{"decision", s.decision.name}, {"driving", i.name}, {"judged", j.name}}});
     return o;
   }
   if (std::string doubt = doubt_about(s, i.recovery, j.property); !doubt.empty()) {

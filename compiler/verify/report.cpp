@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace rtac::verify {
@@ -20,6 +21,26 @@ std::string whom(const Obligation& o) {
   return o.recovery.empty() ? o.monitor : o.recovery + ", " + o.monitor;
 }
 
+std::string decimals(double value, const char* format = "%.2f") {
+  constexpr std::size_t widest = 64;
+  std::array<char, widest> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+void add_conservatism(const Conservatism& c, std::size_t about, std::string& out) {
+  out += "  conservatism " + padded(c.monitor, about);
+  if (!c.why_not.empty()) {
+    out += "not measured: " + c.why_not + "\n";
+    return;
+  }
+  out += "worst found " + decimals(c.found_m, "%.3f") + " m of " + decimals(c.bound_m, "%.3f") +
+         " m (" + decimals(c.share()) + "): " + c.by + " at " + decimals(c.speed_mps) + " m/s, " +
+         decimals(c.ahead_s) + " s ahead; " + std::to_string(c.states) + " states, " +
+         std::to_string(c.searches) + " searches";
+  if (c.failures > 0) out += ", " + std::to_string(c.failures) + " without a result";
+  out += c.complete ? "\n" : "; the time was up\n";
+}
+
 void add_decision(const Decision& d, std::string& out) {
   std::size_t about = 0;
   for (const Obligation& o : d.obligations) about = std::max(about, whom(o).size());
@@ -29,13 +50,35 @@ void add_decision(const Decision& d, std::string& out) {
            padded(name(o.status), 14) + o.method + ": " + o.because + "\n";
     if (!o.repair.empty()) out += "  " + padded("", 13) + "what works: " + o.repair + "\n";
     if (!o.trace.empty()) out += "  " + padded("", 13) + "shown by " + o.trace + "\n";
+    if (!o.not_shown.empty()) out += "  " + padded("", 13) + "not shown: " + o.not_shown + "\n";
   }
+  for (const Conservatism& c : d.conservatism) add_conservatism(c, about + 2, out);
 }
 
 std::string milliseconds(std::int64_t micros) {
   return std::to_string(micros / 1000) + "." + std::to_string(micros / 100 % 10) + " ms";
 }
 
+nlohmann::ordered_json json_of(const Conservatism& c) {
+  nlohmann::ordered_json j;
+  j["monitor"] = c.monitor;
+  j["measured"] = c.why_not.empty();
+  if (!c.why_not.empty()) {
+    j["because"] = c.why_not;
+    return j;
+  }
+  j["found_m"] = c.found_m;
+  j["bound_m"] = c.bound_m;
+  j["share"] = c.share();
+  j["by"] = c.by;
+  j["speed_mps"] = c.speed_mps;
+  j["ahead_s"] = c.ahead_s;
+  j["states"] = c.states;
+  j["searches"] = c.searches;
+  j["failures"] = c.failures;
+  j["complete"] = c.complete;
+  return j;
+}
 nlohmann::ordered_json json_of(const Obligation& o, bool with_times) {
   nlohmann::ordered_json j;
   j["obligation"] = name(o.kind);
@@ -46,6 +89,7 @@ nlohmann::ordered_json json_of(const Obligation& o, bool with_times) {
   j["because"] = o.because;
   if (!o.repair.empty()) j["repair"] = o.repair;
   if (!o.trace.empty()) j["trace"] = o.trace;
+  if (!o.not_shown.empty()) j["not_shown"] = o.not_shown;
   if (with_times) j["milliseconds"] = double(o.micros) / 1000;
   if (o.claims.empty()) return j;
   for (const Claim& claim : o.claims) {
@@ -92,6 +136,7 @@ std::string to_json(const Report& report, bool with_times) {
     of["robot"] = d.kind;
     of["obligations"] = nlohmann::ordered_json::array();
     for (const Obligation& o : d.obligations) of["obligations"].push_back(json_of(o, with_times));
+    for (const Conservatism& c : d.conservatism) of["conservatism"].push_back(json_of(c));
     j["decisions"].push_back(std::move(of));
   }
   return j.dump(2) + "\n";

@@ -14,6 +14,9 @@ inline std::string quoted(const std::string& name) {
 inline std::string metres(std::int64_t mm) {
   return to_decimal(Rational(mm, 1000)) + " m";
 }
+inline std::int64_t in_mm(const Rational& m) {
+  return floor_to_int(Rational(m * 1000));
+}
 inline std::string millis(std::int64_t us) {
   return to_decimal(Rational(us, 1000)) + " ms";
 }

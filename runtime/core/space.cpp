@@ -29,14 +29,11 @@ class Sight {
     if (looks_-- <= 0) return -infinite;
     return solid_ != nullptr ? signed_clearance(*solid_, p) : signed_clearance(*flat_, {p.x, p.y});
   }
-  // No place of the leg is closer to the boundary: a clearance changes by no more than the way.
+  // No place of a leg, which is level or upright, is closer to the boundary: by the zones of the
+  // plane at all heights so near, which is one look however long the leg is, or else piece by
+  // piece.
   bool leg_is_clear(Vec3 a, Vec3 b, double least_m) {
-    const double length_m = norm(b - a);
-    const double middle_m = clearance_m(0.5 * (a + b));
-    if (!(middle_m >= least_m)) return false;
-    if (middle_m - length_m / 2 >= least_m || length_m <= 2 * loss_m) return true;
-    const Vec3 middle = 0.5 * (a + b);
-    return leg_is_clear(a, middle, least_m) && leg_is_clear(middle, b, least_m);
+    return slabs_are_clear(a, b, least_m) || pieces_are_clear(a, b, least_m);
   }
   // Heights where a place may be `wanted_m` away from floors and ceilings, each as near to `z` as
   // it gets.
@@ -63,6 +60,36 @@ class Sight {
   }
 
  private:
+  bool slabs_are_clear(Vec3 a, Vec3 b, double least_m) {
+    if (!(least_m > 0)) return false;
+    if (solid_ == nullptr) return wall_is_clear(*flat_, a, b, least_m);
+    const double low_m = std::min(a.z, b.z) - least_m, high_m = std::max(a.z, b.z) + least_m;
+    double up_to_m = low_m;
+    for (std::size_t i = 0; i < solid_->slab_count; ++i) {
+      const SlabView& slab = solid_->slabs[i];
+      if (slab.ceiling_m <= low_m || slab.floor_m >= high_m) continue;
+      if (slab.floor_m > up_to_m || !wall_is_clear(*slab.base, a, b, least_m)) return false;
+      up_to_m = slab.ceiling_m;
+    }
+    return up_to_m >= high_m;
+  }
+  bool wall_is_clear(const ZoneView& zone, Vec3 a, Vec3 b, double least_m) {
+    if (looks_-- <= 0) return false;
+    const Vec2 from{a.x, a.y}, to{b.x, b.y};
+    const bool upright = a.x == b.x && a.y == b.y;
+    return upright ? signed_clearance(zone, from) >= least_m
+                   : keeps_clearance(zone, from, to, least_m);
+  }
+  // A clearance changes by no more than the way.
+  bool pieces_are_clear(Vec3 a, Vec3 b, double least_m) {
+    const double length_m = norm(b - a);
+    const double middle_m = clearance_m(0.5 * (a + b));
+    if (!(middle_m >= least_m)) return false;
+    if (middle_m - length_m / 2 >= least_m || length_m <= 2 * loss_m) return true;
+    const Vec3 middle = 0.5 * (a + b);
+    return pieces_are_clear(a, middle, least_m) && pieces_are_clear(middle, b, least_m);
+  }
+
   const SolidView* solid_;
   const ZoneView* flat_;
   int looks_ = looks_max;

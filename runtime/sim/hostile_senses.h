@@ -19,7 +19,10 @@ class HostileSenses {
   // when it is used.
   void announce(TimeUs now_us, TimeUs max_age_us, const TruthLog& log, Announcement& announcement);
   // Nothing arrives from other robots now.
-  [[nodiscard]] bool deaf(TimeUs now_us) const { return faulty(Sense::announcements, now_us); }
+  [[nodiscard]] bool deaf(TimeUs now_us) const {
+    return faulty(Sense::announcements, now_us) ||
+           (hostility_.deaf_from_us != never_us && now_us >= hostility_.deaf_from_us);
+  }
 
  private:
   struct Fault {

@@ -7,12 +7,13 @@
 namespace rtac::sim {
 
 Referee::Referee(const Surroundings& surroundings, const std::vector<Property>& properties,
-                 int robots)
+                 int robots, int about)
     : surroundings_(surroundings),
       properties_(properties),
       least_(properties.size()),
       anchors_(properties.size() * static_cast<std::size_t>(robots)),
-      way_m_(static_cast<std::size_t>(robots), 0) {
+      way_m_(static_cast<std::size_t>(robots), 0),
+      about_(about) {
   for (const Property& p : properties) steepness_per_m_.push_back(steepness_per_m(p));
 }
 
@@ -45,6 +46,7 @@ void Referee::judge(std::size_t monitor, std::size_t robot, TimeUs now_us,
   scene.passive = true;
   anchor = {margin_of(properties_[monitor], scene), way_m};
   if (anchor.margin < least.value) least = {anchor.margin, now_us, static_cast<int>(robot)};
+  if (about_ >= 0 && static_cast<std::size_t>(about_) != monitor) return;
   // Written so that a value that is not a number counts as a violation.
   if (!(anchor.margin >= -referee_rounding) && !violated()) {
     violation_ = {now_us, static_cast<int>(monitor), static_cast<int>(robot)};

@@ -11,7 +11,7 @@ using List = std::vector<std::string>;
 
 // Robots as FleetTracer makes them, and its inputs.
 const std::string fleet = R"(spec flock;
-zone field = rectangle (-4 m, -4 m) to (4 m, 4 m) - circle (1.0004 m, 1 m) radius 1 m;
+zone field = rectangle (-4 m, -4 m) to (4 m, 4 m) - circle (5.0004 m, 5 m) radius 3 m;  // no way to the nest leads across
 zone core = circle (-1 m, -1 m) radius 2 m;
 enum Mode { idle, busy }
 input permit : bool max_age 100 ms;

@@ -16,7 +16,7 @@ using driver::test::rtac;
 
 const std::string flock =
     R"(spec flock;
-zone field = rectangle (-4 m, -4 m) to (4 m, 4 m) - circle (1.0004 m, 1 m) radius 1 m;
+zone field = rectangle (-4 m, -4 m) to (4 m, 4 m) - circle (5.0004 m, 5 m) radius 3 m;  // no way to the nest leads across
 zone core = circle (-1 m, -1 m) radius 2 m;
 enum Mode { idle, busy }
 input permit : bool max_age 100 ms;
@@ -37,7 +37,7 @@ monitor gap for r : Quad { "R9: least" always min(q : Quad, q != r : distance(r,
 monitor fresh for r : Quad { "R10: fresh" always age(r.position) <= 50 ms and once[0 s, 100 ms] age(r.battery) <= 0 s; recover inwards; }
 period 50 ms;
 monitor member { "R11: a member is in" always q1 inside field; }
-monitor spare { "R12: who is in has some room" always forall q : Quad : q inside core implies clearance(q, field) >= 40 cm; }
+monitor spare { "R12: who is in has some room" always forall q : Quad : q inside core implies clearance(q, field) >= 1.5 m; }
 monitor beside { "R13: not near the core" always distance(q2, core) > 10 cm; }
 monitor out { "R14: none is out" always not exists q : Quad : not q inside field; }
 decision fly for Quad { advanced policy; period 50 ms; priority walls > clear > apart > alone > near > low > way > permitted > gap > fresh;

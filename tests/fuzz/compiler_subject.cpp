@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "compiler/analysis/derive.h"
 #include "compiler/codegen/generate.h"
 #include "compiler/interp/interpreter.h"
@@ -54,7 +56,13 @@ std::string run_compiler(std::string_view text) {
   if (!spec) return {};
   interpret(*spec);
   auto derived = analysis::derive(*spec, sources, engine);
-  if (derived.has_value() == engine.has_errors()) return "neither refused nor accepted";
+  // An error of arbitration leaves a module that can be played, to show it.
+  const auto& all = engine.all();
+  const bool refused = std::any_of(all.begin(), all.end(), [](const diag::Diagnostic& d) {
+    return diag::info(d.code).severity == diag::Severity::error &&
+           d.code != diag::Code::recovery_breaks;
+  });
+  if (derived.has_value() ? refused : !engine.has_errors()) return "neither refused nor accepted";
   if (derived) {
     if (std::string problem = generate(std::move(derived->module), *spec, engine);
         !problem.empty()) {

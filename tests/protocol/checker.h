@@ -13,6 +13,7 @@
 
 #include "compiler/driver/compile.h"
 #include "compiler/protocol/protocol.h"
+#include "compiler/verify/turns.h"
 
 namespace rtac::protocol::test {
 
@@ -95,6 +96,25 @@ inline std::string planted(std::string text, const std::string& from, const std:
   EXPECT_NE(at, std::string::npos) << from;
   EXPECT_EQ(text.find(from, at + 1), std::string::npos) << from << " is there twice";
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+// Of all pairs, but of those that the specification acknowledges.
+inline Arbitration assumed(const ir::Decision& d) {
+  const std::size_t count = d.monitors.size();
+  Table rows(count, std::vector<bool>(count, true));
+  for (const ir::Acknowledgement& a : d.acknowledgements) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j) {
+        if (d.monitors[i].recovery.name == a.recovery && d.monitors[j].name == a.monitor) {
+          rows[i][j] = false;
+        }
+      }
+    }
+  }
+  return {rows, rows};
+}
+inline Model model_of(const ir::Decision& d, const Arbitration& arbitration) {
+  return protocol_model(verify::protocol_subject(d), arbitration, "test.rta");
 }
 
 // The decision of a specification, by its path in the repository.

@@ -13,6 +13,7 @@
 #undef SPEC_KERNEL_H  // two cases, two prefixes, one name of files
 #include "tests/golden/fleet_of_three/expected/generated/spec_kernel.h"
 // NOLINTEND(misc-include-cleaner)
+#include "alike_kernel.h"
 
 namespace rtac::protocol::test {
 namespace {
@@ -42,6 +43,11 @@ const std::vector<Subject>& subjects() {
          return walk(shared_recovery_fly_init, shared_recovery_fly_step, 50'000,
                      {2'500, 2'500, 500, 500, 5'000}, ticks, seed);
        }},
+      {"tests/protocol/alike.rta", "drive",
+       [](unsigned seed) {
+         return walk(alike_drive_init, alike_drive_step, 100'000, {3'000, 3'000, 500, 500, 10'000},
+                     ticks, seed);
+       }},
       {"tests/golden/fleet_of_three/spec.rta", "drive",
        [](unsigned seed) {
          return walk(fleet_of_three_drive_init, fleet_of_three_drive_step, 100'000,
@@ -57,7 +63,7 @@ const std::string& rules_of(const Subject& s) {
   std::string& rules = all[s.spec];
   if (rules.empty()) {
     const ir::Decision d = decision_of(s.spec, s.decision);
-    rules = protocol_model(d, assumed(d), "test.rta").rules;
+    rules = model_of(d, assumed(d)).rules;
   }
   return rules;
 }
@@ -136,6 +142,30 @@ TEST(Replay, MistakesInTheModelAreFound) {
         found = replayed(rules, s.walk(seed)).find(agrees) == std::string::npos;
       }
       if (found) break;
+    }
+    EXPECT_TRUE(found) << from << " => " << to;
+  }
+}
+
+// Nor is one that chooses otherwise the one of the kernel that coordinates.
+TEST(Replay, MistakesInTheCoordinationAreFound) {
+  const std::vector<std::array<std::string, 2>> mistakes = {
+      {"length > longest ||", "length < longest ||"},
+      {"kept = (SHOWN(i, j) == 2)", "kept = (SHOWN(i, j) != 0)"},
+      {"SHOWN(i, j) != 0 -> kept = 1", "SHOWN(i, j) == 2 -> kept = 1"},
+      {"kept = (!engaged[j] && FITS(i, j))", "kept = FITS(i, j)"},
+      {"false_now[m] = violated", "false_now[m] = 0"},
+  };
+  const Subject* alike = nullptr;
+  for (const Subject& s : subjects()) {
+    if (s.spec == "tests/protocol/alike.rta") alike = &s;
+  }
+  ASSERT_NE(alike, nullptr);
+  for (const auto& [from, to] : mistakes) {
+    const std::string rules = planted(rules_of(*alike), from, to);
+    bool found = false;
+    for (unsigned seed = 1; seed <= 4 * walks && !found; ++seed) {
+      found = replayed(rules, alike->walk(seed)).find(agrees) == std::string::npos;
     }
     EXPECT_TRUE(found) << from << " => " << to;
   }

@@ -54,7 +54,9 @@ expect 'bless of an empty name' 2 'no golden case is called' "${dev[@]}" bless '
 expect 'fuzz with two times' 2 'takes one number of seconds' "${dev[@]}" fuzz 60 60
 # shellcheck disable=SC2016  # back-ticks of the message
 expect 'campaign of nothing' 2 '`campaign 0`: not a number of runs' "${dev[@]}" campaign 0
-for command in setup demo test bench campaign bless fuzz lint; do
+# shellcheck disable=SC2016  # back-ticks of the message
+expect 'proof of nothing' 2 'there is no specification `nofile.rta`' "${dev[@]}" prove nofile.rta
+for command in setup demo test bench campaign prove bless fuzz lint; do
   expect 'help' 0 "  $command " "${dev[@]}" --help
 done
 

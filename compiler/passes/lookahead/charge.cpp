@@ -14,7 +14,7 @@ bool accepted(const Expansion& expansion) {
   return acknowledged(expansion.decision(), monitor.recovery.name, monitor.name);
 }
 
-ValueId refuse(Expansion& expansion, std::optional<SiteIndex> site, const Atom& atom) {
+void refuse(Expansion& expansion, std::optional<SiteIndex> site, const Atom& atom) {
   const std::string& recovery = expansion.monitor().recovery.name;
   const std::string where =
       site ? "`route to " + expansion.module()[*site].name + "`" : "`route to` a site";
@@ -26,7 +26,6 @@ ValueId refuse(Expansion& expansion, std::optional<SiteIndex> site, const Atom& 
                     "a recovery " + where + " works, its way is priced; or `acknowledge " +
                         recovery + " may break " + expansion.monitor().name + " \"why\"`",
                     {}});
-  return add(atom.to, Truth{false}, atom.source);
 }
 
 // `site`: the property asks for the way to it already.
@@ -41,7 +40,8 @@ ValueId reserve(Expansion& expansion, std::optional<SiteIndex> site, const Need&
   const Recovery& recovery = expansion.monitor().recovery;
   const bool drives_there =
       recovery.kind == RecoveryKind::route && (!site || *site == recovery.site);
-  if (!drives_there && !accepted(expansion)) return refuse(expansion, site, atom);
+  // refused, and expanded as if it were accepted: a simulation shows what comes of it
+  if (!drives_there && !accepted(expansion)) refuse(expansion, site, atom);
   if (!site && drives_there) site = recovery.site;
   const auto more = expansion.more_of(need, Unit::ppm, atom.source, atom.to);
   if (!site) return add(atom.to, ChargeReach{need.fixed, more}, atom.source);

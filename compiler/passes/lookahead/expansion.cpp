@@ -171,14 +171,16 @@ ValueId Expansion::refuse_negation(const SourceRange& source, Block& to) {
                 to);
 }
 
-ValueId Expansion::refuse(const SourceRange& source, const std::string& what, Block& to) {
+ValueId Expansion::refuse(const SourceRange& source, const std::string& what, Block& to,
+                          const std::string& first) {
   diagnostics_.report({diag::Code::atom_without_transformer,
                        source,
                        what,
                        "",
                        {},
-                       decision_.on_plan ? "`r.plan inside zone` works, also with a zone `a - b`"
-                                         : registered_forms() + " work, joined by `and` and `or`",
+                       decision_.on_plan
+                           ? "`r.plan inside zone` works, also with a zone `a - b`"
+                           : first + registered_forms() + " work, joined by `and` and `or`",
                        {}});
   return add(to, Truth{false}, source);
 }

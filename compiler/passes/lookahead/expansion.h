@@ -53,7 +53,9 @@ class Expansion {
   void without_effect(std::string what, std::string help);
   void report(diag::Diagnostic diagnostic) { diagnostics_.report(std::move(diagnostic)); }
   // 5006, with the forms of the registry; the margin that stands in its place.
-  ir::ValueId refuse(const SourceRange& source, const std::string& what, ir::Block& to);
+  // `first`: of the help.
+  ir::ValueId refuse(const SourceRange& source, const std::string& what, ir::Block& to,
+                     const std::string& first = "");
 
  private:
   ir::Block transformed(const ir::Block& property);

@@ -47,6 +47,18 @@ ValueId transform(Expansion& expansion, const Atom& atom) {
     if (t.of != signals) continue;
     if (const Expanded done = t.expand(expansion, atom)) return *done;
   }
+  const auto most = upper_bound(atom.from, atom.compare);
+  if (most && most->leaf.kind == Kind::clearance && most->most < 0) {
+    // where the body is not inside, some of it is outside: all of it is a form that is known
+    const std::string& zone = expansion.module()[ZoneIndex(most->leaf.table)].name;
+    return expansion.refuse(atom.source,
+                            "that a robot is not inside cannot be looked ahead: some of it "
+                            "outside is enough for that",
+                            atom.to,
+                            "`distance(r, " + zone +
+                                ") >= 0 m` works, which says that all of the "
+                                "robot is outside of it; ");
+  }
   return expansion.refuse(atom.source,
                           "this comparison cannot be looked ahead: no bound is known for how it "
                           "changes while the robot moves",

@@ -2,7 +2,7 @@
 ; The return condition is the check with a longer horizon T2 >= T under any control: it implies the
 ; check (P3), as do larger errors, speeds and limits, each bound being monotone in all of them. What
 ; the capsule covers in less time is part of what it covers in more.
-; code: compiler/analysis/derive.cpp | d.return_extra_us = return_extra_us(from, d.period_us);
+; code: compiler/analysis/derive.cpp | d.return_extra_us = return_extra_us(spec_, from, d.period_us);
 ; code: compiler/codegen/kernel/motion.c | const int64_t along_us = t_us + div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
 
 ; step: the radius of the capsule

@@ -45,6 +45,9 @@ struct Recovery {
 struct MonitorCase {
   std::string name, requirement, text, unit;
   Recovery recovery;
+  // From a decision until the brake acts that the look-ahead covers, under any control; 0: it does
+  // not look ahead so.
+  TimeUs horizon_us = 0;
 };
 
 struct DecisionCase {

@@ -1,16 +1,19 @@
 #include "program.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
+#include <limits>
 #include <map>
 #include <memory>
 #include <ostream>
 
+#include "conservatism.h"
 #include "rtac/sim/picture.h"
 #include "summary.h"
+#include "tighten.h"
 #include "trace.h"
 
 namespace rtac::simulate {
@@ -46,10 +49,6 @@ Problem unwritten(const std::string& path) {
           "`--trace FILE` names another place", false, cannot_write};
 }
 
-double core_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 class Program {
  public:
   explicit Program(std::ostream& out) : out_(out) {}
@@ -72,6 +71,7 @@ class Program {
   }
 
   Problem simulate(int& status) {
+    if (flags_.count("--measure") != 0) return measure();
     return flags_.count("--replay") != 0 ? replay(status) : all_runs(status);
   }
 
@@ -90,6 +90,7 @@ class Program {
     }
     if (flags_.count("--seed") != 0) scenario_.seed = whole("--seed");
     if (flags_.count("--runs") != 0) scenario_.runs = whole("--runs");
+    if (flags_.count("--core-s") != 0) until_s_ = core_seconds() + double(whole("--core-s"));
     if (scenario_.runs == 0) return {"`--runs 0` simulates nothing", "`--runs 1` works"};
     if (flags_.count("--adversary") != 0) scenario_.adversary = flags_["--adversary"];
     for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
@@ -109,11 +110,34 @@ class Program {
     return std::strtoull(flags_[flag].c_str(), nullptr, decimal);
   }
 
+  // A line of JSON for each decision.
+  Problem measure() {
+    constexpr double core_s = 20;
+    for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
+      const DecisionCase& decision = case_.decisions[d];
+      const double share_s = core_s / static_cast<double>(case_.decisions.size());
+      out_ << tightness_json(decision, measure_tightness(decision, functions_[d], share_s));
+    }
+    return {};
+  }
   Problem all_runs(int& status) {
     status = exit_clean;
     for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
+      if (!concerned(case_.decisions[d])) continue;
       if (Problem problem = runs_of(d, status)) return problem;
     }
+    return {};
+  }
+  // It has the monitor that the scenario is about, if that is about one.
+  [[nodiscard]] bool concerned(const DecisionCase& decision) const {
+    return scenario_.about.empty() ||
+           std::any_of(decision.monitors.begin(), decision.monitors.end(),
+                       [&](const MonitorCase& m) { return m.name == scenario_.about; });
+  }
+  Problem prepared(std::size_t index, std::uint64_t seed, Setup& setup) {
+    const DecisionCase& decision = case_.decisions[index];
+    if (Problem p = make_setup(decision, scenario_, seed, setup)) return p;
+    if (scenario_.tight) tighten(decision, functions_[index], setup);
     return {};
   }
   Problem runs_of(std::size_t index, int& status) {
@@ -122,18 +146,24 @@ class Program {
     const double begin_s = core_seconds();
     bool told = false;
     Setup first;
-    for (std::uint64_t k = 0; k < scenario_.runs; ++k) {
+    std::uint64_t done = 0;
+    for (; done < scenario_.runs && core_seconds() <= until_s_; ++done) {
       Setup setup;
       Outcome outcome;
       Tape none;
-      if (Problem p = make_setup(decision, scenario_, scenario_.seed + k, setup)) return p;
-      if (Problem p = run(decision, functions_[index], setup, none, outcome)) return p;
+      if (Problem p = prepared(index, scenario_.seed + done, setup)) return p;
+      if (Problem p = run(decision, functions_[index], setup, none, outcome, until_s_)) return p;
+      if (outcome.cut) break;
       summary.add(setup, outcome);
-      if (summary.violations() == 0 || told) continue;
+      if (told || !shown(setup, outcome)) continue;
       told = true;
       first = setup;
+      if (flags_.count("--until") != 0) break;
     }
     out_ << summary.text(core_seconds() - begin_s);
+    if (!told && done < scenario_.runs) {
+      out_ << "the time was up after " << done << " of " << scenario_.runs << " runs\n";
+    }
     if (!told) return {};
     status = exit_violation;
     return record(index, first);
@@ -157,6 +187,7 @@ class Program {
   }
   void tell(const DecisionCase& decision, const Setup& setup, const Outcome& outcome) {
     constexpr double us_per_s = 1e6;
+    tell(decision, setup, outcome.kept);
     const sim::Violation& v = outcome.violation;
     if (v.time_us == never_us) return;
     const auto monitor = static_cast<std::size_t>(v.monitor);
@@ -166,6 +197,24 @@ class Program {
          << static_cast<double>(v.time_us) / us_per_s << " s, down to "
          << margin_text(m, outcome.least[monitor].value) << "\n  --seed " << setup.seed
          << " --runs 1 --adversary " << setup.adversary->name << "\n";
+  }
+
+  void tell(const DecisionCase& decision, const Setup& setup, const Kept& kept) {
+    constexpr double us_per_s = 1e6;
+    if (kept.robot < 0) return;
+    const MonitorCase& m = decision.monitors[static_cast<std::size_t>(
+        setup.about >= 0 ? setup.about : std::max(0, kept.mode - 1))];
+    if (setup.undecided) {
+      out_ << "\nundecided: " << decision.robots[static_cast<std::size_t>(kept.robot)]
+           << " was driven from " << static_cast<double>(kept.from_us) / us_per_s << " s to "
+           << static_cast<double>(kept.until_us) / us_per_s << " s by a command that " << m.name
+           << " had not looked so far ahead for\n";
+      return;
+    }
+    out_ << "\nnot given back: " << decision.robots[static_cast<std::size_t>(kept.robot)] << " by "
+         << m.name << ", from " << static_cast<double>(kept.from_us) / us_per_s << " s to "
+         << static_cast<double>(kept.until_us) / us_per_s << " s, while " << m.recovery.name
+         << " drove\n";
   }
 
   Problem replay(int& status) {
@@ -189,7 +238,7 @@ class Program {
       return unwritten(flags_["--trace"]);
     }
     if (again != text) return differs(text, again);
-    status = outcome.violation.time_us == never_us ? exit_clean : exit_violation;
+    status = shown(trace.setup, outcome) ? exit_violation : exit_clean;
     out_ << "the run was played again, the same to the last bit\n";
     return {};
   }
@@ -214,6 +263,7 @@ class Program {
   Kernel kernel_;
   std::vector<Kernel::Functions> functions_;
   Scenario scenario_;
+  double until_s_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

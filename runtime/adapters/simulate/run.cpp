@@ -1,6 +1,7 @@
 #include "run.h"
 
 #include <algorithm>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <type_traits>
@@ -23,6 +24,7 @@ using sim::Tape;
 
 // How long a run goes on after a violation, to see how deep it gets.
 constexpr TimeUs after_violation_us = 2'000'000;
+constexpr int steps_between_looks = 64;  // at the clock
 constexpr std::uint64_t drive_stream = 3002, plan_stream = 3003;
 
 // Stands where the layer above a plan executor would: a robot without errands would surrender
@@ -93,9 +95,16 @@ class Taped final : public Controller<Output> {
 class Watcher final : public SystemObserver {
  public:
   // `standing`: by robot, who is told to stand from now on.
-  Watcher(const DecisionCase& decision, Arena& arena, Tape& tape, Outcome& outcome,
-          std::vector<bool>& standing)
-      : decision_(decision), arena_(arena), tape_(tape), outcome_(outcome), standing_(standing) {
+  Watcher(const DecisionCase& decision, const Setup& setup, TimeUs jitter_us, Arena& arena,
+          Tape& tape, Outcome& outcome, std::vector<bool>& standing)
+      : decision_(decision),
+        setup_(setup),
+        jitter_us_(jitter_us),
+        arena_(arena),
+        tape_(tape),
+        outcome_(outcome),
+        standing_(standing),
+        kept_from_us_(decision.robots.size(), never_us) {
     outcome_.ticks.assign(decision.monitors.size() + 1, 0);
   }
   void on_decision(const DecisionRecord& record) override {
@@ -106,6 +115,8 @@ class Watcher final : public SystemObserver {
          decision_.monitors[static_cast<std::size_t>(record.mode - 1)].recovery.kind == "brake");
     ++outcome_.ticks[static_cast<std::size_t>(record.mode)];
     if (record.mode != 0 && record.previous_mode == 0) ++outcome_.engagements;
+    if (setup_.return_within_us > 0) keep(record);
+    if (setup_.undecided) miss(record);
     if (!tape_.recording()) return;
     const sim::TruthState& truth = arena_.truth(record.robot);
     tape_.write("decide",
@@ -118,11 +129,42 @@ class Watcher final : public SystemObserver {
   }
 
  private:
+  // How long a robot has not been given back; by the monitor that the run is about, if it is about
+  // one.
+  void keep(const DecisionRecord& record) {
+    TimeUs& from_us = kept_from_us_[static_cast<std::size_t>(record.robot)];
+    const bool kept = setup_.about < 0
+                          ? record.mode != 0
+                          : record.monitors[static_cast<std::size_t>(setup_.about)].engaged;
+    if (!kept) from_us = never_us;
+    if (kept && from_us == never_us) from_us = record.time_us;
+    if (!kept || outcome_.kept.robot >= 0) return;
+    if (record.time_us - from_us < setup_.return_within_us) return;
+    outcome_.kept = {record.robot, record.mode, from_us, record.time_us};
+  }
+
+  // A command of the advanced controller that acts for longer than the decision behind it has
+  // looked ahead: until the next one is made, or until that one acts at all.
+  void miss(const DecisionRecord& record) {
+    TimeUs& from_us = kept_from_us_[static_cast<std::size_t>(record.robot)];
+    const TimeUs before_us = std::exchange(from_us, record.mode == 0 ? record.time_us : never_us);
+    if (before_us == never_us || outcome_.kept.robot >= 0) return;
+    const MonitorCase& m = decision_.monitors[static_cast<std::size_t>(std::max(0, setup_.about))];
+    const TimeUs latency_us = decision_.limits.latency_us;
+    const TimeUs ahead_us = m.horizon_us - latency_us - jitter_us_;
+    const TimeUs until_us = before_us + std::max(record.time_us - before_us, latency_us);
+    if (m.horizon_us == 0 || until_us <= before_us + ahead_us) return;
+    outcome_.kept = {record.robot, 0, before_us + ahead_us, until_us};
+  }
+
   const DecisionCase& decision_;
+  const Setup& setup_;
+  TimeUs jitter_us_;
   Arena& arena_;
   Tape& tape_;
   Outcome& outcome_;
   std::vector<bool>& standing_;
+  std::vector<TimeUs> kept_from_us_;  // by robot
 };
 
 template <class Output>
@@ -286,7 +328,7 @@ std::size_t commands_under_way(const DecisionCase& decision, const Setup& setup)
 
 template <class Output>
 Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
-               Tape& tape, Outcome& to) {
+               Tape& tape, Outcome& to, double until_s) {
   const int robots = static_cast<int>(decision.robots.size());
   sim::WorldOptions options;
   options.seed = setup.seed;
@@ -300,15 +342,24 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
                    setup.hostility, setup.seed, tape);
   Arena arena(surroundings, decision.properties, decision.limits, robots);
   arena.watch(world.truths());
-  sim::Referee referee(surroundings, decision.properties, robots);
+  sim::Referee referee(surroundings, decision.properties, robots, setup.about);
+  int steps = 0;
   sim::HostileFleet<Output> hostile(world, arena, setup.hostility, tape, [&](TimeUs now_us) {
     crowd.move(now_us);
     referee.observe(now_us, world.truths());
     const sim::Violation& violation = referee.first_violation();
-    if (referee.violated() && now_us >= violation.time_us + after_violation_us) world.stop();
+    const bool returns = lasts(setup);
+    if (!returns && referee.violated() && now_us >= violation.time_us + after_violation_us) {
+      world.stop();
+    }
+    if (returns && to.kept.robot >= 0) world.stop();
+    if (++steps % steps_between_looks == 0 && core_seconds() > until_s) {
+      to.cut = true;
+      world.stop();
+    }
   });
   Fleet<Output> fleet(decision, kernel, setup, arena, crowd, tape);
-  Watcher watcher(decision, arena, tape, to, standing);
+  Watcher watcher(decision, setup, kernel.jitter_us, arena, tape, to, standing);
   if (!fleet.start(hostile, watcher)) {
     return {"decision `" + decision.name + "` has a recovery that `rtac-sim` does not know",
             "install `rtac` and `rtac-sim` of the same version", true};
@@ -330,9 +381,13 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
 }  // namespace
 
 Problem run(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
-            Tape& tape, Outcome& to) {
-  return decision.twist ? run_as<Twist>(decision, kernel, setup, tape, to)
-                        : run_as<Acceleration>(decision, kernel, setup, tape, to);
+            Tape& tape, Outcome& to, double until_s) {
+  return decision.twist ? run_as<Twist>(decision, kernel, setup, tape, to, until_s)
+                        : run_as<Acceleration>(decision, kernel, setup, tape, to, until_s);
+}
+
+double core_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 }  // namespace rtac::simulate

@@ -1,6 +1,7 @@
 // One run: the robots of a decision under one attack.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,24 @@ struct Setup {
   std::vector<const Adversary*> of_robot;  // who drives them
   sim::Hostility hostility;
   std::vector<RobotStart> starts;
+  int about = -1;               // the only monitor whose violation counts; -1: all
+  TimeUs return_within_us = 0;  // how long a recovery may keep a robot; 0: for ever
+  bool undecided = false;       // looks for commands that act longer than is looked ahead
+};
+// A time in which something should have happened: control given back, or a decision.
+struct Kept {
+  int robot = -1;  // -1: nobody was kept too long
+  int mode = 0;    // of the last decision
+  TimeUs from_us = 0, until_us = 0;
 };
 struct Outcome {
   sim::Violation violation;
   std::vector<sim::LeastMargin> least;  // by monitor
   std::vector<std::int64_t> ticks;      // by mode, over all robots
   std::int64_t engagements = 0;         // a recovery takes over from the advanced controller
-  TimeUs duration_us = 0;               // it ends soon after a violation
+  TimeUs duration_us = 0;               // it ends soon after what was looked for
+  Kept kept;
+  bool cut = false;  // the time was up before its end
 };
 
 // Places of robots that the scenario does not name are drawn by the seed, where every property
@@ -45,7 +57,20 @@ Problem make_setup(const DecisionCase& decision, const Scenario& scenario, std::
 Vec2 draw_place(const DecisionCase& decision, const std::vector<sim::TruthState>& truths, int robot,
                 sim::Random& random);
 
+// It is about how long something lasts, and violations of properties do not end it.
+inline bool lasts(const Setup& setup) {
+  return setup.return_within_us > 0 || setup.undecided;
+}
+// What a run is to show: such a time, or else that a property is violated.
+inline bool shown(const Setup& setup, const Outcome& outcome) {
+  return lasts(setup) ? outcome.kept.robot >= 0 : outcome.violation.time_us != never_us;
+}
+
+// `until_s`: in core seconds of this process; a run that is not at its end by then is cut.
 Problem run(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
-            sim::Tape& tape, Outcome& to);
+            sim::Tape& tape, Outcome& to, double until_s = std::numeric_limits<double>::infinity());
+
+// Of this process.
+double core_seconds();
 
 }  // namespace rtac::simulate

@@ -104,6 +104,8 @@ void take(const std::string& key, const Json& value, Scenario& to) {
     }
   } else if (key == "adversary") {
     to.adversary = text(value, key);
+  } else if (key == "starts" && value == "tight") {
+    to.tight = true;
   } else if (key == "starts" && value.is_object()) {
     for (const auto& [robot, each] : value.items()) to.starts.emplace_back(robot, start(each));
   } else if (key == "noise") {
@@ -116,10 +118,19 @@ void take(const std::string& key, const Json& value, Scenario& to) {
     to.fault_us_max = time(value, key, us_per_ms);
   } else if (key == "jitter_ms") {
     to.jitter_us = time(value, key, us_per_ms);
+  } else if (key == "about") {
+    to.about = text(value, key);
+  } else if (key == "deaf_from_s") {
+    to.deaf_from_us = time(value, key, us_per_s);
+  } else if (key == "undecided" && value.is_boolean()) {
+    to.undecided = value.get<bool>();
+  } else if (key == "return_within_s") {
+    to.return_within_us = time(value, key, us_per_s, duration_s_min);
   } else {
     throw Unfit{"the scenario has `" + key + "`: " + value.dump(),
                 "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `noise`, `ages`, "
-                "`fault_every_s`, `fault_ms` and `jitter_ms`"};
+                "`fault_every_s`, `fault_ms`, `jitter_ms`, `about`, "
+                "`return_within_s`, `undecided` and `deaf_from_s`"};
   }
 }
 
@@ -235,6 +246,13 @@ Problem check_names(const Scenario& scenario, const Case& all) {
   std::vector<std::string> robots;
   for (const auto& [robot, name] : scenario.adversary_of) robots.push_back(robot);
   for (const auto& [robot, start] : scenario.starts) robots.push_back(robot);
+  const auto speaks = [&](const DecisionCase& d) {
+    return std::any_of(d.monitors.begin(), d.monitors.end(),
+                       [&](const MonitorCase& m) { return m.name == scenario.about; });
+  };
+  if (!scenario.about.empty() && std::none_of(all.decisions.begin(), all.decisions.end(), speaks)) {
+    return {"the scenario is about a monitor `" + scenario.about + "`, which does not exist", ""};
+  }
   for (const std::string& robot : robots) {
     const bool there =
         std::any_of(all.decisions.begin(), all.decisions.end(), [&](const DecisionCase& d) {

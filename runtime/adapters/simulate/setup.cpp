@@ -129,6 +129,12 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
   const std::vector<const Adversary*> fit = applicable(d);
   to.seed = seed;
   to.duration_us = scenario.duration_us;
+  to.return_within_us = scenario.return_within_us;
+  to.undecided = scenario.undecided;
+  to.about = -1;
+  for (std::size_t m = 0; m < d.monitors.size(); ++m) {
+    if (d.monitors[m].name == scenario.about) to.about = static_cast<int>(m);
+  }
   to.adversary =
       scenario.adversary.empty() ? fit[seed % fit.size()] : find_adversary(scenario.adversary);
   to.of_robot.assign(d.robots.size(), to.adversary);
@@ -144,7 +150,8 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
                   scenario.fault_every_us.value_or(to.adversary->fault_every_us),
                   scenario.jitter_us,
                   scenario.fault_us_max.value_or(
-                      d.twist ? fault_us_twist : fault_periods_acceleration * d.period_us)};
+                      d.twist ? fault_us_twist : fault_periods_acceleration * d.period_us),
+                  scenario.deaf_from_us.value_or(never_us)};
   Random random = Random::stream(seed, setup_stream, 0);
   std::vector<TruthState> truths;
   if (!place_all(d, scenario, random, truths)) {

@@ -47,6 +47,13 @@ bool read_head(const std::string& word, std::istream& in, Trace& to) {
     constexpr TimeUs duration_us_max = 86'400'000'000;
     in >> to.setup.duration_us;
     if (to.setup.duration_us <= 0 || to.setup.duration_us > duration_us_max) return false;
+  } else if (word == "about") {
+    in >> to.about;
+  } else if (word == "undecided") {
+    in >> to.setup.undecided;
+  } else if (word == "return_within_us") {
+    in >> to.setup.return_within_us;
+    if (to.setup.return_within_us <= 0) return false;
   } else if (word == "adversary") {
     std::string name;
     in >> name;
@@ -92,11 +99,23 @@ std::string trace_text(const Case& all, const DecisionCase& decision, const Setu
       std::string(first_line) + "\nspecification " + all.specification + "\nmanifest " + hash +
       "\ndecision " + decision.name + "\nseed " + std::to_string(setup.seed) + "\nduration_us " +
       std::to_string(setup.duration_us) + "\nadversary " + setup.adversary->name + "\n";
+  if (setup.about >= 0) {
+    text += "about " + decision.monitors[static_cast<std::size_t>(setup.about)].name + "\n";
+  }
+  if (setup.undecided) text += "undecided 1\n";
+  if (setup.return_within_us > 0) {
+    text += "return_within_us " + std::to_string(setup.return_within_us) + "\n";
+  }
   for (std::size_t i = 0; i < setup.starts.size(); ++i) {
     text += start_line(decision.robots[i], setup.starts[i]);
   }
   text += "tape\n";
   for (const std::string& line : tape) text += line + "\n";
+  if (const Kept& k = outcome.kept; k.robot >= 0) {
+    text += std::string("end ") + (setup.undecided ? "undecided: " : "not given back: ") +
+            decision.robots[static_cast<std::size_t>(k.robot)] + " from_us " +
+            std::to_string(k.from_us) + " until_us " + std::to_string(k.until_us) + "\n";
+  }
   const sim::Violation& v = outcome.violation;
   if (v.time_us == never_us) return with_hash(text + "end no violation\n");
   const auto monitor = static_cast<std::size_t>(v.monitor);
@@ -125,6 +144,11 @@ Problem read_trace(const std::string& text, const Case& all, Trace& to) {
     return unreadable("it is of another specification, or of another version of this one");
   }
   to.setup.of_robot.assign(d->robots.size(), to.setup.adversary);
+  if (to.about.empty()) return {};
+  for (std::size_t m = 0; m < d->monitors.size(); ++m) {
+    if (d->monitors[m].name == to.about) to.setup.about = static_cast<int>(m);
+  }
+  if (to.setup.about < 0) return unreadable("no monitor is called `" + to.about + "`");
   return {};
 }
 

@@ -13,6 +13,7 @@ struct Trace {
   std::uint64_t manifest_hash = 0;
   Setup setup;
   std::vector<std::string> tape;
+  std::string about;  // a monitor; empty: all
 };
 
 std::string trace_text(const Case& all, const DecisionCase& decision, const Setup& setup,

@@ -56,6 +56,23 @@ std::vector<std::string> broken(const std::string& text) {
 }
 using Messages = std::vector<std::string>;
 
+// The recovery that is offered has been thought through: with it nothing is broken. Where the zone
+// of the other monitor is none for this one, none is offered.
+TEST(Arbitration, OffersARecoveryThatWouldDo) {
+  const std::string two = two_zones("", "priority in_yard > in_west;");
+  EXPECT_NE(reports(*compiled(two)).find("a recovery within `west` works"), std::string::npos);
+  const auto mended = compiled(edited(two, "retreat within yard", "retreat within west"));
+  EXPECT_FALSE(mended->diagnostics.has_errors()) << reports(*mended);
+  const std::string away =
+      "zone pit = rectangle (6 m, 6 m) to (7 m, 7 m);\n"
+      "zone off_pit = yard - grow(pit, 50 cm);\n"
+      "controller off : safe for Rover = retreat within off_pit speed 0.2 m/s;\n"
+      "monitor no_pit for r : Rover { \"SR-5\" always distance(r, pit) >= 20 cm; recover off; }\n";
+  const std::string said = reports(*compiled(two_zones(away, "priority in_yard > no_pit;")));
+  EXPECT_NE(said.find("may become false"), std::string::npos) << said;
+  EXPECT_EQ(said.find("a recovery within"), std::string::npos) << said;
+}
+
 // What leads out of a zone is stopped by the monitor of that zone, if that ranks higher.
 TEST(Arbitration, AZoneIsLeftByARecoveryThatRanksHigher) {
   EXPECT_EQ(broken(two_zones("", "priority in_yard > in_west;")),
@@ -93,6 +110,80 @@ TEST(Arbitration, DistancesAndBrakesAreKept) {
                        "recover stop; }\n",
                        "priority slow > in_west;")),
       Messages{});
+}
+
+// ---- coordinated
+
+// What leads out of a zone may rank anywhere, if the recovery of that zone keeps all above it.
+TEST(Arbitration, CoordinatedAZoneIsKeptByItsOwnRecovery) {
+  EXPECT_EQ(broken(two_zones("", "coordinate in_yard > in_west;")), Messages{});
+  EXPECT_EQ(broken(two_zones("", "coordinate in_west > in_yard;")), Messages{});
+  EXPECT_EQ(broken(two_zones("", "coordinate apart > charged;")), Messages{});
+  EXPECT_EQ(broken(two_zones("", "coordinate apart > in_yard > in_west > charged;")), Messages{});
+}
+
+// A charge that no retreat pays for, and ways to the dock that leave the zone of that retreat.
+TEST(Arbitration, CoordinatedACircleIsBrokenByWhomeverRanksAbove) {
+  const char* const east =
+      "zone east = rectangle (3 m, 0 m) to (8 m, 8 m);\n"
+      "controller go_east : safe for Rover = retreat within east speed 0.2 m/s;\n"
+      "monitor in_east for r : Rover { \"SR-7: in the east\" always r inside east; recover "
+      "go_east; }\n";
+  EXPECT_EQ(broken(two_zones(east, "coordinate in_east > in_west;")),
+            Messages{"while `go_east` drives, `in_west` may become false, and no recovery keeps it "
+                     "with what ranks above"});
+  // a third one, that is led to the circle, and one that is not
+  EXPECT_EQ(broken(two_zones(east, "coordinate in_yard > in_east > in_west;")).size(), 2u);
+  EXPECT_EQ(broken(two_zones(east, "coordinate in_east > in_yard;")), Messages{});
+  EXPECT_EQ(broken(two_zones(east,
+                             "coordinate in_east > in_west; acknowledge go_east may break in_west "
+                             "\"the west is a nuisance\";")),
+            Messages{});
+}
+
+// To what inputs say its own recovery is the answer, and none that happens to drive.
+TEST(Arbitration, CoordinatedInputsAreAnsweredByTheirOwnRecovery) {
+  const std::string nobody =
+      "input free : bool max_age 1 s;\n"
+      "monitor nobody for r : Rover { \"SR-8: nobody is there\" always free; recover stop; }\n";
+  EXPECT_EQ(broken(two_zones(nobody, "coordinate nobody > in_west;")), Messages{});
+  EXPECT_EQ(broken(two_zones(nobody, "coordinate in_west > nobody;")), Messages{});
+  // it stands, and spends charge; and nobody else answers
+  EXPECT_EQ(broken(two_zones(nobody, "coordinate nobody > charged;")),
+            Messages{"while `stop` drives, `charged` may become false, and no recovery keeps it "
+                     "with what ranks above"});
+}
+
+// Of any pairs that are not kept: a circle is found exactly where some monitors, one of them and
+// others above it, could fail at once of which no recovery keeps all.
+TEST(Arbitration, ACircleIsFoundExactlyWhereNobodyKeepsAll) {
+  unsigned next = 7;
+  const auto random = [&] { return (next = next * 1103515245u + 12345u) >> 16; };
+  int circles = 0;
+  for (int n = 0; n < 3'000; ++n) {
+    const std::size_t count = 2 + random() % 5;
+    std::vector<std::vector<bool>> unkept(count, std::vector<bool>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j) unkept[i][j] = i != j && random() % 4 == 0;
+    }
+    for (std::size_t j = 0; j < count; ++j) {
+      bool lost = false;
+      for (std::size_t set = 0; set < (std::size_t{1} << j); ++set) {
+        const std::size_t failed = set | (std::size_t{1} << j);
+        bool somebody = false;
+        for (std::size_t i = 0; i <= j; ++i) {
+          if ((failed >> i & 1) == 0) continue;
+          bool all = true;
+          for (std::size_t k = 0; k <= j; ++k) all = all && !((failed >> k & 1) && unkept[i][k]);
+          somebody = somebody || all;
+        }
+        lost = lost || !somebody;
+      }
+      EXPECT_EQ(!conflict_of(unkept, j).empty(), lost);
+      circles += lost;
+    }
+  }
+  EXPECT_GT(circles, 500);
 }
 
 // Each message names what works, and it does.

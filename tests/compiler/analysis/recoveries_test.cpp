@@ -2,6 +2,8 @@
 // work, and a little beyond them nothing does.
 #include "compiler/analysis/recoveries.h"
 
+#include <cmath>
+
 #include "compiler/analysis/liveness.h"
 #include "tests/compiler/analysis/testing.h"
 
@@ -14,8 +16,8 @@ using test::has;
 using test::reports;
 
 struct Text {
-  std::string recovery = "retreat within room speed 0.3 m/s", zones, latency = "20 ms",
-              property = "d inside room", clauses;
+  std::string recovery = "retreat within room speed 0.3 m/s", zones{}, latency = "20 ms",
+              property = "d inside room", clauses{};
 };
 std::string text_of(const Text& t) {
   return R"(spec test;
@@ -80,6 +82,129 @@ TEST(Recoveries, DoNotCrossWhatThePropertyTakesOut) {
   EXPECT_EQ(codes(pillar), Codes{});
 }
 
+// From where the property holds the recovery makes straight for its zone, which knows nothing of
+// what lies between: no wall may.
+TEST(Recoveries, DoNotCrossAWallOnTheirWayToTheirZone) {
+  const std::string hall =
+      "zone wall = rectangle (2 m, 0 m) to (2.2 m, 4 m); zone hall = room - wall; "
+      "zone left = rectangle (0 m, 0 m) to (2 m, 5 m); ";
+  Text part{"retreat within left speed 0.3 m/s", hall};
+  part.property = "d inside hall";
+  for (const std::string moves : {"retreat", "loiter", "yield", "route to west"}) {
+    part.recovery = moves + " within left speed 0.3 m/s" + (moves == "yield" ? " order id" : "");
+    part.zones = hall + "site west = (1 m, 2 m);";
+    part.clauses = moves == "yield" ? "hold when violated \"why\";" : "";
+    EXPECT_EQ(codes(part), Codes{5016}) << moves;
+  }
+  // what the help names
+  const auto c = compiled(text_of(part));
+  EXPECT_NE(reports(*c).find("a recovery within `hall` works"), std::string::npos) << reports(*c);
+  part = {"retreat within hall speed 0.3 m/s", hall};
+  part.property = "d inside hall";
+  EXPECT_EQ(codes(part), Codes{});
+  // nothing stands in a room without corners that point inwards
+  Text convex{"retreat within left speed 0.3 m/s", hall};
+  EXPECT_EQ(codes(convex), Codes{});
+  // and a robot that the other zone of its property keeps there has no way to go
+  Text kept{"retreat within left speed 0.3 m/s", hall};
+  kept.property = "d inside hall and d inside left";
+  EXPECT_EQ(codes(kept), Codes{});
+}
+
+// A part that lies so deep in what the property allows that no wall is near, whatever its shape:
+// the way into it stays where the property holds.
+TEST(Recoveries, MayMoveDeepInsideOfWhatIsNotConvex) {
+  const std::string zones =
+      "zone pillar = rectangle (2 m, 2 m) to (2.6 m, 2.6 m); zone hall = room - pillar; "
+      "site west = (1.15 m, 1.15 m); ";
+  for (const std::string deep : {"shrink(hall, 1 mm)", "shrink(hall, 30 cm)", "shrink(hall, 40 cm)",
+                                 "room - grow(pillar, 50 cm)", "shrink(room, 20 cm) - pillar"}) {
+    for (const std::string moves : {"retreat", "loiter", "yield", "route to west"}) {
+      Text t{moves + " within deep speed 0.3 m/s" + (moves == "yield" ? " order id" : ""),
+             zones + "zone deep = " + deep + ";"};
+      t.property = "d inside hall";
+      if (moves == "yield") t.clauses = "hold when violated \"why\";";
+      EXPECT_EQ(codes(t), Codes{}) << moves << " within " << deep;
+    }
+  }
+}
+
+// The place that is named, and the way from there: it leads out of what the property allows.
+TEST(Recoveries, NameWhereTheirWayLeadsAcrossAWall) {
+  const auto hall = [](const std::string& wall, const std::string& property) {
+    Text t{"retreat within left speed 0.3 m/s",
+           "zone wall = " + wall +
+               "; zone hall = room - wall; zone left = rectangle (0 m, 0 m) to (2 m, 5 m);"};
+    t.property = property;
+    return compiled(text_of(t));
+  };
+  // from the far side of a wall that leaves a passage
+  const auto c = hall("rectangle (2 m, 0 m) to (2.2 m, 4 m)", "d inside hall");
+  EXPECT_NE(reports(*c).find("on its way into `left` from (2.28"), std::string::npos)
+      << reports(*c);
+}
+
+// The nearest place of its zone is too narrow for the body: it stays where it is (5020).
+TEST(Recoveries, NameWhereNoWayLeadsIntoTheirZone) {
+  Text t{"retreat within parts speed 0.3 m/s",
+         "zone pillar = rectangle (2 m, 2 m) to (2.6 m, 2.6 m); zone hall = room - pillar; "
+         "zone north = shrink(hall, 30 cm) & rectangle (0 m, 0.8 m) to (5 m, 5 m); "
+         "zone parts = north | rectangle (4 m, 0.2 m) to (4.2 m, 0.4 m);"};
+  t.property = "d inside hall";
+  const auto c = compiled(text_of(t));
+  EXPECT_EQ(codes(t), Codes{5020}) << reports(*c);
+  EXPECT_NE(reports(*c).find("finds no way into `parts`"), std::string::npos) << reports(*c);
+  t.recovery = "retreat within north speed 0.3 m/s";
+  EXPECT_EQ(codes(t), Codes{});
+}
+
+// In space the ways into a part are not looked at: it is warned of where a wall may lie between.
+TEST(Recoveries, InSpaceAPartOfWhatIsNotConvexIsWarnedOf) {
+  const auto within = [](const std::string& hall, const std::string& property) {
+    Text t{"retreat within low speed 0.3 m/s",
+           "zone hall = " + hall +
+               "; zone low = prism (rectangle (0 m, 0 m) to (5 m, 2 m)) from 0 m to 5 m; "};
+    t.property = property;
+    std::string text = text_of(t);
+    text = test::edited(text, ": point ", ": point3 ");
+    text = test::edited(text, ": vector ", ": vector3 ");
+    text = test::edited(text, "site  home = (2.5 m, 2.5 m);\n", "");
+    Codes all;
+    const auto c = compiled(text);
+    for (const auto& d : c->diagnostics.all()) all.push_back(static_cast<int>(d.code));
+    return all;
+  };
+  const std::string box = "prism (rectangle (0 m, 0 m) to (5 m, 5 m)) from 0 m to 5 m";
+  EXPECT_EQ(within(box, "d inside hall"), Codes{});
+  EXPECT_EQ(within(box + " | prism (rectangle (0 m, 5 m) to (2 m, 9 m)) from 0 m to 5 m",
+                   "d inside hall"),
+            Codes{5020});
+}
+
+// A body on the seam of two zones is in neither of them.
+TEST(Recoveries, DoNotPassASeamThatNoZoneHoldsABodyOn) {
+  Text seam;
+  seam.zones =
+      "zone west = rectangle (0 m, 0 m) to (2.5 m, 5 m); "
+      "zone east = rectangle (2.5 m, 0 m) to (5 m, 5 m);";
+  seam.property = "d inside west or d inside east";
+  EXPECT_EQ(codes(seam), Codes{5020});  // it may stop in front of it for good
+  seam.recovery = "route to home within room speed 0.3 m/s";
+  EXPECT_EQ(codes(seam), Codes{5016});  // it leads across
+  seam.recovery = Text{}.recovery;
+  seam.zones =
+      "zone west = rectangle (0 m, 0 m) to (2.6 m, 5 m); "
+      "zone east = rectangle (2.4 m, 0 m) to (5 m, 5 m);";
+  EXPECT_EQ(codes(seam), Codes{});  // 20 cm for a body of 16 cm
+  seam.recovery = "extern keeps inside room speed <= 0.5 m/s";
+  seam.clauses = "hold when violated \"why\";";
+  EXPECT_EQ(codes(seam), Codes{});
+  seam.zones =
+      "zone west = rectangle (0 m, 0 m) to (2.6 m, 5 m); "
+      "zone east = rectangle (3 m, 0 m) to (5 m, 5 m);";
+  EXPECT_EQ(codes(seam), Codes{5016});
+}
+
 TEST(Recoveries, LeadOutOfAViolationOrAreAccepted) {
   const std::string why = "hold when violated \"it is carried back\";";
   for (const std::string stands :
@@ -109,12 +234,53 @@ TEST(Recoveries, ActBeforeTheLookAheadEnds) {
   EXPECT_EQ(codes(late), Codes{});
 }
 
+// Outside of its claim it is braked, in every tick: nothing leads it back (5020), which is
+// accepted.
 TEST(Recoveries, ExternalOnesClaimSomethingThatLiesInTheProperty) {
+  const auto claims = [](const std::string& claim, const std::string& zones = "",
+                         const std::string& clauses = "hold when violated \"why\";") {
+    Text t{"extern" + claim, zones};
+    t.clauses = clauses;
+    return codes(t);
+  };
   EXPECT_EQ(codes({"extern"}), Codes{5019});
-  EXPECT_EQ(codes({"extern keeps inside room speed <= 1 m/s"}), Codes{});
-  EXPECT_EQ(codes({"extern keeps inside wide speed <= 1 m/s", "zone wide = grow(room, 1 m);"}),
+  EXPECT_EQ(claims(" keeps inside room speed <= 1 m/s"), Codes{});
+  EXPECT_EQ(claims(" keeps inside room speed <= 1 m/s", "", ""), Codes{5020});
+  EXPECT_EQ(claims(" keeps inside wide speed <= 1 m/s", "zone wide = grow(room, 1 m);"),
             Codes{5016});
-  EXPECT_EQ(codes({"extern keeps inside room speed <= 1.1 m/s"}), Codes{5005});
+  EXPECT_EQ(claims(" keeps inside room speed <= 1.1 m/s"), Codes{5005});
+}
+
+// 0.357 m: a body at rest, with its errors, and what it may do until it is braked.
+TEST(Recoveries, AClaimIsLargeEnoughToBeSeenToHold) {
+  const auto in = [](int mm) {
+    const std::string low = std::to_string(2500 - mm), high = std::to_string(2500 + mm);
+    Text t{"extern keeps inside hut speed <= 0.5 m/s", "zone hut = rectangle (" + low + " mm, " +
+                                                           low + " mm) to (" + high + " mm, " +
+                                                           high + " mm);"};
+    t.clauses = "hold when violated \"why\";";
+    return compiled(text_of(t));
+  };
+  const auto c = in(50);
+  ASSERT_TRUE(has(*c, Code::recovery_unclaimed)) << reports(*c);
+  const std::string needs =
+      test::number_in_help(*c, Code::recovery_unclaimed, "clearance of ", "m");
+  const int mm = static_cast<int>(std::lround(1000 * std::stod(needs)));
+  EXPECT_FALSE(has(*in(mm), Code::recovery_unclaimed)) << mm;
+  EXPECT_TRUE(has(*in(mm - 1), Code::recovery_unclaimed)) << mm;
+}
+
+TEST(Recoveries, AStepLastsADayAtMost) {
+  const auto lasting = [](const std::string& time) {
+    return codes(
+        {"sequence brake_and_hold for " + time + " then retreat within room speed 0.3 m/s"});
+  };
+  EXPECT_EQ(lasting("1000 h"), Codes{3008});
+  EXPECT_EQ(lasting("1000000000000 h"), Codes{3008});
+  EXPECT_EQ(lasting("24 h"), Codes{});
+  Text when;
+  when.clauses = "return when clearance(d, room) >= 50 cm for 25 h;";
+  EXPECT_EQ(codes(when), Codes{3008});
 }
 
 // 5007 for every recovery: what can be had by none of them.
@@ -123,7 +289,8 @@ TEST(Recoveries, NoneReturnsWhereNoPlaceIsWideEnough) {
        {"brake_and_hold", "extern keeps inside room speed <= 1 m/s",
         "loiter within room speed 0.3 m/s", "retreat within room speed 0.3 m/s"}) {
     Text t{recovery};
-    if (recovery == "brake_and_hold") t.clauses = "hold when violated \"why\";";
+    const bool stands = recovery == "brake_and_hold" || recovery.starts_with("extern");
+    if (stands) t.clauses = "hold when violated \"why\";";
     t.property = "clearance(d, room) >= 2.5 m";
     EXPECT_TRUE(has(*compiled(text_of(t)), Code::return_set_empty)) << recovery;
     t.property = "clearance(d, room) >= 2 m";

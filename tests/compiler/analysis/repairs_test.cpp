@@ -167,6 +167,154 @@ TEST(Repairs, BothNeighboursOf7003AreOnTheGrid) {
   }
 }
 
+// 5007 of a room that is wide enough for robots: the number that is absurd is named, with one that
+// works. Each is written into the text and tried; five per cent beyond it nothing returns.
+struct Absurd {
+  const char *clause, *absurd;  // what is written, and instead of it
+  const char *says, *unit;      // what the help says of it
+  const char* text;             // the clause with the number `#`
+  bool least = false;
+};
+TEST(Repairs, OneNumberIsNamedThatWorksAlone) {
+  const std::string drone = edited(drone_spec(), "ahead   100 ms, 2 waypoints;", "");
+  for (const Absurd& a : std::vector<Absurd>{
+           {"brake >= 1 m/s^2", "brake >= 0.01 m/s^2", "a `brake` of at least ", "m/s^2",
+            "brake >= # m/s^2", true},
+           {"error 2 cm ", "error 10 m ", "an `error` of the position of at most ", "m",
+            "error # m "},
+           {"error 2 cm ", "error 2.6 m ", "an `error` of the position of at most ", "m",
+            "error # m "},
+           {"radius 8 cm", "radius 3 m", "a `radius` of at most ", "m", "radius # m"},
+           {"period 50 ms", "period 10 s", "a `period` of at most ", "ms", "period # ms"},
+       }) {
+    const auto with = [&](const std::string& clause) { return edited(drone, a.clause, clause); };
+    const auto c = compiled(with(a.absurd));
+    ASSERT_TRUE(has(*c, Code::return_set_empty)) << a.absurd << "\n" << reports(*c);
+    const std::string works = number_in_help(*c, Code::return_set_empty, a.says, a.unit);
+    const auto tried = [&](const std::string& number) {
+      const auto again = compiled(with(edited(a.text, "#", number)));
+      return !has(*again, Code::return_set_empty);
+    };
+    EXPECT_TRUE(tried(works)) << a.absurd << ": " << reports(*c);
+    const double beyond = std::stod(works) * (a.least ? 0.95 : 1.05);
+    const std::string unit = a.unit;
+    EXPECT_FALSE(tried(unit == "ms" ? std::to_string(std::lround(std::ceil(beyond)))
+                                    : std::to_string(beyond)))
+        << a.absurd << ": " << reports(*c);
+  }
+}
+
+// What is older than the room allows.
+TEST(Repairs, TheAgeOfASampleIsNamedThatWorks) {
+  const std::string old =
+      edited(drone_spec(), "sense    position : point   error 2 cm    max_age 50 ms",
+             "sense    position : point   error 2 cm    max_age 60 s");
+  const auto c = compiled(old);
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  const std::string most =
+      number_in_help(*c, Code::return_set_empty, "`max_age` of the position of at most ", "ms");
+  EXPECT_FALSE(has(*compiled(edited(old, "60 s", most + " ms")), Code::return_set_empty));
+  EXPECT_TRUE(has(*compiled(edited(old, "60 s", std::to_string(std::stol(most) + 1) + " ms")),
+                  Code::return_set_empty));
+}
+
+// No recovery of this robot is fast enough to make way: not its speed is wrong.
+TEST(Repairs, TheErrorOfAVelocityIsNamedThatLetsARecoveryMakeWay) {
+  const std::string blind = edited(drone_spec(), "error 2 cm/s", "error 0.6 m/s");
+  const auto c = compiled(blind);
+  ASSERT_TRUE(has(*c, Code::limit_contradictory)) << reports(*c);
+  const std::string most = number_in_help(*c, Code::limit_contradictory,
+                                          "an `error` of the velocity of at most ", "m/s");
+  EXPECT_EQ(most, "0.15");
+  const auto works = compiled(edited(blind, "error 0.6 m/s", "error " + most + " m/s"));
+  EXPECT_FALSE(has(*works, Code::limit_contradictory)) << reports(*works);
+}
+
+// What a value out of range is told works, works.
+TEST(Repairs, TheNumbersOf3008And5005Work) {
+  struct Case {
+    const char *clause, *absurd, *works;
+  };
+  for (const Case& each : std::vector<Case>{
+           {"brake >= 1 m/s^2", "brake >= 0 m/s^2", "brake >= 0.001 m/s^2"},
+           {"brake >= 1 m/s^2", "brake >= -1 m/s^2", "brake >= 0.001 m/s^2"},
+           {"accel <= 1 m/s^2", "accel <= 0 m/s^2", "accel <= 0.001 m/s^2"},
+           {"speed <= 1 m/s", "speed <= 0 m/s", "speed <= 0.3 m/s"},
+           {"period 50 ms", "period 0 ms", "period 1 ms"},
+           {"speed 0.3 m/s", "speed 0 m/s", "speed 0.04 m/s"},
+           {"speed 0.3 m/s", "speed -1 m/s", "speed 1 m/s"},
+           {"speed 0.3 m/s", "speed 3 m/s", "speed 1 m/s"},
+       }) {
+    const std::string drone = edited(drone_spec(), "ahead   100 ms, 2 waypoints;", "");
+    const auto bad = compiled(edited(drone, each.clause, each.absurd));
+    EXPECT_TRUE(has(*bad, Code::quantity_out_of_range) || has(*bad, Code::limit_contradictory))
+        << each.absurd << "\n"
+        << reports(*bad);
+    const auto good = compiled(edited(drone, each.clause, each.works));
+    EXPECT_FALSE(has(*good, Code::quantity_out_of_range) || has(*good, Code::limit_contradictory) ||
+                 has(*good, Code::value_out_of_range))
+        << each.works << "\n"
+        << reports(*good);
+  }
+}
+
+// A latency that the look-ahead does not cover: both numbers work.
+TEST(Repairs, TheNumbersOf5018Work) {
+  const std::string late = edited(drone_spec(), "latency  20 ms", "latency  200 ms");
+  const auto c = compiled(late);
+  ASSERT_TRUE(has(*c, Code::latency_too_long)) << reports(*c);
+  const std::string ahead = number_in_help(*c, Code::latency_too_long, "`ahead ", "ms` works");
+  const auto longer = compiled(edited(late, "ahead   100 ms", "ahead " + ahead + " ms"));
+  EXPECT_FALSE(has(*longer, Code::latency_too_long)) << reports(*longer);
+  EXPECT_TRUE(longer->module) << reports(*longer);
+  const std::string most = number_in_help(*c, Code::latency_too_long, "latency of at most ", "ms");
+  const auto sooner = compiled(edited(late, "latency  200 ms", "latency " + most + " ms"));
+  EXPECT_FALSE(has(*sooner, Code::latency_too_long)) << reports(*sooner);
+}
+
+// One that no look-ahead covers in this room contradicts it: with the largest that is offered one
+// does.
+TEST(Repairs, TheLatencyThatSomeLookaheadCoversIsNamed) {
+  const std::string late = edited(drone_spec(), "latency  20 ms", "latency  700 ms");
+  const auto c = compiled(late);
+  ASSERT_TRUE(has(*c, Code::limit_contradictory)) << reports(*c);
+  const std::string most =
+      number_in_help(*c, Code::limit_contradictory, "a `latency` of at most ", "ms");
+  const auto with = [&](long ms) {
+    return compiled(edited(late, "latency  700 ms", "latency " + std::to_string(ms) + " ms"));
+  };
+  EXPECT_FALSE(with(std::stol(most))->diagnostics.has_errors());
+  EXPECT_TRUE(has(*with(std::stol(most) + 1), Code::limit_contradictory));
+}
+
+// With way-points, legs that track so badly fit nowhere.
+TEST(Repairs, TheTrackingOf5007Works) {
+  const std::string wide = edited(drone_spec(), "tracking <= 10 cm", "tracking <= 10 m");
+  const auto c = compiled(wide);
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  const std::string most = number_in_help(*c, Code::return_set_empty, "`tracking <= ", "m` works");
+  EXPECT_TRUE(compiled(edited(wide, "tracking <= 10 m", "tracking <= " + most + " m"))->module);
+  const std::string more = std::to_string(std::stod(most) + 0.001);
+  EXPECT_TRUE(has(*compiled(edited(wide, "tracking <= 10 m", "tracking <= " + more + " m")),
+                  Code::return_set_empty));
+}
+
+// Cells that are as narrow as cells get: the zone has to be wider.
+TEST(Repairs, TheWideningOf4012Works) {
+  const auto mine = [](const std::string& wide, const std::string& length) {
+    const std::string drone = edited(drone_spec(), "ahead   100 ms, 2 waypoints;", "");
+    return edited(drone, "rectangle (0 m, 0 m) to (5 m, 5 m)",
+                  "rectangle (0 m, 0 m) to (" + length + ", " + wide +
+                      " mm) | rectangle (0 m, 0 m) to (" + wide + " mm, " + length + ")");
+  };
+  const auto c = compiled(edited(mine("800", "400 m"), ">= 10 cm", ">= 0 cm"));
+  ASSERT_TRUE(has(*c, Code::cells_too_coarse)) << reports(*c);
+  const std::string by = number_in_help(*c, Code::cells_too_coarse, "widen its passages by ", "m");
+  const long mm = 800 + std::lround(1000 * std::stod(by));
+  EXPECT_FALSE(has(*compiled(edited(mine(std::to_string(mm), "20 m"), ">= 10 cm", ">= 0 cm")),
+                   Code::cells_too_coarse));
+}
+
 // Limits of sizes: the one that is offered works, a little more does not.
 struct Size {
   const char *from, *unit;

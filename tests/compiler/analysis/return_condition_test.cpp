@@ -150,5 +150,40 @@ TEST(ReturnCondition, AConstantChargeIsPricedForTheRoute) {
   EXPECT_FALSE(c->module->sites[0].places[0].cost_ppm.empty());
 }
 
+// What is false whatever the robot does gives nothing back: of a condition, and of a property.
+TEST(ReturnCondition, WhatIsNeverTrueIsRefused) {
+  for (const char* never : {"false", "clearance(r, floor) >= 5 cm and false", "1 m >= 2 m",
+                            "false or 2 m > 2 m", "r.speed <= 0.009 m/s"}) {
+    const auto c = compiled(fence_returns(never));
+    EXPECT_TRUE(has(*c, Code::return_set_empty)) << never << "\n" << reports(*c);
+  }
+  for (const char* at_times :
+       {"true", "false or clearance(r, floor) >= 5 cm", "2 m >= 2 m", "r.speed <= 0.01 m/s"}) {
+    const auto c = compiled(fence_returns(at_times));
+    EXPECT_TRUE(c->module) << at_times << "\n" << reports(*c);
+  }
+  for (const char* never : {"false", "d inside room and false", "2 cm >= 3 cm"}) {
+    const std::string text = edited(edited(driver::test::drone_spec(), ", 2 waypoints", ""),
+                                    "clearance(d, room) >= 10 cm", never);
+    const auto c = compiled(text);
+    EXPECT_TRUE(has(*c, Code::return_set_empty)) << never << "\n" << reports(*c);
+  }
+}
+
+// Two zones at once that no body is in.
+TEST(ReturnCondition, APropertyThatHoldsNowhereIsNamed) {
+  const auto both = [](const std::string& east) {
+    return compiled(edited(edited(edited(driver::test::drone_spec(), ", 2 waypoints", ""),
+                                  "clearance(d, room) >= 10 cm", "d inside room and d inside east"),
+                           "\ndecision fly", "\nzone east = " + east + ";\ndecision fly"));
+  };
+  const auto c = both("rectangle (4.9 m, 0 m) to (9 m, 5 m)");
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  EXPECT_NE(reports(*c).find("its property holds nowhere"), std::string::npos) << reports(*c);
+  EXPECT_TRUE(has(*both("complement(room)"), Code::return_set_empty));
+  EXPECT_EQ(reports(*both("rectangle (4 m, 0 m) to (9 m, 5 m)")).find("holds nowhere"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test

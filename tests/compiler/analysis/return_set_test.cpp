@@ -60,6 +60,10 @@ void expect_works(const Spec& s) {
   const auto c = compiled(text_of(s));
   EXPECT_TRUE(c->module) << reports(*c);
 }
+void expect_no_error(const std::string& text) {
+  const auto c = compiled(text);
+  EXPECT_FALSE(c->diagnostics.has_errors()) << reports(*c);
+}
 std::string thousandth_more(const std::string& number) {
   return std::to_string(std::stod(number) + 0.001);
 }
@@ -96,9 +100,12 @@ TEST(ReturnSet, BothAreNamedWhenBothLookTooFarAhead) {
 }
 
 TEST(ReturnSet, AStandoffThatNoLookaheadMakesUpForIsNamedWithTheLargestThatWorks) {
-  for (const std::string zone : {"room", "hall"}) {
-    const Spec faulty{.far_clearance = "3 m", .far_zone = zone};
-    expect_named(faulty, of_far + "clearance(d, " + zone + ") >= 3 m");
+  // of the hall, what the room keeps anyway costs it nothing
+  expect_works({.far_clearance = "14 m", .far_zone = "hall"});
+  for (const auto& [zone, clearance] :
+       {std::pair<std::string, std::string>{"room", "3 m"}, {"hall", "16 m"}}) {
+    const Spec faulty{.far_clearance = clearance, .far_zone = zone};
+    expect_named(faulty, of_far + "clearance(d, " + zone + ") >= " + clearance);
     const std::string most =
         number_in_help(*compiled(text_of(faulty)), Code::return_set_empty, "at most ", "m works");
     expect_works({.far_clearance = most + " m", .far_zone = zone});
@@ -106,6 +113,28 @@ TEST(ReturnSet, AStandoffThatNoLookaheadMakesUpForIsNamedWithTheLargestThatWorks
         has(*compiled(text_of({.far_clearance = thousandth_more(most) + " m", .far_zone = zone})),
             Code::return_set_empty));
   }
+}
+
+// What each monitor alone could hand back in is of no use where they have no place in common.
+TEST(ReturnSet, ZonesWithoutAPlaceInCommonAreNamed) {
+  const auto beside = [](const std::string& from) {
+    const std::string hall = edited(text_of({.far_clearance = "0 m", .far_zone = "hall"}),
+                                    "zone hall = rectangle (-20 m, -20 m)",
+                                    "zone hall = rectangle (" + from + " m, -20 m)");
+    return edited(hall, "near > far;", "near > far; acknowledge back_off may break far \"why\";");
+  };
+  const auto c = compiled(beside("6"));
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  EXPECT_NE(reports(*c).find("`far` can never hand control back together with `near`"),
+            std::string::npos)
+      << reports(*c);
+  EXPECT_TRUE(has(*compiled(beside("4.9")), Code::return_set_empty));
+  expect_no_error(beside("3"));
+  // a number that works: so much more of the hall
+  const auto narrow = compiled(beside("4.5"));
+  const double more =
+      std::stod(number_in_help(*narrow, Code::return_set_empty, "overlap by ", "m"));
+  expect_no_error(beside(std::to_string(4.5 - more)));
 }
 
 TEST(ReturnSet, AConditionAboutAnotherZoneThanTheRetreatsIsNamedWithTheLargestThatWorks) {

@@ -54,6 +54,46 @@ TEST(SpeedLimits, ARobotAtRestMayHandControlBack) {
   said(text_of("0.268 m/s", "0.1 m/s"));
 }
 
+// On a side of an `or` a limit counts where nothing else of it holds.
+std::string choice_text(const std::string& property, const std::string& recovery) {
+  const std::string zones =
+      "zone slow = rectangle (1 m, 1 m) to (2 m, 2 m);\n"
+      "zone fast = rectangle (3 m, 0 m) to (6 m, 4 m);\n" +
+      std::string(property.starts_with("permit") ? "input permit : bool max_age 1 s;\n" : "") +
+      "robot Drone {";
+  const std::string text = edited(text_of("0.2 m/s", "0.1 m/s"), "robot Drone {", zones);
+  return edited(edited(text, "d.speed <= 0.2 m/s", property), "retreat within room speed 0.1 m/s",
+                recovery);
+}
+TEST(SpeedLimits, OfAChoiceCountWhereNothingElseHolds) {
+  expect_works(choice_text("permit or d.speed <= 0.2 m/s", "retreat within room speed 0.2 m/s"));
+  EXPECT_EQ(said(choice_text("permit or d.speed <= 0.2 m/s", "retreat within room speed 0.3 m/s")),
+            "the recovery `back_off` drives at up to 0.3 m/s, and `calm` allows 0.2 m/s where "
+            "nothing else of the `or` holds");
+  // it stays where it may be fast
+  expect_works(
+      choice_text("d inside fast or d.speed <= 0.2 m/s", "retreat within fast speed 0.5 m/s"));
+  said(choice_text("d inside fast or d.speed <= 0.2 m/s", "retreat within room speed 0.5 m/s"));
+  // both sides are limits
+  said(choice_text("permit and d.speed <= 0.2 m/s", "retreat within room speed 0.1 m/s"));
+  said(
+      choice_text("d.speed <= 0.1 m/s or d.speed <= 0.2 m/s", "retreat within room speed 0.1 m/s"));
+}
+
+// What is implied is looked ahead as the comparison that it stands for, and is a limit like it.
+TEST(SpeedLimits, AreWrittenWithImpliesAndNot) {
+  const std::string slow = "retreat within room speed 0.4 m/s";
+  expect_works(choice_text("distance(d, slow) <= 30 cm implies d.speed <= 0.4 m/s", slow));
+  expect_works(choice_text("distance(d, slow) >= 0 m or d.speed <= 0.4 m/s", slow));
+  said(choice_text("distance(d, slow) <= 30 cm implies d.speed <= 0.4 m/s",
+                   "retreat within room speed 0.5 m/s"));
+  EXPECT_EQ(said(choice_text("not d.speed >= 0.2 m/s", "retreat within room speed 0.1 m/s")),
+            "monitor `calm` can never hand control back: from rest the robot may reach 0.269 m/s "
+            "before a recovery acts");
+  const auto c = compiled(choice_text("d inside slow implies d.speed <= 0.4 m/s", slow));
+  EXPECT_NE(reports(*c).find("`distance(r, slow) >= 0 m` works"), std::string::npos) << reports(*c);
+}
+
 // Nothing is faster than the declared speed.
 TEST(SpeedLimits, TheDeclaredSpeedIsNeverExceeded) {
   expect_works(text_of("1 m/s", "1 m/s"));

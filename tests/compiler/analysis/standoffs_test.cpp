@@ -1,5 +1,6 @@
 // Recoveries head for places where every fence of the decision can hand back, and robots pass each
 // other with the standoff: however the author writes the comparison that asks for it.
+#include "compiler/analysis/limits.h"
 #include "tests/compiler/analysis/testing.h"
 
 namespace rtac::analysis::test {
@@ -27,6 +28,34 @@ TEST(Standoffs, OfAFenceCountInEveryWayOfWritingIt) {
     EXPECT_EQ(found.return_clearance_mm, wanted.return_clearance_mm) << same;
     EXPECT_EQ(found.route_clearance_mm, wanted.route_clearance_mm) << same;
   }
+}
+
+// Each recovery keeps what its own zone needs: a metre from the pit is none from the walls.
+std::string pit_spec(const std::string& ring) {
+  const std::string more =
+      "\nzone pit  = rectangle (2 m, 2 m) to (3 m, 3 m);\nzone ring = " + ring +
+      ";\ncontroller off : safe for Drone = retreat within ring speed 0.3 m/s;\nmonitor apart for "
+      "d "
+      ": Drone { \"SR-2: off\" always distance(d, pit) >= 50 cm; recover off; }\ndecision fly";
+  const std::string drone = edited(drone_spec(), "clearance(d, room) >= 10 cm", "d inside room");
+  return edited(edited(edited(drone, "ahead   100 ms, 2 waypoints;", ""), "\ndecision fly", more),
+                "priority walls;",
+                "priority walls > apart; acknowledge back_off may break apart \"why\";");
+}
+TEST(Standoffs, AreThoseOfTheZoneThatARecoveryMovesIn) {
+  const auto c = compiled(pit_spec("room - pit"));
+  ASSERT_TRUE(c->module) << reports(*c);
+  EXPECT_EQ(standoff_mm(guard(*c), guard(*c).monitors[0].recovery), 0);
+  EXPECT_EQ(standoff_mm(guard(*c), guard(*c).monitors[1].recovery), 500);
+  EXPECT_EQ(guard(*c).monitors[1].recovery.return_clearance_mm,
+            guard(*c).monitors[0].recovery.return_clearance_mm + 500);
+  // a zone that lies so far from the pit itself
+  const auto grown = compiled(pit_spec("room - grow(pit, 51 cm)"));
+  ASSERT_TRUE(grown->module) << reports(*grown);
+  EXPECT_EQ(standoff_mm(guard(*grown), guard(*grown).monitors[1].recovery), 0);
+  const auto little = compiled(pit_spec("room - grow(pit, 40 cm)"));
+  ASSERT_TRUE(little->module) << reports(*little);
+  EXPECT_EQ(standoff_mm(guard(*little), guard(*little).monitors[1].recovery), 500);
 }
 
 TEST(Standoffs, OfASeparationCountInEveryWayOfWritingIt) {

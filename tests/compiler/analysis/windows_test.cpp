@@ -7,7 +7,7 @@ namespace {
 using diag::Code;
 
 struct Spec {
-  std::string recovery = "route to home within all speed 0.5 m/s";
+  std::string recovery = "route to home within room speed 0.5 m/s";
   std::string home = "(2 m, 2 m)";
   std::string window = "monday 08:00 .. 16:00";
   std::string property = "distance(d, lessons) >= 30 cm";
@@ -19,7 +19,7 @@ clock utc;
 zone room = rectangle (0 m, 0 m) to (6 m, 4 m);
 zone nook = rectangle (5 m, 1 m) to (9 m, 3 m);
 zone all  = room | nook;
-zone lessons = rectangle (4 m, 2 m) to (5 m, 3 m) during )" +
+zone lessons = rectangle (4 m, 0 m) to (6 m, 4 m) during )" +
          s.window + R"(;
 zone open    = nook during )" +
          s.window + R"(;
@@ -60,7 +60,52 @@ TEST(Windows, ARouteLeadsOut) {
   expect_works({});
   Spec gate;
   gate.property = "d inside room or d inside open";
+  gate.recovery = "route to home within all speed 0.5 m/s";
   expect_works(gate);
+}
+
+// A way knows no times: from behind the lessons it leads through them while they last.
+TEST(Windows, AWayDoesNotLeadThroughWhatIsThere) {
+  Spec behind;
+  behind.recovery = "route to home within all speed 0.5 m/s";
+  EXPECT_EQ(
+      said(behind, Code::window_may_pass),
+      "the way of `go_home` may lead through where `quiet` does not hold, whether `lessons` is "
+      "there or not");
+  behind.priority = "quiet; acknowledge go_home may break quiet \"a test\"";
+  expect_works(behind);
+}
+
+// In a room without corners that point inwards ways are straight: nobody is refused whose site sees
+// all that is left of it, and who does not is told from where it does not.
+TEST(Windows, AWayIsStraightWhereNothingStandsInIt) {
+  Spec corner;  // a zone in the corner of the room
+  corner.more = "zone shut = rectangle (4 m, 2 m) to (6 m, 4 m) during monday 08:00 .. 16:00;";
+  corner.property = "distance(d, shut) >= 30 cm";
+  expect_works(corner);
+  corner.home = "(5 m, 1 m)";  // what lies above (4 m, 2 m) is behind the corner
+  EXPECT_NE(said(corner, Code::window_may_pass).find("may lead through"), std::string::npos);
+  Spec middle;
+  middle.more = "zone shut = rectangle (3 m, 1.5 m) to (4 m, 2.5 m) during monday 08:00 .. 16:00;";
+  middle.property = corner.property;
+  const auto c = compiled(text_of(middle));
+  bool placed = false;
+  for (const auto& d : c->diagnostics.all()) {
+    for (const auto& n : d.notes) {
+      placed = placed || n.text == "such as from (4 m, 2 m), straight to `home`" ||
+               n.text == "such as from (3.5 m, 2.5 m), straight to `home`";
+    }
+  }
+  EXPECT_TRUE(placed) << reports(*c);
+}
+
+// A zone to stay in counts as if it was there; outside of it nothing may be driven at any time.
+TEST(Windows, ARecoveryMovesWhereItsPropertyHoldsAtTimes) {
+  Spec outside;
+  outside.property = "d inside room or d inside open";
+  outside.recovery = "route to home within wide speed 0.5 m/s";
+  outside.more = "zone wide = all | rectangle (0 m, 4 m) to (6 m, 6 m);";
+  EXPECT_NE(said(outside, Code::recovery_elsewhere).find("moves within `wide`"), std::string::npos);
 }
 
 TEST(Windows, StandingStillDoesNot) {
@@ -82,7 +127,7 @@ TEST(Windows, TheSiteIsWhereTheyDoNotMatter) {
 
 TEST(Windows, OtherRecoveriesThatOutrankAreAcknowledged) {
   Spec s;
-  s.more = R"(monitor walls for d : Drone { "SR-2: in" always d inside all; recover back_off; })";
+  s.more = R"(monitor walls for d : Drone { "SR-2: in" always d inside room; recover back_off; })";
   s.priority = "quiet > walls";
   expect_works(s);
   s.priority = "walls > quiet";
@@ -107,13 +152,14 @@ TEST(Windows, RobotsThatKeepApartWaitForEachOther) {
 TEST(Windows, OfAZoneToStayInAreLongEnough) {
   Spec s;
   s.property = "d inside room or d inside open";
+  s.recovery = "route to home within all speed 0.5 m/s";
   s.window = "monday 08:00:00 .. 08:00:01";
   const std::string message = said(s, Code::window_too_short);
   const std::string found = "leave it takes ";
   const double seconds = std::stod(message.substr(message.find(found) + found.size()));
-  const auto lasting = [](int s) {
+  const auto lasting = [](int all) {
     const auto two = [](int n) { return (n < 10 ? "0" : "") + std::to_string(n); };
-    return "monday 08:00:00 .. 08:" + two(s / 60) + ":" + two(s % 60);
+    return "monday 08:00:00 .. 08:" + two(all / 60) + ":" + two(all % 60);
   };
   s.window = lasting(int(seconds) + 1);
   expect_works(s);

@@ -223,6 +223,9 @@ TEST(Rule11, IsAsShown) {
 TEST(Rule12, IsAsShown) {
   expect_as_shown("12");
 }
+TEST(Rule12_1, IsAsShown) {
+  expect_as_shown("12.1");
+}
 
 TEST(Rule13_1, IsAsShown) {
   expect_as_shown("13.1");

@@ -1,6 +1,8 @@
 // A signal to the program ends what it has started and removes what lies about.
 #include "compiler/driver/ending.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <set>
 #include <thread>
 
 #include "compiler/driver/process.h"
@@ -44,6 +47,10 @@ class Endings : public InFolder {
     }
     ::_exit(0);
   }
+  static pid_t start_again() {
+    fs::remove("started");
+    return start("");
+  }
   static void rest() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
   // How it ended; -1: not within two seconds.
   static int end_of(pid_t pid) {
@@ -72,6 +79,42 @@ TEST_F(Endings, ASignalEndsTheChildAndRemovesTheFolder) {
     EXPECT_TRUE(fs::is_empty("tmp"));
     fs::remove("started");
   }
+}
+
+// Nobody can catch SIGKILL: the next folder of anybody removes what it has left, and nothing else.
+TEST_F(Endings, WhatAKilledProgramLeavesIsRemovedByTheNext) {
+  const pid_t pid = start("");
+  ::kill(pid, SIGKILL);
+  (void)end_of(pid);
+  ASSERT_FALSE(fs::is_empty("tmp"));
+  const pid_t alive = start_again();
+  fs::create_directory("tmp/rtac-1-abcdef");          // of a process that lives
+  fs::create_directory("tmp/rtac-99999999-abcdefg");  // not one of ours
+  fs::create_directory("tmp/rtac-99999999-abcdef");
+  fs::create_directory_symlink(fs::absolute("tmp/rtac-1-abcdef"), "tmp/rtac-99999999-ghijkl");
+  { const TemporaryFolder next; }
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator("tmp")) left.insert(entry.path().filename());
+  const std::string own = "rtac-" + std::to_string(alive) + "-";
+  EXPECT_EQ(left.erase("rtac-1-abcdef"), 1U);
+  EXPECT_EQ(left.erase("rtac-99999999-abcdefg"), 1U);
+  EXPECT_EQ(left.erase("rtac-99999999-ghijkl"), 1U);
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_TRUE(left.begin()->starts_with(own)) << *left.begin();
+  ::kill(alive, SIGTERM);
+  (void)end_of(alive);
+}
+
+// Who is no longer there by its number, but holds its lock: in a container that shares the folder.
+TEST_F(Endings, AFolderThatIsLockedStays) {
+  fs::create_directory("tmp/rtac-99999999-abcdef");
+  const int lock = ::open("tmp/rtac-99999999-abcdef", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
+  { const TemporaryFolder next; }
+  EXPECT_TRUE(fs::exists("tmp/rtac-99999999-abcdef"));
+  ::close(lock);
+  { const TemporaryFolder next; }
+  EXPECT_TRUE(fs::is_empty("tmp"));
 }
 
 TEST_F(Endings, AChildThatDoesNotListenIsEndedByTheSecondSignal) {

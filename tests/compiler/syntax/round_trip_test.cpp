@@ -184,6 +184,7 @@ monitor m {
   return when d;
 }
 decision d for R { priority a > b; priority c; }
+decision e for R { coordinate a > b; coordinate c; }
 )");
 }
 

@@ -59,6 +59,21 @@ TEST_F(Verify, WithoutItsAcknowledgementTheDeliveryIsRefuted) {
   EXPECT_EQ(statuses(o.out, "C", "battery"), (Statuses{"refuted", "proved"})) << o.out;
 }
 
+// What no choice avoids stays refuted, and the report names the recoveries.
+TEST_F(Verify, CoordinatedRecoveriesThatDoNotKeepEachOtherAreRefuted) {
+  std::string text = edited(drone_spec(), "decision fly", R"(
+zone north = rectangle (0 m, 1 m) to (5 m, 9 m);
+controller go_north : safe for Drone = retreat within north speed 0.3 m/s;
+monitor up for d : Drone { "SR-2: in the north" always d inside north; recover go_north; }
+decision fly)");
+  text = edited(text, "priority walls;", "coordinate walls > up;");
+  const Outcome o = verified(text, {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "C", "up"), Statuses{"refuted"}) << o.out;
+  EXPECT_EQ(statuses(o.out, "C", "walls"), Statuses{"proved"}) << o.out;
+  EXPECT_NE(o.out.find("`go_north` is not shown to keep `walls`"), std::string::npos) << o.out;
+}
+
 TEST_F(Verify, UnsoundLookAheadIsAcknowledged) {
   const Outcome o = verified(
       edited(drone_spec(), "ahead   100 ms", "ahead   20 ms unsound \"to see what happens\""),
@@ -98,6 +113,34 @@ decision fly)";
 }
 
 // Each of two monitors could be satisfied, and never both.
+// `back_off` may leave the inner zone, whose own recovery leads back to where `walls` still waits
+// for its `return when`.
+TEST_F(Verify, RecoveriesThatTakeOverFromEachOtherAreNotProvedToEnd) {
+  const std::string two = edited(
+      edited(
+          drone_spec(), "decision fly",
+          "zone inner = shrink(room, 30 cm);\n"
+          "controller inwards : safe for Drone = retreat within inner speed 0.3 m/s;\n"
+          "monitor middle for d : Drone { \"SR-9: it stays in the middle\" always d inside inner; "
+          "ahead 100 ms; recover inwards; }\ndecision fly"),
+      "priority walls", "priority middle > walls");
+  const Outcome settled = verified(two, {"--format", "json"});
+  EXPECT_EQ(statuses(settled.out, "switching", ""), Statuses{"proved"}) << settled.out;
+  const Outcome waits = verified(
+      edited(two, "recover back_off;", "recover back_off; return when clearance(d, room) >= 1 m;"),
+      {"--format", "json"});
+  EXPECT_EQ(waits.status, exit_inconclusive) << waits.out << waits.err;
+  EXPECT_EQ(statuses(waits.out, "switching", ""), Statuses{"unknown"}) << waits.out;
+  EXPECT_NE(waits.out.find("take over from each other for ever"), std::string::npos) << waits.out;
+}
+TEST_F(Verify, WithoutAModelCheckerNothingIsSaidOfSwitching) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  const Outcome o = verified(drone_spec(), {"--format", "json"});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
+}
 TEST_F(Verify, ZonesThatShareNoRoomHaveNoJointReturn) {
   std::string text = edited(drone_spec(), "decision fly", R"(
 zone far_room = rectangle (4.6 m, 0 m) to (9.6 m, 5 m);
@@ -119,6 +162,11 @@ class Recheck : public Verify {
   void SetUp() override {
     Verify::SetUp();
     ASSERT_EQ(verified(drone_spec(), {"-o", "certificates"}).status, exit_clean);
+    report_ = Json::parse(read("certificates/verification.json"));
+  }
+  void write_delivery() {
+    const std::string text = spec_text("specs/robot_delivery/robot_delivery.rta");
+    ASSERT_EQ(verified(text, {"-o", "certificates"}).status, exit_clean);
     report_ = Json::parse(read("certificates/verification.json"));
   }
   static Outcome rechecked() { return rtac({"verify", "--recheck", "certificates"}); }
@@ -175,6 +223,51 @@ TEST_F(Recheck, AMutatedLemmaIsNoticed) {
   EXPECT_EQ(rechecked().status, exit_violation);
 }
 
+// A convex hall: a leg leads back from everywhere. An annex on top of it is another matter.
+TEST_F(Recheck, RobotsInSpaceAreProvedInAConvexHall) {
+  const std::string annex =
+      "\n          | prism (rectangle (0 m, 0 m) to (5 m, 9 m)) from 6 m to 10 m";
+  const std::string stacked = spec_text("tests/golden/space_recoveries/spec.rta");
+  const Outcome unknown = verified(stacked, {"--format", "json"});
+  EXPECT_EQ(unknown.status, exit_inconclusive) << unknown.err;
+  EXPECT_EQ(statuses(unknown.out, "P2b", "walls"), Statuses{"unknown"});
+  EXPECT_EQ(statuses(unknown.out, "joint return", ""), Statuses{"proved"});
+  ASSERT_EQ(verified(edited(stacked, annex, ""), {"-o", "certificates"}).status, exit_clean);
+  EXPECT_EQ(rechecked().status, exit_clean);
+  report_ = Json::parse(read("certificates/verification.json"));
+  for (const char* const claim : {"legs", "place"}) {
+    EXPECT_EQ(rechecked_with(changed(claim, "clearance_mm", 5'000)).status, exit_violation)
+        << claim;
+  }
+  EXPECT_EQ(rechecked_with(changed("height", "z_mm", 6'000)).status, exit_violation);
+  EXPECT_EQ(rechecked_with(changed("height", "gap_mm", -400)).status, exit_violation);
+}
+TEST_F(Recheck, AMutatedModelIsNoticed) {
+  write_delivery();
+  const std::string path = "certificates/models/plan_executor.pml";
+  const std::string text = read(path);
+  write(path, edited(text, "!surrender && before != 0 && open != NOBODY", "false"));
+  EXPECT_EQ(rechecked().status, exit_violation);
+  write(path, edited(text, "#define PROMISES 1", "#define PROMISES 0"));
+  EXPECT_EQ(rechecked().status, exit_violation);
+  std::filesystem::remove(path);
+  EXPECT_EQ(rechecked().status, exit_violation);
+}
+// What the model takes for granted has to be shown elsewhere.
+TEST_F(Recheck, AnEntryOfTheModelThatNobodyProvesIsNoticed) {
+  write_delivery();
+  for (const char* const table : {"keeps", "settles"}) {
+    Json report = report_;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] != "switching") continue;
+      std::string rows = o["claims"][0][table];
+      ASSERT_NE(rows.find('0'), std::string::npos) << table;
+      rows[rows.find('0')] = '1';
+      o["claims"][0][table] = rows;
+    }
+    EXPECT_EQ(rechecked_with(report).status, exit_violation) << table;
+  }
+}
 TEST_F(Recheck, WhatIsLeftOutIsNoticed) {
   for (std::size_t i = 0; i < report_["decisions"][0]["obligations"].size(); ++i) {
     Json report = report_;
@@ -191,6 +284,79 @@ TEST_F(Recheck, WhatIsLeftOutIsNoticed) {
 // Nobody has acknowledged anything.
 TEST_F(Recheck, AnAcknowledgementIsInTheSpecification) {
   for (Json& o : report_["decisions"][0]["obligations"]) o["status"] = "acknowledged";
+  EXPECT_EQ(rechecked_with(report_).status, exit_violation);
+}
+
+// Two zones that overlap, and the room around both: coordinated, with what has to be acknowledged.
+std::string two_sides(bool both) {
+  std::string more = R"(
+zone west  = rectangle (0 m, 0 m) to (3.5 m, 5 m);
+controller go_west  : safe for Drone = retreat within west speed 0.3 m/s;
+monitor in_west  for d : Drone { "SR-2: in the west" always d inside west; recover go_west; }
+)";
+  if (both) {
+    more += R"(zone south = rectangle (0 m, 0 m) to (5 m, 3.5 m);
+controller go_south : safe for Drone = retreat within south speed 0.3 m/s;
+monitor in_south for d : Drone { "SR-3: in the south" always d inside south; recover go_south; }
+)";
+  }
+  return edited(drone_spec(), "decision fly", more + "decision fly");
+}
+class RecheckCoordinated : public Recheck {
+ protected:
+  void write_certificates(const std::string& clause) {
+    const std::string text =
+        edited(two_sides(clause.find("south") != std::string::npos), "priority walls;", clause);
+    const Outcome o = verified(text, {"-o", "certificates"});
+    ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
+    report_ = Json::parse(read("certificates/verification.json"));
+  }
+  // What is claimed of a monitor while a recovery drives.
+  Json& pair(const std::string& monitor, const std::string& recovery) {
+    for (Json& o : report_["decisions"][0]["obligations"]) {
+      if (o["obligation"] == "C" && o["monitor"] == monitor && o["recovery"] == recovery) return o;
+    }
+    ADD_FAILURE() << monitor << " " << recovery;
+    return report_;
+  }
+};
+
+TEST_F(RecheckCoordinated, TheProofIsFoundOnceMore) {
+  write_certificates("coordinate walls > in_west;");
+  EXPECT_EQ(pair("in_west", "back_off")["method"], "coordination");
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+// Without it, a zone would have to lie in the other one.
+TEST_F(RecheckCoordinated, AProofThatIsLeftOutIsNoticed) {
+  write_certificates("coordinate walls > in_west;");
+  Json& claims = pair("in_west", "back_off")["claims"];
+  claims.erase(claims.size() - 1);
+  EXPECT_EQ(rechecked_with(report_).status, exit_violation);
+}
+// By priority nobody coordinates.
+TEST_F(RecheckCoordinated, ItTakesADecisionThatCoordinates) {
+  write_certificates("priority in_west > walls;");
+  for (Json& c : pair("in_west", "back_off")["claims"]) {
+    if (c["claim"] != "outranks") continue;
+    c = {
+        {"claim", "coordinated"}, {"decision", "fly"}, {"driving", "walls"}, {"judged", "in_west"}};
+  }
+  EXPECT_EQ(rechecked_with(report_).status, exit_violation);
+}
+// In a circle nobody keeps what the report says that somebody does.
+TEST_F(RecheckCoordinated, ACircleIsNoticed) {
+  write_certificates(
+      "coordinate walls > in_west > in_south; acknowledge back_off may break in_south \"a test\"; "
+      "acknowledge go_west may break in_south \"a test\";");
+  EXPECT_EQ(rechecked().status, exit_clean);
+  Json& forged = pair("in_south", "go_west");
+  EXPECT_EQ(forged["status"], "acknowledged");
+  forged["status"] = "proved";
+  forged["claims"] = Json::array({{{"claim", "coordinated"},
+                                   {"decision", "fly"},
+                                   {"driving", "in_west"},
+                                   {"judged", "in_south"}}});
   EXPECT_EQ(rechecked_with(report_).status, exit_violation);
 }
 

@@ -117,6 +117,25 @@ TEST(WorstCaseTest, RefutesALookAheadWithoutTheSampleAge) {
   EXPECT_GT(w.excursion_m, 0.18);
 }
 
+// Without Ipopt: never beyond what is possible, and close to it straight ahead.
+TEST(WorstCaseTest, RestartsFindAdmissibleMotionsToo) {
+  for (const double angle : {0.0, 1.0, 3.0}) {
+    ReachProblem q = problem({0.8 * std::cos(angle), 0.8 * std::sin(angle)}, {1, 0});
+    q.position_error_m = 0.02;
+    q.velocity_error_mps = 0.05;
+    q.speed_mps = 1.2;
+    WorstCase w = worst_case_by_restarts(q, 60);
+    EXPECT_EQ(w.status, SearchStatus::stopped_early);
+    w.status = SearchStatus::converged;
+    expect_admissible(q, w);
+    EXPECT_LE(w.excursion_m, test::disc_bound_m(q) + 1e-6);
+    EXPECT_GE(w.excursion_m, 0.95 * worst_case(q).excursion_m);
+  }
+  ReachProblem bad = problem({1, 0}, {1, 0});
+  bad.brake_mps2 = 0;
+  EXPECT_EQ(worst_case_by_restarts(bad, 60).status, SearchStatus::invalid_problem);
+}
+
 // The same seed gives the same bits.
 TEST(WorstCaseTest, IsReproducible) {
   ReachProblem q = problem({0.3, 0.4}, {1, 0});

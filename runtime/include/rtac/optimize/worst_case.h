@@ -60,6 +60,10 @@ struct WorstCase {
 // trajectory is tried, with and without braking.
 WorstCase worst_case(const ReachProblem& problem);
 
+// The same without Ipopt: the worst of so many drawn controls, the first of which pushes straight
+// across the line. Never `converged`. `starts` is ignored.
+WorstCase worst_case_by_restarts(const ReachProblem& problem, int restarts);
+
 struct RoomWorstCase {
   SearchStatus status = SearchStatus::invalid_problem;  // converged: every edge converged
   std::vector<WorstCase> edges;                         // in the order of the zone's edges

@@ -25,7 +25,9 @@ struct Violation {
 class Referee {
  public:
   // One property of each monitor, for each of the robots. All of it outlives the referee.
-  Referee(const Surroundings& surroundings, const std::vector<Property>& properties, int robots);
+  // `about`: the only monitor whose violation counts; -1: all.
+  Referee(const Surroundings& surroundings, const std::vector<Property>& properties, int robots,
+          int about = -1);
 
   // In the order of time. A margin that cannot have become the least one since it was last judged,
   // as far as robots have moved, is not judged again; no result depends on that.
@@ -54,6 +56,7 @@ class Referee {
   std::vector<Vec3> before_;
   std::vector<double> way_m_;
   double fastest_way_m_ = 0;
+  int about_ = -1;
   Violation violation_;
 };
 

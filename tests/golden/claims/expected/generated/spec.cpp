@@ -30,10 +30,10 @@ const rtac::MonitorInfo fly_monitors[] = {
    "spec.rta", 10, "escape", "", "m"},
   {"again", "SR-2",
    "the drone stays in",
-   "spec.rta", 16, "escape", "", "m"},
+   "spec.rta", 17, "escape", "", "m"},
   {"last", "SR-3",
    "and if all else fails, it stops",
-   "spec.rta", 22, "stop", "", "m"},
+   "spec.rta", 24, "stop", "", "m"},
 };
 const char* const fly_robots[] = {
   "d1",

@@ -908,7 +908,7 @@ static margin fly_walls_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-2: the drone stays in (spec.rta:16). d inside room */
+/* SR-2: the drone stays in (spec.rta:17). d inside room */
 static margin fly_again_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -922,7 +922,7 @@ static margin fly_again_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-3: and if all else fails, it stops (spec.rta:22). d inside room */
+/* SR-3: and if all else fails, it stops (spec.rta:24). d inside room */
 static margin fly_last_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);

@@ -1031,20 +1031,19 @@ static margin fly_walls_return(const fly_view *v) {
   const span v0 = clearance_now(&v->at_corner, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
   /* d inside corner */
-  const margin v2 = margin_at_least(v0, v1, WEIGHT_MM, 0);
+  const margin v2 = margin_at_least(v1, v0, WEIGHT_MM, 1);
   const span v3 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v4 = span_of(600, 600);
   /* clearance(d, room) >= 60 cm */
   const margin v5 = margin_at_least(v3, v4, WEIGHT_MM, 0);
-  const margin v6 = margin_not(v2);
-  const margin v7 = margin_or(v6, v5);
-  const margin v8 = margin_true();
-  const margin v9 = margin_not(v8);
-  const margin v10 = margin_or(v9, v7);
-  const margin v11 = margin_not(v7);
-  const margin v12 = margin_or(v11, v8);
-  const margin v13 = margin_and(v12, v10);
-  return v13;
+  const margin v6 = margin_or(v2, v5);
+  const margin v7 = margin_true();
+  const margin v8 = margin_not(v7);
+  const margin v9 = margin_or(v8, v6);
+  const margin v10 = margin_not(v6);
+  const margin v11 = margin_or(v10, v7);
+  const margin v12 = margin_and(v11, v9);
+  return v12;
 }
 
 /* Sets what is within reach. */

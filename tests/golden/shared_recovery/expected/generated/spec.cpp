@@ -36,7 +36,7 @@ const rtac::MonitorInfo fly_monitors[] = {
    "spec.rta", 23, "land_now", "", "m"},
   {"wide_ring", "SR-4",
    "the same, further ahead",
-   "spec.rta", 29, "land_now", "", "m"},
+   "spec.rta", 30, "land_now", "", "m"},
 };
 const char* const fly_robots[] = {
   "d1",

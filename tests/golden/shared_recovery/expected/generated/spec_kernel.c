@@ -1044,7 +1044,7 @@ static margin fly_ring_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-4: the same, further ahead (spec.rta:29). d inside room */
+/* SR-4: the same, further ahead (spec.rta:30). d inside room */
 static margin fly_wide_ring_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);

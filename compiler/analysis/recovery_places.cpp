@@ -1,0 +1,353 @@
+#include "compiler/analysis/recovery_places.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/analysis/fences.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/ways_in.h"
+
+namespace rtac::analysis {
+namespace {
+
+using geometry::Region;
+
+// What offsets of regions round, in mm, and a snapped zone does: less than a hold strays.
+constexpr std::int64_t rounded_mm = 5;
+
+std::string metres(std::int64_t mm) {
+  return to_decimal(Rational(mm, 1000)) + " m";
+}
+std::string area(const Region& region) {
+  const std::int64_t square_mm = ceil_to_int(Rational(region.area() * 1'000'000));
+  return to_decimal(Rational(square_mm, 1'000'000)) + " m^2";
+}
+// A corner that does not lie in the other region as well.
+std::string some_place(const Region& region, const Region& outside_of) {
+  for (const geometry::Ring& ring : region.rings()) {
+    for (const geometry::Point& p : ring) {
+      if (outside_of.contains(p)) continue;
+      return ", such as (" + metres(floor_to_int(Rational(p.x * 1000))) + ", " +
+             metres(floor_to_int(Rational(p.y * 1000))) + ")";
+    }
+  }
+  return "";
+}
+// What holds the centre of a robot, body and all: one zone, or of several at least one.
+struct Kept {
+  Choice zones;
+  mutable std::optional<Region> centres{};  // once asked for
+};
+
+class Places {
+ public:
+  Places(const sema::Monitor& written, const sema::Controller& controller, const ir::Module& module,
+         const ExactZone& exact, const ir::Decision& decision, const ir::Monitor& monitor)
+      : written_(written),
+        controller_(controller),
+        module_(module),
+        exact_(exact),
+        decision_(decision),
+        monitor_(monitor),
+        radius_mm_(decision.body.radius_mm) {}
+
+  std::vector<diag::Diagnostic> run() {
+    for (const ir::ZoneIndex fence : fences_of(monitor_.property, decision_.facts.params)) {
+      kept_.push_back({{fence}});
+    }
+    for (const Choice& c : choices_of(monitor_.property, decision_.facts.params)) {
+      kept_.push_back({c});
+    }
+    if (holds_nowhere()) return std::move(found_);
+    for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
+      if (ir::moves(step->kind) || step->claims) look(*step);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // Of several zones that the property asks for at once.
+  bool holds_nowhere() {
+    if (kept_.size() < 2) return false;
+    Region all = Region::everywhere();
+    std::string names;
+    for (const Kept& each : kept_) {
+      all = all.intersect(centres_of(each));
+      names += (names.empty() ? "" : ", and in ") + names_of(each.zones, " or ");
+    }
+    if (!all.empty()) return false;
+    diag::Diagnostic d = finding(
+        diag::Code::return_set_empty,
+        "monitor `" + monitor_.name + "` can never hand control back: its property holds nowhere");
+    d.range = written_.always_range;
+    d.label = "no body is at once in " + names;
+    d.notes.push_back({std::nullopt, "the body has a radius of " + metres(radius_mm_) +
+                                         ", and lies all in a zone"});
+    d.help = "zones that overlap by more than the body and what is asked beyond it work, or `or`";
+    found_.push_back(std::move(d));
+    return true;
+  }
+  // One of very many vertices counts without the body.
+  static Region shrunk(const Region& region, std::int64_t by_mm) {
+    return within(region, by_mm).value_or(region);
+  }
+  const Region& centres_of(const Kept& kept) const {
+    if (kept.centres) return *kept.centres;
+    Region all;
+    for (const ir::ZoneIndex zone : kept.zones) {
+      all = all.unite(shrunk(exact_(zone), radius_mm_ + standoff_mm(monitor_, zone)));
+    }
+    return *(kept.centres = std::move(all));
+  }
+  // The least that the property asks for of the zone, wherever it does.
+  [[nodiscard]] std::int64_t standoff_mm(const ir::Monitor& m, ir::ZoneIndex zone) const {
+    std::optional<std::int64_t> least;
+    for (const Standoff& each : fence_standoffs(m.property, decision_.facts.params)) {
+      if (each.zone == zone) least = std::min(least.value_or(each.mm), each.mm);
+    }
+    return std::max<std::int64_t>(least.value_or(0), 0);
+  }
+  [[nodiscard]] static bool is_own(const ir::Recovery& step, const Kept& kept) {
+    return kept.zones.size() == 1 && step.zone == kept.zones[0];
+  }
+
+  void look(const ir::Recovery& step) {
+    for (Kept& each : kept_) {
+      if (!is_own(step, each) && elsewhere(step, each)) return;
+    }
+    // an external one is braked where its claim does not hold: it leads nowhere from there
+    if (step.claims) return;
+    for (Kept& each : kept_) {
+      if (!is_own(step, each) && across(step, each)) return;
+    }
+  }
+
+  // A recovery keeps clear of the border of its own zone, whatever the property says of another.
+  bool elsewhere(const ir::Recovery& step, Kept& kept) {
+    const Region& own = exact_(step.zone);
+    const Region all = united(kept);
+    const std::string names = names_of(kept.zones, " or ");
+    const bool outside = !all.contains(own);
+    // between two zones of a choice a body may be in neither, in the middle of a way as well
+    const Region centres = kept.zones.size() > 1 ? centres_of(kept) : all;
+    const std::int64_t keeps_mm =
+        ir::moves(step.kind) ? std::max(step.route_clearance_mm, radius_mm_) : radius_mm_;
+    const Region body = kept.zones.size() > 1 ? shrunk(own, keeps_mm + rounded_mm) : own;
+    const bool between = !centres.contains(body);
+    if (!outside) return between && seam(step, kept, body, 2 * (keeps_mm + rounded_mm));
+    const Region beyond = own.subtract(all);
+    const std::string zone = "`" + module_[step.zone].name + "`";
+    diag::Diagnostic d = finding(diag::Code::recovery_elsewhere,
+                                 "`" + controller_.name + "` moves within " + zone + ", and `" +
+                                     monitor_.name + "` needs it to stay in " + names);
+    d.label = "leads out of " + names;
+    d.notes.push_back({std::nullopt, area(beyond) + " of " + zone + " lie outside " + names +
+                                         some_place(beyond, all)});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = kept_.size() == 1 && kept.zones.size() == 1
+                 ? "a zone that lies in " + names + " works, such as " + names
+                 : works(step);
+    found_.push_back(std::move(d));
+    return true;
+  }
+  // A route in a convex zone is straight, and leads across the seam from its other side. What else
+  // moves may stop in front of it: control is not given back there.
+  bool seam(const ir::Recovery& step, const Kept& kept, const Region& body,
+            std::int64_t overlap_mm) {
+    const Region& own = exact_(step.zone);
+    const Region& allowed = centres_of(kept);
+    if (step.kind == ir::RecoveryKind::route && is_convex(own)) {
+      const auto way = straight_across(module_, step, starts().intersect(own), allowed);
+      if (way) crosses(step, kept, *way, true);
+      return way.has_value();
+    }
+    const std::string names = names_of(kept.zones, " or ");
+    diag::Diagnostic d = finding(diag::Code::no_way_back,
+                                 "at the seam of " + names + " a body is in none of them, and `" +
+                                     controller_.name + "` may stop there or lead across");
+    d.label = "knows nothing of seams";
+    d.notes.push_back({std::nullopt, "a body in the middle of `" + module_[step.zone].name +
+                                         "` may lie in none of them alone" +
+                                         some_place(body.subtract(allowed), allowed)});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = "zones that overlap by more than " + metres(overlap_mm) + " work";
+    found_.push_back(std::move(d));
+    return true;
+  }
+
+  // From outside its zone a recovery makes straight for it, as it knows nothing of what lies
+  // between: that stays in what is convex. Elsewhere its ways are looked at (ways_in.h).
+  bool across(const ir::Recovery& step, Kept& kept) {
+    const Region& own = exact_(step.zone);
+    const Region& allowed = centres_of(kept);
+    if (is_convex(allowed) || own.contains(allowed)) return false;
+    const Region from = starts().subtract(own);
+    if (from.empty()) return false;
+    const WaysIn ways = ways_in(module_, decision_, step, from, allowed);
+    if (ways.leaves) {
+      crosses(step, kept, *ways.leaves, false);
+    } else if (ways.stranded) {
+      strands(step, kept, *ways.stranded);
+    }
+    return ways.leaves || ways.stranded;
+  }
+  void crosses(const ir::Recovery& step, const Kept& kept, const WaysIn::Leaves& way, bool inside) {
+    const std::string zone = "`" + module_[step.zone].name + "`";
+    diag::Diagnostic d =
+        finding(diag::Code::recovery_elsewhere,
+                "on its way " + std::string(inside ? "through " : "into ") + zone + " from " +
+                    text(way.from) + ", `" + controller_.name + "` leads across " + text(way.at) +
+                    ", where `" + monitor_.name + "` does not hold");
+    d.label = "leads out of " + names_of(kept.zones, " or ");
+    const std::string knows = " it knows nothing of what lies between";
+    d.notes.push_back(
+        {std::nullopt, inside ? "on a seam of two zones a body is in neither"
+                              : "outside of " + zone + knows + ", and makes straight for it"});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = works(step);
+    found_.push_back(std::move(d));
+  }
+  void strands(const ir::Recovery& step, const Kept& kept, const PlaceMm& place) {
+    const std::string zone = "`" + module_[step.zone].name + "`";
+    diag::Diagnostic d = finding(diag::Code::no_way_back,
+                                 "from " + text(place) + " in " + names_of(kept.zones, " or ") +
+                                     ", `" + controller_.name + "` finds no way into " + zone);
+    d.label = "ends there once the robot is there";
+    d.notes.push_back({std::nullopt, "control returns at a clearance of " +
+                                         metres(step.return_clearance_mm) +
+                                         ", and nothing leads there in sight"});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = works(step);
+    found_.push_back(std::move(d));
+  }
+  // Where the robot may be while every property of the decision holds.
+  const Region& starts() {
+    if (starts_) return *starts_;
+    Region all = Region::everywhere();
+    for (const ir::Monitor& m : decision_.monitors) {
+      for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
+        all = all.intersect(shrunk(exact_(fence), radius_mm_ + standoff_mm(m, fence)));
+      }
+    }
+    for (Kept& each : kept_) all = all.intersect(centres_of(each));
+    return *(starts_ = std::move(all));
+  }
+
+  // A recovery within all that the property keeps the robot in, if that would do: it has a place
+  // to return to, and between the zones of a choice a body is always in one of them.
+  std::string works(const ir::Recovery& step) const {
+    Region all = Region::everywhere(), centres = all;
+    for (const Kept& each : kept_) {
+      all = all.intersect(united(each));
+      centres = centres.intersect(centres_of(each));
+    }
+    const bool chosen = std::any_of(kept_.begin(), kept_.end(),
+                                    [](const Kept& each) { return each.zones.size() > 1; });
+    const std::int64_t keeps_mm = std::max(step.route_clearance_mm, radius_mm_) + rounded_mm;
+    const bool inside = !chosen || centres.contains(shrunk(all, keeps_mm));
+    const auto returns = within(all, step.return_clearance_mm);
+    if (!inside) {
+      return "a choice of zones that overlap by more than " + metres(2 * keeps_mm) +
+             " works, with a recovery within their union";
+    }
+    if (returns && returns->empty()) {
+      return "a recovery within " + written() +
+             " works that is so wide somewhere that a place has a "
+             "clearance of " +
+             metres(step.return_clearance_mm);
+    }
+    return "a recovery within " + written() + " works: it finds its ways inside";
+  }
+  Region united(const Kept& kept) const {
+    Region all;
+    for (const ir::ZoneIndex zone : kept.zones) all = all.unite(exact_(zone));
+    return all;
+  }
+  std::string written() const {
+    if (kept_.size() == 1 && kept_[0].zones.size() == 1) return name_of(kept_[0].zones[0]);
+    std::string all;
+    for (const Kept& each : kept_) {
+      const bool several = each.zones.size() > 1 && kept_.size() > 1;
+      all += (all.empty() ? "" : " & ") + std::string(several ? "(" : "") +
+             bare_names_of(each.zones, " | ") + (several ? ")" : "");
+    }
+    return "a zone that is `" + all + "`";
+  }
+  std::string names_of(const Choice& zones, const std::string& between) const {
+    std::string names;
+    for (const ir::ZoneIndex zone : zones) {
+      names += (names.empty() ? "" : between) + name_of(zone);
+    }
+    return names;
+  }
+  std::string bare_names_of(const Choice& zones, const std::string& between) const {
+    std::string names = names_of(zones, between);
+    names.erase(std::remove(names.begin(), names.end(), '`'), names.end());
+    return names;
+  }
+  std::string name_of(ir::ZoneIndex zone) const { return name_as_written(module_[zone]); }
+  static std::string text(const PlaceMm& p) {
+    return "(" + metres(p.x_mm) + ", " + metres(p.y_mm) + ")";
+  }
+  diag::Diagnostic finding(diag::Code code, std::string message) const {
+    diag::Diagnostic d{};
+    d.code = code;
+    d.range = written_.recover_range;
+    d.message = std::move(message);
+    return d;
+  }
+
+  const sema::Monitor& written_;
+  const sema::Controller& controller_;
+  const ir::Module& module_;
+  const ExactZone& exact_;
+  const ir::Decision& decision_;
+  const ir::Monitor& monitor_;
+  const std::int64_t radius_mm_;
+  std::vector<Kept> kept_;
+  std::optional<Region> starts_;
+  std::vector<diag::Diagnostic> found_;
+};
+
+}  // namespace
+
+std::string name_as_written(const ir::ZoneTable& zone) {
+  for (const auto& [prefix, text] :
+       {std::pair<std::string, std::string>{"zone_of_line_", "the zone of line "},
+        {"outside_of_", "`complement("}}) {
+    if (!zone.name.starts_with(prefix)) continue;
+    return text + zone.name.substr(prefix.size()) + (text[0] == '`' ? ")`" : "");
+  }
+  return "`" + zone.name + "`";
+}
+
+bool is_convex(const Region& region) {
+  const auto parts = region.polygons();
+  if (parts.size() != 1 || !parts[0].holes.empty()) return false;
+  const geometry::Ring& ring = parts[0].outer;  // counter-clockwise
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const geometry::Point &a = ring[i], &b = ring[(i + 1) % ring.size()],
+                          &c = ring[(i + 2) % ring.size()];
+    if ((b.x - a.x) * (c.y - b.y) < (b.y - a.y) * (c.x - b.x)) return false;
+  }
+  return true;
+}
+
+std::optional<Region> within(const Region& region, std::int64_t mm) {
+  constexpr std::size_t vertices_most = 2000;  // a second
+  if (region.vertices() > vertices_most) return std::nullopt;
+  Rational by_m(static_cast<long>(-mm), 1000);
+  by_m.canonicalize();
+  return region.offset(by_m);
+}
+
+std::vector<diag::Diagnostic> misplaced(const sema::Monitor& written,
+                                        const sema::Controller& controller,
+                                        const ir::Module& module, const ExactZone& exact,
+                                        const ir::Decision& decision, const ir::Monitor& monitor) {
+  return Places(written, controller, module, exact, decision, monitor).run();
+}
+
+}  // namespace rtac::analysis

@@ -1,0 +1,229 @@
+#include "compiler/analysis/repairs.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/timing.h"
+#include "compiler/analysis/travel.h"
+#include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
+
+namespace rtac::analysis {
+namespace {
+
+constexpr std::size_t offered_most = 3;
+
+// A number of the specification, on a grid on which it is looked for.
+struct Number {
+  std::string what;  // "a `latency`"
+  const char* unit;
+  int per_unit;            // steps of the grid in an SI unit
+  int shown_per_unit;      // of the unit that it is shown in
+  std::int64_t least = 1;  // steps; what is less is refused, or no robot has it
+  bool grows = false;      // a larger one helps
+  std::function<sema::Quantity*(sema::RobotKind&, sema::Decision&)> of;
+};
+
+sema::Quantity* in(std::optional<sema::Quantity>& q) {
+  return q ? &*q : nullptr;
+}
+
+// Everything that the clearance depends on at which control can be given back.
+std::vector<Number> numbers() {
+  using Kind = sema::RobotKind;
+  using Of = std::function<sema::Quantity*(Kind&, sema::Decision&)>;
+  const auto sensed = [](std::optional<sema::Sense> Kind::*which, bool age) -> Of {
+    return [which, age](Kind& k, sema::Decision&) {
+      if (!(k.*which)) return static_cast<sema::Quantity*>(nullptr);
+      return age ? &(k.*which)->max_age : &(k.*which)->error;
+    };
+  };
+  const auto own = [](sema::Quantity Kind::*which) -> Of {
+    return [which](Kind& k, sema::Decision&) { return &(k.*which); };
+  };
+  const auto motion = [](sema::Quantity sema::Motion::*which) -> Of {
+    return [which](Kind& k, sema::Decision&) { return &(k.motion.*which); };
+  };
+  return {
+      {"a `latency`", "ms", 1000, 1000, 1, false, own(&Kind::latency)},
+      {"a `max_age` of the position", "ms", 1000, 1000, 1, false, sensed(&Kind::position, true)},
+      {"a `max_age` of the velocity", "ms", 1000, 1000, 1, false, sensed(&Kind::velocity, true)},
+      {"a `period`", "ms", 1000, 1000, 1, false,
+       [](Kind&, sema::Decision& d) { return in(d.period); }},
+      {"a `jitter`", "ms", 1000, 1000, 1, false,
+       [](Kind&, sema::Decision& d) { return in(d.jitter); }},
+      {"an `error` of the position", "m", 1000, 1, 1, false, sensed(&Kind::position, false)},
+      {"an `error` of the velocity", "m/s", 1000, 1, 1, false, sensed(&Kind::velocity, false)},
+      {"a `brake`", "m/s^2", 1000, 1, 1, true, motion(&sema::Motion::brake)},
+      {"an `accel`", "m/s^2", 1000, 1, 1, false, motion(&sema::Motion::accel)},
+      {"a `speed`", "m/s", 1000, 1, 1, false, motion(&sema::Motion::speed)},
+      {"a `turn`", "rad/s", 1000, 1, 1, false,
+       [](Kind& k, sema::Decision&) { return in(k.motion.turn); }},
+      {"a `disturbance`", "m/s^2", 1000, 1, 1, false,
+       [](Kind& k, sema::Decision&) { return in(k.motion.disturbance); }},
+      {"an `error` of the output", "m/s^2", 1000, 1, 1, false,
+       [](Kind& k, sema::Decision&) { return in(k.output_error); }},
+      {"a `radius`", "m", 1000, 1, 1, false, own(&Kind::radius)},
+  };
+}
+
+// Durations of properties are multiples of the period, which cannot be changed alone then.
+bool asks_for_the_past(const sema::Spec& spec, const sema::Decision& decision) {
+  bool found = false;
+  const auto in = [&](const sema::Expr& e) {
+    found = found || std::holds_alternative<sema::HeldFor>(e.node) ||
+            std::holds_alternative<sema::Previously>(e.node) ||
+            std::holds_alternative<sema::Past>(e.node) ||
+            std::holds_alternative<sema::Since>(e.node) ||
+            std::holds_alternative<sema::WithinOf>(e.node) ||
+            std::holds_alternative<sema::Aggregate>(e.node);
+  };
+  for (const sema::MonitorId id : decision.priority) {
+    sema::for_each_expr(*spec[id].always, in);
+    if (spec[id].return_when) sema::for_each_expr(*spec[id].return_when, in);
+  }
+  return found;
+}
+
+Trial trial_of(const sema::Spec& spec, const sema::RobotKind& kind, const sema::Decision& decision,
+               std::int64_t most_us = INT64_MAX) {
+  Trial t;
+  t.kind = kind;
+  ir::Decision& d = t.decision;
+  d.period_us = ceil_to_int(decision.period->value * 1'000'000);
+  d.return_extra_us = return_extra_us(spec, decision, d.period_us);
+  d.body = body_of(kind, d.period_us, jitter_us(spec, decision, d.period_us, most_us));
+  d.pushed_mmps = ceil_to_int(Rational(pushed_speed(kind, d.period_us) * 1000));
+  d.motions.push_back(any_control(kind));
+  for (const sema::MonitorId id : decision.priority) {
+    t.lookahead_us = std::max(t.lookahead_us, lookahead_us(spec, spec[id], d.period_us));
+  }
+  t.lookahead_us = std::min(t.lookahead_us, most_us);
+  return t;
+}
+
+class Search {
+ public:
+  Search(const sema::Spec& spec, const sema::Decision& decision, const Fits& fits)
+      : spec_(spec), decision_(decision), kind_(spec[decision.kind]), fits_(fits) {}
+
+  struct Found {
+    std::string text;
+    double change;  // how many times as much, or as little
+  };
+  std::vector<Found> run() {
+    std::vector<Found> all;
+    for (const Number& n : numbers()) {
+      if (auto found = look(n)) all.push_back(std::move(*found));
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Found& a, const Found& b) { return a.change < b.change; });
+    return all;
+  }
+
+ private:
+  std::optional<Found> look(const Number& n) {
+    sema::Quantity* const value = n.of(kind_, decision_);
+    if (value == nullptr) return std::nullopt;
+    if (&decision_.period->value == &value->value && asks_for_the_past(spec_, decision_)) {
+      return std::nullopt;
+    }
+    const sema::Quantity before = *value;
+    const auto works = [&](std::int64_t steps) {
+      value->value = Rational(steps, n.per_unit);
+      value->value.canonicalize();
+      return allowed() && fits_(trial_of(spec_, kind_, decision_));
+    };
+    const std::optional<std::int64_t> found =
+        n.grows ? at_least(n, before, works) : at_most(n, before, works);
+    *value = before;
+    if (!found) return std::nullopt;
+    const double ratio = before.value.get_d() * n.per_unit / static_cast<double>(*found);
+    const Rational shown(static_cast<long>(*found) * n.shown_per_unit, n.per_unit);
+    return Found{
+        n.what + (n.grows ? " of at least " : " of at most ") + to_decimal(shown) + " " + n.unit,
+        n.grows ? 1 / ratio : ratio};
+  }
+  template <class Works>
+  static std::optional<std::int64_t> at_most(const Number& n, const sema::Quantity& before,
+                                             const Works& works) {
+    std::int64_t low = n.least, high = floor_to_int(Rational(before.value * n.per_unit)) + 1;
+    if (low >= high || !works(low)) return std::nullopt;
+    while (high - low > 1) {
+      const std::int64_t middle = low + (high - low) / 2;
+      (works(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+  // What brakes harder may be pushed sideways harder, too, so that too much does not fit again.
+  template <class Works>
+  static std::optional<std::int64_t> at_least(const Number& n, const sema::Quantity& before,
+                                              const Works& works) {
+    constexpr std::int64_t most = 1'000'000;
+    std::int64_t low = ceil_to_int(Rational(before.value * n.per_unit)), high = low;
+    do {
+      low = high;
+      high *= 2;
+      if (high > most) return std::nullopt;
+    } while (!works(high));
+    while (high - low > 1) {
+      const std::int64_t middle = low + (high - low) / 2;
+      (works(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  // By the checks of the numbers themselves: no recovery is faster than the robot, what pushes it
+  // is weaker than what it does against that, and no step is later than the next one.
+  bool allowed() const {
+    const sema::Motion& m = kind_.motion;
+    const Rational pushed = disturbance_of(kind_), spare(1, 500);
+    if (pushed > 0 && pushed > std::min(m.brake.value, m.accel.value) - spare) return false;
+    if (decision_.jitter && decision_.jitter->value >= decision_.period->value) return false;
+    for (const sema::Controller& c : spec_.controllers) {
+      if (&spec_[c.kind] != &spec_[decision_.kind]) continue;
+      for (const sema::Template& what : sema::templates_of(c)) {
+        const auto speed = sema::speed_of(what);
+        if (speed && *speed > m.speed.value) return false;
+      }
+      const auto claim = sema::claim_of(c);
+      if (claim && claim->speed.value > m.speed.value) return false;
+    }
+    return true;
+  }
+
+  const sema::Spec& spec_;
+  sema::Decision decision_;
+  sema::RobotKind kind_;
+  const Fits& fits_;
+};
+
+}  // namespace
+
+Trial trial_of(const sema::Spec& spec, const sema::Decision& decision) {
+  return trial_of(spec, spec[decision.kind], decision);
+}
+
+Trial with_lookahead(const sema::Spec& spec, const sema::Decision& decision, std::int64_t most_us) {
+  return trial_of(spec, spec[decision.kind], decision, most_us);
+}
+
+std::vector<std::string> repairs(const sema::Spec& spec, const sema::Decision& decision,
+                                 const Fits& fits) {
+  std::vector<std::string> texts;
+  for (auto& found : Search(spec, decision, fits).run()) {
+    if (texts.size() < offered_most) texts.push_back(std::move(found.text));
+  }
+  return texts;
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    all += (i == 0 ? "" : i + 1 == texts.size() ? ", or " : ", ") + texts[i];
+  }
+  return all;
+}
+
+}  // namespace rtac::analysis

@@ -1,0 +1,48 @@
+#include "compiler/analysis/widening.h"
+
+#include <algorithm>
+
+#include "compiler/analysis/zones.h"
+
+namespace rtac::analysis {
+namespace {
+
+// About 10 ms a trial.
+constexpr std::size_t vertices_most = 200, cells_tried_most = 12'000;
+
+// What zones to stay in grow less than they are told (zones.cpp, offsets).
+constexpr std::int64_t slack_mm = 2;
+
+std::optional<ir::Cells> cells_of(const geometry::Region& zone, std::int64_t by_mm) {
+  Rational by_m(static_cast<long>(std::max<std::int64_t>(by_mm - slack_mm, 0)), 1000);
+  by_m.canonicalize();
+  const auto snapped = geometry::snap_inside(zone.grow(by_m));
+  if (!snapped) return std::nullopt;
+  const geometry::CellGrid cells = baked(*snapped).cells;
+  return ir::Cells{cells.origin.x_mm, cells.origin.y_mm, cells.cell_mm,
+                   cells.columns,     cells.rows,        cells.clearance_mm_lo};
+}
+
+}  // namespace
+
+std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
+                                        const std::function<bool(const ir::Cells&)>& fits) {
+  if (zone.vertices() > vertices_most) return std::nullopt;
+  const auto works = [&](std::int64_t by_mm) {
+    const auto cells = cells_of(zone, by_mm);
+    return cells && cells->clearance_mm_lo.size() <= cells_tried_most && fits(*cells);
+  };
+  std::int64_t low = 0, high = 1;
+  while (high < most_mm && !works(high)) {
+    low = high;
+    high = std::min(2 * high, most_mm);
+  }
+  if (high >= most_mm && !works(high)) return std::nullopt;
+  while (high - low > 1) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (works(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+}  // namespace rtac::analysis

@@ -1,0 +1,19 @@
+// How much wider a zone would have to be: tried on its cells.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "compiler/geometry/region.h"
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// The least growth on every side, in mm, with which `fits` holds of the cells of the zone, and of
+// no growth that is 1 mm less; at most `most_mm`. None: it does not help, or the zone is so large
+// that to try takes long.
+std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
+                                        const std::function<bool(const ir::Cells&)>& fits);
+
+}  // namespace rtac::analysis

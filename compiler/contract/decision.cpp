@@ -1,0 +1,331 @@
+// Contracts of what is printed for a decision: its start, what it measures, checks, reports, and a
+// step as a whole.
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compiler/contract/contract.h"
+#include "compiler/contract/monitors.h"
+#include "compiler/support/rational.h"
+
+namespace rtac::contract {
+namespace {
+
+using namespace sema;
+
+std::string number(std::int64_t value) {
+  return std::to_string(value);
+}
+std::string number(std::size_t value) {
+  return std::to_string(value);
+}
+
+// Text with $D for the name of the decision, $P for the prefix, $N for the number of monitors, $L
+// for the last of them, $R and $Q for the robots likewise.
+std::string filled(const DecisionFacts& f, const std::string& pattern) {
+  std::string out;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    if (pattern[i] != '$') {
+      out += pattern[i];
+      continue;
+    }
+    switch (pattern[++i]) {
+      case 'D':
+        out += f.name;
+        break;
+      case 'P':
+        out += f.prefix;
+        break;
+      case 'N':
+        out += std::to_string(f.monitors.size());
+        break;
+      case 'L':
+        out += std::to_string(f.monitors.size() - 1);
+        break;
+      case 'R':
+        out += std::to_string(f.robots);
+        break;
+      case 'Q':
+        out += std::to_string(f.robots - 1);
+        break;
+      default:
+        out += '$';
+        break;
+    }
+  }
+  return out;
+}
+
+using Clauses = std::vector<std::string>;
+
+// Of functions that put together what others find: their contracts are what callers rely on, but
+// the provers leave goals open, about memory that nothing writes. See
+// compiler/docs/kernel_proof.md.
+const std::string open = "!! open\n";
+
+std::string joined(const std::string& word, const Clauses& clauses) {
+  std::string out;
+  for (const std::string& clause : clauses) out += word + " " + clause + ";\n";
+  return out;
+}
+
+// Clauses are about single members, so that provers need not look into predicates of pointers.
+Clauses pointers(const DecisionFacts& f) {
+  Clauses all = {"\\valid_read(v) && \\valid_read(v->in) && \\valid_read(v->m)", "0 <= v->me < $R"};
+  if (f.runs > 0) all.push_back("\\valid(v->runs + (0 .. " + number(2 * f.runs) + " - 1))");
+  return all;
+}
+
+Clauses measured(const DecisionFacts& f) {
+  Clauses all = {"estimate_ok(v->self)"};
+  for (const std::string& zone : f.zones) {
+    all.push_back("seen_at(&zone_" + zone + ", v->at_" + zone + ", v->self)");
+  }
+  if (f.has_energy) all.push_back("span_ok(v->charge)");
+  for (std::size_t j = 0; f.has_company && j < f.robots; ++j) {
+    all.push_back("estimate_ok(v->others[" + number(j) + "].s)");
+  }
+  return all;
+}
+
+Clauses looked(const DecisionFacts& f) {
+  Clauses all = measured(f);
+  all.insert(all.end(),
+             {"motion_ok(*v->m)", "0 <= v->horizon_us <= 100000000", "reach_ok(v->within)",
+              "reach_is(v->within, v->self, $D_body, *v->m, v->horizon_us)"});
+  for (std::size_t j = 0; f.has_company && j < f.robots; ++j) {
+    all.push_back("v->in->self != " + number(j) + " ==> other_ok(v->others[" + number(j) +
+                  "], $D_body, $D_motions[0], v->horizon_us)");
+  }
+  return all;
+}
+
+Clauses state(const DecisionFacts& f) {
+  Clauses all = {"clock_ok(s->clock)", "0 <= s->mode <= $N",
+                 std::string("0 <= s->takeover.before <= ") + (f.has_company ? "$N + 1" : "$N")};
+  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
+    const std::string at = "s->monitors[" + number(k) + "]";
+    all.push_back("monitor_ok(" + at + ".engaged, " + at + ".dwell, 1)");
+  }
+  return all;
+}
+
+Clauses checks(const DecisionFacts& f) {
+  Clauses all;
+  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
+    all.push_back("check_ok(checks[" + number(k) + "])");
+  }
+  return all;
+}
+
+// That the record has what was found, of monitor `k`.
+std::string recorded(std::size_t k) {
+  const std::string at = "[" + number(k) + "]";
+  return "out->monitors" + at + ".now == verdict(checks" + at + ".now) &&\n  out->monitors" + at +
+         ".ahead == verdict(checks" + at + ".ahead) && out->monitors" + at +
+         ".engaged == s->monitors" + at + ".engaged";
+}
+
+// Turning is an acceleration, too: its square is of both.
+Rational square_of_acceleration(const Motion& motion) {
+  Rational square = motion.accel.value * motion.accel.value;
+  if (motion.model == MotionModel::unicycle && motion.turn) {
+    const Rational across = motion.speed.value * motion.turn->value;
+    square += across * across;
+  }
+  return square;
+}
+
+std::string declared(const DecisionFacts& f) {
+  const RobotKind& kind = *f.kind;
+  const auto mm = [](const Quantity& q) { return number(ceil_to_int(q.value * 1000)); };
+  const auto us = [](const Quantity& q) { return number(floor_to_int(q.value * 1'000'000)); };
+  std::string out;
+  out += "ensures declared_radius: $D_body.radius_mm >= " + mm(kind.radius) + ";\n";
+  out += "ensures declared_speed: $D_body.speed_mmps >= " + mm(kind.motion.speed) +
+         " && $D_motions[0].speed_mmps >= " + mm(kind.motion.speed) + ";\n";
+  out += "ensures declared_brake: $D_body.brake_mmps2 <= " +
+         number(floor_to_int(kind.motion.brake.value * 1000)) + ";\n";
+  const std::string square = number(ceil_to_int(square_of_acceleration(kind.motion) * 1'000'000));
+  for (const char* where : {"$D_body", "$D_motions[0]"}) {
+    out += "ensures declared_acceleration: " + std::string(where) + ".accel_mmps2 * " + where +
+           ".accel_mmps2 >= " + square + ";\n";
+  }
+  if (kind.position) {
+    out += "ensures declared_position: $D_body.position_error_mm >= " + mm(kind.position->error) +
+           " && $D_body.position_age_us <= " + us(kind.position->max_age) + ";\n";
+  }
+  if (kind.velocity) {
+    out += "ensures declared_velocity: $D_body.velocity_error_mmps >= " + mm(kind.velocity->error) +
+           " && $D_body.velocity_age_us <= " + us(kind.velocity->max_age) + ";\n";
+  }
+  return out;
+}
+
+std::string start_contract(const DecisionFacts& f) {
+  std::string out = "== $P_$D_init\nrequires \\valid(s);\nassigns *s;\n" +
+                    joined("ensures", state(f)) + declared(f);
+  out += "-- loop 1\nloop invariant 0 <= k <= $N;\n";
+  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
+    const std::string at = "s->monitors[" + number(k) + "]";
+    out += "loop invariant k > " + number(k) + " ==> " + at + ".engaged == 0 && " + at +
+           ".dwell == 0;\n";
+  }
+  out += "loop assigns k, s->monitors[0 .. $L];\nloop variant $N - k;\n";
+  out +=
+      "-- loop 2\nloop invariant 0 <= k <= $R;\nloop assigns k, s->last_other_us[0 .. $Q], "
+      "s->last_other_velocity_us[0 .. $Q],\n  s->last_other_lease_us[0 .. $Q];\n"
+      "loop variant $R - k;\n";
+  if (f.runs > 0) {
+    const std::string runs = number(2 * f.runs);
+    out += "-- loop 3\nloop invariant 0 <= k <= " + runs + ";\nloop assigns k, s->runs[0 .. " +
+           runs + " - 1];\nloop variant " + runs + " - k;\n";
+  }
+  return out;
+}
+
+std::string look_contract(const DecisionFacts& f) {
+  return "== $D_look\nrequires \\valid(v) && \\valid_read(v->in) && \\valid_read(m) && "
+         "\\separated(v, m) && \\separated(v, v->in);\n"
+         "requires motion_ok(*m) && 0 <= horizon_us <= 100000000;\n" +
+         joined("requires", measured(f)) + "assigns v->m, v->horizon_us, v->within" +
+         (f.has_company ? ", v->others[0 .. $Q]" : "") +
+         ";\nensures v->m == m && v->horizon_us == horizon_us;\n" + joined("ensures", looked(f));
+}
+
+std::string measure_contract(const DecisionFacts& f) {
+  const auto us = [](const Quantity& q) { return number(floor_to_int(q.value * 1'000'000)); };
+  std::string out = "== $D_measure\n" + open +
+                    "requires \\valid(v) && \\valid(s) && \\valid_read(v->in) && "
+                    "\\separated(v, s, v->in);\n" +
+                    joined("requires", state(f)) +
+                    "assigns v->self, v->charge, s->last_position_us, s->last_velocity_us";
+  for (const std::string& zone : f.zones) out += ", v->at_" + zone;
+  out += ";\n" + joined("ensures", measured(f)) + joined("ensures", state(f));
+  out +=
+      "ensures elapsed < 0 ==> v->self.input != INPUT_NONE && v->self.p_input != INPUT_NONE;\n"
+      "ensures v->in->self < 0 || v->in->self >= $R ==> v->self.input != INPUT_NONE && "
+      "v->self.p_input != INPUT_NONE;\n";
+  if (!f.kind->position || !f.kind->velocity) return out;
+  out += "ensures ages: v->self.input == INPUT_NONE ==> fresh(v->in->position, v->now_us, " +
+         us(f.kind->position->max_age) + ") &&\n  fresh(v->in->velocity, v->now_us, " +
+         us(f.kind->velocity->max_age) + ");\n";
+  out +=
+      "ensures sensed: v->self.input == INPUT_NONE && v->self.off_map_mm == 0 ==>\n"
+      "  v->self.age_us == v->now_us - v->in->position.stamp_us &&\n"
+      "  v->self.p.x == v->in->position.x_lo && v->self.p.y == v->in->position.y_lo &&\n"
+      "  v->self.p_error_mm >= " +
+      number(ceil_to_int(f.kind->position->error.value * 1000)) +
+      " + (v->in->position.x_hi - v->in->position.x_lo) +\n"
+      "    (v->in->position.y_hi - v->in->position.y_lo);\n";
+  return out;
+}
+
+std::int64_t horizon_of(const DecisionFacts& f, std::size_t i) {
+  const Ahead& ahead = (*f.spec)[f.decision->priority[i]].ahead;
+  const std::int64_t us =
+      ahead.duration ? ceil_to_int(ahead.duration->value * 1'000'000) : f.period_us;
+  return us + f.latency_us;
+}
+
+std::string check_contract(const DecisionFacts& f) {
+  std::string out = "== $D_check\n" + open +
+                    "requires \\valid(v) && \\valid_read(v->in) && \\valid(checks + (0 .. $L)) && "
+                    "\\separated(v, checks + (0 .. $L));\n"
+                    "requires \\separated(v, v->in) && \\separated(checks + (0 .. $L), v->in);\n"
+                    "requires 0 <= v->driver <= $N && 0 <= v->me < $R;\n" +
+                    joined("requires", measured(f)) +
+                    "assigns v->legs, v->m, v->horizon_us, v->within, checks[0 .. $L];\n" +
+                    joined("ensures", looked(f)) + joined("ensures", checks(f));
+  for (std::size_t i = 0; i < f.monitors.size(); ++i) {
+    const std::string& name = f.monitors[i].name;
+    const std::string at = "checks[" + number(i) + "]", far = number(horizon_of(f, i));
+    const std::string driver = "$D_motions[v->driver]", longer = far + " + " + number(f.period_us);
+    out +=
+        "ensures " + name + "_now: " + at + ".now.lo >= 0 ==> " + claimed_now(f, i, driver) + ";\n";
+    out += "ensures " + name + "_ahead: " + at + ".ahead.lo >= 0 ==> " +
+           claimed_ahead(f, i, {driver, far, "mode == 0"}) + ";\n";
+    out += "ensures " + name + "_safer: " + at + ".safer.lo >= 0 ==> back != 0 && " +
+           claimed_ahead(f, i, {"$D_motions[0]", longer, "\\true"}) + ";\n";
+  }
+  return out;
+}
+
+std::string report_contract(const DecisionFacts& f) {
+  std::string out =
+      "== $D_report\n" + open +
+      "requires \\valid_read(v) && \\valid_read(v->in) && \\valid_read(s) && "
+      "\\valid_read(checks + (0 .. $L)) && \\valid(out);\n"
+      "requires \\separated(out, v) && \\separated(out, v->in) && \\separated(out, s) && "
+      "\\separated(out, checks + (0 .. $L));\n" +
+      joined("requires", state(f)) + joined("requires", checks(f)) +
+      "assigns out->tick, out->time_us, out->lease_end_us, out->position_age_us, "
+      "out->velocity_age_us, out->battery_age_us,\n"
+      "  out->violation_us, out->monitors[0 .. $L], out->monitor, out->found;\n"
+      "ensures out->monitor == s->mode - 1;\n";
+  for (std::size_t k = 0; k < f.monitors.size(); ++k) out += "ensures " + recorded(k) + ";\n";
+  out +=
+      "-- loop 1\nloop invariant 0 <= k <= $N;\nloop invariant s->mode == \\at(s->mode, Pre);\n" +
+      joined("loop invariant", checks(f)) + joined("loop invariant", state(f));
+  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
+    out += "loop invariant k > " + number(k) + " ==> " + recorded(k) + ";\n";
+  }
+  return out + "loop assigns k, out->monitors[0 .. $L];\nloop variant $N - k;\n";
+}
+
+std::string step_contract(const DecisionFacts& f) {
+  std::string out = "== $P_$D_step\n" + open +
+                    "requires \\valid(s) && \\valid_read(in) && \\valid(out) && "
+                    "\\separated(s, in, out);\n" +
+                    joined("requires", state(f)) + "assigns *s, *out;\n" +
+                    joined("ensures", state(f)) +
+                    "ensures out->mode == s->mode && out->monitor == out->mode - 1;\n"
+                    "ensures surrendered: in->surrender != 0 ==> out->mode != 0;\n";
+  std::string claims = "-- before out->previous_mode\n";
+  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
+    const std::string at = "out->monitors[" + number(k) + "]", far = number(horizon_of(f, k));
+    const std::string driver = "$D_motions[v.driver]", longer = far + " + " + number(f.period_us);
+    out +=
+        "ensures priority: " + at + ".engaged != 0 ==> 1 <= out->mode <= " + number(k + 1) + ";\n";
+    out += "ensures advanced: out->mode == 0 ==> " + at + ".engaged == 0 && " + at +
+           ".now != VERDICT_FALSE;\n";
+    claims += "assert rule_5_" + f.monitors[k].name + ": s->mode == 0 ==>\n  (" +
+              claimed_ahead(f, k, {driver, far, "\\true"}) + ") ||\n  (" +
+              claimed_ahead(f, k, {"$D_motions[0]", longer, "\\true"}) + ");\n";
+  }
+  // There `v` is the structure itself.
+  for (std::size_t at = claims.find("v->"); at != std::string::npos; at = claims.find("v->", at)) {
+    claims.replace(at, 3, "v.");
+  }
+  return out + claims;
+}
+
+}  // namespace
+
+Contracts contracts_of(const Spec& spec, const std::string& prefix) {
+  Contracts contracts;
+  std::set<std::size_t> counts;
+  for (const Decision& decision : spec.decisions) {
+    const DecisionFacts f = facts_of(spec, decision, prefix);
+    for (const MonitorClaims& m : f.monitors) {
+      if (!m.gap.empty()) contracts.gaps.push_back(m.gap);
+    }
+    if (decision.on_plan) {
+      contracts.gaps.push_back("decision `" + decision.name + "` runs on plans");
+      continue;
+    }
+    const std::string given = joined("requires", pointers(f)) + joined("requires", looked(f));
+    contracts.text += filled(f, monitor_contracts(f, given) + look_contract(f) + start_contract(f) +
+                                    measure_contract(f) + check_contract(f) + report_contract(f) +
+                                    step_contract(f));
+    counts.insert(f.monitors.size());
+  }
+  // A loop over as many monitors as are known is easier to prove.
+  if (counts.size() == 1) {
+    contracts.text += "== mode_step\nrequires count == " + number(*counts.begin()) + ";\n";
+  }
+  return contracts;
+}
+
+}  // namespace rtac::contract

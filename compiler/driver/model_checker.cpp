@@ -1,0 +1,107 @@
+#include "compiler/driver/model_checker.h"
+
+#include <fstream>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "compiler/driver/files.h"
+#include "compiler/driver/process.h"
+
+namespace rtac::driver {
+namespace {
+
+using protocol::Answer;
+
+// Enough for eight monitors (docs/protocol.md); what takes more is not known.
+constexpr const char* seconds_max = "20";  // for one claim
+constexpr const char* memory_mb_max = "2000";
+constexpr const char* depth_max = "-m1000000";  // steps of a run
+// A run that breaks a claim is told shorter where there is a short one.
+constexpr const char* depth_of_story = "-m400";
+
+class Checker {
+ public:
+  explicit Checker(const protocol::Model& model) : model_(model) {}
+
+  std::vector<Answer> run() {
+    std::string problem = folder_.problem().empty() ? build() : folder_.problem();
+    std::vector<Answer> answers;
+    for (const std::string& claim : model_.claim_names) {
+      answers.push_back(problem.empty() ? ask(claim)
+                                        : Answer{Answer::Kind::unknown, claim, problem});
+    }
+    return answers;
+  }
+
+ private:
+  // Worth the time of the compiler where there are millions of states.
+  [[nodiscard]] const char* optimised() const { return model_.monitors > 5 ? " -O2" : " -O0"; }
+  [[nodiscard]] std::string said() const { return read_file(path("said")).value_or(""); }
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return folder_.path() + "/" + name;
+  }
+  // In the folder: spin and what it makes write where they stand.
+  ProgramResult shell(const std::string& command) const {
+    return run_program({"sh", "-c", "cd \"$0\" && " + command, folder_.path()}, path("said"));
+  }
+  [[nodiscard]] std::string build() const {
+    std::ofstream(path("m.pml"), std::ios::binary) << model_.text();
+    const ProgramResult made = shell("spin -a m.pml");
+    if (!made.started) return "spin cannot be started: " + made.problem;
+    if (made.status == 127) return "`spin` is not installed (`apt-get install spin`)";
+    if (made.status != 0) return "spin does not read the model: " + said();
+    const ProgramResult compiled = shell("${CC:-cc} -w -DMEMLIM=" + std::string(memory_mb_max) +
+                                         optimised() + " -o pan pan.c");
+    return compiled.started && compiled.status == 0 ? "" : "no C compiler (`$CC` or `cc`) works";
+  }
+  ProgramResult search(const char* depth, const std::string& claim) const {
+    return shell(std::string("timeout ") + seconds_max + " ./pan -a -w20 " + depth + " -N " +
+                 claim);
+  }
+  [[nodiscard]] Answer ask(const std::string& claim) const {
+    constexpr int timed_out = 124;
+    const ProgramResult result = search(depth_max, claim);
+    const std::string text = said();
+    const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
+    if (!result.started || result.status == timed_out) {
+      return {Answer::Kind::unknown, claim,
+              std::string("spin has not ended within ") + seconds_max + " s"};
+    }
+    if (has("errors: 0") && !has("max search depth too small") && !has("Search not completed")) {
+      return {Answer::Kind::holds, claim, ""};
+    }
+    if (!has("errors: 0") && has("errors: ")) {
+      return {Answer::Kind::broken, claim, who_takes_turns(claim)};
+    }
+    return {Answer::Kind::unknown, claim, "spin has run out of memory or depth"};
+  }
+  // "`a`, `b`": who drives in the cycle of a run that breaks the claim.
+  [[nodiscard]] std::string who_takes_turns(const std::string& claim) const {
+    (void)search(depth_of_story, claim);
+    (void)shell("spin -t -T -B m.pml");
+    const std::string text = said(), mark = "START OF CYCLE";
+    std::size_t at = text.find(mark);
+    std::set<std::string> names;
+    while (at != std::string::npos) {
+      at = text.find("` drives", at + 1);
+      if (at == std::string::npos) break;
+      const std::size_t begin = text.rfind('`', at - 1);
+      names.insert(text.substr(begin, at - begin + 1));
+    }
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    return all;
+  }
+
+  const protocol::Model& model_;
+  TemporaryFolder folder_;
+};
+
+}  // namespace
+
+std::vector<Answer> check_model(const protocol::Model& model) {
+  return Checker(model).run();
+}
+
+}  // namespace rtac::driver

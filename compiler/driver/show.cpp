@@ -1,0 +1,136 @@
+#include "compiler/driver/show.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/driver/driver.h"
+#include "compiler/driver/files.h"
+
+namespace rtac::driver {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using verify::Kind;
+using verify::Obligation;
+
+// As long as a person waits for an attempt, in core seconds, and how many there are, of all
+// obligations together: large fleets are slow, and partial results are results.
+constexpr int attempt_core_s = 8, attempts_max = 6;
+
+// `yard` of `specs/yard.rta`.
+std::string stem_of(const std::string& path) {
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  const std::size_t dot = name.find_last_of('.');
+  return path == "-" ? "specification" : name.substr(0, dot == 0 ? std::string::npos : dot);
+}
+
+bool about_return(const Obligation& o) {
+  return o.kind == Kind::p2b || o.kind == Kind::joint_return;
+}
+// A run can show it.
+bool in_motion(const Obligation& o) {
+  return o.status == verify::Status::refuted && (about_return(o) || !o.monitor.empty());
+}
+
+// Scenarios in which it would be seen, the likeliest first.
+std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& robots) {
+  Json about = Json::object();
+  if (!o.monitor.empty()) about["about"] = o.monitor;
+  std::vector<Json> all;
+  if (about_return(o)) {
+    constexpr int kept_s = 30;  // no recovery of a fleet that fits its field takes longer to begin
+    about["return_within_s"] = kept_s;
+    about["duration_s"] = 3 * kept_s;
+    about["runs"] = 20;
+    if (o.place_mm) {
+      Json there = about;
+      constexpr double mm_per_m = 1000;
+      there["starts"][robots.front()]["at"] = {static_cast<double>(o.place_mm->first) / mm_per_m,
+                                               static_cast<double>(o.place_mm->second) / mm_per_m};
+      all.push_back(std::move(there));
+    }
+    all.push_back(std::move(about));
+    return all;
+  }
+  Json anywhere = about, tight = std::move(about);
+  anywhere["runs"] = 60;
+  tight["runs"] = 20;
+  tight["starts"] = "tight";
+  tight["duration_s"] = 300;
+  Json deaf = tight, undecided = tight;
+  deaf["duration_s"] = 3600;  // until a recovery that waits for others has spent the charge
+  deaf["deaf_from_s"] = 5;
+  deaf["runs"] = 4;
+  all = {std::move(anywhere), std::move(tight)};
+  if (robots.size() > 1) all.push_back(std::move(deaf));
+  if (o.kind != Kind::p1a) return all;
+  // its errors may be hidden by what other bounds have to spare
+  undecided["undecided"] = true;
+  undecided["duration_s"] = 1;
+  return {std::move(all.front()), std::move(undecided)};
+}
+
+class Showing {
+ public:
+  Showing(const Options& options, Simulator& simulator, Compilation& c)
+      : options_(options), simulator_(simulator), c_(c) {}
+
+  void show(const verify::Decision& d, Obligation& o) {
+    std::vector<std::string> robots;
+    for (const sema::Robot& r : c_.spec->robots) {
+      if ((*c_.spec)[r.kind].name == d.kind) robots.push_back(r.name);
+    }
+    if (robots.empty()) return;
+    int tried = 0;
+    bool cut = false;
+    for (const Json& scenario : aimed_at(o, robots)) {
+      if (attempts_ == attempts_max) break;
+      ++attempts_;
+      ++tried;
+      const std::string file = simulator_.folder() + "/aimed.json";
+      const std::string trace = simulator_.folder() + "/violation.trace";
+      if (!write_all({{file, scenario.dump()}}).empty()) return;
+      std::string table;
+      const int status = simulator_.run({"--scenario", file, "--trace", trace, "--until", "shown",
+                                         "--core-s", std::to_string(attempt_core_s)},
+                                        c_, table);
+      if (status == exit_violation && keep(trace, o)) return;
+      cut = cut || table.find("the time was up") != std::string::npos;
+    }
+    o.not_shown = tried == 0 ? "the time was up"
+                  : cut      ? "no run under attack has shown it until the time was up"
+                             : "no run under attack has shown it";
+  }
+
+ private:
+  bool keep(const std::string& trace, Obligation& o) {
+    const std::string number = kept_ == 0 ? "" : "-" + std::to_string(kept_ + 1);
+    const std::string place = options_.output.empty()
+                                  ? stem_of(options_.spec) + number + ".trace"
+                                  : options_.output + "/violation" + number + ".trace";
+    if (!write_all({{place, read_file(trace).value_or("")}}).empty()) return false;
+    ++kept_;
+    o.trace = place;
+    return true;
+  }
+
+  const Options& options_;
+  Simulator& simulator_;
+  Compilation& c_;
+  int attempts_ = 0, kept_ = 0;
+};
+
+}  // namespace
+
+void show(const Options& options, Simulator& simulator, Compilation& c, verify::Report& report) {
+  Showing showing(options, simulator, c);
+  for (verify::Decision& d : report.decisions) {
+    for (Obligation& o : d.obligations) {
+      if (in_motion(o)) showing.show(d, o);
+    }
+  }
+}
+
+}  // namespace rtac::driver

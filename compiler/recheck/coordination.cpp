@@ -1,0 +1,56 @@
+#include "compiler/recheck/coordination.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "compiler/sema/visit.h"
+
+namespace rtac::recheck {
+
+bool answers_to_inputs(const sema::Expr& property) {
+  bool found = false;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto& n = e.node;
+    found = found || std::holds_alternative<sema::InputRef>(n) ||
+            std::holds_alternative<sema::AgeOf>(n) || std::holds_alternative<sema::SensedAge>(n) ||
+            std::holds_alternative<sema::PointInside>(n) ||
+            std::holds_alternative<sema::PointClearance>(n) ||
+            std::holds_alternative<sema::ZoneOpen>(n) ||
+            std::holds_alternative<sema::WhileOpen>(n) ||
+            std::holds_alternative<sema::IsValue>(n) || std::holds_alternative<sema::SameValue>(n);
+  });
+  return found;
+}
+
+bool shown_to_keep(const sema::Spec& spec, const sema::Decision& d, const Part& part,
+                   const sema::Monitor& driving, const sema::Monitor& judged) {
+  if (!driving.recover) return false;
+  if (judged.recover == driving.recover) return true;
+  if (d.coordinated && answers_to_inputs(*judged.always)) return false;
+  const Entry* const e = find(part, "C", judged.name, spec[*driving.recover].name);
+  return e != nullptr && e->status == "proved" && claim_of(*e, "outranks") == nullptr &&
+         claim_of(*e, "coordinated") == nullptr;
+}
+
+bool in_circle(const sema::Spec& spec, const sema::Decision& d, const Part& part,
+               const sema::Monitor& judged) {
+  std::vector<const sema::Monitor*> left;
+  for (const sema::MonitorId id : d.priority) {
+    left.push_back(&spec[id]);
+    if (left.back() == &judged) break;
+  }
+  // Again and again those are taken away whose recovery keeps all that are left. Who stays then, is
+  // in a circle or leads to one.
+  for (bool again = true; again;) {
+    const std::vector<const sema::Monitor*> all = left;
+    const auto keeps_all = [&](const sema::Monitor* m) {
+      return std::all_of(all.begin(), all.end(), [&](const sema::Monitor* other) {
+        return other == m || shown_to_keep(spec, d, part, *m, *other);
+      });
+    };
+    again = std::erase_if(left, keeps_all) > 0;
+  }
+  return std::find(left.begin(), left.end(), &judged) != left.end();
+}
+
+}  // namespace rtac::recheck

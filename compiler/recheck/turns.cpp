@@ -1,0 +1,168 @@
+#include "compiler/recheck/turns.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "compiler/recheck/coordination.h"
+#include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
+
+namespace rtac::recheck {
+namespace {
+
+template <class Node>
+bool speaks_of(const sema::Expr* e) {
+  bool found = false;
+  if (e == nullptr) return false;
+  sema::for_each_expr(*e, [&](const sema::Expr& part) {
+    found = found || std::holds_alternative<Node>(part.node);
+  });
+  return found;
+}
+
+class Turns {
+ public:
+  Turns(const sema::Spec& spec, const sema::Decision& d, const Part& part, Claims& claims)
+      : spec_(spec), d_(d), part_(part), claims_(claims) {}
+
+  // Recovery i is proved to keep monitor j, and not only because j ranks higher.
+  [[nodiscard]] bool keeps(std::size_t i, std::size_t j) const {
+    return shown_to_keep(spec_, d_, part_, monitor(i), monitor(j));
+  }
+
+  // Where recovery i may return, nothing keeps monitor j from giving control back.
+  bool settles(std::size_t i, std::size_t j) {
+    const sema::Expr& says = *monitor(j).always;
+    bool other = false;
+    sema::for_each_expr(says, [&](const sema::Expr& e) { other = other || asks_for_more(e); });
+    if (other) return false;
+    const auto zones = all_zones(says);
+    return std::all_of(zones.begin(), zones.end(),
+                       [&](sema::ZoneId zone) { return leaves_room(i, zone); });
+  }
+
+  [[nodiscard]] protocol::Subject subject() const {
+    protocol::Subject s;
+    s.decision = d_.name;
+    s.robot = spec_[d_.kind].name;
+    s.advanced = spec_[d_.advanced].name;
+    if (d_.safe) s.safe = spec_[*d_.safe].name;
+    s.on_plan = d_.on_plan;
+    for (std::size_t k = 0; k < d_.priority.size(); ++k) {
+      const sema::Monitor& m = monitor(k);
+      protocol::Monitor of{m.name, m.recover ? recovery(k).name : "", "", 1,
+                           m.return_when != nullptr};
+      if (!d_.on_plan && !m.ahead.waypoints_only) {
+        const Rational ahead = m.ahead.duration ? m.ahead.duration->value : least_ahead(m);
+        of.ahead_ticks = floor_to_int(Rational(ahead / d_.period->value));
+      }
+      s.promises = s.promises || others_in(m);
+      s.monitors.push_back(std::move(of));
+    }
+    if (!d_.on_plan) s.surrenders_to = gives_way();
+    s.coordinated = d_.coordinated && !d_.on_plan;
+    for (std::size_t i = 0; s.coordinated && i < d_.priority.size(); ++i) {
+      s.shown.emplace_back();
+      for (std::size_t j = 0; j < d_.priority.size(); ++j) {
+        const bool own = monitor(i).recover == monitor(j).recover;
+        const bool shown = shown_to_keep(spec_, d_, part_, monitor(i), monitor(j));
+        s.shown.back().push_back(own ? 2 : shown ? 1 : 0);
+      }
+    }
+    return s;
+  }
+
+ private:
+  [[nodiscard]] const sema::Monitor& monitor(std::size_t k) const { return spec_[d_.priority[k]]; }
+  [[nodiscard]] const sema::Controller& recovery(std::size_t k) const {
+    return spec_[*monitor(k).recover];
+  }
+  // What neither rest nor a place in a zone settles.
+  static bool asks_for_more(const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    const auto* logic = std::get_if<sema::Logic>(&e.node);
+    return (signal != nullptr && signal->signal != sema::Signal::speed) ||
+           (logic != nullptr && logic->op != sema::LogicOp::logical_and) ||
+           std::holds_alternative<sema::EnergyTo>(e.node) ||
+           std::holds_alternative<sema::ZoneOpen>(e.node) ||
+           std::holds_alternative<sema::WhileOpen>(e.node);
+  }
+  bool leaves_room(std::size_t i, sema::ZoneId zone) {
+    const auto within = moves_within(recovery(i));
+    const Entry* const back = find(part_, "P2b", monitor(i).name);
+    const Claim* way = back == nullptr ? nullptr : claim_of(*back, "ways");
+    const bool legs = back != nullptr && way == nullptr;
+    if (legs) way = claim_of(*back, "legs");
+    if (within.empty() || way == nullptr) return false;
+    const auto left_mm = number(way->values, legs ? "clearance_mm" : "return_mm");
+    const auto extra_us = number(way->values, "extra_us");
+    if (!left_mm || !extra_us) return false;
+    const Rational extra = Rational(*extra_us) / 1'000'000, left = Rational(*left_mm) / 1000;
+    const Rational more = claims_.return_clearance(d_, zone, extra) - left;
+    if (within.back() == zone) return more <= 0;
+    if (more <= 0) {
+      const auto in = claims_.zones().solid(within.back()), out = claims_.zones().solid(zone);
+      return in && out && in->subtract(*out).empty();
+    }
+    const geometry::Region* const in = claims_.zones().region(within.back());
+    const geometry::Region* const out = claims_.zones().region(zone);
+    return in != nullptr && out != nullptr && out->shrink(more).contains(*in);
+  }
+  // A period, two where the recovery is external (rule 9.1).
+  [[nodiscard]] Rational least_ahead(const sema::Monitor& m) const {
+    const bool external = m.recover && sema::templates_of(spec_[*m.recover]).empty();
+    return d_.period->value * (external ? 2 : 1);
+  }
+  static bool others_in(const sema::Monitor& m) {
+    return speaks_of<sema::ForOthers>(m.always.get()) ||
+           speaks_of<sema::CountOthers>(m.always.get()) ||
+           speaks_of<sema::ForOthers>(m.return_when.get()) ||
+           speaks_of<sema::CountOthers>(m.return_when.get());
+  }
+  [[nodiscard]] std::int64_t gives_way() const {
+    for (std::size_t k = 0; k < d_.priority.size(); ++k) {
+      if (std::holds_alternative<sema::Yield>(recovery(k).implementation)) {
+        return std::int64_t(k) + 1;
+      }
+    }
+    return 1;
+  }
+
+  const sema::Spec& spec_;
+  const sema::Decision& d_;
+  const Part& part_;
+  Claims& claims_;
+};
+
+}  // namespace
+
+std::optional<Doubt> check_turns(const sema::Spec& spec, const sema::Decision& d, const Part& part,
+                                 const Claim& claim, Claims& claims, const ProveModel& prove) {
+  const protocol::Arbitration taken{protocol::table_of(text(claim.values, "keeps")),
+                                    protocol::table_of(text(claim.values, "settles"))};
+  const std::size_t count = d.on_plan ? 0 : d.priority.size();
+  if (taken.keeps.size() != count || taken.settles.size() != count) {
+    return Doubt{true, "its tables are not those of the monitors"};
+  }
+  Turns turns(spec, d, part, claims);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      if (i == j) continue;
+      const std::string pair =
+          "recovery " + std::to_string(i + 1) + " and monitor " + std::to_string(j + 1) + ": ";
+      if (taken.keeps[i][j] && !turns.keeps(i, j)) {
+        return Doubt{true, pair + "it is not proved that it keeps what it says"};
+      }
+      if (taken.settles[i][j] && !turns.settles(i, j)) {
+        return Doubt{true, pair + "where one returns the other may not"};
+      }
+    }
+  }
+  protocol::Subject subject = turns.subject();
+  const auto dwell = number(claim.values, "dwell_ticks");
+  if (!d.on_plan && (!dwell || *dwell < 1)) return Doubt{true, "control returns without a dwell"};
+  subject.dwell_ticks = dwell.value_or(0);
+  return prove(protocol_model(subject, taken, spec.name));
+}
+
+}  // namespace rtac::recheck

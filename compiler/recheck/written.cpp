@@ -1,0 +1,63 @@
+#include "compiler/recheck/written.h"
+
+#include <nlohmann/json.hpp>
+
+namespace rtac::recheck {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string text(const Json& j, const char* key) {
+  const auto at = j.find(key);
+  return at != j.end() && at->is_string() ? at->get<std::string>() : "";
+}
+
+}  // namespace
+
+std::optional<std::vector<Part>> read_report(const std::string& report) {
+  const Json j = Json::parse(report, nullptr, false);
+  if (!j.is_object() || !j.contains("decisions") || !j["decisions"].is_array()) return std::nullopt;
+  std::vector<Part> parts;
+  for (const Json& d : j["decisions"]) {
+    if (!d.is_object() || !d.contains("obligations") || !d["obligations"].is_array()) {
+      return std::nullopt;
+    }
+    Part part{text(d, "decision"), {}};
+    for (const Json& o : d["obligations"]) {
+      if (!o.is_object()) return std::nullopt;
+      Entry e{
+          text(o, "obligation"), text(o, "monitor"), text(o, "recovery"), text(o, "status"), {}};
+      if (o.contains("claims")) {
+        for (const Json& c : o["claims"]) {
+          if (!c.is_object()) return std::nullopt;
+          Claim claim;
+          for (const auto& [key, value] : c.items()) {
+            if (!value.is_string()) return std::nullopt;
+            (key == "claim" ? claim.what : claim.values[key]) = value.get<std::string>();
+          }
+          e.claims.push_back(std::move(claim));
+        }
+      }
+      part.entries.push_back(std::move(e));
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+const Entry* find(const Part& part, const std::string& kind, const std::string& monitor,
+                  const std::string& recovery) {
+  for (const Entry& e : part.entries) {
+    if (e.kind == kind && e.monitor == monitor && e.recovery == recovery) return &e;
+  }
+  return nullptr;
+}
+
+const Claim* claim_of(const Entry& entry, const std::string& what) {
+  for (const Claim& claim : entry.claims) {
+    if (claim.what == what) return &claim;
+  }
+  return nullptr;
+}
+
+}  // namespace rtac::recheck

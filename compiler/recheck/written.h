@@ -1,0 +1,29 @@
+// What a verification.json says.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/recheck/claims.h"
+
+namespace rtac::recheck {
+
+struct Entry {
+  std::string kind, monitor, recovery, status;
+  std::vector<Claim> claims;
+};
+struct Part {
+  std::string decision;
+  std::vector<Entry> entries;
+};
+
+// nullopt: it is no report.
+std::optional<std::vector<Part>> read_report(const std::string& report);
+
+// nullptr: it is not there.
+const Entry* find(const Part& part, const std::string& kind, const std::string& monitor,
+                  const std::string& recovery = "");
+const Claim* claim_of(const Entry& entry, const std::string& what);
+
+}  // namespace rtac::recheck

@@ -1,0 +1,197 @@
+// The switching protocol: that somebody drives, and that recoveries do not take over from each
+// other for ever. docs/protocol.md has the model.
+#include "compiler/verify/turns.h"
+
+#include <algorithm>
+
+#include "compiler/analysis/fences.h"
+#include "compiler/analysis/recovery_places.h"
+#include "compiler/verify/atoms.h"
+#include "compiler/verify/proofs.h"
+#include "compiler/verify/words.h"
+
+namespace rtac::verify {
+namespace {
+
+// Is some property about other robots? Then robots promise each other to stay.
+bool judges_others(const ir::Block& block) {
+  return std::any_of(block.values.begin(), block.values.end(),
+                     [](const ir::Value& v) { return ir::body_of(v.op) != nullptr; });
+}
+bool has_promises(const ir::Decision& d) {
+  const auto& facts = d.facts.monitors;
+  return std::any_of(facts.begin(), facts.end(),
+                     [](const auto& fact) { return judges_others(fact.property); }) ||
+         std::any_of(d.monitors.begin(), d.monitors.end(), [](const ir::Monitor& m) {
+           return judges_others(m.property) || (m.ahead && judges_others(*m.ahead)) ||
+                  (m.return_when && judges_others(*m.return_when));
+         });
+}
+
+// Where recovery i may return, the derived return condition of monitor j holds: others are far, at
+// rest every limit of speed holds, and what recovery i leaves between itself and its zone is enough
+// for the zones of j, which hold that one.
+bool settles(const Subject& s, const std::vector<Need>& needs, std::size_t i, std::size_t j) {
+  if (i == j) return true;
+  const ir::Monitor& m = s.decision.monitors[j];
+  const Atoms atoms = atoms_of(m.property);
+  if (atoms.charge || atoms.energy || atoms.altitude) return false;
+  if (!atoms.clearance) return true;
+  const ir::Recovery& last = ir::last_step(s.decision.monitors[i].recovery);
+  if (last.kind != ir::RecoveryKind::retreat && last.kind != ir::RecoveryKind::route) return false;
+  return std::all_of(m.property.values.begin(), m.property.values.end(),
+                     [](const ir::Value& v) {
+                       return !std::holds_alternative<ir::ZoneThere>(v.op) &&
+                              !std::holds_alternative<ir::Or>(v.op) &&
+                              !std::holds_alternative<ir::Not>(v.op);
+                     }) &&
+         std::all_of(needs.begin(), needs.end(), [&](const Need& need) {
+           const auto zones = analysis::fences_of(m.property, s.decision.facts.params);
+           if (std::find(zones.begin(), zones.end(), need.zone) == zones.end()) return true;
+           const std::int64_t more_mm = need.clearance_mm - last.return_clearance_mm;
+           if (need.zone == last.zone) return more_mm <= 0;
+           if (more_mm <= 0) return lies_in(s, last.zone, need.zone);
+           if (s.module[need.zone].has_height() || s.module[last.zone].has_height()) return false;
+           // its own zone may lie so deep in the other one that it leaves no more itself
+           const auto deep = analysis::within(s.exact(need.zone), more_mm);
+           return deep && deep->contains(s.exact(last.zone));
+         });
+}
+
+// What the specification accepts counts as if it did not happen: pairs that it acknowledges, and
+// recoveries that do not lead out by themselves. Its reasons.
+std::string accept(const ir::Decision& d, protocol::Arbitration& known) {
+  std::string reasons;
+  for (const ir::Acknowledgement& a : d.acknowledgements) {
+    for (std::size_t i = 0; i < d.monitors.size(); ++i) {
+      for (std::size_t j = 0; j < d.monitors.size(); ++j) {
+        if (d.monitors[i].recovery.name != a.recovery || d.monitors[j].name != a.monitor) continue;
+        known.keeps[i][j] = known.settles[i][j] = true;
+        reasons += (reasons.empty() ? "" : "; ") + a.reason;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < d.monitors.size(); ++i) {
+    if (d.monitors[i].hold_reason.empty()) continue;
+    known.settles[i].assign(d.monitors.size(), true);
+    reasons += (reasons.empty() ? "" : "; ") + d.monitors[i].hold_reason;
+  }
+  return reasons;
+}
+
+using Answers = std::vector<protocol::Answer>;
+const protocol::Answer* first(const Answers& answers, protocol::Answer::Kind kind) {
+  const auto at = std::find_if(answers.begin(), answers.end(),
+                               [&](const protocol::Answer& a) { return a.kind == kind; });
+  return at == answers.end() ? nullptr : &*at;
+}
+
+Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answer) {
+  o.status = Status::unknown;
+  if (answer.kind == protocol::Answer::Kind::unknown) {
+    o.because = "`" + answer.claim + "` is not shown: " + answer.why;
+    return o;
+  }
+  o.because = "`" + answer.claim + "` is not shown";
+  if (answer.why.empty()) return o;
+  const bool several = answer.why.find(',') != std::string::npos;
+  o.because += ": in a run of the model " + answer.why +
+               (several ? " take over from each other for ever"
+                        : " drives for one monitor after the other for ever");
+  o.repair =
+      "recoveries that stay within the zones of all monitors, or lead to where all of them "
+      "give control back, work; `rtac protocol` writes the model of " +
+      quoted(s.decision.name);
+  return o;
+}
+
+}  // namespace
+
+protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration& matrix) {
+  const std::vector<Need> needs = needs_of(s);
+  protocol::Arbitration known;
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    known.keeps.emplace_back();
+    known.settles.emplace_back();
+    for (std::size_t j = 0; j < matrix.size(); ++j) {
+      known.keeps.back().push_back(i == j ||
+                                   (matrix[i][j].keeping == analysis::Keeping::kept &&
+                                    keeps_others(s, matrix[i][j], i, j).status == Status::proved));
+      known.settles.back().push_back(settles(s, needs, i, j));
+    }
+  }
+  return known;
+}
+
+protocol::Subject protocol_subject(const ir::Decision& d) {
+  protocol::Subject s;
+  s.decision = d.name;
+  s.robot = d.kind;
+  s.advanced = d.advanced;
+  s.safe = d.safe;
+  s.on_plan = d.on_plan;
+  s.period_us = d.period_us;
+  s.dwell_ticks = d.dwell_ticks;
+  s.promises = has_promises(d);
+  if (!d.on_plan) s.surrenders_to = ir::surrender_mode(d);
+  for (const ir::Monitor& m : d.monitors) {
+    const std::string id = m.requirement_id.empty() ? "" : m.requirement_id + ": ";
+    s.monitors.push_back(
+        {m.name, m.recovery.name,
+         id + m.requirement_text + " (" + m.file + ":" + std::to_string(m.line) + ")",
+         m.lookahead.duration && !d.on_plan ? m.lookahead.duration_us / d.period_us : 1,
+         m.return_when.has_value()});
+  }
+  s.coordinated = d.coordinated;
+  for (const std::vector<ir::Kept>& row : d.keeps) {
+    s.shown.emplace_back();
+    for (const ir::Kept kept : row) s.shown.back().push_back(static_cast<int>(kept));
+  }
+  return s;
+}
+
+Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
+                         const protocol::CheckModel& check) {
+  Obligation o;
+  o.kind = Kind::switching;
+  o.method = "model checker";
+  if (!check) {
+    o.because = "not asked, while something else is refuted";
+    return o;
+  }
+  const protocol::Subject subject = protocol_subject(s.decision);
+  protocol::Arbitration known = known_turns(s, matrix);
+  protocol::Model model = protocol_model(subject, known, s.spec.name);
+  Answers answers = check(model);
+  std::string reasons;
+  if (first(answers, protocol::Answer::Kind::broken) != nullptr) {
+    reasons = accept(s.decision, known);
+    if (!reasons.empty()) {
+      model = protocol_model(subject, known, s.spec.name);
+      answers = check(model);
+    }
+  }
+  if (const auto* broken = first(answers, protocol::Answer::Kind::broken)) {
+    return unknown(std::move(o), s, *broken);
+  }
+  if (const auto* open = first(answers, protocol::Answer::Kind::unknown)) {
+    return unknown(std::move(o), s, *open);
+  }
+  o.status = reasons.empty() ? Status::proved : Status::acknowledged;
+  o.because = !reasons.empty() ? reasons
+              : s.decision.on_plan
+                  ? "in all runs every request is answered once, by a plan that no monitor refuses"
+                  : "in all runs one controller drives, an engaged recovery within its look-ahead, "
+                    "and recoveries do not take over from each other for ever";
+  if (reasons.empty()) {
+    o.model = model.text();
+    o.claims.push_back({"protocol",
+                        {{"decision", s.decision.name},
+                         {"dwell_ticks", std::to_string(s.decision.dwell_ticks)},
+                         {"keeps", protocol::text_of(known.keeps)},
+                         {"settles", protocol::text_of(known.settles)}}});
+  }
+  return o;
+}
+
+}  // namespace rtac::verify

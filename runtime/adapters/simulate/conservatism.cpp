@@ -1,0 +1,345 @@
+#include "conservatism.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "oracle.h"
+#include "rtac/optimize/worst_case.h"
+#include "rtac/sim/math.h"
+#include "run.h"
+#include "track.h"
+
+namespace rtac::simulate {
+namespace {
+
+using sim::Property;
+using sim::TruthState;
+using State = Tightness::State;
+
+constexpr double us_per_s = 1e6;
+constexpr int restarts = 60, starts = 3;
+// Speeds from rest to the greatest one that is certainly within the limits.
+constexpr std::array speeds = {0.0, 0.5, 0.999};
+constexpr std::array angles_rad = {0.0, sim::pi / 3};
+constexpr int directions = 8;
+constexpr int walls_max = 3;  // of those that are found
+constexpr double farthest_m = 1000;
+
+// Where a property fails for the first robot.
+struct Wall {
+  Vec3 at;      // its centre there
+  Vec3 normal;  // unit vector, to where it is false
+};
+
+class Search {
+ public:
+  Search(const DecisionCase& decision, const Kernel::Functions& kernel, std::size_t monitor,
+         double until_s)
+      : d_(decision),
+        monitor_(monitor),
+        property_(decision.properties[monitor]),
+        oracle_(decision, kernel, 0),
+        until_s_(until_s),
+        metres_(1 / sim::steepness_per_m(property_)) {
+    out_.monitor = decision.monitors[monitor].name;
+    out_.ahead_s = static_cast<double>(oracle_.position_age_us() + case_of().horizon_us) / us_per_s;
+  }
+
+  Tightness run() {
+    out_.why_not = unfit();
+    if (out_.why_not.empty() && !find_base()) {
+      out_.why_not = "no place was found where the advanced controller drives";
+    }
+    if (!out_.why_not.empty()) return out_;
+    const std::vector<Wall> walls = find_walls();
+    for (const Wall& wall : walls) {
+      for (const double speed : speeds) {
+        for (const double angle : angles_rad) {
+          if (speed > 0 || angle == 0) look(wall, speed, angle);
+        }
+      }
+    }
+    if (out_.states.empty()) {
+      out_.why_not = out_.complete ? "no state was found that just passes" : "the time was up";
+    }
+    return out_;
+  }
+
+ private:
+  [[nodiscard]] const MonitorCase& case_of() const { return d_.monitors[monitor_]; }
+  [[nodiscard]] std::string unfit() const {
+    if (case_of().horizon_us == 0) return "it does not look ahead by a duration alone";
+    if (!std::isfinite(metres_)) return "it speaks of more than lengths";
+    if (sim::speaks_of(property_, sim::PropertyOp::agent_distance)) return "it speaks of agents";
+    const auto of_others = {sim::PropertyOp::distance, sim::PropertyOp::count,
+                            sim::PropertyOp::forall, sim::PropertyOp::exists};
+    if (std::any_of(of_others.begin(), of_others.end(),
+                    [&](sim::PropertyOp op) { return sim::speaks_of(property_, op); })) {
+      return "motions of other robots are not searched";
+    }
+    if (d_.limits.unicycle) return "motions of a unicycle are not searched";
+    return "";
+  }
+
+  // ---- the property, on true places
+
+  [[nodiscard]] double margin_m(const std::vector<Vec3>& places) const {
+    std::vector<TruthState> truths(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      truths[i].position = {places[i].x, places[i].y};
+      truths[i].height_m = places[i].z;
+    }
+    return metres_ * margin_of(property_, scene_of(d_.surroundings, truths, 0));
+  }
+  // The first robot elsewhere, the others where they are.
+  [[nodiscard]] double margin_m(Vec3 place) const {
+    std::vector<Vec3> places;
+    for (const Moving& robot : base_) places.push_back(robot.position);
+    places.front() = place;
+    return margin_m(places);
+  }
+
+  // ---- states to ask about
+
+  // The widest of places that are drawn, among those where the advanced controller drives.
+  bool find_base() {
+    constexpr std::uint64_t draws = 120;
+    std::vector<std::pair<double, std::vector<Moving>>> found;
+    Scenario anywhere;
+    for (std::uint64_t seed = 1; seed <= draws; ++seed) {
+      Setup setup;
+      if (make_setup(d_, anywhere, seed, setup)) return false;
+      base_.clear();
+      for (const RobotStart& s : setup.starts) {
+        base_.push_back({{s.place.x, s.place.y, s.height_m}, {}, s.heading_rad});
+      }
+      found.emplace_back(least_margin(), base_);
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (const auto& [margin, robots] : found) {
+      base_ = robots;
+      if (oracle_.settle(base_)) return true;
+    }
+    return false;
+  }
+  // Of all properties.
+  [[nodiscard]] double least_margin() const {
+    std::vector<TruthState> truths(base_.size());
+    for (std::size_t i = 0; i < base_.size(); ++i) {
+      truths[i].position = {base_[i].position.x, base_[i].position.y};
+      truths[i].height_m = base_[i].position.z;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (const Property& p : d_.properties) {
+      least = std::min(least, margin_of(p, scene_of(d_.surroundings, truths, 0)));
+    }
+    return least;
+  }
+
+  [[nodiscard]] std::vector<Vec3> ways() const {
+    std::vector<Vec3> all;
+    for (int k = 0; k < directions; ++k) {
+      const sim::SinCos turn = sim::sin_cos(2 * sim::pi * k / directions);
+      all.push_back({turn.cos, turn.sin, 0});
+    }
+    if (d_.limits.in_space) all.insert(all.begin(), {{0, 0, 1}, {0, 0, -1}});
+    return all;
+  }
+  // Where the property fails on the way there, and which way it falls fastest.
+  [[nodiscard]] std::optional<Wall> wall(Vec3 way) const {
+    const Vec3 here = base_.front().position;
+    double inside = 0, outside = 0.05;
+    while (margin_m(here + outside * way) >= 0) {
+      inside = outside;
+      outside *= 1.1;
+      if (outside > farthest_m) return std::nullopt;
+    }
+    constexpr double near_m = 1e-7;
+    while (outside - inside > near_m) {
+      const double middle = (inside + outside) / 2;
+      (margin_m(here + middle * way) >= 0 ? inside : outside) = middle;
+    }
+    const Vec3 at = here + inside * way;
+    constexpr double step_m = 1e-4;
+    const auto slope = [&](Vec3 axis) {
+      return margin_m(at + step_m * axis) - margin_m(at - step_m * axis);
+    };
+    const Vec3 rise{slope({1, 0, 0}), slope({0, 1, 0}), d_.limits.in_space ? slope({0, 0, 1}) : 0};
+    const double size = norm(rise);
+    if (!(size > step_m / 2)) return std::nullopt;
+    return Wall{at, (-1 / size) * rise};
+  }
+  [[nodiscard]] std::vector<Wall> find_walls() const {
+    std::vector<Wall> walls;
+    for (const Vec3& way : ways()) {
+      const auto found = wall(way);
+      constexpr double same = 1e-3;
+      const bool known = std::any_of(walls.begin(), walls.end(), [&](const Wall& w) {
+        return !found || norm(w.normal - found->normal) < same;
+      });
+      if (found && !known && walls.size() < walls_max) walls.push_back(*found);
+    }
+    return walls;
+  }
+
+  // The robot so far from the wall, with that speed at that angle from the normal.
+  [[nodiscard]] std::vector<Moving> asked(const Wall& wall, double away_m, double speed_mps,
+                                          double angle) const {
+    std::vector<Moving> robots = base_;
+    const Frame frame = frame_of(wall.at, wall.normal, {});
+    const sim::SinCos turn = sim::sin_cos(angle);
+    robots.front().position = wall.at - away_m * wall.normal;
+    robots.front().velocity = speed_mps * (turn.cos * wall.normal + turn.sin * frame.aside);
+    robots.front().heading_rad =
+        sim::angle_of({robots.front().velocity.x, robots.front().velocity.y});
+    return robots;
+  }
+  // The nearest state to the wall, of those that are looked at, that passes; none: nothing does.
+  std::optional<std::vector<Moving>> just_passing(const Wall& wall, double speed, double angle) {
+    const double speed_mps = speed * d_.limits.speed_mps;
+    const auto passes = [&](double away_m) {
+      return oracle_.passes(asked(wall, away_m, speed_mps, angle), monitor_);
+    };
+    constexpr int steps = 48;
+    const double step_m = 2 * generous_m() / steps;
+    int k = 1;
+    while (k <= steps && !passes(k * step_m)) ++k;
+    if (k > steps) return std::nullopt;
+    double bad = (k - 1) * step_m, good = k * step_m;
+    constexpr double near_m = 1e-5;  // the kernel counts in mm
+    while (good - bad > near_m) {
+      const double middle = (good + bad) / 2;
+      (passes(middle) ? good : bad) = middle;
+    }
+    return asked(wall, good, speed_mps, angle);
+  }
+  // What no look-ahead asks for more than.
+  [[nodiscard]] double generous_m() const {
+    const RobotLimits& l = d_.limits;
+    const double fastest = l.speed_mps + l.velocity_error_mps;
+    const double brake = l.brake_mps2 - l.disturbance_mps2;
+    return l.position_error_m + fastest * (out_.ahead_s + fastest / (2 * brake)) * 1.5 + 0.5;
+  }
+
+  // ---- the worst from there
+
+  [[nodiscard]] ReachProblem problem_of(const Moving& robot, const Frame& frame,
+                                        double apart_s) const {
+    const RobotLimits& l = d_.limits;
+    const auto along = [&](Vec3 axis) {
+      return robot.velocity.x * axis.x + robot.velocity.y * axis.y + robot.velocity.z * axis.z;
+    };
+    ReachProblem q;
+    q.position = {0, 0};
+    q.velocity = {along(frame.across), along(frame.aside)};
+    q.position_error_m = l.position_error_m;
+    // what pushes it pushes it on, and takes from its brake
+    q.accel_mps2 = l.accel_mps2 + l.disturbance_mps2;
+    q.brake_mps2 = l.brake_mps2 - l.disturbance_mps2;
+    // it may have changed before the position was measured
+    q.velocity_error_mps = l.velocity_error_mps + apart_s * q.accel_mps2;
+    q.speed_mps = l.speed_mps;
+    q.horizon_s = out_.ahead_s;
+    q.normal = {1, 0};
+    q.starts = starts;
+    return q;
+  }
+  // The least margin along a motion of the first robot.
+  [[nodiscard]] double least_along(const std::vector<Moving>& robots, const Track& track) const {
+    constexpr int looks = 64;
+    std::vector<Vec3> places;
+    for (const Moving& robot : robots) places.push_back(robot.position);
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= looks; ++k) {
+      places.front() = track.at(track.end_s() * k / looks);
+      least = std::min(least, margin_m(places));
+    }
+    return least;
+  }
+  void look(const Wall& wall, double speed, double angle) {
+    if (core_seconds() > until_s_) {
+      out_.complete = false;
+      return;
+    }
+    const auto robots = just_passing(wall, speed, angle);
+    if (!robots) return;
+    State state;
+    const Moving& robot = robots->front();
+    state.speed_mps = norm(robot.velocity);
+    state.angle_rad = angle;
+    state.bound_m = margin_m(robot.position);
+    if (!(state.bound_m > 0)) return;
+    const Frame frame = frame_of(robot.position, wall.normal, robot.velocity);
+    const double apart_s =
+        static_cast<double>(oracle_.velocity_age_us() - oracle_.position_age_us()) / us_per_s;
+    const ReachProblem problem = problem_of(robot, frame, apart_s);
+    state.found_m = -std::numeric_limits<double>::infinity();
+    const auto take = [&](const WorstCase& found, const char* by) {
+      if (found.positions_m.empty()) return;
+      const double used = state.bound_m - least_along(*robots, {frame, problem, found, 0});
+      if (!(used > state.found_m)) return;
+      state.found_m = used;
+      state.by = by;
+    };
+    const WorstCase searched = worst_case(problem);
+    out_.searches += problem.starts;
+    if (searched.status == SearchStatus::converged)
+      take(searched, "Ipopt");
+    else
+      out_.failures += problem.starts;
+    take(worst_case_by_restarts(problem, restarts), "restarts");
+    if (*state.by != '\0') out_.states.push_back(state);
+  }
+
+  const DecisionCase& d_;
+  std::size_t monitor_;
+  const Property& property_;
+  Oracle oracle_;
+  double until_s_, metres_;
+  std::vector<Moving> base_;
+  Tightness out_;
+};
+
+}  // namespace
+
+std::vector<Tightness> measure_tightness(const DecisionCase& decision,
+                                         const Kernel::Functions& kernel, double core_s) {
+  std::vector<Tightness> all;
+  const double begin_s = core_seconds();
+  const auto count = static_cast<double>(decision.monitors.size());
+  for (std::size_t m = 0; m < decision.monitors.size(); ++m) {
+    const double until_s = begin_s + core_s * static_cast<double>(m + 1) / count;
+    all.push_back(Search(decision, kernel, m, until_s).run());
+  }
+  return all;
+}
+
+std::string tightness_json(const DecisionCase& decision, const std::vector<Tightness>& all) {
+  using Json = nlohmann::ordered_json;
+  Json j{{"decision", decision.name}, {"monitors", Json::array()}};
+  for (const Tightness& t : all) {
+    Json m{{"monitor", t.monitor}};
+    if (!t.why_not.empty()) m["why_not"] = t.why_not;
+    m["searches"] = t.searches;
+    m["failures"] = t.failures;
+    m["ahead_s"] = t.ahead_s;
+    m["complete"] = t.complete;
+    m["states"] = Json::array();
+    for (const State& s : t.states) {
+      m["states"].push_back({{"speed_mps", s.speed_mps},
+                             {"angle_deg", s.angle_rad * 180 / sim::pi},
+                             {"bound_m", s.bound_m},
+                             {"found_m", s.found_m},
+                             {"by", s.by}});
+    }
+    j["monitors"].push_back(std::move(m));
+  }
+  return j.dump() + "\n";
+}
+
+}  // namespace rtac::simulate

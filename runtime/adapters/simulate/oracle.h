@@ -1,0 +1,49 @@
+// A compiled decision that is asked one thing: would it let the advanced controller go on here?
+#pragma once
+
+#include <vector>
+
+#include "kernel.h"
+
+namespace rtac::simulate {
+
+// A robot as it is measured, or as it is.
+struct Moving {
+  Vec3 position, velocity;  // m, m/s
+  double heading_rad = 0, battery = 1;
+};
+
+class Oracle {
+ public:
+  // Of the robot `self`. All of it outlives the oracle.
+  Oracle(const DecisionCase& decision, const Kernel::Functions& kernel, int self);
+  Oracle(const Oracle&) = delete;
+  Oracle& operator=(const Oracle&) = delete;
+
+  // From where it asks from now on: a state of all robots in which control is with the advanced
+  // controller after a while. False: it never is, and the one before stays.
+  bool settle(const std::vector<Moving>& robots);
+  // The look-ahead of a monitor passes in the tick after, with samples as old as they may be.
+  bool passes(const std::vector<Moving>& robots, std::size_t monitor);
+
+  // Ages of the samples that it is asked with.
+  [[nodiscard]] TimeUs position_age_us() const { return position_age_us_; }
+  [[nodiscard]] TimeUs velocity_age_us() const { return velocity_age_us_; }
+
+ private:
+  [[nodiscard]] Observation seen(const std::vector<Moving>& robots, TimeUs now_us) const;
+  int ticks_until_advanced(const std::vector<Moving>& robots);
+
+  const DecisionCase& decision_;
+  int self_;
+  TimeUs position_age_us_, velocity_age_us_;
+  sim::Surroundings surroundings_;  // of a crowd that nobody asks
+  std::vector<sim::TruthState> truths_;
+  sim::Tape tape_;
+  sim::Crowd crowd_;
+  KernelDecision kernel_;
+  std::vector<Moving> settled_;
+  int ticks_ = 0;
+};
+
+}  // namespace rtac::simulate

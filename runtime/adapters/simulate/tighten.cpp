@@ -1,0 +1,64 @@
+#include "tighten.h"
+
+#include <algorithm>
+
+#include "oracle.h"
+
+namespace rtac::simulate {
+namespace {
+
+constexpr int halvings = 12;
+// Of a large fleet, only so many batteries: the others do not matter to them.
+constexpr std::size_t robots_max = 8;
+
+bool speaks(const DecisionCase& d, sim::PropertyOp op) {
+  return std::any_of(d.properties.begin(), d.properties.end(),
+                     [&](const sim::Property& p) { return speaks_of(p, op); });
+}
+
+// The last of `robots` for which control is given, on the way of `change` from 0 to 1.
+template <class Change>
+void go_on(Oracle& oracle, std::vector<Moving>& robots, const Change& change) {
+  if (!oracle.settle(robots)) return;
+  const std::vector<Moving> before = robots;
+  double good = 0, bad = 1;
+  for (int k = 0; k < halvings; ++k) {
+    const double share = (good + bad) / 2;
+    std::vector<Moving> next = before;
+    change(next, share);
+    if (oracle.settle(next)) {
+      good = share;
+      robots = std::move(next);
+    } else {
+      bad = share;
+    }
+  }
+}
+
+}  // namespace
+
+void tighten(const DecisionCase& d, const Kernel::Functions& kernel, Setup& setup) {
+  std::vector<Moving> robots;
+  for (const RobotStart& s : setup.starts) {
+    robots.push_back({{s.place.x, s.place.y, s.height_m}, {}, s.heading_rad, s.battery});
+  }
+  if (robots.size() > 1 && speaks(d, sim::PropertyOp::distance)) {
+    Oracle oracle(d, kernel, 0);
+    const Vec3 from = robots[0].position, way = robots[1].position - from;
+    go_on(oracle, robots,
+          [&](std::vector<Moving>& next, double share) { next[0].position = from + share * way; });
+  }
+  const bool charge = speaks(d, sim::PropertyOp::battery) || speaks(d, sim::PropertyOp::energy_to);
+  for (std::size_t i = 0; charge && i < std::min(robots.size(), robots_max); ++i) {
+    Oracle oracle(d, kernel, static_cast<int>(i));
+    const double full = robots[i].battery;
+    go_on(oracle, robots,
+          [&](std::vector<Moving>& next, double share) { next[i].battery = (1 - share) * full; });
+  }
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    setup.starts[i].place = {robots[i].position.x, robots[i].position.y};
+    setup.starts[i].battery = robots[i].battery;
+  }
+}
+
+}  // namespace rtac::simulate

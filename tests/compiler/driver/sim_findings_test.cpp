@@ -1,0 +1,68 @@
+// What a scenario may ask for besides violations: whether control is given back in time, and what
+// one monitor alone comes to.
+#include <cstdlib>
+
+#include "tests/compiler/driver/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Findings : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+  // The drone of the golden cases, whose recovery is `recovery`.
+  static Outcome simulated(const std::string& recovery, const std::string& scenario) {
+    std::string text = drone_spec();
+    if (!recovery.empty()) {
+      text = edited(text, "controller back_off",
+                    "controller stay : safe for Drone = brake_and_hold;\ncontroller back_off");
+      text = edited(text, "recover back_off;", "recover " + recovery + ";");
+    }
+    write("spec.rta", text);
+    write("s.json", scenario);
+    return rtac({"sim", "spec.rta", "--scenario", "s.json", "--trace", "found.trace"});
+  }
+};
+constexpr const char* ten_seconds =
+    R"({"runs": 4, "duration_s": 40, "return_within_s": 10, "about": "walls"})";
+
+TEST_F(Findings, WhatOnlyStandsIsNotGivenBack) {
+  const Outcome o = simulated("stay; hold when violated \"a test\"", ten_seconds);
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_NE(o.out.find("not given back: "), std::string::npos) << o.out;
+  const Outcome again = rtac({"sim", "spec.rta", "--replay", "found.trace"});
+  EXPECT_EQ(again.status, exit_violation) << again.out << again.err;
+  EXPECT_NE(again.out.find("not given back: "), std::string::npos) << again.out;
+}
+
+TEST_F(Findings, WhatRetreatsIsGivenBack) {
+  const Outcome o = simulated("", ten_seconds);
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_FALSE(fs::exists("found.trace"));
+}
+
+// Decided in every period, which its look-ahead covers.
+TEST_F(Findings, ASoundLookAheadLeavesNothingUndecided) {
+  const Outcome o =
+      simulated("", R"({"runs": 2, "duration_s": 2, "undecided": true, "about": "walls"})");
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
+// From where little is left, and without hearing anybody, a sound decision keeps what it says.
+TEST_F(Findings, TightStartsOfASoundSpecificationAreSurvived) {
+  const Outcome o =
+      simulated("", R"({"runs": 6, "duration_s": 10, "starts": "tight", "deaf_from_s": 1})");
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
+TEST_F(Findings, ScenariosNameMonitorsThatExist) {
+  EXPECT_EQ(simulated("", R"({"about": "ceiling"})").status, exit_usage);
+  EXPECT_EQ(simulated("", R"({"return_within_s": 0})").status, exit_usage);
+  EXPECT_EQ(simulated("", R"({"undecided": 1})").status, exit_usage);
+}
+
+}  // namespace
+}  // namespace rtac::driver::test

@@ -1,0 +1,124 @@
+// `rtac verify --conservatism`: how much of what monitors keep free is needed. The targets are
+// those that a look-ahead has to meet to be worth something; more than all of it is a refutation.
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/compiler/driver/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* drone_in_a_room = R"(spec tight;
+zone room = rectangle (0 m, 0 m) to (8 m, 6 m);
+robot Drone {
+  body    radius 10 cm;
+  motion  point { speed <= 1.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 0 cm   max_age 20 ms;
+  sense   velocity : vector error 0 cm/s max_age 20 ms;
+  output  thrust : acceleration;
+  latency 2 ms;
+}
+fleet d1 : Drone;
+controller pilot   : advanced for Drone extern;
+controller inwards : safe for Drone = retreat within room speed 0.3 m/s;
+monitor walls for d : Drone { "SR-1: in the room" always d inside room; ahead 100 ms; recover inwards; }
+decision fly for Drone { advanced pilot; period 5 ms; priority walls; }
+)";
+
+class ConservatismTest : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+  static Outcome measured(const std::string& text, const std::vector<std::string>& more = {}) {
+    write("spec.rta", text);
+    std::vector<std::string> words = {"verify", "spec.rta", "--conservatism", "--format", "json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return rtac(words);
+  }
+  // Of the only monitor.
+  static double share(const Outcome& o) {
+    const Json of = Json::parse(o.out)["decisions"][0]["conservatism"][0];
+    EXPECT_TRUE(of["measured"].get<bool>()) << of;
+    EXPECT_EQ(of["failures"].get<int>(), 0) << of;
+    EXPECT_TRUE(of["complete"].get<bool>()) << of;
+    return of.value("share", 0.0);
+  }
+};
+
+TEST_F(ConservatismTest, OfAPointMassWithoutNoise) {
+  const Outcome o = measured(drone_in_a_room);
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_GE(share(o), 0.95) << o.out;
+  EXPECT_LE(share(o), 1) << o.out;
+}
+
+TEST_F(ConservatismTest, OfAPointMassWithNoiseAndDisturbance) {
+  std::string text = edited(drone_in_a_room, "error 0 cm ", "error 2 cm ");
+  text = edited(text, "error 0 cm/s", "error 2 cm/s");
+  text = edited(text, "brake >= 1 m/s^2;", "brake >= 1 m/s^2; disturbance <= 0.1 m/s^2;");
+  const Outcome o = measured(text);
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_GE(share(o), 0.6) << o.out;
+  EXPECT_LE(share(o), 1) << o.out;
+}
+
+// With noise, floors and ceilings among the walls.
+TEST_F(ConservatismTest, OfAPointMassInSpace) {
+  const Outcome o = measured(spec_text("tests/golden/space_fence/spec.rta"));
+  EXPECT_GE(share(o), 0.6) << o.out << o.err;
+  EXPECT_LE(share(o), 1) << o.out << o.err;
+}
+
+// A measure that cannot refute would say nothing.
+TEST_F(ConservatismTest, UnsoundVariantsAreRefuted) {
+  for (const char* mutant : {"no-radius"}) {
+    const Outcome o = measured(drone_in_a_room, {"--mutate", mutant});
+    EXPECT_EQ(o.status, exit_violation) << mutant << o.out << o.err;
+    EXPECT_GT(share(o), 1) << mutant << o.out;
+    EXPECT_NE(o.out.find("mm too far"), std::string::npos) << mutant << o.out;
+  }
+}
+
+// Declared so: told, and not counted against it.
+TEST_F(ConservatismTest, AnUnsoundLookAheadIsAcknowledged) {
+  const std::string text =
+      edited(drone_in_a_room, "ahead 100 ms", "ahead 1 ms unsound \"to see what happens\"");
+  const Outcome o = measured(text);
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
+// Without a simulator nothing is measured, and that is said.
+TEST_F(ConservatismTest, WithoutASimulatorItIsNotMeasured) {
+  ::setenv("RTAC_SIM", "/nowhere/rtac-sim", 1);
+  const Outcome o = measured(drone_in_a_room);
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  const Json of = Json::parse(o.out)["decisions"][0]["conservatism"][0];
+  EXPECT_FALSE(of["measured"].get<bool>()) << of;
+  EXPECT_FALSE(of.contains("share")) << of;
+}
+
+// Others move as well, and nobody has searched how: no number is better than a wrong one.
+TEST_F(ConservatismTest, WhatOtherRobotsDoIsNotMeasured) {
+  const std::string path =
+      std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/crowd.rta";
+  const Outcome o =
+      rtac({"verify", path, "--conservatism", "--format", "json", "-o", "certificates"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  const Json of = Json::parse(o.out)["decisions"][0]["conservatism"][0];
+  EXPECT_FALSE(of["measured"].get<bool>()) << of;
+}
+
+TEST_F(ConservatismTest, AsksForSenseOnly) {
+  write("spec.rta", drone_in_a_room);
+  EXPECT_EQ(rtac({"verify", "spec.rta", "--mutate", "no-radius"}).status, exit_usage);
+  EXPECT_EQ(measured(drone_in_a_room, {"--mutate", "nothing-of-the-kind"}).status, exit_usage);
+  EXPECT_EQ(rtac({"verify", "--recheck", "certificates", "-o", "elsewhere"}).status, exit_usage);
+  EXPECT_EQ(rtac({"verify", "--recheck", "certificates", "--conservatism"}).status, exit_usage);
+}
+
+}  // namespace
+}  // namespace rtac::driver::test

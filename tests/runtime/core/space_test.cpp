@@ -1,0 +1,48 @@
+// A retreat in space finds its way however long it is: in a hall of a kilometre that widens from 2
+// m to 3 m, every place with enough clearance is hundreds of metres away.
+#include "rtac/safe/space.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/runtime/core/test_plants.h"
+#include "tests/runtime/core/test_zone.h"
+
+namespace rtac::safe {
+namespace {
+
+// Whether a robot that has come to rest sets out.
+bool sets_out(const Setting& setting, Vec2 from, double height_m) {
+  RetreatInSpace retreat(setting);
+  Observation seen;
+  seen.height_m = height_m;
+  seen.position.value = from;
+  retreat.engage(seen);
+  bool held = false;
+  for (TimeUs now_us = 0; now_us < 5'000'000; now_us += setting.period_us) {
+    seen.now_us = seen.position.stamp_us = seen.velocity.stamp_us = now_us;
+    (void)retreat.command(seen, Gate::free);
+    if (held && !retreat.holding()) return true;
+    held = held || retreat.holding();
+  }
+  return false;
+}
+
+TEST(RetreatInSpace, SeesAPlaceAtTheEndOfALongCorridor) {
+  const test::TestZone corridor({{{0, 0}, {200'000, 0}, {200'000, 1'000}, {0, 800}}}, 40);
+  const SlabView slab{&corridor.view(), 0, 4};
+  const SolidView solid{"corridor", &slab, 1};
+  Setting setting;
+  setting.limits = test::drone_limits();
+  setting.limits.in_space = true;
+  setting.period_us = 50'000;
+  setting.speed_mps = 0.5;
+  setting.route_clearance_m = 0.4;
+  setting.return_clearance_m = 0.45;
+  setting.solid = &solid;
+  EXPECT_TRUE(sets_out(setting, {1, 0.4}, 2));
+  setting.return_clearance_m = 0.6;  // nowhere
+  EXPECT_FALSE(sets_out(setting, {1, 0.4}, 2));
+}
+
+}  // namespace
+}  // namespace rtac::safe
