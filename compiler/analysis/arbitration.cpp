@@ -7,6 +7,7 @@
 #include "compiler/analysis/liveness.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
@@ -14,11 +15,8 @@ namespace {
 std::string seconds_text(const Rational& s) {
   return to_decimal(Rational(ceil_to_int(Rational(s * 10)), 10)) + " s";
 }
-std::string metres(const Rational& m) {
+std::string about_metres(const Rational& m) {
   return to_decimal(Rational(ceil_to_int(Rational(m * 100)), 100)) + " m";
-}
-std::string quoted(const std::string& name) {
-  return "`" + name + "`";
 }
 
 // What a recovery may do to the property of another monitor of its decision.
@@ -218,9 +216,10 @@ class Pair {
     }
     if (metres_most > kind_.energy->detour.value) {
       entry_.why =
-          quoted(recovery_.name) + " may drive " + metres(metres_most) +
-          ", and the charge reckons with `detour <= " + metres(kind_.energy->detour.value) + "`";
-      entry_.help = "`detour <= " + metres(metres_most) + "` works";
+          quoted(recovery_.name) + " may drive " + about_metres(metres_most) +
+          ", and the charge reckons with `detour <= " + about_metres(kind_.energy->detour.value) +
+          "`";
+      entry_.help = "`detour <= " + about_metres(metres_most) + "` works";
       return false;
     }
     return true;

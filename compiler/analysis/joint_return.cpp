@@ -8,6 +8,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/repairs.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
@@ -16,10 +17,6 @@ using geometry::Region;
 
 // What offsets of regions round, in mm.
 constexpr std::int64_t rounded_mm = 3;
-
-std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(mm, 1000)) + " m";
-}
 
 // In the message, and in that of no other report of its code.
 constexpr const char* together = " can never hand control back together with ";

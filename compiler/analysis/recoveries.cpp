@@ -11,22 +11,12 @@
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/widening.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
 
 using diag::Code;
-
-std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(mm, 1000)) + " m";
-}
-std::string millis(std::int64_t us) {
-  return to_decimal(Rational(us, 1000)) + " ms";
-}
-
-std::string place(std::int64_t x_mm, std::int64_t y_mm) {
-  return "(" + metres(x_mm) + ", " + metres(y_mm) + ")";
-}
 
 // A part of fewer cells is a notch: whoever has stopped in it sees what lies beside it.
 constexpr std::int64_t stranded_cells_least = 4;

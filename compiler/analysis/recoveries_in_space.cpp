@@ -8,6 +8,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
@@ -15,12 +16,6 @@ namespace {
 using diag::Code;
 using Found = std::optional<diag::Diagnostic>;
 
-std::string metres(const Rational& m) {
-  return to_decimal(m) + " m";
-}
-std::string metres(std::int64_t mm) {
-  return metres(Rational(static_cast<long>(mm), 1000));
-}
 Rational thousandths(std::int64_t mm) {
   Rational m(static_cast<long>(mm), 1000);
   m.canonicalize();

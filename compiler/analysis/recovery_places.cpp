@@ -8,6 +8,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/ways_in.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
@@ -17,9 +18,6 @@ using geometry::Region;
 // What offsets of regions round, in mm, and a snapped zone does: less than a hold strays.
 constexpr std::int64_t rounded_mm = 5;
 
-std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(mm, 1000)) + " m";
-}
 std::string area(const Region& region) {
   const std::int64_t square_mm = ceil_to_int(Rational(region.area() * 1'000'000));
   return to_decimal(Rational(square_mm, 1'000'000)) + " m^2";

@@ -7,6 +7,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
@@ -16,13 +17,6 @@ using Finding = std::optional<diag::Diagnostic>;
 
 // A robot counts as parked within this of its site, in mm: the route's tests hold it.
 constexpr std::int64_t parked_mm = 100;
-
-std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(mm, 1000)) + " m";
-}
-std::string percent(std::int64_t ppm) {
-  return to_decimal(Rational(ppm, 10'000)) + " %";
-}
 
 std::int64_t div_up(std::int64_t a, std::int64_t b) {
   return (a + b - 1) / b;

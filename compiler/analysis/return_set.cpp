@@ -9,19 +9,13 @@
 #include "compiler/analysis/timing.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
 
 // No zone gets so much wider.
 constexpr std::int64_t wider_most_mm = 1'000'000;
-
-std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(mm, 1000)) + " m";
-}
-std::string millis(std::int64_t us) {
-  return to_decimal(Rational(us, 1000)) + " ms";
-}
 
 // Where a monitor hands back: in the zone that its recovery retreats in, or else in the narrowest
 // one that its property keeps the robot in. none: its property does not speak of places.

@@ -15,20 +15,15 @@
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/travel.h"
+#include "compiler/analysis/vacuous.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
 
 using diag::Code;
-
-std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(mm, 1000)) + " m";
-}
-std::string place(std::int64_t x_mm, std::int64_t y_mm) {
-  return "(" + metres(x_mm) + ", " + metres(y_mm) + ")";
-}
 
 // Value of the cell that holds (x, y); nullopt beyond the table.
 std::optional<std::size_t> cell_at(const ir::Cells& cells, std::int64_t x_mm, std::int64_t y_mm) {
@@ -73,6 +68,7 @@ class WellFormed {
           diagnostics_.report(std::move(*found));
         }
         site(decided, monitor);
+        vacuous(decision, monitor);
       }
     }
   }
@@ -85,6 +81,19 @@ class WellFormed {
       return diag::info(d.code).severity == diag::Severity::error && d.range && found.range &&
              d.range->file == found.range->file && d.range->begin == found.range->begin;
     });
+  }
+  void vacuous(const ir::Decision& decision, const ir::Monitor& monitor) {
+    const Vacuity vacuity = vacuity_of(module_, decision, monitor.property);
+    if (vacuity.can_fail != CanFail::no) return;
+    diag::Diagnostic d{};
+    d.code = Code::monitor_vacuous;
+    d.range = monitor.property[monitor.property.result].source;
+    d.message = "the monitor `" + monitor.name + "` is never false, whatever the robots do";
+    d.label = "finds nothing";
+    for (const std::string& limit : vacuity.because) d.notes.push_back({std::nullopt, limit});
+    d.help = d.notes.empty() ? "a property that depends on the robot works"
+                             : "a limit on the other side of that works";
+    diagnostics_.report(std::move(d));
   }
   // A recovery searches cells: in a large zone they are wide, and all of a cell counts for as clear
   // as its worst place. Cells as narrow as can be are not asked: what they miss, straight ways

@@ -13,15 +13,13 @@
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/schedule.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
 
 using diag::Code;
 
-std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(mm, 1000)) + " m";
-}
 // Rounded up to tenths.
 std::string seconds(std::int64_t us) {
   return to_decimal(Rational((us + 99'999) / 100'000, 10)) + " s";

@@ -13,16 +13,13 @@
 #include "compiler/geometry/united.h"
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/visit.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
 
 using diag::Code;
 using sema::ZoneId;
-
-std::string metres(const Rational& value) {
-  return to_decimal(value) + " m";
-}
 
 class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
  public:

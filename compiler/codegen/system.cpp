@@ -11,7 +11,7 @@ namespace {
 
 using namespace ir;
 
-std::string metres(std::int64_t mm) {
+std::string real_metres(std::int64_t mm) {
   return real(Rational(static_cast<long>(mm), 1000));
 }
 
@@ -140,11 +140,11 @@ class SystemPrinter {
     for (const Monitor& m : d().monitors) {
       return_mm = std::max(return_mm, m.recovery.return_clearance_mm);
     }
-    body.line("static constexpr double return_clearance_m = " + metres(return_mm) + ";");
-    body.line("static constexpr double cruise_clearance_m = " + metres(d().cruise_clearance_mm) +
-              ";");
+    body.line("static constexpr double return_clearance_m = " + real_metres(return_mm) + ";");
+    body.line("static constexpr double cruise_clearance_m = " +
+              real_metres(d().cruise_clearance_mm) + ";");
     body.line("static constexpr double pass_gap_m = " +
-              metres(d().monitors[0].recovery.pass_gap_mm) + ";")
+              real_metres(d().monitors[0].recovery.pass_gap_mm) + ";")
         .blank();
     body.block("static const char* robot_name(int robot)", [&](Code& f) {
       std::string names;
@@ -159,7 +159,8 @@ class SystemPrinter {
       body.block("static rtac::Vec2 " + names_(s.name) + "(int robot)", [&](Code& f) {
         std::string places;
         for (const auto& p : s.places) {
-          places += (places.empty() ? "{" : ", {") + metres(p.x_mm) + ", " + metres(p.y_mm) + "}";
+          places += (places.empty() ? "{" : ", {") + real_metres(p.x_mm) + ", " +
+                    real_metres(p.y_mm) + "}";
         }
         f.line("static const rtac::Vec2 places[] = {" + places + "};");
         f.line("return places[robot];");
@@ -301,7 +302,7 @@ class SystemPrinter {
   std::string arguments_of(const Recovery& r) const {
     if (r.kind == RecoveryKind::brake) return "standing()";
     if (r.kind == RecoveryKind::land) {
-      return "landing(" + metres(r.speed_mmps) + ", " + metres(r.land_mm) + ")";
+      return "landing(" + real_metres(r.speed_mmps) + ", " + real_metres(r.land_mm) + ")";
     }
     if (r.kind == RecoveryKind::external) return "standing(), " + claim_of(r);
     if (r.kind == RecoveryKind::sequence) {
@@ -313,9 +314,10 @@ class SystemPrinter {
       }
       return steps;
     }
-    std::string text = "setting(" + metres(r.speed_mmps) + ", " + names_(module_[r.zone].name) +
-                       "_zone(), " + metres(r.route_clearance_mm) + ", " +
-                       metres(r.return_clearance_mm) + ", " + metres(r.pass_gap_mm) + ")";
+    std::string text = "setting(" + real_metres(r.speed_mmps) + ", " +
+                       names_(module_[r.zone].name) + "_zone(), " +
+                       real_metres(r.route_clearance_mm) + ", " +
+                       real_metres(r.return_clearance_mm) + ", " + real_metres(r.pass_gap_mm) + ")";
     if (r.kind == RecoveryKind::route) text += ", " + names_(module_[r.site].name) + "(self)";
     return text;
   }
@@ -327,11 +329,11 @@ class SystemPrinter {
       lookahead_us = std::max(lookahead_us, m.lookahead.duration_us);
     }
     const Body& b = d().body;
-    const auto part = [](std::int64_t thousandths) { return metres(thousandths); };
-    return "{&" + names_(module_[r.zone].name) + "_zone(), " + metres(r.speed_mmps) + ", " +
+    const auto part = [](std::int64_t thousandths) { return real_metres(thousandths); };
+    return "{&" + names_(module_[r.zone].name) + "_zone(), " + real_metres(r.speed_mmps) + ", " +
            std::to_string(lookahead_us + b.latency_us) + ", " + part(b.accel_mmps2) + ", " +
-           part(b.brake_lag_ms) + ", " + part(b.brake_lag_permille) + ", " + metres(b.hold_mm) +
-           "}";
+           part(b.brake_lag_ms) + ", " + part(b.brake_lag_permille) + ", " +
+           real_metres(b.hold_mm) + "}";
   }
   // The setting of whoever does not move: it needs no zone.
   void standing(Code& body) {

@@ -22,7 +22,7 @@ namespace dims = sema::dims;
 std::string scaled(std::int64_t value, long per_si, const sema::Dimension& dimension) {
   return sema::show(Rational(Rational(static_cast<long>(value)) / per_si), dimension);
 }
-std::string metres(std::int64_t mm) {
+std::string length_of(std::int64_t mm) {
   return scaled(mm, 1000, dims::length);
 }
 std::string speed(std::int64_t mmps) {
@@ -72,21 +72,21 @@ class RobotRemarks {
     add(join(from.name_range, from.value->range), "zone " + from.name,
         {std::to_string(table->edges.size()) + " edges, exact, snapped to the mm on the safe side",
          edges_checked(table->edges.size(), table->tree),
-         "widest place: clearance " + metres(table->widest_mm) + " at (" +
-             metres(table->widest_x_mm) + ", " + metres(table->widest_y_mm) + ")",
+         "widest place: clearance " + length_of(table->widest_mm) + " at (" +
+             length_of(table->widest_x_mm) + ", " + length_of(table->widest_y_mm) + ")",
          std::to_string(cells.columns) + " x " + std::to_string(cells.rows) + " cells of " +
-             metres(cells.cell_mm),
+             length_of(cells.cell_mm),
          "tables: " + bytes(size)});
   }
   void slabs(const sema::Zone& from, const ZoneTable& table) {
     std::vector<std::string> lines;
     for (const ZoneTable::Slab& slab : table.slabs) {
-      lines.push_back("from " + metres(slab.floor_mm) + " to " + metres(slab.ceiling_mm) + ": " +
-                      std::to_string(module_[slab.base].edges.size()) + " edges");
+      lines.push_back("from " + length_of(slab.floor_mm) + " to " + length_of(slab.ceiling_mm) +
+                      ": " + std::to_string(module_[slab.base].edges.size()) + " edges");
     }
-    lines.push_back("widest place: clearance " + metres(table.widest_mm) + " at (" +
-                    metres(table.widest_x_mm) + ", " + metres(table.widest_y_mm) + ", " +
-                    metres(table.widest_z_mm) + ")");
+    lines.push_back("widest place: clearance " + length_of(table.widest_mm) + " at (" +
+                    length_of(table.widest_x_mm) + ", " + length_of(table.widest_y_mm) + ", " +
+                    length_of(table.widest_z_mm) + ")");
     add(join(from.name_range, from.value->range), "zone " + from.name, std::move(lines));
   }
   static SourceRange join(const SourceRange& a, const SourceRange& b) {
@@ -144,7 +144,7 @@ class RobotRemarks {
       details.push_back("control returns after " + std::to_string(d.dwell_ticks) +
                         " ticks on which every return condition holds, " + time(d.return_extra_us) +
                         " further ahead");
-      details.push_back("a planner that keeps a clearance of " + metres(d.cruise_clearance_mm) +
+      details.push_back("a planner that keeps a clearance of " + length_of(d.cruise_clearance_mm) +
                         " never meets a fence, at any speed");
       details.push_back("state: " + bytes(codegen::decision_state_bytes(d)) + " a robot");
     }
@@ -165,14 +165,14 @@ class RobotRemarks {
   void kind(const sema::RobotKind& k, const Decision& d) {
     if (d.on_plan) return;
     const Body& b = d.body;
-    add(k.radius.range, "radius: " + metres(b.radius_mm), {});
+    add(k.radius.range, "radius: " + length_of(b.radius_mm), {});
     const auto sense = [&](const char* name, const std::optional<sema::Sense>& s,
                            const std::string& error, std::int64_t age_us) {
       if (!s) return;
       add(join(s->error.range, s->max_age.range), std::string("sense ") + name,
           {"error " + error + ", rounded up", "unknown when older than " + time(age_us)});
     };
-    sense("position", k.position, metres(b.position_error_mm), b.position_age_us);
+    sense("position", k.position, length_of(b.position_error_mm), b.position_age_us);
     sense("heading", k.heading, k.heading ? sema::show(k.heading->error.value, dims::angle) : "",
           b.heading_age_us.value_or(0));
     sense("velocity", k.velocity, speed(b.velocity_error_mmps), b.velocity_age_us);
@@ -194,7 +194,7 @@ class RobotRemarks {
         {"part of every horizon, with the age of the sample"});
     if (k.plan) {
       add(k.plan->range, "plan",
-          {"legs are checked " + metres(b.tracking_mm) + " wider on either side",
+          {"legs are checked " + length_of(b.tracking_mm) + " wider on either side",
            "memory: " + std::to_string(d.plan_capacity) + " way-points"});
     }
   }
@@ -222,7 +222,7 @@ class RobotRemarks {
       details.push_back("the way to a stop bends away by up to " +
                         std::to_string(b.brake_lag_permille) + " permille of its length");
     }
-    details.push_back("holds its place within " + metres(b.hold_mm));
+    details.push_back("holds its place within " + length_of(b.hold_mm));
     add(k.motion.range, "motion of " + k.name, std::move(details));
   }
 
@@ -285,8 +285,8 @@ class RobotRemarks {
     if (m.lookahead.duration) {
       to.push_back("looks " + time(s.lookahead_us) + " ahead; horizon " + time(s.horizon_us) +
                    ", with sample age, latency and jitter");
-      to.push_back("stopping from full speed takes a clearance of " + metres(s.stopping_mm));
-      to.push_back("control returns at a clearance of " + metres(s.return_clearance_mm));
+      to.push_back("stopping from full speed takes a clearance of " + length_of(s.stopping_mm));
+      to.push_back("control returns at a clearance of " + length_of(s.return_clearance_mm));
       if (!s.zone.empty()) {
         to.push_back("predicted share of the advanced controller: of the places in " + s.zone +
                      " where the body fits, it may go at any speed in " +
@@ -317,7 +317,7 @@ class RobotRemarks {
       case RecoveryKind::brake:
         to.push_back("recovery " + r.name + ": brakes and holds its place");
         to.push_back("control returns only where it stops with a clearance of " +
-                     metres(r.return_clearance_mm) + ": it does not move there");
+                     length_of(r.return_clearance_mm) + ": it does not move there");
         return;
       case RecoveryKind::sequence:
         for (const Recovery& step : r.steps) {
@@ -338,10 +338,10 @@ class RobotRemarks {
                      "does not");
         return;
       case RecoveryKind::land:
-        to.push_back("recovery " + r.name + ": goes straight down to " + metres(r.land_mm) +
+        to.push_back("recovery " + r.name + ": goes straight down to " + length_of(r.land_mm) +
                      " and holds, at " + speed(r.speed_mmps) + " at most");
         to.push_back("control returns only where that place has a clearance of " +
-                     metres(r.return_clearance_mm));
+                     length_of(r.return_clearance_mm));
         return;
       case RecoveryKind::retreat:
         to.push_back("recovery " + r.name + ": retreats within " + module_[r.zone].name);
@@ -352,11 +352,11 @@ class RobotRemarks {
         break;
       case RecoveryKind::yield:
         to.push_back("recovery " + r.name + ": makes way within " + module_[r.zone].name +
-                     ", passes others at a distance of centres of " + metres(r.pass_gap_mm));
+                     ", passes others at a distance of centres of " + length_of(r.pass_gap_mm));
         break;
     }
     to.back() += ", at " + speed(r.speed_mmps) + " at most";
-    to.push_back("it keeps a clearance of " + metres(r.route_clearance_mm) + " on its way");
+    to.push_back("it keeps a clearance of " + length_of(r.route_clearance_mm) + " on its way");
   }
 
   // theory, P2b.

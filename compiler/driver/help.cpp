@@ -39,6 +39,7 @@ constexpr FlagText flag_texts[] = {
     {"--scenario", "FILE", "duration, starts, adversaries, noise, ages of samples, faults: JSON"},
     {"--seed", "N", "of the first run; the next runs have the numbers after it; default: 1"},
     {"--runs", "N", "how many; default: 100"},
+    {"--jobs", "N", "how many of them are played at once; default: 1"},
     {"--adversary", "NAME", "only this one; default: all in turn"},
     {"--trace", "FILE",
      "where the first run with a violation is written; default: the specification's name with\n"

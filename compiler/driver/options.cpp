@@ -48,6 +48,7 @@ std::string value_hint(const std::string& flag, bool picture = false) {
   if (flag == "--mutate") return "`--mutate half-look-ahead`";
   if (flag == "--seed") return "`--seed 7`";
   if (flag == "--runs") return "`--runs 1000`";
+  if (flag == "--jobs") return "`--jobs 4`";
   if (flag == "--adversary") return "`--adversary chase-fence`";
   return "`" + flag + (flag == "-o" && !picture ? " DIR`" : " FILE`");
 }
@@ -81,8 +82,8 @@ const std::vector<CommandInfo>& commands() {
        2},
       {"sim",
        Command::sim,
-       {"--scenario", "--seed", "--runs", "--adversary", "--trace", "--replay", "--mutate",
-        "--format", "-Werror"},
+       {"--scenario", "--seed", "--runs", "--jobs", "--adversary", "--trace", "--replay",
+        "--mutate", "--format", "-Werror"},
        1},
       {"verify",
        Command::verify,
@@ -122,6 +123,7 @@ struct Parser {
             {"--scenario", &options.scenario},
             {"--seed", &options.seed},
             {"--runs", &options.runs},
+            {"--jobs", &options.jobs},
             {"--adversary", &options.adversary},
             {"--trace", &options.trace_out},
             {"--replay", &options.recorded},
@@ -210,6 +212,7 @@ struct Parser {
     }
     number(options.seed, "--seed");
     number(options.runs, "--runs");
+    number(options.jobs, "--jobs");
     if (bytes_max.empty()) return;
     std::uint64_t bytes = 0;
     const char* const end = bytes_max.data() + bytes_max.size();
@@ -323,6 +326,7 @@ struct Parser {
         {"--scenario", &options.scenario},
         {"--seed", &options.seed},
         {"--runs", &options.runs},
+        {"--jobs", &options.jobs},
         {"--adversary", &options.adversary}};
     for (const auto& [flag, value] : others) {
       if (value->empty()) continue;

@@ -50,7 +50,7 @@ struct Options {
   std::string monitor;                           // of `replay`; empty: all
   std::optional<std::uint64_t> state_bytes_max;  // memory that the monitors may take
   // Of `sim`; empty: its defaults.
-  std::string scenario, seed, runs, adversary;
+  std::string scenario, seed, runs, jobs, adversary;
   std::string trace_out;      // where a run with a violation is written
   std::string recorded;       // a run that is played again
   std::string recheck;        // of `verify`: the directory of certificates

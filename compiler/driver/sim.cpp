@@ -66,9 +66,10 @@ std::string compile_kernel(const Options& options, Compilation& c, const std::st
 
 std::vector<std::string> flags_of(const Options& options) {
   const std::pair<const char*, const std::string*> flags[] = {
-      {"--scenario", &options.scenario}, {"--seed", &options.seed},
-      {"--runs", &options.runs},         {"--adversary", &options.adversary},
-      {"--trace", &options.trace_out},   {"--replay", &options.recorded}};
+      {"--scenario", &options.scenario},   {"--seed", &options.seed},
+      {"--runs", &options.runs},           {"--jobs", &options.jobs},
+      {"--adversary", &options.adversary}, {"--trace", &options.trace_out},
+      {"--replay", &options.recorded}};
   std::vector<std::string> words;
   for (const auto& [flag, value] : flags) {
     if (value->empty()) continue;

@@ -26,6 +26,9 @@ std::size_t in_words(const DecisionInterface& d) {
          d.agents.size() * agent_words;
 }
 constexpr std::size_t out_words = 12, monitor_words = 7;
+// Runs are played at once, and these are too large for the stack of a thread with large fleets. C99
+// has no word for it; gcc and clang do.
+constexpr const char* per_thread = "__thread ";
 
 std::string readers(const std::string& p, bool in_space) {
   return glue_readers(p, in_space) + "static void rtac_plan(" + p +
@@ -132,9 +135,9 @@ std::string sim_glue(const std::vector<DecisionInterface>& decisions, const std:
     if (d.on_plan) continue;
     out += sizes(d, num(k)) + "void rtac_sim_step_" + num(k) +
            "(void *state, const int64_t *own, int64_t now_us, int64_t *found) {\n  static " +
-           d.prefix + "_in in;\n  static " + d.prefix + "_out out;\n  int32_t j;\n" + take_in(d) +
-           "  " + d.prefix + "_step((" + d.prefix + "_state *)state, &in, now_us, &out);\n" +
-           give_out(d);
+           per_thread + d.prefix + "_in in;\n  static " + per_thread + d.prefix +
+           "_out out;\n  int32_t j;\n" + take_in(d) + "  " + d.prefix + "_step((" + d.prefix +
+           "_state *)state, &in, now_us, &out);\n" + give_out(d);
   }
   return out;
 }

@@ -3,16 +3,10 @@
 #include "compiler/analysis/derive.h"
 #include "compiler/codegen/watch.h"
 #include "compiler/support/rational.h"
+#include "compiler/support/words.h"
 
 namespace rtac::driver {
 namespace {
-
-std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(static_cast<long>(mm), 1000)) + " m";
-}
-std::string millis(std::int64_t us) {
-  return to_decimal(Rational(static_cast<long>(us), 1000)) + " ms";
-}
 
 std::string bytes(std::int64_t n) {
   return std::to_string(n) + (n == 1 ? " byte" : " bytes");

@@ -27,7 +27,7 @@ std::string number(double value) {
   std::snprintf(text.data(), text.size(), "%.2f", value == 0 ? 0.0 : value);
   return text.data();
 }
-std::string metres(double value_m) {
+std::string metres_of(double value_m) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.12g m", value_m == 0 ? 0.0 : value_m);
   return text.data();
@@ -149,11 +149,11 @@ class Sheet {
     const double step_m = round_length(90 / scale_);
     for (double x = std::ceil(x_at(left) / step_m) * step_m; px(x) <= left + width_; x += step_m) {
       line(px(x), top_, px(x), top_ + height_, " class=\"grid\"");
-      text(px(x), top_ + height_ + 16, metres(snapped(x, step_m)), " class=\"axis\"");
+      text(px(x), top_ + height_ + 16, metres_of(snapped(x, step_m)), " class=\"axis\"");
     }
     for (double y = std::ceil(y_at(top_ + height_) / step_m) * step_m; py(y) >= top_; y += step_m) {
       line(left, py(y), left + width_, py(y), " class=\"grid\"");
-      text(left - 6, py(y) + 4, metres(snapped(y, step_m)), " class=\"axis side\"");
+      text(left - 6, py(y) + 4, metres_of(snapped(y, step_m)), " class=\"axis side\"");
     }
   }
   [[nodiscard]] double x_at(double x) const { return box_.x0 + (x - left - x_shift_) / scale_; }
@@ -219,7 +219,7 @@ class Sheet {
     line(left, y, end, y, " class=\"bar\"");
     line(left, y - 5, left, y + 5, " class=\"bar\"");
     line(end, y - 5, end, y + 5, " class=\"bar\"");
-    text(end + 8, y + 4, metres(length_m), "");
+    text(end + 8, y + 4, metres_of(length_m), "");
   }
 
   // Returns the place below it.
@@ -252,7 +252,7 @@ class Sheet {
     out_ +=
         "<path d=\"M" + number(x) + " " + number(y - 4) + "h26\"" + erosion_outline(i, e) + "/>\n";
     text(x + 36, y,
-         metres(static_cast<double>(shown.distance_mm) / 1000) + " inside: " + shown.reasons +
+         metres_of(static_cast<double>(shown.distance_mm) / 1000) + " inside: " + shown.reasons +
              (shown.region.empty() ? " (no place is)" : ""),
          "");
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "compiler/recheck/fails.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -361,7 +362,9 @@ Found Claims::ways(const Values& v) {
   const auto zone = zones_.find(text(v, "zone"));
   const auto route = number(v, "route_mm"), back = number(v, "return_mm");
   const auto extra = number(v, "extra_us");
-  if (m == nullptr || !m->recover || !zone || !route || !back || !extra || *extra < 0) {
+  const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
+  if (m == nullptr || !m->recover || !zone || !route || !back || !extra || *extra < 0 || !cell ||
+      !x || !y) {
     return wrong("no such zone");
   }
   const auto within = moves_within(spec_[*m->recover]);
@@ -377,14 +380,12 @@ Found Claims::ways(const Values& v) {
       sites.push_back({place.position.x, place.position.y});
     }
   }
-  const Rational radius = spec_[d->kind].radius.value;
-  // Cells here are not those of the tables: what a whole cell has there, one beside it may miss by
-  // the distance of two centres.
-  constexpr std::int64_t shift_mm = 100;
-  const auto cell = without_way(*region, radius + milli(2 * shift_mm), milli(*route - shift_mm),
-                                milli(*back - shift_mm), sites);
-  if (!cell) return std::nullopt;
-  return wrong("from (" + to_decimal(cell->x) + " m, " + to_decimal(cell->y) +
+  const auto found = without_way(*region, {*cell, *x, *y}, spec_[d->kind].radius.value,
+                                 milli(*route), milli(*back), sites);
+  if (std::holds_alternative<BadCells>(found)) return wrong("the cells are not those of the zone");
+  const auto* const from = std::get_if<geometry::Point>(&found);
+  if (from == nullptr) return std::nullopt;
+  return wrong("from (" + to_decimal(from->x) + " m, " + to_decimal(from->y) +
                " m) no way leads back");
 }
 
@@ -416,11 +417,7 @@ Found Claims::fails(const Values& v) {
   const sema::Decision* const d = decision(v);
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
   if (m == nullptr) return wrong("no such monitor");
-  bool robot = false;
-  sema::for_each_expr(*m->always, [&](const sema::Expr& e) {
-    robot = robot || !std::holds_alternative<sema::Truth>(e.node);
-  });
-  if (!robot) return wrong("the property is constant");
+  if (!can_be(spec_, zones_, *d, *m->always, false)) return wrong("the property is never false");
   return std::nullopt;
 }
 

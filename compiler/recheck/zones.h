@@ -1,9 +1,11 @@
 // The zones of a specification by the names that claims give them, and what is asked of them.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "compiler/interp/zones.h"
@@ -36,12 +38,17 @@ class NamedZones {
   interp::Zones zones_;
 };
 
+// The cells that recoveries find their ways over.
+struct Cells {
+  std::int64_t cell_mm = 0, x_mm = 0, y_mm = 0;  // width; where the first one begins
+};
+struct BadCells {};
 // Whether from every cell of the zone whose places have `body_m` of clearance a way leads, over
 // cells as clear as `route_m` or as the one that it starts from, to one as clear as `goal_m`, or to
-// one of `sites`. Clearances of cells are bounds from below of exact ones. The place of a cell from
-// which none leads.
-std::optional<geometry::Point> without_way(const geometry::Region& zone, const Rational& body_m,
-                                           const Rational& route_m, const Rational& goal_m,
-                                           const std::vector<geometry::Point>& sites);
+// one of `sites`. Clearances of cells are found from exact ones; robots have those of a zone that
+// is up to 3 mm smaller. Otherwise the place of a cell from which none leads.
+std::variant<std::monostate, geometry::Point, BadCells> without_way(
+    const geometry::Region& zone, const Cells& cells, const Rational& body_m,
+    const Rational& route_m, const Rational& goal_m, const std::vector<geometry::Point>& sites);
 
 }  // namespace rtac::recheck

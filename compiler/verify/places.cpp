@@ -6,9 +6,10 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/vacuous.h"
+#include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
-#include "compiler/verify/words.h"
 
 namespace rtac::verify {
 namespace {
@@ -154,17 +155,28 @@ Obligation can_hold(const Subject& s, std::size_t k) {
 
 Obligation can_fail(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
-  const Atoms atoms = atoms_of(m.property);
+  const analysis::Vacuity vacuity = analysis::vacuity_of(s.module, s.decision, m.property);
   Obligation o;
   o.kind = Kind::not_vacuous;
   o.monitor = m.name;
+  std::string because;
+  for (const std::string& each : vacuity.because)
+    because += (because.empty() ? "" : " and ") + each;
+  if (vacuity.can_fail == analysis::CanFail::no) {
+    o.status = Status::refuted;
+    o.method = "static check";
+    o.because = "it is never false" + (because.empty() ? "" : ": " + because);
+    o.repair = "a property that can be false works";
+    return o;
+  }
+  if (vacuity.can_fail == analysis::CanFail::open) {
+    o.status = Status::unknown;
+    o.because = "no state was found in which it is false";
+    return o;
+  }
   o.status = Status::proved;
   o.method = "witness";
-  o.because = atoms.clearance  ? "it is false outside of its zones, which are bounded"
-              : atoms.distance ? "it is false where two robots are in the same place"
-              : atoms.charge   ? "it is false with an empty battery"
-              : atoms.speed    ? "it is false at a speed beyond its limit"
-                               : "it is false on the wrong side of its limit";
+  o.because = because.empty() ? "what it is told may make it false" : "it is false " + because;
   o.claims.push_back({"fails", {{"decision", s.decision.name}, {"monitor", m.name}}});
   return o;
 }

@@ -5,8 +5,8 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
-#include "compiler/verify/words.h"
 
 namespace rtac::verify {
 namespace {

@@ -4,9 +4,9 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
-#include "compiler/verify/words.h"
 
 namespace rtac::verify {
 namespace {
@@ -155,6 +155,9 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
                       {{"decision", s.decision.name},
                        {"monitor", o.monitor},
                        {"zone", zone.name},
+                       {"cell_mm", std::to_string(zone.cells.cell_mm)},
+                       {"cells_x_mm", std::to_string(zone.cells.origin_x_mm)},
+                       {"cells_y_mm", std::to_string(zone.cells.origin_y_mm)},
                        {"route_mm", std::to_string(last.route_clearance_mm)},
                        {"extra_us", std::to_string(s.decision.return_extra_us)},
                        {"return_mm", std::to_string(last.return_clearance_mm)}}});

@@ -1,7 +1,7 @@
 // P1a, P1b, P3 and the start: what the compiler and the shape of the decision give.
+#include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
-#include "compiler/verify/words.h"
 
 namespace rtac::verify {
 namespace {

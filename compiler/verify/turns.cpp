@@ -6,9 +6,9 @@
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
-#include "compiler/verify/words.h"
 
 namespace rtac::verify {
 namespace {

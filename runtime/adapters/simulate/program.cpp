@@ -1,6 +1,7 @@
 #include "program.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <ostream>
+#include <thread>
 
 #include "conservatism.h"
 #include "rtac/sim/picture.h"
@@ -20,6 +22,8 @@ namespace rtac::simulate {
 namespace {
 
 using sim::Tape;
+
+constexpr std::uint64_t jobs_max = 1024;
 
 // What went wrong; empty: nothing. A folder can be opened, and not be read.
 std::string read_file(const std::string& path, std::string& text) {
@@ -91,6 +95,12 @@ class Program {
     if (flags_.count("--seed") != 0) scenario_.seed = whole("--seed");
     if (flags_.count("--runs") != 0) scenario_.runs = whole("--runs");
     if (flags_.count("--core-s") != 0) until_s_ = core_seconds() + double(whole("--core-s"));
+    if (flags_.count("--jobs") != 0) jobs_ = whole("--jobs");
+    if (jobs_ == 0 || jobs_ > jobs_max) {
+      return {"`--jobs " + flags_["--jobs"] + "`: from 1 to " + std::to_string(jobs_max) +
+                  " runs can be played at once",
+              "the number of processors works"};
+    }
     if (scenario_.runs == 0) return {"`--runs 0` simulates nothing", "`--runs 1` works"};
     if (flags_.count("--adversary") != 0) scenario_.adversary = flags_["--adversary"];
     for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
@@ -140,31 +150,62 @@ class Program {
     if (scenario_.tight) tighten(decision, functions_[index], setup);
     return {};
   }
+  // What one seed came to.
+  struct Attempt {
+    Setup setup;
+    Outcome outcome;
+    Problem problem;
+  };
+  void attempt(std::size_t index, std::uint64_t seed, Attempt& to) {
+    Tape none;
+    to.problem = prepared(index, seed, to.setup);
+    if (to.problem) return;
+    to.problem =
+        run(case_.decisions[index], functions_[index], to.setup, none, to.outcome, until_s_);
+  }
+  // Runs know nothing of each other: as many at once as there are jobs.
+  std::vector<Attempt> attempts(std::size_t index, std::uint64_t first, std::uint64_t count) {
+    std::vector<Attempt> all(count);
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+      for (std::size_t k = next++; k < all.size(); k = next++) attempt(index, first + k, all[k]);
+    };
+    std::vector<std::thread> others;
+    for (std::uint64_t job = 1; job < std::min(jobs_, count); ++job) others.emplace_back(work);
+    work();
+    for (std::thread& other : others) other.join();
+    return all;
+  }
+  // Added in the order of the seeds, so that what is told is the same whatever the number of jobs.
   Problem runs_of(std::size_t index, int& status) {
-    const DecisionCase& decision = case_.decisions[index];
-    Summary summary(decision);
+    constexpr std::uint64_t batch = 8;  // runs of a job, so that none waits long for the others
+    const std::uint64_t at_once = jobs_ == 1 ? 1 : jobs_ * batch;
+    Summary summary(case_.decisions[index]);
     const double begin_s = core_seconds();
-    bool told = false;
     Setup first;
+    const Setup* found = nullptr;
     std::uint64_t done = 0;
-    for (; done < scenario_.runs && core_seconds() <= until_s_; ++done) {
-      Setup setup;
-      Outcome outcome;
-      Tape none;
-      if (Problem p = prepared(index, scenario_.seed + done, setup)) return p;
-      if (Problem p = run(decision, functions_[index], setup, none, outcome, until_s_)) return p;
-      if (outcome.cut) break;
-      summary.add(setup, outcome);
-      if (told || !shown(setup, outcome)) continue;
-      told = true;
-      first = setup;
-      if (flags_.count("--until") != 0) break;
+    bool enough = false;
+    while (!enough && done < scenario_.runs && core_seconds() <= until_s_) {
+      const std::uint64_t count = std::min(at_once, scenario_.runs - done);
+      for (const Attempt& a : attempts(index, scenario_.seed + done, count)) {
+        if (a.problem) return a.problem;
+        enough = a.outcome.cut;
+        if (enough) break;
+        summary.add(a.setup, a.outcome);
+        ++done;
+        if (found != nullptr || !shown(a.setup, a.outcome)) continue;
+        first = a.setup;
+        found = &first;
+        enough = flags_.count("--until") != 0;
+        if (enough) break;
+      }
     }
     out_ << summary.text(core_seconds() - begin_s);
-    if (!told && done < scenario_.runs) {
+    if (found == nullptr && done < scenario_.runs) {
       out_ << "the time was up after " << done << " of " << scenario_.runs << " runs\n";
     }
-    if (!told) return {};
+    if (found == nullptr) return {};
     status = exit_violation;
     return record(index, first);
   }
@@ -264,6 +305,7 @@ class Program {
   std::vector<Kernel::Functions> functions_;
   Scenario scenario_;
   double until_s_ = std::numeric_limits<double>::infinity();
+  std::uint64_t jobs_ = 1;
 };
 
 }  // namespace

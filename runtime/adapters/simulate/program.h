@@ -13,8 +13,8 @@ namespace rtac::simulate {
 inline constexpr int exit_clean = 0, exit_usage = 2, exit_violation = 3, exit_inconclusive = 4;
 inline constexpr int cannot_read = 9002, cannot_write = 9003;
 
-// `--kernel FILE --manifest FILE [--scenario FILE] [--seed N] [--runs N] [--adversary NAME]
-// [--trace FILE] [--replay FILE]`
+// `--kernel FILE --manifest FILE [--scenario FILE] [--seed N] [--runs N] [--jobs N]
+// [--adversary NAME] [--trace FILE] [--replay FILE]`
 int run_program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace rtac::simulate

@@ -162,6 +162,20 @@ TEST_F(Simulations, TheSameSeedsAreTheSameRuns) {
   EXPECT_NE(steady(a.out), steady(c.out));
 }
 
+// Neither the table, nor which run is the first violation, nor that run depends on who played it.
+TEST_F(Simulations, TheNumberOfJobsChangesNothing) {
+  write("spec.rta", yard(blind));
+  const auto table = [this](const std::string& jobs) {
+    const Outcome o =
+        rtac({"sim", "spec.rta", "--runs", "40", "--jobs", jobs, "--trace", "run.trace"});
+    EXPECT_EQ(o.status, 3) << o.err;
+    return steady(o.out) + read("run.trace");
+  };
+  const std::string one = table("1");
+  EXPECT_EQ(table("3"), one);
+  EXPECT_EQ(table("64"), one);
+}
+
 // Starts are taken as they are; the referee sees the first moment.
 TEST_F(Simulations, AScenarioSaysWhereRobotsStart) {
   write("spec.rta", yard("50 ms"));
@@ -317,6 +331,9 @@ TEST_F(Simulations, FlagsAreChecked) {
   write("spec.rta", yard("50 ms"));
   EXPECT_EQ(rtac({"sim", "spec.rta", "--runs", "many"}).status, 2);
   EXPECT_EQ(rtac({"sim", "spec.rta", "--runs", "0"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--jobs", "0"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--jobs", "2000"}).status, 2);
+  EXPECT_EQ(rtac({"sim", "spec.rta", "--jobs", "two"}).status, 2);
   EXPECT_EQ(rtac({"sim", "spec.rta", "--seed", "-1"}).status, 2);
   EXPECT_EQ(rtac({"sim", "spec.rta", "--seed", "18446744073709551616"}).status, 2);
   EXPECT_EQ(rtac({"sim", "spec.rta", "--seed", "18446744073709551615", "--runs", "2"}).status, 0);

@@ -201,20 +201,43 @@ TEST_F(Recheck, AMutatedBoundIsNoticed) {
   const struct {
     const char *claim, *key;
     std::int64_t by;
-  } mistakes[] = {{"limits", "period_us", 1},          {"limits", "radius_mm", -1},
-                  {"limits", "position_error_mm", -1}, {"limits", "velocity_error_mmps", -1},
-                  {"limits", "position_age_us", -1},   {"limits", "velocity_age_us", -1},
-                  {"limits", "latency_us", -1},        {"limits", "speed_mmps", -1},
-                  {"limits", "accel_mmps2", -1},       {"limits", "brake_mmps2", 1},
-                  {"limits", "disturbance_mmps2", -1}, {"limits", "brake_lag_ms", -1},
-                  {"limits", "hold_mm", -15},          {"horizon", "lookahead_us", -60'000},
-                  {"horizon", "horizon_us", -1},       {"return", "extra_us", -60'000},
-                  {"return", "dwell_ticks", -2},       {"place", "x_mm", 2'200},
-                  {"place", "clearance_mm", -60},      {"ways", "return_mm", -60}};
+  } mistakes[] = {{"limits", "period_us", 1},
+                  {"limits", "radius_mm", -1},
+                  {"limits", "position_error_mm", -1},
+                  {"limits", "velocity_error_mmps", -1},
+                  {"limits", "position_age_us", -1},
+                  {"limits", "velocity_age_us", -1},
+                  {"limits", "latency_us", -1},
+                  {"limits", "speed_mmps", -1},
+                  {"limits", "accel_mmps2", -1},
+                  {"limits", "brake_mmps2", 1},
+                  {"limits", "disturbance_mmps2", -1},
+                  {"limits", "brake_lag_ms", -1},
+                  {"limits", "hold_mm", -15},
+                  {"horizon", "lookahead_us", -60'000},
+                  {"horizon", "horizon_us", -1},
+                  {"return", "extra_us", -60'000},
+                  {"return", "dwell_ticks", -2},
+                  {"place", "x_mm", 2'200},
+                  {"place", "clearance_mm", -60},
+                  {"ways", "return_mm", -60},
+                  {"ways", "cell_mm", -10},
+                  {"ways", "cell_mm", 10},
+                  {"ways", "cells_x_mm", 5},
+                  {"ways", "cells_y_mm", -100}};
   for (const auto& m : mistakes) {
     const Outcome o = rechecked_with(changed(m.claim, m.key, m.by));
     EXPECT_EQ(o.status, exit_violation) << m.claim << "." << m.key << "\n" << o.out << o.err;
   }
+}
+
+// In a park robots look for their ways over wider cells, and so does who checks them.
+TEST_F(Recheck, WaysInAWideZoneAreFoundOnceMore) {
+  const std::string park = edited(drone_spec(), "(5 m, 5 m)", "(250 m, 190 m)");
+  ASSERT_EQ(verified(park, {"-o", "certificates"}).status, exit_clean);
+  EXPECT_EQ(read("certificates/verification.json").find("\"cell_mm\": \"100\""), std::string::npos);
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
 }
 
 TEST_F(Recheck, AMutatedLemmaIsNoticed) {
@@ -279,6 +302,16 @@ TEST_F(Recheck, WhatIsLeftOutIsNoticed) {
     report["decisions"][0]["obligations"][i]["claims"] = Json::array();
     EXPECT_EQ(rechecked_with(report).status, exit_violation) << kind;
   }
+}
+
+// A certificate cannot be carried over to a property that no robot can break.
+TEST_F(Recheck, APropertyThatIsNeverFalseIsNoticed) {
+  write("certificates/sources/spec.rta",
+        edited(read("certificates/sources/spec.rta"), "always  clearance(d, room)",
+               "always  d.speed <= 90 m/s or clearance(d, room)"));
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_violation);
+  EXPECT_NE((o.out + o.err).find("never false"), std::string::npos) << o.out << o.err;
 }
 
 // Nobody has acknowledged anything.

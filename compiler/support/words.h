@@ -6,13 +6,22 @@
 
 #include "compiler/support/rational.h"
 
-namespace rtac::verify {
+namespace rtac {
 
 inline std::string quoted(const std::string& name) {
   return "`" + name + "`";
 }
+inline std::string metres(const Rational& m) {
+  return to_decimal(m) + " m";
+}
 inline std::string metres(std::int64_t mm) {
-  return to_decimal(Rational(mm, 1000)) + " m";
+  return metres(Rational(mm, 1000));
+}
+inline std::string percent(std::int64_t ppm) {
+  return to_decimal(Rational(ppm, 10'000)) + " %";
+}
+inline std::string place(std::int64_t x_mm, std::int64_t y_mm) {
+  return "(" + metres(x_mm) + ", " + metres(y_mm) + ")";
 }
 inline std::int64_t in_mm(const Rational& m) {
   return floor_to_int(Rational(m * 1000));
@@ -24,4 +33,4 @@ inline std::string seconds(const Rational& s) {
   return to_decimal(Rational(ceil_to_int(Rational(s * 10)), 10)) + " s";
 }
 
-}  // namespace rtac::verify
+}  // namespace rtac

@@ -1,0 +1,281 @@
+#include "compiler/analysis/vacuous.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "compiler/geometry/region.h"
+#include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
+
+namespace rtac::analysis {
+namespace {
+
+using ir::Leaf;
+
+// Beyond any signal of a robot, in steps of its grid.
+constexpr std::int64_t far_away = std::int64_t{1} << 48;
+constexpr std::int64_t full_ppm = 1'000'000;
+
+// What a signal can be at all, and what it is sure to be somewhere, in steps of its grid.
+struct Extent {
+  std::int64_t lo = -far_away, hi = far_away;
+  std::int64_t lo_shown = -far_away, hi_shown = far_away;
+};
+Extent exactly(std::int64_t lo, std::int64_t hi) {
+  return {lo, hi, lo, hi};
+}
+
+// Of a zone from its table. What has no end there reaches as far as coordinates do.
+struct Shape {
+  bool bounded = true;
+  std::int64_t depth_mm =
+      0;  // outside, nothing is farther from its boundary, where it is unbounded
+};
+Shape shape_of(const ir::ZoneTable& zone) {
+  static const std::int64_t end_mm =
+      floor_to_int(Rational(geometry::Region::everywhere().rings().front().front().x * 1000));
+  Shape shape;
+  std::int64_t low_x = far_away, low_y = far_away, high_x = -far_away, high_y = -far_away;
+  for (const ir::Edge& e : zone.edges) {
+    if (std::abs(std::int64_t{e.ax}) >= std::abs(end_mm)) {
+      shape.bounded = false;
+      continue;
+    }
+    low_x = std::min<std::int64_t>({low_x, e.ax, e.bx});
+    high_x = std::max<std::int64_t>({high_x, e.ax, e.bx});
+    low_y = std::min<std::int64_t>({low_y, e.ay, e.by});
+    high_y = std::max<std::int64_t>({high_y, e.ay, e.by});
+  }
+  if (!shape.bounded) {
+    shape.depth_mm = std::max<std::int64_t>(0, std::min(high_x - low_x, high_y - low_y) / 2 + 1);
+  }
+  return shape;
+}
+
+// A state of the world in which a formula has the value that is asked for, as far as each signal by
+// itself tells: which way each of them goes.
+using Ways = std::map<std::pair<const ir::Block*, Leaf>, int>;
+struct State {
+  CanFail can = CanFail::yes;
+  Ways ways{};
+};
+
+class Finder {
+ public:
+  Finder(const ir::Module& module, const ir::Decision& decision)
+      : module_(module), decision_(decision) {}
+
+  State find(const ir::Block& block, ir::ValueId id, bool value) {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::Truth>(&op)) return {v->value == value ? yes : no};
+    if (const auto* v = std::get_if<ir::Not>(&op)) return find(block, v->a, !value);
+    if (const auto* v = std::get_if<ir::And>(&op)) return pair(block, v->a, v->b, value, value);
+    if (const auto* v = std::get_if<ir::Or>(&op)) return pair(block, v->a, v->b, value, !value);
+    if (const auto* v = std::get_if<ir::AtLeast>(&op)) return compare(block, *v, value);
+    // it takes a while to be true, and is false before
+    if (const auto* v = std::get_if<ir::HeldFor>(&op)) {
+      return value ? find(block, v->a, true) : State{};
+    }
+    if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
+      if (decision_.robots < 2) return {v->universal == value ? yes : no};
+      return find(*v->body, v->body->result, value);
+    }
+    // Plans lead anywhere, zones come and go, and what is told from outside may be either.
+    const bool either = std::holds_alternative<ir::PlanInZone>(op) ||
+                        std::holds_alternative<ir::ZoneThere>(op) ||
+                        std::holds_alternative<ir::Fact>(op);
+    return {either ? yes : CanFail::open};
+  }
+
+  [[nodiscard]] std::string text_of(const Leaf& leaf, int way) const {
+    const std::string zone =
+        leaf.kind == Leaf::Kind::clearance ? module_[ir::ZoneIndex{leaf.table}].name : "";
+    switch (leaf.kind) {
+      case Leaf::Kind::battery:
+        return way < 0 ? "with an empty battery" : "with a full battery";
+      case Leaf::Kind::clearance:
+        return (way < 0 ? "outside of `" : "in the middle of `") + zone + "`";
+      case Leaf::Kind::distance:
+        return way < 0 ? "where two robots are in the same place" : "where robots are far apart";
+      case Leaf::Kind::energy_to:
+        return way < 0 ? "at the site" : "far from the site";
+      case Leaf::Kind::count:
+        return way < 0 ? "where no other robot satisfies it" : "where all others satisfy it";
+      case Leaf::Kind::speed:
+        return way < 0 ? "at rest" : "at full speed";
+      case Leaf::Kind::altitude:
+        return way < 0 ? "far below" : "far above";
+      case Leaf::Kind::agent:
+        return way < 0 ? "where an agent touches the robot" : "far from agents";
+    }
+    std::abort();
+  }
+  [[nodiscard]] Extent extent_of(const Leaf& leaf) const {
+    const std::int64_t radius_mm = decision_.body.radius_mm;
+    switch (leaf.kind) {
+      case Leaf::Kind::battery:
+        return exactly(0, full_ppm);
+      case Leaf::Kind::clearance:
+        return clearance(module_[ir::ZoneIndex{leaf.table}]);
+      case Leaf::Kind::distance:
+        return exactly(-2 * radius_mm, far_away);
+      case Leaf::Kind::energy_to:
+        return {0, far_away, 1, full_ppm};
+      case Leaf::Kind::count:
+        return exactly(0, std::int64_t{decision_.robots} - 1);
+      case Leaf::Kind::speed:
+        return exactly(0, decision_.motions.front().speed_mmps);
+      case Leaf::Kind::altitude:
+        return exactly(-far_away, far_away);
+      case Leaf::Kind::agent:
+        return exactly(-radius_mm - decision_[ir::AgentIndex{leaf.table}].radius_mm, far_away);
+    }
+    std::abort();
+  }
+  // What the signals of the comparisons that are never false can be.
+  std::vector<std::string> limits_of(const ir::Block& property) {
+    std::vector<std::string> all;
+    const auto add = [&](const std::string& text) {
+      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+    };
+    ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& v) {
+      if (compare(block, v, false).can != no) return;
+      for (const auto& [leaf, k] : ir::linear_form(block, v).terms) {
+        add(limit_of(leaf, sgn(k) > 0));
+      }
+    });
+    for (const ir::Value& v : property.values) {
+      if (std::holds_alternative<ir::ForOthers>(v.op) && decision_.robots < 2) {
+        add("there is no other `" + decision_.kind + "`");
+      }
+    }
+    return all;
+  }
+
+ private:
+  // The least or the greatest that a signal can be.
+  [[nodiscard]] std::string limit_of(const Leaf& leaf, bool least) const {
+    const Extent e = extent_of(leaf);
+    const std::int64_t at = least ? e.lo : e.hi;
+    const std::string side = least ? "at least " : "at most ";
+    switch (leaf.kind) {
+      case Leaf::Kind::battery:
+      case Leaf::Kind::energy_to:
+        return "a charge is " + side + to_decimal(Rational(at, 10'000)) + " %";
+      case Leaf::Kind::clearance:
+        return "a clearance in `" + module_[ir::ZoneIndex{leaf.table}].name + "` is " + side +
+               metres(at);
+      case Leaf::Kind::distance:
+        return "a distance between bodies is " + side + metres(at);
+      case Leaf::Kind::agent:
+        return "the distance from `" + decision_[ir::AgentIndex{leaf.table}].name + "` is " + side +
+               metres(at);
+      case Leaf::Kind::count:
+        return "the number of others is " + side + std::to_string(at);
+      case Leaf::Kind::speed:
+        return "a speed is " + side + metres(at) + "/s";
+      case Leaf::Kind::altitude:
+        return "a height is " + side + metres(at);
+    }
+    std::abort();
+  }
+  static constexpr CanFail yes = CanFail::yes, no = CanFail::no;
+
+  // Both of them, or either.
+  State pair(const ir::Block& block, ir::ValueId a, ir::ValueId b, bool value, bool needs_both) {
+    State first = find(block, a, value), second = find(block, b, value);
+    if (!needs_both) {
+      if (first.can == yes || second.can == no) return first;
+      return second.can == yes || first.can == no ? second : first;
+    }
+    if (first.can == no || second.can == no) return {no};
+    for (const auto& [leaf, way] : second.ways) {
+      const auto [at, is_new] = first.ways.try_emplace(leaf, way);
+      if (!is_new && at->second != way) first.can = CanFail::open;
+    }
+    if (second.can == CanFail::open || not_at_once(first.ways)) first.can = CanFail::open;
+    return first;
+  }
+  // Outside of several zones there is a place when they are bounded, which those that are not, or
+  // the middles of several ones, need not have.
+  [[nodiscard]] bool not_at_once(const Ways& ways) const {
+    int outside = 0, particular = 0;
+    for (const auto& [of, way] : ways) {
+      if (of.second.kind != Leaf::Kind::clearance) continue;
+      const bool anywhere_far =
+          way < 0 && shape_of(module_[ir::ZoneIndex{of.second.table}]).bounded;
+      ++(anywhere_far ? outside : particular);
+    }
+    return particular > 1 || (particular == 1 && outside > 0);
+  }
+
+  State compare(const ir::Block& block, const ir::AtLeast& v, bool value) {
+    const ir::Linear form = ir::linear_form(block, v);
+    const auto& params = decision_.facts.params;
+    Rational most = form.rest.constant, least = most, most_shown = most, least_shown = most;
+    for (const auto& [param, k] : form.rest.params) {
+      const ir::Range& range = params[param].range;
+      const Rational a = k * static_cast<long>(range.lo), b = k * static_cast<long>(range.hi);
+      for (Rational* end : {&most, &most_shown}) *end += std::max(a, b);
+      for (Rational* end : {&least, &least_shown}) *end += std::min(a, b);
+    }
+    State state;
+    for (const auto& [leaf, k] : form.terms) {
+      const Extent e = extent_of(leaf);
+      const bool up = sgn(k) > 0;
+      most += k * static_cast<long>(up ? e.hi : e.lo);
+      least += k * static_cast<long>(up ? e.lo : e.hi);
+      most_shown += k * static_cast<long>(up ? e.hi_shown : e.lo_shown);
+      least_shown += k * static_cast<long>(up ? e.lo_shown : e.hi_shown);
+      state.ways[{&block, leaf}] = up == value ? 1 : -1;
+    }
+    const auto holds = [&](const Rational& at) { return v.strict ? sgn(at) > 0 : sgn(at) >= 0; };
+    state.can = holds(value ? most : least) != value               ? no
+                : holds(value ? most_shown : least_shown) == value ? yes
+                                                                   : CanFail::open;
+    // of several signals the extremes need not come together
+    const bool one_by_one = form.terms.size() < 2 || is_charge(form);
+    if (state.can == yes && !one_by_one) state.can = CanFail::open;
+    return state;
+  }
+  // A battery may be empty wherever a robot is.
+  static bool is_charge(const ir::Linear& form) {
+    return std::all_of(form.terms.begin(), form.terms.end(), [](const auto& term) {
+      return term.first.kind == Leaf::Kind::battery || term.first.kind == Leaf::Kind::energy_to;
+    });
+  }
+  // Of the body: as far as its farthest point is from the boundary.
+  [[nodiscard]] Extent clearance(const ir::ZoneTable& zone) const {
+    const std::int64_t radius_mm = decision_.body.radius_mm;
+    const Shape shape = shape_of(zone);
+    if (!shape.bounded) {
+      return {-shape.depth_mm - radius_mm, far_away, -radius_mm - 1, far_away};
+    }
+    // `widest_mm` is a lower bound of the greatest clearance, close to it
+    const std::int64_t hi = zone.widest_mm - radius_mm;
+    return {-far_away, hi + std::max<std::int64_t>(zone.widest_mm / 10, 100), -far_away, hi};
+  }
+
+  const ir::Module& module_;
+  const ir::Decision& decision_;
+};
+
+}  // namespace
+
+Vacuity vacuity_of(const ir::Module& module, const ir::Decision& decision,
+                   const ir::Block& property) {
+  Finder finder(module, decision);
+  const State state = finder.find(property, property.result, false);
+  Vacuity out{state.can, {}};
+  if (state.can == CanFail::yes) {
+    for (const auto& [of, way] : state.ways) out.because.push_back(finder.text_of(of.second, way));
+  } else if (state.can == CanFail::no) {
+    out.because = finder.limits_of(property);
+  }
+  return out;
+}
+
+}  // namespace rtac::analysis

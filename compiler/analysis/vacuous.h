@@ -1,0 +1,22 @@
+// Whether a property of robots can be false: which states of the world would show it, from what
+// each signal can be by itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+enum class CanFail { yes, no, open };
+struct Vacuity {
+  CanFail can_fail = CanFail::open;
+  // What makes it false; or, of what is never false, what its signals can be at all.
+  std::vector<std::string> because;
+};
+// Never false is a property that finds nothing, whatever the robots do.
+Vacuity vacuity_of(const ir::Module& module, const ir::Decision& decision,
+                   const ir::Block& property);
+
+}  // namespace rtac::analysis
