@@ -1,6 +1,7 @@
 #include "compiler/analysis/return_condition.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "compiler/analysis/fences.h"
@@ -72,6 +73,19 @@ bool is_never_at_all(const ir::Block& block, ir::ValueId id) {
   }
   return is_never(block, id);
 }
+
+// Of the box around zones of the plane.
+struct Sides {
+  std::int64_t low_x = INT64_MAX, high_x = INT64_MIN, low_y = INT64_MAX, high_y = INT64_MIN;
+  void hold(const ir::ZoneTable& zone) {
+    for (const ir::Edge& e : zone.edges) {
+      low_x = std::min<std::int64_t>(low_x, e.ax);
+      high_x = std::max<std::int64_t>(high_x, e.ax);
+      low_y = std::min<std::int64_t>(low_y, e.ay);
+      high_y = std::max<std::int64_t>(high_y, e.ay);
+    }
+  }
+};
 
 class Judge {
  public:
@@ -257,7 +271,7 @@ class Judge {
     std::int64_t best = std::int64_t{1} << 31;
     for (const ir::Monitor& m : decision_.monitors) {
       for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
-        best = std::min(best, diameter_mm(module_[fence]) - 2 * decision_.body.radius_mm);
+        if (const auto apart = bodies_apart_mm(fence)) best = std::min(best, *apart);
       }
     }
     return best;
@@ -267,8 +281,8 @@ class Judge {
     const ir::ZoneTable* nearest = nullptr;
     for (const ir::Monitor& m : decision_.monitors) {
       for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
-        const std::int64_t apart = diameter_mm(module_[fence]) - 2 * decision_.body.radius_mm;
-        if (best && *best <= apart) continue;
+        const auto apart = bodies_apart_mm(fence);
+        if (!apart || (best && *best <= *apart)) continue;
         best = apart;
         nearest = &module_[fence];
       }
@@ -282,20 +296,28 @@ class Judge {
                                 : "no distance works: widen the zone";
     return d;
   }
+  // Between two bodies in a zone, the farthest they may be apart. none: of robots in space a zone
+  // of the plane bounds no height.
+  std::optional<std::int64_t> bodies_apart_mm(ir::ZoneIndex zone) const {
+    if (decision_.body.in_space && !module_[zone].has_height()) return std::nullopt;
+    return diameter_mm(module_[zone]) - 2 * decision_.body.radius_mm;
+  }
   // From corner to corner of the box around the zone, rounded down to the grid of distances.
-  static std::int64_t diameter_mm(const ir::ZoneTable& zone) {
-    std::int64_t low_x = zone.edges[0].ax, high_x = low_x, low_y = zone.edges[0].ay, high_y = low_y;
-    for (const ir::Edge& e : zone.edges) {
-      low_x = std::min<std::int64_t>(low_x, e.ax);
-      high_x = std::max<std::int64_t>(high_x, e.ax);
-      low_y = std::min<std::int64_t>(low_y, e.ay);
-      high_y = std::max<std::int64_t>(high_y, e.ay);
+  std::int64_t diameter_mm(const ir::ZoneTable& zone) const {
+    Sides box;
+    std::int64_t up = 0;
+    if (zone.has_height()) {
+      for (const auto& slab : zone.slabs) box.hold(module_[slab.base]);
+      up = std::int64_t{zone.slabs.back().ceiling_mm} - zone.slabs.front().floor_mm;
+    } else {
+      box.hold(zone);
     }
-    const std::int64_t dx = high_x - low_x, dy = high_y - low_y;  // at most 2^30 each
-    std::int64_t low = 0, high = dx + dy;
+    const std::int64_t dx = box.high_x - box.low_x, dy = box.high_y - box.low_y;  // 2^30 at most
+    std::int64_t low = 0, high = dx + dy + up;
     while (low < high) {
       const std::int64_t middle = low + (high - low + 1) / 2;
-      middle* middle <= dx* dx + dy* dy ? low = middle : high = middle - 1;
+      const bool fits = middle * middle <= dx * dx + dy * dy + up * up;
+      fits ? low = middle : high = middle - 1;
     }
     return low;
   }

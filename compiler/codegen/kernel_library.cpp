@@ -3,6 +3,7 @@
 #include <cctype>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "compiler/codegen/names.h"
 
@@ -10,7 +11,7 @@ namespace rtac::codegen {
 namespace {
 
 struct Part {
-  std::string name, kind, text;  // kind: "cells", "edges" or empty
+  std::string name, kind, text;  // kind: one of the pairs below, or empty
   std::vector<std::string> needs;
 };
 
@@ -30,7 +31,10 @@ Part parse_head(const std::string& line) {
   return part;
 }
 
-std::vector<Part> parse_parts(const std::string& without) {
+// Functions of which there are two kinds, one where the first word is wanted, else the other one.
+constexpr std::pair<const char*, const char*> kinds[] = {{"cells", "edges"}, {"in_space", "plane"}};
+
+std::vector<Part> parse_parts(const std::set<std::string>& wanted) {
   std::vector<Part> parts;
   for (const char* text : kernel_texts()) {
     std::istringstream lines(text);
@@ -45,7 +49,10 @@ std::vector<Part> parse_parts(const std::string& without) {
       }
     }
   }
-  std::erase_if(parts, [&](const Part& part) { return part.kind == without; });
+  for (const auto& [with, without] : kinds) {
+    const std::string other = wanted.count(with) > 0 ? without : with;
+    std::erase_if(parts, [&](const Part& part) { return part.kind == other; });
+  }
   return parts;
 }
 
@@ -112,7 +119,7 @@ bool is_state_type(const std::string& name) {
 // Of what is needed, either the types of the state or all else.
 std::string library(const std::set<std::string>& wanted, const std::string& prefix,
                     bool state_types) {
-  const std::vector<Part> parts = parse_parts(wanted.count("cells") > 0 ? "edges" : "cells");
+  const std::vector<Part> parts = parse_parts(wanted);
   std::map<std::string, const Part*> by_name;
   for (const Part& part : parts) by_name[part.name] = &part;
   std::set<std::string> needed;

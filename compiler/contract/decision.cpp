@@ -315,6 +315,9 @@ Contracts contracts_of(const Spec& spec, const std::string& prefix) {
       contracts.gaps.push_back("decision `" + decision.name + "` runs on plans");
       continue;
     }
+    if (spec[decision.kind].in_space) {
+      contracts.gaps.push_back("decision `" + decision.name + "` is for robots in space");
+    }
     const std::string given = joined("requires", pointers(f)) + joined("requires", looked(f));
     contracts.text += filled(f, monitor_contracts(f, given) + look_contract(f) + start_contract(f) +
                                     measure_contract(f) + check_contract(f) + report_contract(f) +

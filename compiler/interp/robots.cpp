@@ -36,8 +36,9 @@ Rational squared(const Rational& value) {
   return value * value;
 }
 
-Root length(const Place& from, const Place& to) {
-  return square_root(Rational(squared(to.x - from.x) + squared(to.y - from.y)));
+// `up`: how much higher the one is than the other.
+Root length(const Place& from, const Place& to, const Rational& up = 0) {
+  return square_root(Rational(squared(to.x - from.x) + squared(to.y - from.y) + squared(up)));
 }
 
 }  // namespace
@@ -128,7 +129,9 @@ Span Robots::altitude() const {
 Span Robots::distance(sema::RobotId other) const {
   const auto from = place(self_), to = place(other);
   if (!from || !to) return unknown(std::nullopt);
-  const Root centres = length(*from, *to);
+  const auto from_z = height(self_), to_z = height(other);
+  const Rational up = from_z && to_z ? Rational(*to_z - *from_z) : Rational(0);
+  const Root centres = length(*from, *to, up);
   const Rational error = 2 * place_error(), bodies = 2 * kind_.radius.value;
   return between(Rational(centres.below - error - bodies),
                  Rational(centres.above + error - bodies));

@@ -249,9 +249,6 @@ class KindChecker {
       report_not_in_space(kind_.energy->range, "have `energy`",
                           "ways are priced in the plane: leave it out");
     }
-    if (const auto hears = seen_.find("hears"); hears != seen_.end()) {
-      report_not_in_space(hears->second, "hear others", "leave it out");
-    }
   }
   void report_not_in_space(const SourceRange& range, const std::string& what,
                            const std::string& help) {

@@ -8,7 +8,8 @@ namespace rtac::safe {
 
 bool is_held(const Announcement& other, TimeUs now_us) {
   return other.lease_end_us != never_us && other.lease_end_us >= now_us &&
-         other.position.stamp_us != never_us && is_finite(other.position.value);
+         other.position.stamp_us != never_us && is_finite(other.position.value) &&
+         is_finite(other.height_m);
 }
 
 int asks_for_passage(const Observation& observation) {

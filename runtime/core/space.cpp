@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rtac/safe/manoeuvre.h"
 #include "rtac/safe/pace.h"
 
 namespace rtac::safe {
@@ -18,6 +19,9 @@ constexpr int looks_max = 4000, cells_tried_max = 24;
 
 double squared(double x) {
   return x * x;
+}
+double inner(Vec3 a, Vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 // What is around a place, looked at so many times at most.
@@ -143,7 +147,7 @@ Acceleration Carried::command(const Observation& observation, Gate gate) {
     look(here, legs_);
     leg_ = 0;
   }
-  if (!legs_.empty() && gate == Gate::free) {
+  if (!legs_.empty() && allowed(observation, gate)) {
     const Vec3 end = legs_[leg_];
     const double step_m = setting_.speed_mps * static_cast<double>(setting_.period_us) * s_per_us;
     // the hold comes to the end first, and the robot after it
@@ -152,6 +156,18 @@ Acceleration Carried::command(const Observation& observation, Gate gate) {
     }
   }
   return pilot_.halt(observation);
+}
+
+bool Carried::allowed(const Observation& observation, Gate gate) const {
+  if (gate == Gate::free) return true;
+  if (gate == Gate::hold) return false;
+  const Vec3 here = position_of(observation), way = legs_[leg_] - here;
+  for (int j = 0; j < observation.robots; ++j) {
+    const Announcement& other = observation.others[static_cast<std::size_t>(j)];
+    if (j == observation.self || !is_held(other, observation.now_us)) continue;
+    if (!(inner(way, here - position_of(other)) >= 0)) return false;
+  }
+  return true;
 }
 
 void Land::look(Vec3 from, Legs& legs) {

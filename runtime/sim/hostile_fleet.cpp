@@ -154,7 +154,13 @@ class HostileFleet<Output>::Impl {
     std::vector<std::int64_t> whole{robot, a.position.stamp_us, a.velocity.stamp_us};
     std::vector<double> real{a.position.value.x, a.position.value.y, a.velocity.value.x,
                              a.velocity.value.y};
+    const bool in_space = arena_.limits().in_space;
+    if (in_space) real.insert(real.end(), {a.height_m, a.climb_mps});
     if (tape_.playing() && tape_.read("announce", whole, real, 1)) {
+      if (in_space) {
+        a.height_m = real[4];
+        a.climb_mps = real[5];
+      }
       a.position = {{real[0], real[1]}, whole[1]};
       a.velocity = {{real[2], real[3]}, whole[2]};
     }

@@ -20,7 +20,7 @@ bool measure_kills(const Effort& /*effort*/, Report& report) {
       continue;
     }
     const std::string unit = a.depth.substr(a.depth.find(' ') + 1);
-    report.add(std::string("kill_") + row.mutant,
+    report.add(std::string("kill_") + row.mutant + "_" + row.spec,
                std::string(row.mutant) + ", " + row.spec + ", " + row.adversary + ", seed " +
                    std::to_string(a.seed),
                std::strtod(a.depth.c_str(), nullptr), unit, decimals);

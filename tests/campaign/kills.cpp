@@ -50,10 +50,13 @@ const std::vector<Row>& kill_table() {
       {"points-only", "legs", "follow-plans", 20},
       {"no-message-age", "pair", "chase-robot", 20},
       {"others-stand", "pair", "chase-robot", 20},
+      {"no-message-age", "starlings", "chase-robot", 20, "above.json"},
+      {"others-stand", "starlings", "chase-robot", 20, "above.json"},
       {"agents-stand", "crossing", "chase-robot", 20},
       {"no-agent-age", "crossing", "chase-robot", 20},
       {"open-gate", "gate", "drop-outs", 60},
       {"level-flight", "attic", "chase-fence", 20, "templates/short.json"},
+      {"level-flight", "starlings", "chase-robot", 20, "above.json"},
       {"stale-charge", "fuel", "drain", 20},
   };
   return all;

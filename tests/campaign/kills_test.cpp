@@ -28,7 +28,7 @@ TEST_P(Kills, NotTheSoundOne) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<Row>& info) {
-  std::string name = info.param.mutant;
+  std::string name = std::string(info.param.mutant) + "_" + info.param.spec;
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;

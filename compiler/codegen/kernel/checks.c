@@ -196,6 +196,7 @@ static int64_t nearer_of(other *o, const KERNEL_other *in, const estimate *self,
   const KERNEL_point *p = &in->position;
   const KERNEL_point *v = &in->velocity;
   const int64_t most_mmps = b->speed_mmps + b->velocity_error_mmps + 2; /* see estimate_of */
+  /*? in_space */ int64_t up_mm;
   vec u, d;
   if (o->s.input != INPUT_NONE || !usable(p, now_us, b->position_age_us) ||
       !usable(v, now_us, b->velocity_age_us) || !within_speeds(v) || p->x_hi - p->x_lo > 1 ||
@@ -204,12 +205,17 @@ static int64_t nearer_of(other *o, const KERNEL_other *in, const estimate *self,
     return nearest_mm2;
   }
   u = vec_of(v->x_lo, v->y_lo);
-  if (dot(u, u) > most_mmps * most_mmps) {
+  d = minus(vec_of(p->x_lo, p->y_lo), self->p);
+  /*? in_space */ if (p->z_hi - p->z_lo > 1 || p->z_lo < -EXTENT_MM || p->z_hi > EXTENT_MM ||
+  /*? in_space */     dot(u, u) + v->z_lo * v->z_lo > most_mmps * most_mmps) {
+  /*? !in_space */ if (dot(u, u) > most_mmps * most_mmps) {
     return nearest_mm2;
   }
-  d = minus(vec_of(p->x_lo, p->y_lo), self->p);
-  o->off_mm = max_of(magnitude(d.x), magnitude(d.y));
-  return min_of(nearest_mm2, dot(d, d));
+  /*? in_space */ up_mm = p->z_lo - self->z;
+  /*? in_space */ o->off_mm = max_of(max_of(magnitude(d.x), magnitude(d.y)), magnitude(up_mm));
+  /*? in_space */ return min_of(nearest_mm2, dot(d, d) + up_mm * up_mm);
+  /*? !in_space */ o->off_mm = max_of(magnitude(d.x), magnitude(d.y));
+  /*? !in_space */ return min_of(nearest_mm2, dot(d, d));
 }
 /*= far_from : reach_of estimate_type body_type motion_type max_of root_up */
 /* How far off a robot has to be for its margins to be larger than those of the nearest one, and than
@@ -243,13 +249,15 @@ static span distance_now(const estimate *s, const other *o, const body *b, const
     const vec d = minus(s->p, o->s.p);
     const int64_t error = s->p_error_mm + moved_now(s, b, m) + o->s.p_error_mm +
                           (o->held != 0 ? b->hold_mm : moved_now(&o->s, b, any));
-    const int64_t centre = root_down(dot(d, d));
+    /*? in_space */ const int64_t up_mm = s->z - o->s.z;
+    /*? in_space */ const int64_t centre = root_down(dot(d, d) + up_mm * up_mm);
+    /*? !in_space */ const int64_t centre = root_down(dot(d, d));
     gap = span_of(centre - error - 2 * b->radius_mm, centre + 1 + error - 2 * b->radius_mm);
   }
   gap.other = index;
   return gap;
 }
-/*= pair_spare : other_type body_type point_gap_lo point_segment_lo segment_gap_lo max_of */
+/*= pair_spare @plane : other_type body_type point_gap_lo point_segment_lo segment_gap_lo max_of */
 /* Spare gap between everything within reach of two robots; disc or capsule for either. */
 static int64_t pair_spare(const reach *r, const other *o, const body *b) {
   const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
@@ -261,6 +269,22 @@ static int64_t pair_spare(const reach *r, const other *o, const body *b) {
                    point_segment_lo(r->p, o->r.p, o->r.e) - r->disc_mm - o->r.capsule_mm);
     spare = max_of(spare,
                    segment_gap_lo(r->p, r->e, o->r.p, o->r.e) - r->capsule_mm - o->r.capsule_mm);
+  }
+  return spare;
+}
+/*= pair_spare @in_space : other_type body_type spot_of spot_gap_lo spot_segment_lo spots_apart_lo max_of */
+/* Spare gap between everything within reach of two robots in space; disc, here a ball, or capsule
+ * for either. */
+static int64_t pair_spare(const reach *r, const other *o, const body *b) {
+  const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
+  const int64_t axis = o->held != 0 ? still : o->r.disc_mm;
+  const spot p = spot_of(r->p, r->z), e = spot_of(r->e, r->z_end);
+  const spot q = spot_of(o->s.p, o->s.z), f = spot_of(o->r.e, o->r.z_end);
+  int64_t spare = spot_gap_lo(p, q) - r->disc_mm - axis;
+  spare = max_of(spare, spot_segment_lo(q, p, e) - r->capsule_mm - axis);
+  if (o->held == 0) {
+    spare = max_of(spare, spot_segment_lo(p, q, f) - r->disc_mm - o->r.capsule_mm);
+    spare = max_of(spare, spots_apart_lo(p, e, q, f) - r->capsule_mm - o->r.capsule_mm);
   }
   return spare;
 }

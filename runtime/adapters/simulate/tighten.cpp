@@ -57,6 +57,7 @@ void tighten(const DecisionCase& d, const Kernel::Functions& kernel, Setup& setu
   }
   for (std::size_t i = 0; i < robots.size(); ++i) {
     setup.starts[i].place = {robots[i].position.x, robots[i].position.y};
+    setup.starts[i].height_m = robots[i].position.z;
     setup.starts[i].battery = robots[i].battery;
   }
 }

@@ -126,6 +126,10 @@ struct Announcement {
   double height_m = 0, climb_mps = 0;  // as those of an observation
 };
 
+inline Vec3 position_of(const Announcement& heard) {
+  return {heard.position.value.x, heard.position.value.y, heard.height_m};
+}
+
 // What each robot of a fleet has said, by fleet index (below max_robots). It holds those that were
 // written to or reserved, and takes no room for others: of these nothing was heard. References stay
 // valid when it grows. Only growing allocates.

@@ -10,6 +10,8 @@
 #include "closed_of_2_kernel.h"
 #include "open_of_24_kernel.h"
 #include "open_of_2_kernel.h"
+#include "space_of_24_kernel.h"
+#include "space_of_2_kernel.h"
 
 namespace {
 
@@ -31,6 +33,8 @@ RTAC_STEP(open, 2)
 RTAC_STEP(open, 24)
 RTAC_STEP(closed, 2)
 RTAC_STEP(closed, 24)
+RTAC_STEP(space, 2)
+RTAC_STEP(space, 24)
 #undef RTAC_STEP
 
 enum { is_false = OPEN_OF_24_VERDICT_FALSE, is_true = OPEN_OF_24_VERDICT_TRUE };
@@ -44,13 +48,18 @@ class Scene {
   bool one_in(int n) { return whole(1, n) == 1; }
 
   template <class Point>
-  void point(Point& p, std::int64_t x, std::int64_t y, std::int64_t age, bool faults) {
+  void point(Point& p, std::int64_t x, std::int64_t y, std::int64_t high, std::int64_t age,
+             bool faults) {
     const std::int64_t wide =
         faults && one_in(12) ? whole(2, one_in(2) ? 4'000 : 60'000) : whole(0, 1);
     p.x_lo = x;
     p.x_hi = x + wide;
     p.y_lo = y;
     p.y_hi = y + whole(0, 1);
+    if constexpr (requires { p.z_lo; }) {
+      p.z_lo = high;
+      p.z_hi = high + (faults && one_in(12) ? whole(2, 60'000) : whole(0, 1));
+    }
     p.stamp_us = now_us - whole(0, age);
     if (faults && one_in(12)) p.stamp_us = now_us - age - 1;
     if (faults && one_in(40)) p.stamp_us = now_us + 1;
@@ -60,7 +69,7 @@ class Scene {
   template <class Point>
   void velocity(Point& v, std::int64_t age, bool faults) {
     const std::int64_t most = faults && one_in(8) ? 4000 : 1400;
-    point(v, whole(-most, most), whole(-most, most), age, faults);
+    point(v, whole(-most, most), whole(-most, most), whole(-most, most), age, faults);
   }
   // `spread`: half of the side of the square that they are in, mm. `faults`: one in how many.
   template <class In>
@@ -69,12 +78,18 @@ class Scene {
     in.self = static_cast<std::int32_t>(whole(0, robots - 1));
     const std::int64_t middle = 100'000;
     const auto place = [&] { return middle + whole(-spread, spread); };
-    point(in.position, place(), place(), age_us, own_faults);
+    // in space often one above the other
+    const std::int64_t flat = one_in(2) ? spread : 0;
+    const auto height = [&] { return flat > 0 ? whole(-flat, flat) : whole(-60'000, 60'000); };
+    point(in.position, place(), place(), height(), age_us, own_faults);
     velocity(in.velocity, age_us, own_faults);
     for (auto& o : in.others) {
       const bool faults = fault_of > 0 && one_in(fault_of);
-      point(o.position, place(), place(), hears_us, faults);
+      point(o.position, place(), place(), height(), hears_us, faults);
       if (faults && one_in(10)) o.position.x_hi = o.position.x_lo = 2'000'000'000;
+      if constexpr (requires { o.position.z_lo; }) {
+        if (faults && one_in(10)) o.position.z_hi = o.position.z_lo = -2'000'000'000;
+      }
       velocity(o.velocity, hears_us, faults);
       o.lease_end_us = one_in(4) ? now_us + whole(0, 1'200'000) : INT64_MIN;
       o.goes_first = one_in(2);
@@ -168,6 +183,10 @@ TEST(Fleet, FindsWhatAllPairsFind) {
 }
 TEST(Fleet, FindsWhatAllPairsFindOfThoseThatArePresent) {
   compare<open_2, open_24>(4'000);
+}
+
+TEST(Fleet, FindsWhatAllPairsFindInSpace) {
+  compare<space_2, space_24>(4'000);
 }
 
 // Far off and left out, but not forgotten: a stamp that goes backwards is a fault all the same.

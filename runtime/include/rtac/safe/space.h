@@ -24,6 +24,10 @@ class Carried : public SafeController<Acceleration> {
   Setting setting_;
 
  private:
+  // Past robots that are HELD the gate lets it go only on legs that bring it nearer to none of
+  // them.
+  [[nodiscard]] bool allowed(const Observation& observation, Gate gate) const;
+
   Pilot<Acceleration> pilot_;
   Legs legs_;
   std::size_t leg_ = 0;
