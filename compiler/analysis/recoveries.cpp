@@ -81,10 +81,12 @@ class Recoveries {
     d.notes.push_back({std::nullopt, "beyond the property at full speed, it stops up to " +
                                          metres(farther_mm) + " farther on, and stays there"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = (asks.clearance
-                  ? "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "` works"
-                  : "`yield within Z speed " + speed_to_name() + " order id` works") +
-             ", or `hold when violated \"why\";` in the monitor";
+    const std::string leads =
+        asks.clearance ? "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "`"
+        : decision_.body.in_space ? ""  // none of space makes way for others
+                                  : "`yield within Z speed " + speed_to_name() + " order id`";
+    d.help = (leads.empty() ? "" : leads + " works, or ") +
+             "`hold when violated \"why\";` in the monitor" + (leads.empty() ? " works" : "");
     diagnostics_.report(std::move(d));
   }
   // Outside of what it claims an external recovery is braked, in every tick.

@@ -21,7 +21,7 @@ const char* const flock = R"(spec flock;
 zone field = prism (rectangle (-4 m, -4 m) to (4 m, 4 m)) from -4 m to 4 m;
 param h : length in 0 m .. 0.3 m = 0.1 m;
 robot Quad {
-  body   radius 10.05 cm;
+  body   radius 10 cm;
   motion point { speed <= 0.5 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
   sense  position : point3  error 1 cm   max_age 100 ms;
   sense  velocity : vector3 error 1 cm/s max_age 100 ms;
@@ -34,7 +34,7 @@ controller policy : advanced for Quad extern;
 controller stop   : safe for Quad = brake_and_hold;
 monitor apart for r : Quad { "R1: apart" always forall q : Quad, q != r : distance(r, q) > 50 cm; recover stop; hold when violated "a test"; }
 monitor gap for r : Quad { "R2: least" always min(q : Quad, q != r : distance(r, q)) >= 20 cm + h; recover stop; hold when violated "a test"; }
-monitor alone for r : Quad { "R3: few" always count(q : Quad, q != r : distance(r, q) <= 2 m) <= 1; recover stop; hold when violated "a test"; }
+monitor alone for r : Quad { "R3: few" always count(q : Quad, q != r : distance(r, q) <= 2 m) <= 1; recover stop; }
 monitor near for r : Quad { "R4: far" always exists q : Quad, q != r : distance(r, q) >= 1 m; recover stop; hold when violated "a test"; }
 monitor walls for r : Quad { "R5: in" always r inside field and r.position.z <= 3.5 m; recover stop; hold when violated "a test"; }
 decision fly for Quad { advanced policy; period 50 ms; priority apart > gap > alone > near > walls;

@@ -71,6 +71,27 @@ TEST(ReturnCondition, ConnectivesCountAsTheyAreMeant) {
   EXPECT_FALSE(is_refused(fence_returns(never + " or " + fine)));
 }
 
+// The corners of a box in space are farther apart than those of its floor; a zone of the plane has
+// no corners above each other.
+TEST(ReturnCondition, ADistanceInSpaceMayBeAsLongAsTheBoxAroundItsFence) {
+  const std::string flock = spec_text("tests/golden/space_flock/spec.rta");
+  const auto apart = [&](const std::string& distance) {
+    return edited(flock, "hold    when violated",
+                  "return  when forall q : Drone, q != d : distance(d, q) " + distance +
+                      ";\n  hold    when violated");
+  };
+  const auto c = compiled(apart(">= 100 m"));
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  const std::string most =
+      number_in_help(*c, Code::return_set_empty, "a distance of at most ", "m can be had");
+  EXPECT_NEAR(std::stod(most), std::hypot(60, 40, 50) - 0.5, 0.0011);
+  EXPECT_FALSE(is_refused(apart(">= " + most + " m")));
+  EXPECT_TRUE(is_refused(apart("> " + most + " m")));
+  EXPECT_FALSE(is_refused(edited(apart(">= 100 m"),
+                                 "prism (rectangle (0 m, 0 m) to (60 m, 40 m)) from 0 m to 50 m",
+                                 "rectangle (0 m, 0 m) to (60 m, 40 m)")));
+}
+
 // The floor is 20 m x 10 m, a cart 20 cm wide: no two are 22.2 m apart.
 TEST(ReturnCondition, ADistanceThatNoTwoRobotsInTheFenceHaveIsRefusedWithTheLargestOne) {
   const auto carts_return = [](const std::string& condition) {

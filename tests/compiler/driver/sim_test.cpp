@@ -91,6 +91,28 @@ TEST_F(Simulations, AnUnsoundOneIsViolatedWithARunThatIsPlayedAgain) {
   }
 }
 
+// What is heard has heights, which a run has to keep.
+TEST_F(Simulations, APairInSpaceIsPlayedAgain) {
+  write("spec.rta", spec_text("tests/campaign/specs/starlings.rta"));
+  const std::string starts = R"({"starts": {"s1": {"at": [0, 0, 0]}, "s2": {"at": [0, 0, 9]}}})";
+  write("above.json", starts);
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "3", "--scenario", "above.json", "--mutate",
+                          "others-stand", "--trace", "run.trace"});
+  ASSERT_EQ(o.status, 3) << o.out << o.err;
+  const Outcome r = rtac({"sim", "spec.rta", "--replay", "run.trace", "--mutate", "others-stand"});
+  EXPECT_EQ(r.status, 3) << r.out << r.err;
+  // without the height of one message it is another run
+  const std::string run = read("run.trace");
+  const std::size_t said = run.find("\nannounce 1 ", run.size() / 4);
+  ASSERT_NE(said, std::string::npos);
+  const std::size_t end = run.find('\n', said + 1), climb = run.rfind(' ', end - 1);
+  const std::size_t height = run.rfind(' ', climb - 1);
+  write("edited.trace", std::string(run).replace(height, climb - height, " 0x1p+3"));
+  const Outcome e =
+      rtac({"sim", "spec.rta", "--replay", "edited.trace", "--mutate", "others-stand"});
+  EXPECT_EQ(e.status, 4) << e.out << e.err;
+}
+
 TEST_F(Simulations, AnEditedRunIsAnotherOne) {
   write("spec.rta", yard(blind));
   ASSERT_EQ(rtac({"sim", "spec.rta", "--runs", "1", "--trace", "run.trace"}).status, 3);

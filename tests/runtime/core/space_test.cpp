@@ -10,6 +10,44 @@
 namespace rtac::safe {
 namespace {
 
+// Whether a robot that has come to rest carries its hold away, so that it is pulled.
+bool is_pulled(Gate gate, Vec3 held) {
+  Setting setting;
+  setting.limits = test::drone_limits();
+  setting.limits.in_space = true;
+  setting.period_us = 50'000;
+  setting.speed_mps = 0.5;
+  setting.land_at_m = 1;
+  Land land(setting);
+  Observation seen;
+  seen.robots = 2;
+  seen.position.value = {5, 5};
+  seen.height_m = 4;
+  Announcement& other = seen.others[1];
+  other.position.value = {held.x, held.y};
+  other.height_m = held.z;
+  land.engage(seen);
+  Acceleration command{};
+  for (TimeUs now_us = 0; now_us < 5'000'000; now_us += setting.period_us) {
+    seen.now_us = seen.position.stamp_us = seen.velocity.stamp_us = now_us;
+    other.position.stamp_us = now_us;
+    other.lease_end_us = now_us + 500'000;
+    command = land.command(seen, gate);
+  }
+  return command.up_mps2 < -0.01;
+}
+
+// Past robots that promised to stay it goes on only where its leg, straight down, brings it nearer
+// to none of them.
+TEST(CarriedInSpace, RecedesFromRobotsThatAreHeldByHeightToo) {
+  EXPECT_TRUE(is_pulled(Gate::free, {5, 5, 2}));
+  EXPECT_FALSE(is_pulled(Gate::hold, {5, 5, 6}));
+  EXPECT_TRUE(is_pulled(Gate::away_only, {5, 5, 6}));
+  EXPECT_TRUE(is_pulled(Gate::away_only, {9, 5, 4.5}));
+  EXPECT_FALSE(is_pulled(Gate::away_only, {5, 5, 2}));
+  EXPECT_FALSE(is_pulled(Gate::away_only, {9, 5, 3.5}));
+}
+
 // Whether a robot that has come to rest sets out.
 bool sets_out(const Setting& setting, Vec2 from, double height_m) {
   RetreatInSpace retreat(setting);

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace flock {
+namespace space_flock {
 
 namespace {
 
@@ -2469,14 +2469,14 @@ static_assert(rtac::max_robots >= 8,
 
 Fly::Fly(int self) : state_(), in_(), record_() {
   in_.self = self;
-  flock_fly_init(&state_);
+  space_flock_fly_init(&state_);
   reset();
 }
 
 void Fly::reset() {
   // the other robots rely on what was promised
   const rtac::TimeUs lease_end_us = state_.lease_end_us;
-  flock_fly_init(&state_);
+  space_flock_fly_init(&state_);
   state_.lease_end_us = lease_end_us;
   record_ = rtac::DecisionRecord();
   record_.lease_end_us = lease_end_us;
@@ -2505,7 +2505,7 @@ Fly& Fly::plan(const rtac::Path& value) {
 }
 
 Fly& Fly::heard(int robot, const rtac::Announcement& value, bool goes_first) {
-  if (robot < 0 || robot >= FLOCK_FLY_ROBOTS) return *this;
+  if (robot < 0 || robot >= SPACE_FLOCK_FLY_ROBOTS) return *this;
   auto& other = in_.others[robot];
   rtac::bridge::put_in_space(other.position, value.position, value.height_m);
   rtac::bridge::put_in_space(other.velocity, value.velocity, value.climb_mps);
@@ -2529,7 +2529,7 @@ const rtac::DecisionRecord& Fly::step(const rtac::Observation& observation,
   rtac::bridge::put_in_space(in_.velocity, observation.velocity, observation.climb_mps);
   rtac::bridge::put_ratio(in_.battery, observation.battery);
   plan(observation.plan);
-  for (int j = 0; j < FLOCK_FLY_ROBOTS; ++j) {
+  for (int j = 0; j < SPACE_FLOCK_FLY_ROBOTS; ++j) {
     if (j == in_.self) continue;
     heard(j, observation.others[static_cast<std::size_t>(j)],
           rtac::goes_first(observation, j));
@@ -2538,10 +2538,10 @@ const rtac::DecisionRecord& Fly::step(const rtac::Observation& observation,
 }
 
 const rtac::DecisionRecord& Fly::step(rtac::TimeUs now_us, bool holding, bool surrender) {
-  flock_fly_out out;
+  space_flock_fly_out out;
   in_.holding = holding;
   in_.surrender = surrender;
-  flock_fly_step(&state_, &in_, now_us, &out);
+  space_flock_fly_step(&state_, &in_, now_us, &out);
   rtac::bridge::take_findings(out, 2, record_);
   record_.previous_mode = out.previous_mode;
   record_.tick = static_cast<std::uint64_t>(out.tick);
@@ -2573,4 +2573,4 @@ const rtac::SolidView& field_zone() {
 
 const rtac::RobotLimits& Drone_limits() { return limits_of_Drone; }
 
-}  // namespace flock
+}  // namespace space_flock

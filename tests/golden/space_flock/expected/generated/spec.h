@@ -11,7 +11,7 @@
 static_assert(rtac::bridge::abi == 3,
               "this module was generated for another version of the runtime");
 
-namespace flock {
+namespace space_flock {
 
 // Decision fly for one Drone: fill the inputs, then step.
 class Fly final : public rtac::DecisionModule {
@@ -36,8 +36,8 @@ class Fly final : public rtac::DecisionModule {
   void reset() override;
 
   private:
-  flock_fly_state state_;
-  flock_fly_in in_;
+  space_flock_fly_state state_;
+  space_flock_fly_in in_;
   rtac::DecisionRecord record_;
 };
 
@@ -48,4 +48,4 @@ const rtac::SolidView& field_zone();
 // Limits of the robots, as declared.
 const rtac::RobotLimits& Drone_limits();
 
-}  // namespace flock
+}  // namespace space_flock

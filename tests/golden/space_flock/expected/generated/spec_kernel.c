@@ -11,7 +11,7 @@
 /* Millionths of the scale (1 m, 1 %) per grid unit (1 mm, 1 ppm). */
 #define WEIGHT_MM INT64_C(1000)
 #define WEIGHT_PPM INT64_C(100)
-#define PLAN_CAPACITY FLOCK_PLAN_CAPACITY
+#define PLAN_CAPACITY SPACE_FLOCK_PLAN_CAPACITY
 #define NO_BODY INT64_C(-1)
 #define NO_WAY INT64_C(1073741824)
 
@@ -131,7 +131,7 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   m.lo = lo;
   m.hi = hi;
   m.reason = reason;
-  m.input = FLOCK_INPUT_NONE;
+  m.input = SPACE_FLOCK_INPUT_NONE;
   m.index = 0;
   m.other = -1;
   return m;
@@ -139,11 +139,11 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
 
 /* Nothing to object. */
 static margin margin_true(void) {
-  return margin_of(MARGIN_MAX, MARGIN_MAX, FLOCK_REASON_NONE);
+  return margin_of(MARGIN_MAX, MARGIN_MAX, SPACE_FLOCK_REASON_NONE);
 }
 
 static margin margin_unknown(int32_t input) {
-  margin m = margin_of(-MARGIN_MAX, MARGIN_MAX, FLOCK_REASON_INPUT);
+  margin m = margin_of(-MARGIN_MAX, MARGIN_MAX, SPACE_FLOCK_REASON_INPUT);
   m.input = input;
   return m;
 }
@@ -157,18 +157,18 @@ static margin margin_and(margin a, margin b) {
 
 static int32_t verdict_of(margin m) {
   if (m.lo >= 0) {
-    return FLOCK_VERDICT_TRUE;
+    return SPACE_FLOCK_VERDICT_TRUE;
   }
-  return m.hi < 0 ? FLOCK_VERDICT_FALSE : FLOCK_VERDICT_UNKNOWN;
+  return m.hi < 0 ? SPACE_FLOCK_VERDICT_FALSE : SPACE_FLOCK_VERDICT_UNKNOWN;
 }
 
 /* An undecided margin of good inputs is undecided because of the declared errors. */
 static int32_t reason_of(margin m) {
-  return m.reason == FLOCK_REASON_MARGIN && m.lo < 0 && m.hi >= 0 ? FLOCK_REASON_WITHIN_ERROR : m.reason;
+  return m.reason == SPACE_FLOCK_REASON_MARGIN && m.lo < 0 && m.hi >= 0 ? SPACE_FLOCK_REASON_WITHIN_ERROR : m.reason;
 }
 
 /* A quantity on its grid, as an interval that contains the true value. `input` names the input
- * that is missing, FLOCK_INPUT_NONE when all were good. */
+ * that is missing, SPACE_FLOCK_INPUT_NONE when all were good. */
 typedef struct span {
   int64_t lo, hi;
   int32_t input;
@@ -179,7 +179,7 @@ static span span_of(int64_t lo, int64_t hi) {
   span s;
   s.lo = lo;
   s.hi = hi;
-  s.input = FLOCK_INPUT_NONE;
+  s.input = SPACE_FLOCK_INPUT_NONE;
   s.other = -1;
   return s;
 }
@@ -193,17 +193,17 @@ static span span_unknown(int32_t input) {
 /* a >= b, or a > b when `strict`; `weight` turns grid units into millionths of the scale. */
 static margin margin_at_least(span a, span b, int64_t weight, int64_t strict) {
   margin m;
-  if (a.input != FLOCK_INPUT_NONE) {
+  if (a.input != SPACE_FLOCK_INPUT_NONE) {
     m = margin_unknown(a.input);
     m.other = a.other;
     return m;
   }
-  if (b.input != FLOCK_INPUT_NONE) {
+  if (b.input != SPACE_FLOCK_INPUT_NONE) {
     m = margin_unknown(b.input);
     m.other = b.other;
     return m;
   }
-  m = margin_of((a.lo - b.hi) * weight - strict, (a.hi - b.lo) * weight - strict, FLOCK_REASON_MARGIN);
+  m = margin_of((a.lo - b.hi) * weight - strict, (a.hi - b.lo) * weight - strict, SPACE_FLOCK_REASON_MARGIN);
   m.other = a.other >= 0 ? a.other : b.other;
   return m;
 }
@@ -256,7 +256,7 @@ typedef struct motion {
 } motion;
 
 typedef struct estimate {
-  int32_t input;   /* input that is missing; FLOCK_INPUT_NONE: usable */
+  int32_t input;   /* input that is missing; SPACE_FLOCK_INPUT_NONE: usable */
   int32_t p_input; /* the same of the position alone: where the robot is now takes no velocity */
   vec p, v;
   int64_t z, vz;
@@ -267,7 +267,7 @@ typedef struct estimate {
 } estimate;
 
 /* Present, finite, neither from the future nor too old. */
-static int32_t usable(const flock_point *s, int64_t now_us, int64_t max_age_us) {
+static int32_t usable(const space_flock_point *s, int64_t now_us, int64_t max_age_us) {
   return s->valid != 0 && s->stamp_us <= now_us &&
          elapsed_us(s->stamp_us, now_us) <= max_age_us && s->x_lo <= s->x_hi &&
          s->z_lo <= s->z_hi &&
@@ -275,7 +275,7 @@ static int32_t usable(const flock_point *s, int64_t now_us, int64_t max_age_us) 
 }
 
 /* A velocity whose square fits. */
-static int32_t within_speeds(const flock_point *v) {
+static int32_t within_speeds(const space_flock_point *v) {
   return v->x_lo >= -SPEED_MAX_MMPS && v->x_hi <= SPEED_MAX_MMPS && v->y_lo >= -SPEED_MAX_MMPS &&
          v->z_lo >= -SPEED_MAX_MMPS && v->z_hi <= SPEED_MAX_MMPS &&
          v->y_hi <= SPEED_MAX_MMPS;
@@ -300,14 +300,14 @@ static void lost(estimate *s, int32_t input) {
 /* Velocity and position of unequal stamps: the velocity may have changed in between. A speed that
  * the robot cannot have is unknown; 2 mm/s: the lower corner of the grid lengthens a velocity by
  * less than sqrt(2) mm/s, and the root rounds up. */
-static estimate estimate_of(const flock_point *position, const flock_point *velocity,
+static estimate estimate_of(const space_flock_point *position, const space_flock_point *velocity,
                             int64_t now_us, const body *b) {
   estimate s;
-  s.p_input = usable(position, now_us, b->position_age_us) ? FLOCK_INPUT_NONE : FLOCK_INPUT_POSITION;
+  s.p_input = usable(position, now_us, b->position_age_us) ? SPACE_FLOCK_INPUT_NONE : SPACE_FLOCK_INPUT_POSITION;
   s.input = s.p_input;
-  if (s.input == FLOCK_INPUT_NONE &&
+  if (s.input == SPACE_FLOCK_INPUT_NONE &&
       (!usable(velocity, now_us, b->velocity_age_us) || !within_speeds(velocity))) {
-    s.input = FLOCK_INPUT_VELOCITY;
+    s.input = SPACE_FLOCK_INPUT_VELOCITY;
   }
   s.p = vec_of(0, 0);
   s.v = vec_of(0, 0);
@@ -318,7 +318,7 @@ static estimate estimate_of(const flock_point *position, const flock_point *velo
   s.v_error_mmps = 0;
   s.speed_mmps = 0;
   s.age_us = 0;
-  if (s.p_input == FLOCK_INPUT_NONE) {
+  if (s.p_input == SPACE_FLOCK_INPUT_NONE) {
     s.p = vec_of(on_map(position->x_lo), on_map(position->y_lo));
     s.p_error_mm = b->position_error_mm + (on_map(position->x_hi) - s.p.x) +
                    (on_map(position->y_hi) - s.p.y);
@@ -329,7 +329,7 @@ static estimate estimate_of(const flock_point *position, const flock_point *velo
     s.off_map_mm += off_map(position->z_lo) + off_map(position->z_hi);
     s.age_us = elapsed_us(position->stamp_us, now_us);
   }
-  if (s.input == FLOCK_INPUT_NONE) {
+  if (s.input == SPACE_FLOCK_INPUT_NONE) {
     const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
     s.v = vec_of(velocity->x_lo, velocity->y_lo);
     s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
@@ -340,7 +340,7 @@ static estimate estimate_of(const flock_point *position, const flock_point *velo
     /* one step of the grid more than in the plane, which is in the body's speed */
     s.speed_mmps = root_up(dot(s.v, s.v) + s.vz * s.vz);
     if (s.speed_mmps > b->speed_mmps + b->velocity_error_mmps + 2) {
-      s.input = FLOCK_INPUT_VELOCITY;
+      s.input = SPACE_FLOCK_INPUT_VELOCITY;
     }
   }
   return s;
@@ -377,7 +377,7 @@ static int64_t moved_of(const estimate *s, const motion *m) {
 
 /* The same where the velocity may be missing: then no more than the declared speed is known. */
 static int64_t moved_now(const estimate *s, const body *b, const motion *m) {
-  return s->input == FLOCK_INPUT_NONE ? moved_of(s, m)
+  return s->input == SPACE_FLOCK_INPUT_NONE ? moved_of(s, m)
                                 : div_up(b->speed_mmps * div_up(s->age_us, 1000), 1000);
 }
 
@@ -736,7 +736,7 @@ static int64_t spots_apart_lo(spot a, spot b, spot c, spot d) {
 
 /* Signed gap between the body and the boundary, now; `at`: the place of the measured position. */
 static span clearance_now(const place *at, const estimate *s, const body *b, const motion *m) {
-  if (s->p_input != FLOCK_INPUT_NONE) {
+  if (s->p_input != SPACE_FLOCK_INPUT_NONE) {
     return span_unknown(s->p_input);
   } else {
     const int64_t error = s->p_error_mm + moved_now(s, b, m);
@@ -768,14 +768,14 @@ static int32_t is_far(const other *o) {
 /* How far off another robot is, where nothing is wrong with what was heard of it and it is as exact
  * as the grid: only then its errors are known without a closer look. Returns the squared distance of
  * the nearest such robot, that of those before being `nearest_mm2`. */
-static int64_t nearer_of(other *o, const flock_other *in, const estimate *self, const body *b,
+static int64_t nearer_of(other *o, const space_flock_other *in, const estimate *self, const body *b,
                          int64_t now_us, int64_t nearest_mm2) {
-  const flock_point *p = &in->position;
-  const flock_point *v = &in->velocity;
+  const space_flock_point *p = &in->position;
+  const space_flock_point *v = &in->velocity;
   const int64_t most_mmps = b->speed_mmps + b->velocity_error_mmps + 2; /* see estimate_of */
   int64_t up_mm;
   vec u, d;
-  if (o->s.input != FLOCK_INPUT_NONE || !usable(p, now_us, b->position_age_us) ||
+  if (o->s.input != SPACE_FLOCK_INPUT_NONE || !usable(p, now_us, b->position_age_us) ||
       !usable(v, now_us, b->velocity_age_us) || !within_speeds(v) || p->x_hi - p->x_lo > 1 ||
       p->y_hi - p->y_lo > 1 || p->x_lo < -EXTENT_MM || p->x_hi > EXTENT_MM ||
       p->y_lo < -EXTENT_MM || p->y_hi > EXTENT_MM) {
@@ -801,7 +801,7 @@ static int64_t far_from(int64_t nearest_mm2, const estimate *self, const body *b
                         int64_t least_mm) {
   motion fastest;
   reach widest;
-  if (self->input != FLOCK_INPUT_NONE || nearest_mm2 == INT64_MAX) {
+  if (self->input != SPACE_FLOCK_INPUT_NONE || nearest_mm2 == INT64_MAX) {
     return INT64_MAX;
   }
   fastest.speed_mmps = max_of(b->speed_mmps, self->speed_mmps + self->v_error_mmps);
@@ -814,11 +814,11 @@ static int64_t far_from(int64_t nearest_mm2, const estimate *self, const body *b
 static span distance_now(const estimate *s, const other *o, const body *b, const motion *m,
                          const motion *any, int32_t index) {
   span gap;
-  if (s->p_input != FLOCK_INPUT_NONE) {
+  if (s->p_input != SPACE_FLOCK_INPUT_NONE) {
     return span_unknown(s->p_input);
   }
-  if (o->s.p_input != FLOCK_INPUT_NONE) {
-    gap = span_unknown(FLOCK_INPUT_OTHER_ROBOT);
+  if (o->s.p_input != SPACE_FLOCK_INPUT_NONE) {
+    gap = span_unknown(SPACE_FLOCK_INPUT_OTHER_ROBOT);
   } else {
     const vec d = minus(s->p, o->s.p);
     const int64_t error = s->p_error_mm + moved_now(s, b, m) + o->s.p_error_mm +
@@ -850,14 +850,14 @@ static int64_t pair_spare(const reach *r, const other *o, const body *b) {
 static margin pair_reach(const reach *r, const other *o, const body *b, int64_t least_mm,
                          int32_t index) {
   margin m;
-  if (r->input != FLOCK_INPUT_NONE) {
+  if (r->input != SPACE_FLOCK_INPUT_NONE) {
     return margin_unknown(r->input);
   }
-  if (o->s.input != FLOCK_INPUT_NONE) {
-    m = margin_unknown(FLOCK_INPUT_OTHER_ROBOT);
+  if (o->s.input != SPACE_FLOCK_INPUT_NONE) {
+    m = margin_unknown(SPACE_FLOCK_INPUT_OTHER_ROBOT);
   } else {
     const int64_t spare = pair_spare(r, o, b) - least_mm;
-    m = margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, FLOCK_REASON_MARGIN);
+    m = margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, SPACE_FLOCK_REASON_MARGIN);
   }
   m.other = index;
   return m;
@@ -884,7 +884,7 @@ static int32_t in_order(int64_t stamp_us, int64_t now_us, int64_t *last_us) {
 }
 
 /* Absence is asserted, never inferred from silence: by a message that is fresh and in order. */
-static int32_t says_absent(const flock_other *in, int64_t now_us, int64_t max_age_us,
+static int32_t says_absent(const space_flock_other *in, int64_t now_us, int64_t max_age_us,
                            int64_t *last_us) {
   return in->presence_us != INT64_MIN && in_order(in->presence_us, now_us, last_us) &&
          in->presence_us <= now_us && elapsed_us(in->presence_us, now_us) <= max_age_us &&
@@ -906,7 +906,7 @@ static int32_t promise_kept(int64_t end_us, int64_t now_us, int64_t lease_us, in
 /* Ticks since the last step: 0 within the same tick, -1 when the clock went backwards. Ticks are
  * counted from the first step, to the nearest, so that a timer may jitter by half a period; but a
  * gap beyond `longest_us`, which the look-ahead covers, has missed a tick, whatever the count. */
-static int64_t next_tick(flock_clock *clock, int64_t now_us, int64_t period_us,
+static int64_t next_tick(space_flock_clock *clock, int64_t now_us, int64_t period_us,
                          int64_t longest_us) {
   int64_t tick, elapsed, gap_us;
   if (clock->started == 0) {
@@ -933,21 +933,21 @@ static int64_t next_tick(flock_clock *clock, int64_t now_us, int64_t period_us,
 /* The earlier of `us` and of the time that a property of lengths lasts at least, when its margin
  * closes at `mmps` at most; 0: it may be violated already; -1: not known. */
 static int64_t sooner(int64_t us, margin now, int64_t mmps) {
-  if (us < 0 || now.input != FLOCK_INPUT_NONE) {
+  if (us < 0 || now.input != SPACE_FLOCK_INPUT_NONE) {
     return -1;
   }
   return now.lo <= 0 ? 0 : min_of(us, min_of(now.lo, SPAN_MAX) * 1000 / mmps);
 }
 
-static void engage(flock_monitor *m, int32_t reason, const flock_finding *found) {
+static void engage(space_flock_monitor *m, int32_t reason, const space_flock_finding *found) {
   m->engaged = 1;
   m->dwell = 0;
   m->found = *found;
   m->found.reason = reason;
 }
 
-static flock_finding finding_of(margin m) {
-  flock_finding f;
+static space_flock_finding finding_of(margin m) {
+  space_flock_finding f;
   f.reason = reason_of(m);
   f.index = m.index;
   f.input = m.input;
@@ -958,60 +958,60 @@ static flock_finding finding_of(margin m) {
 static int32_t engaging_reason(const check *c, int32_t missed) {
   const int32_t now = verdict_of(c->now);
   const int32_t reason = reason_of(c->ahead);
-  if (now == FLOCK_VERDICT_FALSE) {
-    return FLOCK_REASON_VIOLATED;
+  if (now == SPACE_FLOCK_VERDICT_FALSE) {
+    return SPACE_FLOCK_REASON_VIOLATED;
   }
-  if (missed || reason == FLOCK_REASON_INPUT) {
-    return FLOCK_REASON_INPUT;
+  if (missed || reason == SPACE_FLOCK_REASON_INPUT) {
+    return SPACE_FLOCK_REASON_INPUT;
   }
-  return now == FLOCK_VERDICT_UNKNOWN && reason_of(c->now) == FLOCK_REASON_WITHIN_ERROR ? FLOCK_REASON_WITHIN_ERROR
+  return now == SPACE_FLOCK_VERDICT_UNKNOWN && reason_of(c->now) == SPACE_FLOCK_REASON_WITHIN_ERROR ? SPACE_FLOCK_REASON_WITHIN_ERROR
                                                                             : reason;
 }
 
 /* Engages when the look-ahead fails or the property is false, and for ticks that were missed or lie
  * in the past: they count as unknown. Disengages when the derived and the author's return conditions
  * have held for `dwell` ticks. `elapsed`: ticks since the last step. */
-static void monitor_step(flock_monitor *m, const check *c, int32_t first, int64_t elapsed,
+static void monitor_step(space_flock_monitor *m, const check *c, int32_t first, int64_t elapsed,
                          int32_t dwell) {
-  const int32_t back = verdict_of(c->safer) == FLOCK_VERDICT_TRUE &&
-                       verdict_of(c->gives_back) == FLOCK_VERDICT_TRUE;
-  const int32_t violated = verdict_of(c->now) == FLOCK_VERDICT_FALSE;
+  const int32_t back = verdict_of(c->safer) == SPACE_FLOCK_VERDICT_TRUE &&
+                       verdict_of(c->gives_back) == SPACE_FLOCK_VERDICT_TRUE;
+  const int32_t violated = verdict_of(c->now) == SPACE_FLOCK_VERDICT_FALSE;
   const int32_t missed = elapsed > 1 || elapsed < 0;
-  flock_finding ahead = finding_of(c->ahead);
-  const flock_finding safer = finding_of(c->safer);
-  if (missed && ahead.input == FLOCK_INPUT_NONE) {
-    ahead.input = FLOCK_INPUT_CLOCK;
+  space_flock_finding ahead = finding_of(c->ahead);
+  const space_flock_finding safer = finding_of(c->safer);
+  if (missed && ahead.input == SPACE_FLOCK_INPUT_NONE) {
+    ahead.input = SPACE_FLOCK_INPUT_CLOCK;
   }
   if (first) {
     m->engaged = 0;
-    if (verdict_of(c->safer) != FLOCK_VERDICT_TRUE) {
-      engage(m, violated ? FLOCK_REASON_VIOLATED
-                         : (safer.reason == FLOCK_REASON_INPUT ? FLOCK_REASON_INPUT : FLOCK_REASON_STARTING),
+    if (verdict_of(c->safer) != SPACE_FLOCK_VERDICT_TRUE) {
+      engage(m, violated ? SPACE_FLOCK_REASON_VIOLATED
+                         : (safer.reason == SPACE_FLOCK_REASON_INPUT ? SPACE_FLOCK_REASON_INPUT : SPACE_FLOCK_REASON_STARTING),
              &safer);
     }
   } else if (m->engaged == 0) {
-    if (violated || missed || verdict_of(c->ahead) != FLOCK_VERDICT_TRUE) {
+    if (violated || missed || verdict_of(c->ahead) != SPACE_FLOCK_VERDICT_TRUE) {
       engage(m, engaging_reason(c, missed), &ahead);
     }
   } else if (violated) {
     m->dwell = 0;
     m->found = ahead;
-    m->found.reason = FLOCK_REASON_VIOLATED;
+    m->found.reason = SPACE_FLOCK_REASON_VIOLATED;
   } else if (!back || missed) {
     m->dwell = 0;
     m->found = safer;
-    m->found.reason = safer.reason == FLOCK_REASON_INPUT ? FLOCK_REASON_INPUT : FLOCK_REASON_RETURNING;
+    m->found.reason = safer.reason == SPACE_FLOCK_REASON_INPUT ? SPACE_FLOCK_REASON_INPUT : SPACE_FLOCK_REASON_RETURNING;
   } else if (elapsed > 0) {
     m->dwell += 1;
-    m->found.reason = FLOCK_REASON_RETURNING;
+    m->found.reason = SPACE_FLOCK_REASON_RETURNING;
     if (m->dwell > dwell) {
       m->engaged = 0;
-      m->found.reason = FLOCK_REASON_NONE;
+      m->found.reason = SPACE_FLOCK_REASON_NONE;
     }
   }
 }
 
-static int32_t first_engaged(const flock_monitor *monitors, int32_t count) {
+static int32_t first_engaged(const space_flock_monitor *monitors, int32_t count) {
   int32_t k;
   for (k = 0; k < count; ++k) {
     if (monitors[k].engaged != 0) {
@@ -1024,7 +1024,7 @@ static int32_t first_engaged(const flock_monitor *monitors, int32_t count) {
 static int32_t first_not_safer(const check *checks, int32_t count) {
   int32_t k;
   for (k = 0; k < count; ++k) {
-    if (verdict_of(checks[k].safer) != FLOCK_VERDICT_TRUE) {
+    if (verdict_of(checks[k].safer) != SPACE_FLOCK_VERDICT_TRUE) {
       return k;
     }
   }
@@ -1034,7 +1034,7 @@ static int32_t first_not_safer(const check *checks, int32_t count) {
 /* The mode of this tick. `may_leave`: no lease promises that the robot stays. `surrender`: the mode
  * that the advanced side asks for because it gives control up, else 0. When no monitor is
  * engaged but one could not yet hand over, that one takes over, so that somebody works on it. */
-static int32_t mode_step(flock_monitor *monitors, const check *checks, int32_t count,
+static int32_t mode_step(space_flock_monitor *monitors, const check *checks, int32_t count,
                          int32_t mode, int32_t first, int64_t elapsed, int32_t dwell,
                          int32_t surrender, int32_t may_leave) {
   int32_t k, open;
@@ -1053,8 +1053,8 @@ static int32_t mode_step(flock_monitor *monitors, const check *checks, int32_t c
   }
   open = first_not_safer(checks, count);
   if (open >= 0) {
-    const flock_finding found = finding_of(checks[open].safer);
-    engage(&monitors[open], FLOCK_REASON_RETURNING, &found);
+    const space_flock_finding found = finding_of(checks[open].safer);
+    engage(&monitors[open], SPACE_FLOCK_REASON_RETURNING, &found);
     return open + 1;
   }
   return may_leave ? 0 : mode;
@@ -1070,13 +1070,13 @@ static int32_t faster_of(const motion *motions, int32_t a, int32_t b) {
 
 /* Whose motion bounds what happened since a sample and will happen: an older sample may show the
  * robot before the present driver took over, and the driver before it may have sped up since. */
-static int32_t driver_of(const flock_takeover *t, const motion *motions, int32_t mode,
+static int32_t driver_of(const space_flock_takeover *t, const motion *motions, int32_t mode,
                          int64_t stamp_us, int64_t latency_us) {
   return stamp_us >= later(t->time_us, latency_us) ? mode : faster_of(motions, mode, t->before);
 }
 
 /* `may_use`: a promise of this robot may be relied upon, for `lease_us` from now at most. */
-static other other_of(const flock_other *in, const estimate *s, const body *b, const motion *any,
+static other other_of(const space_flock_other *in, const estimate *s, const body *b, const motion *any,
                       int64_t horizon_us, int64_t now_us, int64_t lease_us, int32_t may_use) {
   other o;
   o.absent = 0;
@@ -1092,7 +1092,7 @@ static other other_of(const flock_other *in, const estimate *s, const body *b, c
  * fails only against robots that are HELD (then it may go, away from them). */
 static int32_t gate_of(const reach *r, const other *others, int32_t count, int32_t self,
                        const body *b, int64_t least_mm) {
-  int32_t gate = FLOCK_GATE_FREE;
+  int32_t gate = SPACE_FLOCK_GATE_FREE;
   int32_t j;
   for (j = 0; j < count; ++j) {
     if (others[j].absent != 0) {
@@ -1102,14 +1102,14 @@ static int32_t gate_of(const reach *r, const other *others, int32_t count, int32
       continue;
     }
     if (j != self) {
-      if (r->input != FLOCK_INPUT_NONE || others[j].s.input != FLOCK_INPUT_NONE) {
-        return FLOCK_GATE_HOLD;
+      if (r->input != SPACE_FLOCK_INPUT_NONE || others[j].s.input != SPACE_FLOCK_INPUT_NONE) {
+        return SPACE_FLOCK_GATE_HOLD;
       }
       if (pair_spare(r, &others[j], b) < least_mm) {
         if (others[j].held == 0) {
-          return FLOCK_GATE_HOLD;
+          return SPACE_FLOCK_GATE_HOLD;
         }
-        gate = FLOCK_GATE_AWAY_ONLY;
+        gate = SPACE_FLOCK_GATE_AWAY_ONLY;
       }
     }
   }
@@ -1218,7 +1218,7 @@ static int64_t tube_in_solid(const solid *z, const reach *r, int64_t need_mm) {
 /* As zone_reach. The disc is a ball here. */
 static margin solid_reach(const solid *z, const place *at, const reach *r, int64_t least_mm) {
   int64_t spare;
-  if (r->input != FLOCK_INPUT_NONE) {
+  if (r->input != SPACE_FLOCK_INPUT_NONE) {
     return margin_unknown(r->input);
   }
   if (!at->inside) {
@@ -1229,7 +1229,7 @@ static margin solid_reach(const solid *z, const place *at, const reach *r, int64
       spare = max_of(spare, tube_in_solid(z, r, r->capsule_mm + least_mm));
     }
   }
-  return margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, FLOCK_REASON_MARGIN);
+  return margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, SPACE_FLOCK_REASON_MARGIN);
 }
 
 /* Zone field_slab_1: 4 edges ax, ay, bx, by (mm, the zone on the left), direction (Q30). */
@@ -1250,8 +1250,8 @@ static const solid zone_field = {zone_field_slabs, 1};
 /* ---- decision fly for Drone ---- */
 #define BODY fly_body
 #define MOTIONS fly_motions
-#define MONITORS FLOCK_FLY_MONITORS
-#define ROBOTS FLOCK_FLY_ROBOTS
+#define MONITORS SPACE_FLOCK_FLY_MONITORS
+#define ROBOTS SPACE_FLOCK_FLY_ROBOTS
 
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us, sway permille */
@@ -1274,7 +1274,7 @@ static const int64_t fly_horizons_us[] = {130000};
 
 /* What a tick knows, seen with one horizon and the motion of one driver. */
 typedef struct fly_view {
-  const flock_fly_in *in;
+  const space_flock_fly_in *in;
   const motion *m;
   int64_t now_us, horizon_us;
   int32_t me;     /* index of this robot, in range */
@@ -1349,7 +1349,7 @@ static void fly_look(fly_view *v, const motion *m, int64_t horizon_us, int32_t a
   v->within = reach_of(&v->self, &BODY, m, horizon_us);
   for (j = 0; j < ROBOTS; ++j) {
     if (j != v->in->self && !is_far(&v->others[j])) {
-      const flock_other *heard = &v->in->others[j];
+      const space_flock_other *heard = &v->in->others[j];
       const estimate s = v->others[j].s;
       const int32_t absent = v->others[j].absent;
       v->others[j] = other_of(heard, &s, &BODY, &MOTIONS[0], horizon_us, v->now_us,
@@ -1359,7 +1359,7 @@ static void fly_look(fly_view *v, const motion *m, int64_t horizon_us, int32_t a
   }
 }
 
-void flock_fly_init(flock_fly_state *s) {
+void space_flock_fly_init(space_flock_fly_state *s) {
   int32_t k;
   s->clock.started = 0;
   s->clock.origin_us = 0;
@@ -1368,9 +1368,9 @@ void flock_fly_init(flock_fly_state *s) {
   for (k = 0; k < MONITORS; ++k) {
     s->monitors[k].engaged = 0;
     s->monitors[k].dwell = 0;
-    s->monitors[k].found.reason = FLOCK_REASON_NONE;
+    s->monitors[k].found.reason = SPACE_FLOCK_REASON_NONE;
     s->monitors[k].found.index = 0;
-    s->monitors[k].found.input = FLOCK_INPUT_NONE;
+    s->monitors[k].found.input = SPACE_FLOCK_INPUT_NONE;
     s->monitors[k].found.other = -1;
   }
   /* until the first step has found that control may be given */
@@ -1390,33 +1390,33 @@ void flock_fly_init(flock_fly_state *s) {
 }
 
 /* Estimates from the inputs; a stamp or a clock that goes backwards is a fault. */
-static void fly_measure(fly_view *v, flock_fly_state *s, int64_t elapsed) {
-  const flock_fly_in *in = v->in;
+static void fly_measure(fly_view *v, space_flock_fly_state *s, int64_t elapsed) {
+  const space_flock_fly_in *in = v->in;
   int32_t j;
   int64_t nearest_mm2 = INT64_MAX, far_mm;
   v->self = estimate_of(&in->position, &in->velocity, v->now_us, &BODY);
   if (in->position.valid && !in_order(in->position.stamp_us, v->now_us, &s->last_position_us)) {
-    lost(&v->self, FLOCK_INPUT_POSITION);
+    lost(&v->self, SPACE_FLOCK_INPUT_POSITION);
   }
   if (in->velocity.valid && !in_order(in->velocity.stamp_us, v->now_us, &s->last_velocity_us)) {
-    v->self.input = FLOCK_INPUT_VELOCITY;
+    v->self.input = SPACE_FLOCK_INPUT_VELOCITY;
   }
   v->at_field = place_in_solid(&zone_field, &v->self);
   v->charge = span_of(0, 0);
   for (j = 0; j < ROBOTS; ++j) {
-    const flock_other *o = &in->others[j];
+    const space_flock_other *o = &in->others[j];
     v->others[j].off_mm = -1;
-    v->others[j].s.p_input = v->others[j].s.input = FLOCK_INPUT_NONE;
+    v->others[j].s.p_input = v->others[j].s.input = SPACE_FLOCK_INPUT_NONE;
     v->others[j].absent = says_absent(o, v->now_us, 200000, &s->last_other_presence_us[j]);
     if (o->position.valid && !in_order(o->position.stamp_us, v->now_us, &s->last_other_us[j])) {
-      lost(&v->others[j].s, FLOCK_INPUT_OTHER_ROBOT);
+      lost(&v->others[j].s, SPACE_FLOCK_INPUT_OTHER_ROBOT);
     }
     if (o->velocity.valid && !in_order(o->velocity.stamp_us, v->now_us, &s->last_other_velocity_us[j])) {
-      v->others[j].s.input = FLOCK_INPUT_OTHER_ROBOT;
+      v->others[j].s.input = SPACE_FLOCK_INPUT_OTHER_ROBOT;
     }
     if (o->position.valid &&
           !promise_kept(o->lease_end_us, v->now_us, 1000000, &s->last_other_lease_us[j])) {
-      lost(&v->others[j].s, FLOCK_INPUT_OTHER_ROBOT);
+      lost(&v->others[j].s, SPACE_FLOCK_INPUT_OTHER_ROBOT);
     }
     if (j != in->self && !v->others[j].absent) {
       nearest_mm2 = nearer_of(&v->others[j], o, &v->self, &fly_heard_body, v->now_us, nearest_mm2);
@@ -1424,24 +1424,24 @@ static void fly_measure(fly_view *v, flock_fly_state *s, int64_t elapsed) {
   }
   far_mm = far_from(nearest_mm2, &v->self, &BODY, 3200, 180000, 6600, 2000);
   for (j = 0; j < ROBOTS; ++j) {
-    const flock_other *o = &in->others[j];
+    const space_flock_other *o = &in->others[j];
     const int32_t p_input = v->others[j].s.p_input, input = v->others[j].s.input;
     v->others[j].far = v->others[j].off_mm >= far_mm;
     if (!v->others[j].far) {
       v->others[j].s = estimate_of(&o->position, &o->velocity, v->now_us, &fly_heard_body);
-      if (p_input != FLOCK_INPUT_NONE) {
-        lost(&v->others[j].s, FLOCK_INPUT_OTHER_ROBOT);
+      if (p_input != SPACE_FLOCK_INPUT_NONE) {
+        lost(&v->others[j].s, SPACE_FLOCK_INPUT_OTHER_ROBOT);
       }
-      if (input != FLOCK_INPUT_NONE) {
-        v->others[j].s.input = FLOCK_INPUT_OTHER_ROBOT;
+      if (input != SPACE_FLOCK_INPUT_NONE) {
+        v->others[j].s.input = SPACE_FLOCK_INPUT_OTHER_ROBOT;
       }
     }
   }
   if (in->self < 0 || in->self >= ROBOTS) {
-    lost(&v->self, FLOCK_INPUT_OTHER_ROBOT); /* nobody of the fleet */
+    lost(&v->self, SPACE_FLOCK_INPUT_OTHER_ROBOT); /* nobody of the fleet */
   }
   if (elapsed < 0) {
-    lost(&v->self, FLOCK_INPUT_CLOCK);
+    lost(&v->self, SPACE_FLOCK_INPUT_CLOCK);
   }
 }
 
@@ -1454,8 +1454,8 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
     checks[0].safer = fly_apart_ahead(v);
     checks[1].safer = fly_walls_ahead(v);
   } else {
-    checks[0].safer = margin_unknown(FLOCK_INPUT_NONE);
-    checks[1].safer = margin_unknown(FLOCK_INPUT_NONE);
+    checks[0].safer = margin_unknown(SPACE_FLOCK_INPUT_NONE);
+    checks[1].safer = margin_unknown(SPACE_FLOCK_INPUT_NONE);
   }
   v->legs = mode == 0;
   fly_look(v, &MOTIONS[v->driver], fly_horizons_us[0], 1);
@@ -1468,9 +1468,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
 }
 
 /* The record of the tick. `back`: control might have been given back. */
-static void fly_report(const fly_view *v, const flock_fly_state *s, const check *checks,
-                       int32_t back, flock_fly_out *out) {
-  const flock_fly_in *in = v->in;
+static void fly_report(const fly_view *v, const space_flock_fly_state *s, const check *checks,
+                       int32_t back, space_flock_fly_out *out) {
+  const space_flock_fly_in *in = v->in;
   int32_t k;
   out->tick = s->clock.tick;
   out->time_us = v->now_us;
@@ -1484,27 +1484,27 @@ static void fly_report(const fly_view *v, const flock_fly_state *s, const check 
   for (k = 0; k < MONITORS; ++k) {
     out->monitors[k].now = verdict_of(checks[k].now);
     out->monitors[k].ahead = verdict_of(checks[k].ahead);
-    out->monitors[k].safer = back ? verdict_of(checks[k].safer) : FLOCK_VERDICT_UNKNOWN;
+    out->monitors[k].safer = back ? verdict_of(checks[k].safer) : SPACE_FLOCK_VERDICT_UNKNOWN;
     out->monitors[k].engaged = s->monitors[k].engaged;
     out->monitors[k].margin = checks[k].ahead.lo;
     out->monitors[k].now_margin = checks[k].now.lo;
   }
   out->monitor = s->mode - 1;
   if (s->mode == 0) {
-    out->found.reason = FLOCK_REASON_NONE;
+    out->found.reason = SPACE_FLOCK_REASON_NONE;
     out->found.index = 0;
-    out->found.input = FLOCK_INPUT_NONE;
+    out->found.input = SPACE_FLOCK_INPUT_NONE;
     out->found.other = -1;
   } else {
     out->found = s->monitors[s->mode - 1].found;
     if (s->monitors[s->mode - 1].engaged == 0) {
-      out->found.reason = in->surrender ? FLOCK_REASON_SURRENDERED : FLOCK_REASON_RETURNING;
+      out->found.reason = in->surrender ? SPACE_FLOCK_REASON_SURRENDERED : SPACE_FLOCK_REASON_RETURNING;
     }
   }
 }
 
-void flock_fly_step(flock_fly_state *s, const flock_fly_in *in, int64_t now_us,
-                    flock_fly_out *out) {
+void space_flock_fly_step(space_flock_fly_state *s, const space_flock_fly_in *in, int64_t now_us,
+                          space_flock_fly_out *out) {
   const int32_t first = s->clock.started == 0;
   const int64_t elapsed = next_tick(&s->clock, now_us, 50000, 100000);
   const int32_t may_leave = now_us >= s->lease_end_us; /* no promise to stay binds it */
@@ -1519,7 +1519,7 @@ void flock_fly_step(flock_fly_state *s, const flock_fly_in *in, int64_t now_us,
   v.new_tick = elapsed > 0;
   v.runs = 0;
   fly_measure(&v, s, elapsed);
-  seen_us = v.self.input == FLOCK_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
+  seen_us = v.self.input == SPACE_FLOCK_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 30000);
   if (before != 0 && in->holding && s->lease_end_us >= later(now_us, 130000)) {
     v.driver = MONITORS + 1; /* holding */
@@ -1534,7 +1534,7 @@ void flock_fly_step(flock_fly_state *s, const flock_fly_in *in, int64_t now_us,
   out->previous_mode = first ? s->mode : before;
   out->mode = s->mode;
   /* a promise to stay binds; whoever moves is gated by the separation test */
-  out->gate = FLOCK_GATE_FREE;
+  out->gate = SPACE_FLOCK_GATE_FREE;
   if (s->mode != 0 && may_leave) {
     const int32_t driver = driver_of(&s->takeover, MOTIONS, s->mode, seen_us, 30000);
     if (driver != v.driver) {
@@ -1542,7 +1542,7 @@ void flock_fly_step(flock_fly_state *s, const flock_fly_in *in, int64_t now_us,
     }
     out->gate = gate_of(&v.within, v.others, ROBOTS, in->self, &BODY, 2000);
   } else if (s->mode != 0) {
-    out->gate = FLOCK_GATE_HOLD;
+    out->gate = SPACE_FLOCK_GATE_HOLD;
   }
   if (s->mode != 0 && s->mode == before && in->holding &&
       (in->surrender || first_engaged(s->monitors, MONITORS) >= 0 ||

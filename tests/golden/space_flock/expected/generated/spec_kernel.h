@@ -13,162 +13,162 @@ extern "C" {
 
 /* What is known of a property. */
 enum {
-  FLOCK_VERDICT_FALSE = 0,
-  FLOCK_VERDICT_UNKNOWN = 1,
-  FLOCK_VERDICT_TRUE = 2
+  SPACE_FLOCK_VERDICT_FALSE = 0,
+  SPACE_FLOCK_VERDICT_UNKNOWN = 1,
+  SPACE_FLOCK_VERDICT_TRUE = 2
 };
 
 /* Why a recovery drives. */
 enum {
-  FLOCK_REASON_NONE = 0,
-  FLOCK_REASON_MARGIN = 1,
-  FLOCK_REASON_WAYPOINT = 2,
-  FLOCK_REASON_LEG = 3,
-  FLOCK_REASON_VIOLATED = 4,
-  FLOCK_REASON_WITHIN_ERROR = 5,
-  FLOCK_REASON_INPUT = 6,
-  FLOCK_REASON_RETURNING = 7,
-  FLOCK_REASON_STARTING = 8,
-  FLOCK_REASON_OVER_CAPACITY = 9,
-  FLOCK_REASON_SURRENDERED = 10,
-  FLOCK_REASON_TRACKING = 11
+  SPACE_FLOCK_REASON_NONE = 0,
+  SPACE_FLOCK_REASON_MARGIN = 1,
+  SPACE_FLOCK_REASON_WAYPOINT = 2,
+  SPACE_FLOCK_REASON_LEG = 3,
+  SPACE_FLOCK_REASON_VIOLATED = 4,
+  SPACE_FLOCK_REASON_WITHIN_ERROR = 5,
+  SPACE_FLOCK_REASON_INPUT = 6,
+  SPACE_FLOCK_REASON_RETURNING = 7,
+  SPACE_FLOCK_REASON_STARTING = 8,
+  SPACE_FLOCK_REASON_OVER_CAPACITY = 9,
+  SPACE_FLOCK_REASON_SURRENDERED = 10,
+  SPACE_FLOCK_REASON_TRACKING = 11
 };
 
 /* Which input failed. */
 enum {
-  FLOCK_INPUT_NONE = 0,
-  FLOCK_INPUT_POSITION = 1,
-  FLOCK_INPUT_VELOCITY = 2,
-  FLOCK_INPUT_HEADING = 3,
-  FLOCK_INPUT_BATTERY = 4,
-  FLOCK_INPUT_PLAN = 5,
-  FLOCK_INPUT_OTHER_ROBOT = 6,
-  FLOCK_INPUT_CLOCK = 7
+  SPACE_FLOCK_INPUT_NONE = 0,
+  SPACE_FLOCK_INPUT_POSITION = 1,
+  SPACE_FLOCK_INPUT_VELOCITY = 2,
+  SPACE_FLOCK_INPUT_HEADING = 3,
+  SPACE_FLOCK_INPUT_BATTERY = 4,
+  SPACE_FLOCK_INPUT_PLAN = 5,
+  SPACE_FLOCK_INPUT_OTHER_ROBOT = 6,
+  SPACE_FLOCK_INPUT_CLOCK = 7
 };
 
 /* What the separation test allows a moving recovery. */
 enum {
-  FLOCK_GATE_FREE = 0,
-  FLOCK_GATE_AWAY_ONLY = 1,
-  FLOCK_GATE_HOLD = 2
+  SPACE_FLOCK_GATE_FREE = 0,
+  SPACE_FLOCK_GATE_AWAY_ONLY = 1,
+  SPACE_FLOCK_GATE_HOLD = 2
 };
 
 enum {
-  FLOCK_PLAN_CAPACITY = 1
+  SPACE_FLOCK_PLAN_CAPACITY = 1
 };
 
 /* A point or a vector; valid 0: never received, or not finite. */
-typedef struct flock_point {
+typedef struct space_flock_point {
   int64_t x_lo, x_hi, y_lo, y_hi, z_lo, z_hi;
   int64_t stamp_us;
   int32_t valid;
-} flock_point;
+} space_flock_point;
 
-typedef struct flock_scalar {
+typedef struct space_flock_scalar {
   int64_t lo, hi;
   int64_t stamp_us;
   int32_t valid;
-} flock_scalar;
+} space_flock_scalar;
 
 /* Way-points to the nearest mm, and the index of the next one to reach. */
-typedef struct flock_plan {
+typedef struct space_flock_plan {
   int32_t valid, count, index;
-  int64_t x[FLOCK_PLAN_CAPACITY];
-  int64_t y[FLOCK_PLAN_CAPACITY];
-} flock_plan;
+  int64_t x[SPACE_FLOCK_PLAN_CAPACITY];
+  int64_t y[SPACE_FLOCK_PLAN_CAPACITY];
+} space_flock_plan;
 
 /* Another robot as it was heard. It promises not to leave its hold before lease_end_us;
  * goes_first: in the order of the way it comes before this robot. present 0: it says that it is
  * not there. */
-typedef struct flock_other {
-  flock_point position, velocity;
+typedef struct space_flock_other {
+  space_flock_point position, velocity;
   int64_t lease_end_us;
   int32_t goes_first;
-  flock_plan plan;
+  space_flock_plan plan;
   int64_t presence_us; /* stamp of `present`; INT64_MIN: never heard */
   int32_t present;
-} flock_other;
+} space_flock_other;
 
-typedef struct flock_clock {
+typedef struct space_flock_clock {
   int32_t started;
   int64_t origin_us, last_us, tick;
-} flock_clock;
+} space_flock_clock;
 
 /* When the present driver took over, and the fastest one that drove before it. */
-typedef struct flock_takeover {
+typedef struct space_flock_takeover {
   int64_t time_us;
   int32_t before;
-} flock_takeover;
+} space_flock_takeover;
 
-typedef struct flock_finding {
+typedef struct space_flock_finding {
   int32_t reason, index, input, other;
-} flock_finding;
+} space_flock_finding;
 
-typedef struct flock_monitor {
+typedef struct space_flock_monitor {
   int32_t engaged, dwell;
-  flock_finding found;
-} flock_monitor;
+  space_flock_finding found;
+} space_flock_monitor;
 
 /* One monitor in the record of a tick. now: the property; ahead: what is within reach, FALSE
  * when the bound fails; safer: the derived return condition, UNKNOWN while nobody asks; margin,
  * now_margin: lower ends of ahead and now, in millionths of 1 m or of 1 %. */
-typedef struct flock_result {
+typedef struct space_flock_result {
   int32_t now, ahead, safer, engaged;
   int64_t margin, now_margin;
-} flock_result;
+} space_flock_result;
 
 /* Decision fly for Drone, every 50000 us. Monitors, highest first: */
 enum {
-  FLOCK_FLY_APART = 0,
-  FLOCK_FLY_WALLS = 1,
-  FLOCK_FLY_MONITORS = 2,
-  FLOCK_FLY_ROBOTS = 8
+  SPACE_FLOCK_FLY_APART = 0,
+  SPACE_FLOCK_FLY_WALLS = 1,
+  SPACE_FLOCK_FLY_MONITORS = 2,
+  SPACE_FLOCK_FLY_ROBOTS = 8
 };
 
-typedef struct flock_fly_in {
+typedef struct space_flock_fly_in {
   int32_t self; /* index of this robot in its fleet */
   int32_t holding; /* the active recovery has latched its hold and means to stay */
   int32_t surrender; /* the advanced side gives control up */
-  flock_point position, velocity;
-  flock_scalar battery;
-  flock_plan plan;
-  flock_other others[FLOCK_FLY_ROBOTS];
-} flock_fly_in;
+  space_flock_point position, velocity;
+  space_flock_scalar battery;
+  space_flock_plan plan;
+  space_flock_other others[SPACE_FLOCK_FLY_ROBOTS];
+} space_flock_fly_in;
 
 /* Opaque; start with _init. */
-typedef struct flock_fly_state {
-  flock_clock clock;
-  flock_monitor monitors[FLOCK_FLY_MONITORS];
+typedef struct space_flock_fly_state {
+  space_flock_clock clock;
+  space_flock_monitor monitors[SPACE_FLOCK_FLY_MONITORS];
   int32_t mode;
-  flock_takeover takeover;
+  space_flock_takeover takeover;
   int64_t lease_end_us;
   int64_t last_position_us, last_velocity_us, last_battery_us;
-  int64_t last_other_us[FLOCK_FLY_ROBOTS], last_other_velocity_us[FLOCK_FLY_ROBOTS];
-  int64_t last_other_lease_us[FLOCK_FLY_ROBOTS];
-  int64_t last_other_presence_us[FLOCK_FLY_ROBOTS];
-} flock_fly_state;
+  int64_t last_other_us[SPACE_FLOCK_FLY_ROBOTS], last_other_velocity_us[SPACE_FLOCK_FLY_ROBOTS];
+  int64_t last_other_lease_us[SPACE_FLOCK_FLY_ROBOTS];
+  int64_t last_other_presence_us[SPACE_FLOCK_FLY_ROBOTS];
+} space_flock_fly_state;
 
 /* mode 0: the advanced controller; k + 1: the recovery of monitor k. violation_us: no property
  * of lengths is violated within that time, however the robots move at their declared speeds; -1:
  * not known. */
-typedef struct flock_fly_out {
+typedef struct space_flock_fly_out {
   int64_t tick, time_us;
   int32_t mode, previous_mode;
   int32_t monitor; /* that decides; -1: none */
-  flock_finding found;
+  space_flock_finding found;
   int32_t gate; /* binds the recovery that drives */
   int64_t lease_end_us; /* of the promise to announce; INT64_MIN: none */
   int64_t position_age_us, velocity_age_us, battery_age_us; /* -1: none */
   int64_t violation_us;
-  flock_result monitors[FLOCK_FLY_MONITORS];
-} flock_fly_out;
+  space_flock_result monitors[SPACE_FLOCK_FLY_MONITORS];
+} space_flock_fly_out;
 
 /* Step once a period, in time: by how much a step may be late is declared. now_us is of the
  * clock of all stamps. Any input is fine: what is missing, too old or out of range is unknown.
  * *out is written whole. */
-void flock_fly_init(flock_fly_state *s);
-void flock_fly_step(flock_fly_state *s, const flock_fly_in *in,
-                    int64_t now_us, flock_fly_out *out);
+void space_flock_fly_init(space_flock_fly_state *s);
+void space_flock_fly_step(space_flock_fly_state *s, const space_flock_fly_in *in,
+                          int64_t now_us, space_flock_fly_out *out);
 
 #ifdef __cplusplus
 }

@@ -8,7 +8,7 @@
 #include "rtac/stack/system.h"
 #include "spec.h"
 
-namespace flock {
+namespace space_flock {
 
 // External controllers of one Drone. A slot that is left empty does not compile.
 struct DroneControllers {
@@ -113,4 +113,4 @@ class System {
   rtac::System<rtac::Acceleration> system_;
 };
 
-}  // namespace flock
+}  // namespace space_flock
