@@ -267,9 +267,11 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
   if (!ways.longest_mm || !ways.stranded.empty()) return std::nullopt;
   // from where it stands to the centre of a cell (connector_reach_m of the search)
   const std::int64_t cell_mm = module[last.zone].cells.cell_mm;
-  const std::int64_t joined_mm =
-      *ways.longest_mm + std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
   const Rational speed(static_cast<long>(last.speed_mmps), 1000);
+  const bool retreats = last.kind != ir::RecoveryKind::route;
+  const std::int64_t joined_mm = *ways.longest_mm + std::max<std::int64_t>(400, 2 * cell_mm) +
+                                 cell_mm +
+                                 (retreats ? run_out_mm(kind, speed, decision.period_us) : 0);
   Rational seconds = travel_seconds(kind, speed, decision.period_us,
                                     static_cast<std::int32_t>(cell_mm), joined_mm);
   for (const ir::Recovery& step : recovery.steps) {

@@ -102,6 +102,16 @@ Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std:
   return metres / slowest + legs * leg.seconds + turning + stops * rest;
 }
 
+std::int64_t run_out_mm(const sema::RobotKind& kind, const Rational& speed,
+                        std::int64_t period_us) {
+  const Rational steers =
+      std::min(kind.motion.accel.value, kind.motion.brake.value) - disturbance_of(kind);
+  const Rational planned = steers * Rational(pace::planned_braking_permille, 1000);
+  const Rational acts = kind.latency.value + Rational(static_cast<long>(period_us), 1'000'000) +
+                        seconds_of(kind.velocity);
+  return ceil_to_int(Rational((speed * acts + speed * speed / (2 * planned)) * 1000));
+}
+
 std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
                              std::int64_t period_us, std::int32_t cell_mm,
                              std::int64_t distance_mm) {

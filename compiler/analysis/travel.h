@@ -32,6 +32,9 @@ Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us);
 // cells is driven at the recovery's `speed`, in s. `period_us`: of the decision.
 Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
                         std::int32_t cell_mm, std::int64_t distance_mm);
+// How much longer than to where control is given back a retreat drives at most, in mm: it passes
+// that place at its full speed (run_out_m of the pilots).
+std::int64_t run_out_mm(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us);
 // Charge that such a way takes, in ppm.
 std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
                              std::int64_t period_us, std::int32_t cell_mm,

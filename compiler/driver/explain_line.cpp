@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "compiler/driver/driver.h"
+#include "compiler/driver/sim.h"
 #include "compiler/ir/source_text.h"
 
 namespace rtac::driver {
@@ -88,6 +89,7 @@ int explain_line(const Options& options, Compilation& c, std::ostream& out) {
     out << "\n" << all[i].text << "\n";
     for (const std::string& detail : all[i].details) out << "  " << detail << "\n";
   }
+  if (!options.simulated.empty()) return simulate_shares(options.simulated, options, c, out);
   return exit_clean;
 }
 

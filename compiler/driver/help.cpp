@@ -45,6 +45,9 @@ constexpr FlagText flag_texts[] = {
      "where the first run with a violation is written; default: the specification's name with\n"
      ".trace"},
     {"--replay", "FILE", "play a recorded run again instead"},
+    {"--simulate", "N",
+     "simulate each decision N times, too, as `rtac sim` does, and tell how much of the time its\n"
+     "advanced controller had, and how far that is from what is predicted; needs a C compiler"},
     {"--mutate", "NAME",
      "a deliberately unsound variant, for tests of tests: its code says so in every file; an\n"
      "unknown NAME lists them"},
@@ -142,13 +145,15 @@ constexpr CommandText command_texts[] = {
      "  70 a bug of rtac\n"},
     {"sim", "rtac sim SPEC [FLAG...]",
      "Simulates the robots of a specification under attack and prints a table: violations of the\n"
-     "properties by the true state, the least margins with their seeds, who drives, and how often\n"
-     "control changes. The decisions run as compiled code; advanced controllers are replaced by\n"
-     "adversaries that know everything, measurements are as false, old and lossy as is declared.\n"
+     "properties by the true state, the least margins with their seeds, who drives, how much of "
+     "the\n"
+     "time the advanced controller has beside what is predicted, and how often control changes. "
+     "The\n"
+     "decisions run as compiled code; advanced controllers are replaced by adversaries that know\n"
+     "everything, measurements are as false, old and lossy as is declared.\n"
      "Runs are the same on every machine. Adversaries: `bang-bang`, `chase-fence`, `chase-robot`,\n"
-     "`drain`, `follow-plans`, `aimed-noise`, `fresh-samples`, `unequal-samples`, "
-     "`wandering-samples`, "
-     "`drop-outs`.\n"
+     "`drain`, `follow-plans`, `aimed-noise`, `fresh-samples`, `unequal-samples`,\n"
+     "`wandering-samples`, `drop-outs`, and only when it is named `push-at-fence`.\n"
      "\n"
      "The first run with a violation is written to a file, which `--replay` plays again to the "
      "last\n"
@@ -222,17 +227,20 @@ constexpr CommandText command_texts[] = {
      "  1  a file has errors, or with --check is not in the layout\n"
      "  2  usage, or a file that cannot be read or written\n"
      "  70 a bug of rtac\n"},
-    {"explain", "rtac explain CODE\n       rtac explain FILE:LINE",
+    {"explain", "rtac explain CODE\n       rtac explain FILE:LINE [--simulate N]",
      "CODE is the number or name of a diagnostic: what it means, with a faulty and a mended\n"
      "specification. FILE:LINE is a line of a specification: what was derived for each expression\n"
      "on it, range, grid, rounding, error, bytes and operations; of robots look-ahead and\n"
      "clearances.\n",
      "  rtac explain 3001\n"
      "  rtac explain unit_missing\n"
-     "  rtac explain door.rta:7\n",
+     "  rtac explain door.rta:7\n"
+     "  rtac explain delivery.rta:57 --simulate 20\n",
      "  0  it was printed\n"
      "  1  the specification has errors\n"
      "  2  usage: no such diagnostic or line, or a file that cannot be read\n"
+     "  3  a property was violated in what was simulated\n"
+     "  4  it cannot be simulated\n"
      "  70 a bug of rtac\n"},
 };
 

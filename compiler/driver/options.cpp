@@ -49,6 +49,7 @@ std::string value_hint(const std::string& flag, bool picture = false) {
   if (flag == "--seed") return "`--seed 7`";
   if (flag == "--runs") return "`--runs 1000`";
   if (flag == "--jobs") return "`--jobs 4`";
+  if (flag == "--simulate") return "`--simulate 20`";
   if (flag == "--adversary") return "`--adversary chase-fence`";
   return "`" + flag + (flag == "-o" && !picture ? " DIR`" : " FILE`");
 }
@@ -92,7 +93,7 @@ const std::vector<CommandInfo>& commands() {
       {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"protocol", Command::protocol, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
-      {"explain", Command::explain, {}, 1},
+      {"explain", Command::explain, {"--simulate"}, 1},
   };
   return all;
 }
@@ -127,6 +128,7 @@ struct Parser {
             {"--adversary", &options.adversary},
             {"--trace", &options.trace_out},
             {"--replay", &options.recorded},
+            {"--simulate", &options.simulated},
             {"--recheck", &options.recheck},
             {"--mutate", &options.mutant}};
   }
@@ -213,6 +215,7 @@ struct Parser {
     number(options.seed, "--seed");
     number(options.runs, "--runs");
     number(options.jobs, "--jobs");
+    number(options.simulated, "--simulate");
     if (bytes_max.empty()) return;
     std::uint64_t bytes = 0;
     const char* const end = bytes_max.data() + bytes_max.size();
@@ -343,6 +346,10 @@ struct Parser {
       problem = {"`rtac build` needs a place for the generated files", "add `-o DIR`"};
     }
     if (!options.recorded.empty()) refuse_with_recorded();
+    if (!options.simulated.empty() && options.line.empty()) {
+      problem = {"`--simulate` tells of a specification, and `" + options.topic + "` is none",
+                 "give FILE:LINE, such as the line of a monitor"};
+    }
     if (options.command == Command::zones && options.output.empty()) {
       problem = {"`rtac zones` needs a place for the picture",
                  "add `-o zones.svg`, or `-o -` for standard output"};

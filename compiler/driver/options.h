@@ -53,6 +53,7 @@ struct Options {
   std::string scenario, seed, runs, jobs, adversary;
   std::string trace_out;      // where a run with a violation is written
   std::string recorded;       // a run that is played again
+  std::string simulated;      // of `explain`: so many runs tell the share of advanced controllers
   std::string recheck;        // of `verify`: the directory of certificates
   std::string mutant;         // of `build`, `sim` and measures: a deliberately unsound variant
   bool conservatism = false;  // of `verify`: measure it

@@ -1,7 +1,9 @@
 #include "compiler/driver/sim.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -9,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/derive.h"
 #include "compiler/codegen/generate.h"
 #include "compiler/codegen/simulation.h"
 #include "compiler/driver/decision_engine.h"
@@ -79,6 +82,20 @@ std::vector<std::string> flags_of(const Options& options) {
   return words;
 }
 
+// Of each decision, the least of its monitors' shares of places where control comes back.
+std::vector<std::string> predictions(const ir::Module& module) {
+  std::string all;
+  for (const ir::Decision& d : module.decisions) {
+    std::optional<int> least;
+    for (const analysis::MonitorSummary& s : analysis::summarise(module, d)) {
+      if (!s.zone.empty()) least = std::min(least.value_or(s.share.returns), s.share.returns);
+    }
+    if (least) all += (all.empty() ? "" : ",") + d.name + "=" + std::to_string(*least);
+  }
+  if (all.empty()) return {};
+  return {"--predicted", all};
+}
+
 // What the program has not understood, as it says itself: a line, after a tab what would work, and
 // perhaps after another one which diagnostic it is.
 int report_refusal(Compilation& c, const std::string& said, int status) {
@@ -108,6 +125,7 @@ int Simulator::build(const Options& options, Compilation& c) {
                   "zones, distances and charge and recover by templates",
                   exit_inconclusive);
   }
+  predicted_ = predictions(*c.module);
   std::string problem = folder_.problem();
   if (problem.empty()) problem = compile_kernel(options, c, told.manifest, folder());
   if (problem == nothing_mutated) return refuse_mutant(options, c);
@@ -138,9 +156,23 @@ int Simulator::run(const std::vector<std::string>& flags, Compilation& c, std::s
 int simulate(const Options& options, Compilation& c, std::ostream& out) {
   Simulator simulator;
   if (const int status = simulator.build(options, c); status != exit_clean) return status;
+  std::vector<std::string> flags = flags_of(options);
+  flags.insert(flags.end(), simulator.predicted().begin(), simulator.predicted().end());
   std::string said;
-  const int status = simulator.run(flags_of(options), c, said);
+  const int status = simulator.run(flags, c, said);
   out << said;
+  return status;
+}
+
+int simulate_shares(const std::string& runs, const Options& options, Compilation& c,
+                    std::ostream& out) {
+  Simulator simulator;
+  if (const int status = simulator.build(options, c); status != exit_clean) return status;
+  std::vector<std::string> flags{"--shares", "yes", "--runs", runs};
+  flags.insert(flags.end(), simulator.predicted().begin(), simulator.predicted().end());
+  std::string said;
+  const int status = simulator.run(flags, c, said);
+  if (!said.empty()) out << "\nsimulated, " << runs << " runs of 30 s:\n" << said;
   return status;
 }
 

@@ -15,6 +15,11 @@ namespace rtac::driver {
 // with a manifest of everything else; its output goes to `out`, its exit code is returned.
 int simulate(const Options& options, Compilation& c, std::ostream& out);
 
+// `runs` of each decision that can be simulated, as `rtac sim` plays them, and for each a line on
+// how much of the time its advanced controller had, and how far that is from what is predicted.
+int simulate_shares(const std::string& runs, const Options& options, Compilation& c,
+                    std::ostream& out);
+
 // The compiled decisions of a module, for as many calls of `rtac-sim` as it takes.
 class Simulator {
  public:
@@ -23,11 +28,14 @@ class Simulator {
   // Starts it with these flags besides. exit_clean and exit_violation: it did what it was asked
   // for; otherwise a diagnostic, or an internal error, says what is wrong.
   int run(const std::vector<std::string>& flags, Compilation& c, std::string& said);
+  // What is predicted of the decisions, as flags of `rtac-sim`.
+  [[nodiscard]] const std::vector<std::string>& predicted() const { return predicted_; }
   // Of its own, removed with the simulator.
   [[nodiscard]] const std::string& folder() const { return folder_.path(); }
 
  private:
   TemporaryFolder folder_;
+  std::vector<std::string> predicted_;
 };
 
 }  // namespace rtac::driver

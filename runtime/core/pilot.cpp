@@ -14,6 +14,16 @@ constexpr double sharp_corner_rad = 0.35;
 
 }  // namespace
 
+double run_out_m(const Setting& setting) {
+  const RobotLimits& l = setting.limits;
+  const double steers_mps2 = l.accel_mps2 > 0 ? std::min(l.accel_mps2, l.brake_mps2) : l.brake_mps2;
+  const double planned_mps2 = pace::planned_braking * (steers_mps2 - l.disturbance_mps2);
+  const auto delay_us = l.velocity_age_us + setting.period_us + l.latency_us;
+  if (planned_mps2 <= 0) return 0;
+  return setting.speed_mps * (1e-6 * static_cast<double>(delay_us)) +
+         setting.speed_mps * setting.speed_mps / (2 * planned_mps2);
+}
+
 bool LegTracker::advance(Path& way, Vec2 at, double reach_m) {
   while (!way.finished()) {
     const Vec2 to = way.points[way.index];

@@ -54,7 +54,9 @@ void RetreatManoeuvre::look(const Observation& observation) {
   for (const bool around_held : {true, false}) {
     const RouteQuery from_here = query(observation, around_held);
     for (const double wanted_m : wanted) {
-      if (wanted_m > now_m && find(from_here, now_m, wanted_m)) return;
+      if (wanted_m <= now_m || !find(from_here, now_m, wanted_m)) continue;
+      if (now_m >= setting_.limits.radius_m) run_out(from_here);
+      return;
     }
   }
   stay();
@@ -77,6 +79,21 @@ bool RetreatManoeuvre::find(const RouteQuery& from_here, double now_m, double wa
   }
   way_ = straight;
   return in_sight;
+}
+
+// Control is given back where the way leads to, often while the robot still moves: it passes there
+// at full speed, and slows down beyond, where the clearance is no less. A robot that crept up to
+// that place would keep control for longer than the way takes.
+void RetreatManoeuvre::run_out(const RouteQuery& from_here) {
+  const std::size_t last = way_.points.size() - 1;
+  const Vec2 end = way_.points[last];
+  const Vec2 from = last > 0 ? way_.points[last - 1] : from_here.start;
+  const double leg_m = norm(end - from);
+  if (leg_m < 1e-6) return;
+  const Vec2 beyond = end + (run_out_m(setting_) / leg_m) * (end - from);
+  const double least_m = signed_clearance(*setting_.zone, end) - loss_m;
+  if (!route_.leg_allowed(from_here, end, beyond)) return;
+  if (keeps_clearance(*setting_.zone, end, beyond, least_m)) way_.points[last] = beyond;
 }
 
 // Straight away from the nearest point of the boundary, or straight in through it. Clearance cannot

@@ -41,11 +41,12 @@ void drive(Vec3 wanted_in_space, bool all_out, const TruthState& truth, const Ro
 }  // namespace
 
 template <class Output>
-Chase<Output>::Chase(const Arena& arena, int robot, Aim aim, std::uint64_t seed)
-    : arena_(arena), robot_(robot), aim_(aim), random_(seed) {}
+Chase<Output>::Chase(const Arena& arena, int robot, Aim aim, std::uint64_t seed, Manner manner)
+    : arena_(arena), robot_(robot), aim_(aim), manner_(manner), random_(seed) {}
 
 template <class Output>
 void Chase<Output>::choose(TimeUs now_us) {
+  if (manner_ == Manner::only_pushes) return;
   if (until_us_ == never_us) until_us_ = now_us;
   while (until_us_ <= now_us) {
     until_us_ += phase_us_min + random_.below(phase_us_max - phase_us_min);

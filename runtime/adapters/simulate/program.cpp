@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <thread>
 
@@ -180,7 +181,8 @@ class Program {
   Problem runs_of(std::size_t index, int& status) {
     constexpr std::uint64_t batch = 8;  // runs of a job, so that none waits long for the others
     const std::uint64_t at_once = jobs_ == 1 ? 1 : jobs_ * batch;
-    Summary summary(case_.decisions[index]);
+    const DecisionCase& decision = case_.decisions[index];
+    Summary summary(decision, predicted(decision));
     const double begin_s = core_seconds();
     Setup first;
     const Setup* found = nullptr;
@@ -201,6 +203,7 @@ class Program {
         if (enough) break;
       }
     }
+    if (flags_.count("--shares") != 0) return tell_share(decision, summary, status);
     out_ << summary.text(core_seconds() - begin_s);
     if (found == nullptr && done < scenario_.runs) {
       out_ << "the time was up after " << done << " of " << scenario_.runs << " runs\n";
@@ -208,6 +211,24 @@ class Program {
     if (found == nullptr) return {};
     status = exit_violation;
     return record(index, first);
+  }
+
+  Problem tell_share(const DecisionCase& decision, const Summary& summary, int& status) {
+    out_ << "decision " << decision.name << ", " << summary.advanced();
+    if (summary.violations() > 0) {
+      out_ << "; a property was violated in " << summary.violations() << " of " << scenario_.runs
+           << " runs, `rtac sim` records one";
+      status = exit_violation;
+    }
+    out_ << "\n";
+    return {};
+  }
+  // Of `NAME=PERCENT,...`, the number of this decision.
+  std::optional<int> predicted(const DecisionCase& decision) {
+    const std::string all = "," + flags_["--predicted"] + ",", key = "," + decision.name + "=";
+    const std::size_t at = all.find(key);
+    if (at == std::string::npos) return std::nullopt;
+    return std::atoi(all.c_str() + at + key.size());
   }
 
   // The same run once more, with a tape.

@@ -14,7 +14,9 @@ inline constexpr int exit_clean = 0, exit_usage = 2, exit_violation = 3, exit_in
 inline constexpr int cannot_read = 9002, cannot_write = 9003;
 
 // `--kernel FILE --manifest FILE [--scenario FILE] [--seed N] [--runs N] [--jobs N]
-// [--adversary NAME] [--trace FILE] [--replay FILE]`
+// [--adversary NAME] [--trace FILE] [--replay FILE] [--predicted NAME=PERCENT,...] [--shares yes]`
+// `--predicted`: of decisions, the share of the places where control comes back; `--shares`: a line
+// for each decision on how much of the time its advanced controller had, and nothing else.
 int run_program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace rtac::simulate

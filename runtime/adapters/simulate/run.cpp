@@ -224,7 +224,9 @@ class Fleet {
     if (adversary.drive == Drive::plans) {
       return std::make_unique<sim::FollowPlan<Output>>(arena.limits());
     }
-    return std::make_unique<sim::Chase<Output>>(arena, robot, adversary.aim, seed);
+    const auto manner =
+        adversary.drive == Drive::push ? sim::Manner::only_pushes : sim::Manner::in_phases;
+    return std::make_unique<sim::Chase<Output>>(arena, robot, adversary.aim, seed, manner);
   }
   RobotParts<Output> parts(int robot) {
     RobotParts<Output> p;

@@ -159,6 +159,8 @@ const std::vector<Adversary>& adversaries() {
        "full effort in random directions, each held for a random time"},
       {"chase-fence", Drive::chase, Aim::fence, Noise::extreme, Ages::oldest, 0,
        "at the nearest boundary, with run-up, along it, or creeping up to it"},
+      {"push-at-fence", Drive::push, Aim::fence, Noise::extreme, Ages::oldest, 0,
+       "always at full effort at the nearest boundary; it has to be named", true},
       {"chase-robot", Drive::chase, Aim::robot, Noise::extreme, Ages::oldest, 0,
        "the same at the nearest robot"},
       {"drain", Drive::chase, Aim::charge, Noise::aimed, Ages::oldest, 0,
@@ -193,6 +195,7 @@ std::vector<const Adversary*> applicable(const DecisionCase& decision) {
   const bool others =
       has(decision, PropertyOp::distance) || has(decision, PropertyOp::agent_distance);
   for (const Adversary& a : adversaries()) {
+    if (a.by_name_only) continue;
     if (a.aim == Aim::fence && !fence) continue;
     if (a.aim == Aim::robot && !others) continue;
     if (a.aim == Aim::charge && !charge) continue;

@@ -11,7 +11,7 @@
 
 namespace rtac::simulate {
 
-enum class Drive { chase, bang_bang, plans };
+enum class Drive { chase, push, bang_bang, plans };
 
 // A way to attack: who drives, and what it does to the senses.
 struct Adversary {
@@ -22,10 +22,11 @@ struct Adversary {
   sim::Ages ages;
   TimeUs fault_every_us;
   const char* about;
+  bool by_name_only = false;  // it measures rather than attacks, and takes no turn
 };
 const std::vector<Adversary>& adversaries();
 const Adversary* find_adversary(const std::string& name);
-// Those that have something to aim at.
+// Those that take turns and have something to aim at.
 std::vector<const Adversary*> applicable(const DecisionCase& decision);
 
 struct Start {

@@ -30,8 +30,9 @@ std::string margin_text(const MonitorCase& monitor, double scales) {
   return fixed(scales, decimals) + (monitor.unit.empty() ? "" : " " + monitor.unit);
 }
 
-Summary::Summary(const DecisionCase& decision)
+Summary::Summary(const DecisionCase& decision, std::optional<int> predicted_percent)
     : decision_(decision),
+      predicted_percent_(predicted_percent),
       ticks_(decision.monitors.size() + 1, 0),
       least_(decision.monitors.size()) {}
 
@@ -57,6 +58,19 @@ void Summary::add(const Setup& setup, const Outcome& outcome) {
 
 double Summary::robot_hours() const {
   return static_cast<double>(all_.robot_time_us) / us_per_hour;
+}
+
+std::string Summary::advanced() const {
+  if (all_.ticks == 0) return "advanced controller: no time was simulated";
+  constexpr double percent = 100, as_good_as_none = 0.05;
+  const double had = percent * static_cast<double>(all_.advanced) / static_cast<double>(all_.ticks);
+  std::string text = "advanced controller: " + share(all_.advanced, all_.ticks) + " of the time";
+  if (!predicted_percent_) return text + ", without a prediction";
+  const double more = had - *predicted_percent_;
+  const std::string predicted = " predicted " + std::to_string(*predicted_percent_) + " %";
+  if (std::abs(more) < as_good_as_none) return text + ", the" + predicted;
+  return text + ", " + fixed(std::abs(more), 1) + " points " + (more < 0 ? "below" : "above") +
+         " the" + predicted;
 }
 
 std::string Summary::attacks() const {
@@ -95,7 +109,7 @@ std::string Summary::text(double core_s) const {
   if (core_s > 0) {
     text += ", " + fixed(robot_hours() / core_s, digits) + " a core-second";
   }
-  return text + "\n\n" + attacks() + "\n" + monitors();
+  return text + "\n" + advanced() + "\n\n" + attacks() + "\n" + monitors();
 }
 
 }  // namespace rtac::simulate

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,15 @@ namespace rtac::simulate {
 
 class Summary {
  public:
-  explicit Summary(const DecisionCase& decision);
+  // `predicted_percent`: of the places, where the compiler says that control comes back.
+  explicit Summary(const DecisionCase& decision,
+                   std::optional<int> predicted_percent = std::nullopt);
   void add(const Setup& setup, const Outcome& outcome);
 
   [[nodiscard]] std::uint64_t violations() const { return violations_; }
   [[nodiscard]] double robot_hours() const;
+  // How much of the time the advanced controller had, and how far that is from what was predicted.
+  [[nodiscard]] std::string advanced() const;
   // `core_s`: how long it took, on one core; 0: not to be told.
   [[nodiscard]] std::string text(double core_s) const;
 
@@ -36,6 +41,7 @@ class Summary {
   [[nodiscard]] std::string monitors() const;
 
   const DecisionCase& decision_;
+  std::optional<int> predicted_percent_;
   std::uint64_t violations_ = 0;
   Tally all_;
   std::map<std::string, Tally> by_adversary_;

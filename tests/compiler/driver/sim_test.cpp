@@ -1,4 +1,5 @@
 // `rtac sim` as scripts see it: what is violated, with which exit code, and the same run again.
+#include <cstdio>
 #include <cstdlib>
 
 #include "compiler/diagnostics/engine.h"
@@ -330,6 +331,78 @@ TEST_F(Simulations, RobotsThatOnlyBrakeFollowPlans) {
                            "recover turn_back; hold when violated \"it stands\";"));
   const Outcome o = rtac({"sim", "spec.rta", "--runs", "2", "--adversary", "follow-plans"});
   EXPECT_EQ(o.status, 0) << o.err;
+}
+
+// Of the line on the share of the advanced controller: had, distance and prediction, in percent.
+struct Share {
+  double had = -1, points = -1, predicted = -1;
+  bool below = false;
+};
+Share share_of(const std::string& out) {
+  Share s;
+  char where[8] = "";
+  const std::size_t at = out.find("advanced controller: ");
+  const char* const line = at == std::string::npos ? "" : out.c_str() + at;
+  std::sscanf(line, "advanced controller: %lf %% of the time, %lf points %5s the predicted %lf %%",
+              &s.had, &s.points, where, &s.predicted);
+  s.below = std::string(where) == "below";
+  return s;
+}
+
+// What the summary says is what the table says, and the prediction that of `rtac check`.
+TEST_F(Simulations, TellHowFarTheShareIsFromThePrediction) {
+  write("spec.rta", yard("50 ms"));
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "4", "--adversary", "push-at-fence"});
+  ASSERT_EQ(o.status, 0) << o.err;
+  const Share s = share_of(o.out);
+  EXPECT_TRUE(s.below) << o.out;
+  EXPECT_GT(s.had, 5) << o.out;
+  EXPECT_NEAR(s.predicted - s.had, s.points, 0.051) << o.out;
+  char had[16];
+  std::snprintf(had, sizeof had, "  %.1f %%", s.had);
+  EXPECT_EQ(count(o.out, had), 2u) << o.out;  // of the adversary, and of all
+  const std::string check = rtac({"check", "spec.rta"}).out;
+  EXPECT_NE(check.find("control back in " + std::to_string(int(s.predicted)) + " %"),
+            std::string::npos)
+      << check;
+}
+
+TEST_F(Simulations, PushingAtTheFenceHasToBeAskedFor) {
+  write("spec.rta", yard("50 ms"));
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "21"});
+  EXPECT_EQ(o.out.find("push-at-fence"), std::string::npos) << o.out;
+}
+
+// The runs of `rtac sim` with its defaults, behind what is derived for the line.
+TEST_F(Simulations, ExplainSimulatesWhenItIsTold) {
+  write("spec.rta", yard("50 ms"));
+  const Outcome alone = rtac({"explain", "spec.rta:15"});
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  const Outcome o = rtac({"explain", "spec.rta:15", "--simulate", "9"});
+  ASSERT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.out.substr(0, alone.out.size()), alone.out);
+  EXPECT_NE(o.out.find("\nsimulated, 9 runs of 30 s:\ndecision drive, advanced controller: "),
+            std::string::npos)
+      << o.out;
+  const Share told = share_of(o.out), sim = share_of(rtac({"sim", "spec.rta", "--runs", "9"}).out);
+  EXPECT_GT(told.had, 0) << o.out;
+  EXPECT_EQ(told.had, sim.had);
+  EXPECT_EQ(told.predicted, sim.predicted);
+}
+
+// Exit code 3, and no file: `rtac sim` is the one that records.
+TEST_F(Simulations, ExplainDoesNotKeepAViolationToItself) {
+  write("spec.rta", yard(blind));
+  const Outcome o = rtac({"explain", "spec.rta:15", "--simulate", "5"});
+  EXPECT_EQ(o.status, 3) << o.err;
+  EXPECT_NE(o.out.find("; a property was violated in "), std::string::npos) << o.out;
+  EXPECT_FALSE(fs::exists("yard_patrol.trace"));
+}
+
+TEST_F(Simulations, ExplainSimulatesNoDiagnostic) {
+  const Outcome o = rtac({"explain", "3001", "--simulate", "5"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("give FILE:LINE"), std::string::npos) << o.err;
 }
 
 // Nothing is known then: that is not the same as no violation.

@@ -187,5 +187,25 @@ TEST(Tape, FailsWhereItEnds) {
   EXPECT_FALSE(tape.read("wait", whole, none, 0));
 }
 
+// Whatever the time: full effort, towards the wall that is nearest. An attack in phases also runs
+// up, slides along and creeps.
+TEST_F(Hostile, WhoOnlyPushesNeverDoesAnythingElse) {
+  for (const Manner manner : {Manner::only_pushes, Manner::in_phases}) {
+    std::vector<TruthState> truths(1);
+    truths[0].position = {0.4, 1.5};
+    Arena arena(surroundings, properties, limits, 1);
+    arena.watch(truths);
+    Chase<Acceleration> attack(arena, 0, Aim::fence, 5, manner);
+    int other = 0;
+    for (TimeUs t = 0; t < 60'000 * ms; t += 50 * ms) {
+      Observation seen;
+      seen.now_us = t;
+      const Vec2 a = attack.command(seen).value_mps2;
+      if (std::abs(a.x + limits.accel_mps2) > 0.01 || std::abs(a.y) > 0.2) ++other;
+    }
+    EXPECT_EQ(other > 0, manner == Manner::in_phases) << other;
+  }
+}
+
 }  // namespace
 }  // namespace rtac::sim

@@ -32,6 +32,8 @@ TEST(Adversaries, AimAtWhatPropertiesSay) {
   std::set<std::string> names;
   for (const Adversary* a : applicable(fence)) names.insert(a->name);
   EXPECT_EQ(names.count("chase-fence"), 1u);
+  EXPECT_EQ(names.count("push-at-fence"), 0u);  // it takes no turn
+  EXPECT_NE(find_adversary("push-at-fence"), nullptr);
   EXPECT_EQ(names.count("chase-robot"), 0u);
   EXPECT_EQ(names.count("drain"), 0u);
 }

@@ -82,6 +82,7 @@ class RetreatManoeuvre : public Manoeuvre {
  private:
   bool find(const RouteQuery& query, double clearance_now_m, double wanted_m);
   bool find_straight(const RouteQuery& query, double clearance_now_m, double wanted_m);
+  void run_out(const RouteQuery& query);
 
   double room_m_;
   TimeUs next_look_us_ = never_us;

@@ -14,6 +14,10 @@ inline double end_reach_m(const RobotLimits& limits) {
   return std::max(0.02, limits.position_error_m);
 }
 
+// How much longer a leg has to be for its pilot to pass what was its end at the full speed of the
+// recovery: what it comes on until its brake acts, and what it plans to slow down over.
+double run_out_m(const Setting& setting);
+
 // Keeps track of the leg that is driven and of when its end is reached.
 class LegTracker {
  public:
