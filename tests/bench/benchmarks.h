@@ -1,4 +1,4 @@
-// The eight groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
+// The nine groups of `./dev bench`. Each adds its rows; false: it could not measure, and said why
 // on the error stream.
 #pragma once
 
@@ -16,6 +16,7 @@ struct Effort {
   double zone_pass_ms = 10;         // about so long at most
   int zone_cold_questions = 15;
   std::size_t zone_shapes = 3;  // of outlines
+  int share_seconds = 600;      // of each of four runs
 };
 
 bool measure_steps(const Effort& effort, Report& report);
@@ -27,5 +28,6 @@ bool measure_geometry(const Effort& effort, Report& report);
 bool measure_zone_kernels(const Effort& effort, Report& report);  // a part of it
 bool measure_zones(const Effort& effort, Report& report);
 bool measure_kills(const Effort& effort, Report& report);
+bool measure_shares(const Effort& effort, Report& report);
 
 }  // namespace rtac::bench

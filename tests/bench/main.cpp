@@ -1,5 +1,5 @@
 // rtac_bench [--json FILE] [--quick] [--only
-// step|fleet|simulation|watch|compiler|geometry|zones|kills]
+// step|fleet|simulation|watch|compiler|geometry|zones|kills|shares]
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -21,21 +21,21 @@ Arguments parse(int argc, char** argv) {
   for (int i = 1; i < argc && a.good; ++i) {
     const std::string flag = argv[i];
     if (flag == "--quick") {
-      a.effort = {3, 1, 4, 2, 3, 2'000, 2, 9, 1};
+      a.effort = {3, 1, 4, 2, 3, 2'000, 2, 9, 1, 30};
     } else if (flag == "--json" && i + 1 < argc) {
       a.json = argv[++i];
     } else if (flag == "--only" && i + 1 < argc) {
       a.only = argv[++i];
       a.good = a.only == "step" || a.only == "fleet" || a.only == "simulation" ||
                a.only == "watch" || a.only == "compiler" || a.only == "geometry" ||
-               a.only == "zones" || a.only == "kills";
+               a.only == "zones" || a.only == "kills" || a.only == "shares";
     } else {
       a.good = false;
     }
     if (!a.good) {
       std::cerr << "rtac_bench: cannot make sense of `" << argv[i] << "`\n"
                 << "usage: rtac_bench [--json FILE] [--quick] [--only "
-                   "step|fleet|simulation|watch|compiler|geometry|zones|kills]\n";
+                   "step|fleet|simulation|watch|compiler|geometry|zones|kills|shares]\n";
     }
   }
   return a;
@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   if (wanted("geometry")) measured = rtac::bench::measure_geometry(a.effort, report) && measured;
   if (wanted("zones")) measured = rtac::bench::measure_zones(a.effort, report) && measured;
   if (wanted("kills")) measured = rtac::bench::measure_kills(a.effort, report) && measured;
+  if (wanted("shares")) measured = rtac::bench::measure_shares(a.effort, report) && measured;
   std::cout << report.text();
   if (!a.json.empty() && !rtac::sim::write_text_file(a.json, report.json())) {
     std::cerr << "rtac_bench: cannot write `" << a.json << "`\n";

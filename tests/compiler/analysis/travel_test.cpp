@@ -103,6 +103,22 @@ TEST(Pace, IsTheSameOnBothSides) {
   EXPECT_EQ(pace::waypoints, static_cast<int>(max_waypoints));
 }
 
+// How much longer than its way a retreat drives, as the runtime does it.
+TEST(Pace, RunsOutAsFarOnBothSides) {
+  for (RobotLimits limits :
+       {rtac::test::drone_limits(), rtac::test::cart_limits(), brisk(rtac::test::drone_limits())}) {
+    for (const double speed_mps : {0.05, 0.3, 0.8}) {
+      rtac::safe::Setting setting;
+      setting.limits = limits, setting.period_us = period_us, setting.speed_mps = speed_mps;
+      const double out_mm = 1e3 * rtac::safe::run_out_m(setting);
+      const auto priced_mm =
+          static_cast<double>(run_out_mm(kind_of(limits), milli(speed_mps), period_us));
+      EXPECT_GE(priced_mm, out_mm - 1e-6);
+      EXPECT_LE(priced_mm, out_mm + 1) << speed_mps;
+    }
+  }
+}
+
 // Short and long, slow and fast: the plants are never slower than the price says.
 template <class Output>
 void expect_priced(const RobotLimits& limits, double speed_mps) {

@@ -79,6 +79,40 @@ TEST(Retreat, GoesAllTheWayWithAPrecisePosition) {
   EXPECT_TRUE(retreat.holding());
 }
 
+// Control is given back on the way, where the clearance is enough: it must not creep up to there.
+// It goes on by what it takes to stop, and comes to rest.
+TEST(Retreat, PassesThePlaceOfReturnAtFullSpeed) {
+  const Setting setting = drone(room().view());
+  Plant<Acceleration> plant(test::drone_limits(), {0.25, 2.5});
+  Retreat<Acceleration> retreat(setting);
+  retreat.engage(plant.observe());
+  double passed_mps = 0;
+  for (int i = 0; i < 300; ++i) {
+    tick(retreat, plant, Gate::free, 50'000);
+    if (passed_mps == 0 && plant.p.x >= setting.return_clearance_m) passed_mps = plant.v.x;
+  }
+  EXPECT_GT(passed_mps, 0.8 * setting.speed_mps);
+  EXPECT_TRUE(retreat.holding());
+  EXPECT_LT(plant.p.x, setting.return_clearance_m + run_out_m(setting) + 0.1);
+}
+
+// In the middle of a corridor of 1 m there is nothing beyond where the clearance would not fall.
+TEST(Retreat, RunsOutOnlyWhereTheClearanceDoesNotFall) {
+  Plant<Acceleration> plant(test::drone_limits(), {2, 0.25});
+  Setting setting = drone(corridor().view());
+  setting.return_clearance_m = 0.42;
+  ASSERT_GT(run_out_m(setting), 0.1);
+  Retreat<Acceleration> retreat(setting);
+  retreat.engage(plant.observe());
+  double most_m = 0;
+  for (int i = 0; i < 300; ++i) {
+    tick(retreat, plant, Gate::free, 50'000);
+    most_m = std::max(most_m, plant.p.y);
+  }
+  EXPECT_GE(signed_clearance(corridor().view(), plant.p), setting.return_clearance_m - 0.02);
+  EXPECT_LT(most_m, 0.5 + 0.05);
+}
+
 // In a corner no straight way from one wall is enough: it goes along the diagonal.
 TEST(Retreat, LeavesACorner) {
   Plant<Twist> plant(test::cart_limits(), {0.2, 0.2});
