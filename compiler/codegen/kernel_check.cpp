@@ -258,6 +258,11 @@ void CheckPrinter::measure_agents(Code& to) {
                     seen + "between, " + seen + "valid, " + seen +
                     "stamp_us, v->now_us, &s->last_agent_us[" + at + "], " +
                     kernel.numbers[agent.seen] + ");");
+    if (agent.in_space) {
+      use({"agent_at_height"});
+      wrapped(to, "v->agents[" + at + "] = agent_at_height(v->agents[" + at + "], " + seen + "z, " +
+                      seen + "between, " + kernel.numbers[agent.seen] + ");");
+    }
     if (!agent.present) continue;
     use({"agent_gone"});
     const std::string said = "in->facts." + members.samples[*agent.present] + ".";

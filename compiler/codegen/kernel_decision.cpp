@@ -203,6 +203,7 @@ void DecisionPrinter::print_keeps() {
 
 void DecisionPrinter::print_agents() {
   if (has_agents(module_)) use({"near_agents"});
+  if (has_agents_in_space(module_)) use({"agents_in_space"});
   if (d_.agents.empty()) return;
   use({"agent_kind_type"});
   out_.comment("What moves by itself: radius mm, position error mm, speed mm/s, largest age us.");

@@ -32,7 +32,8 @@ Part parse_head(const std::string& line) {
 }
 
 // Functions of which there are two kinds, one where the first word is wanted, else the other one.
-constexpr std::pair<const char*, const char*> kinds[] = {{"cells", "edges"}, {"in_space", "plane"}};
+constexpr std::pair<const char*, const char*> kinds[] = {
+    {"cells", "edges"}, {"in_space", "plane"}, {"agents_in_space", "agents_level"}};
 
 std::vector<Part> parse_parts(const std::set<std::string>& wanted) {
   std::vector<Part> parts;

@@ -220,6 +220,7 @@ Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
                            {"position_error_mm", a.error_mm},
                            {"speed_mmps", a.speed_mmps},
                            {"max_age_us", a.age_us}});
+    if (a.in_space) j["agents"].back()["in_space"] = true;
   }
   // what is said of agents is kept while the robot is faster; slower it counts as standing
   if (!d.agents.empty()) j["rest_mmps"] = rest_mmps(d.body);

@@ -195,11 +195,13 @@ class Decisions {
     return nullptr;
   }
   static Json agent(const sema::Agent& a) {
-    return {{"name", a.name},
-            {"radius_m", nearest_double(a.radius.value)},
-            {"speed_mps", nearest_double(a.speed.value)},
-            {"error_m", nearest_double(a.position.error.value)},
-            {"age_us", micros(a.position.max_age)}};
+    Json j = {{"name", a.name},
+              {"radius_m", nearest_double(a.radius.value)},
+              {"speed_mps", nearest_double(a.speed.value)},
+              {"error_m", nearest_double(a.position.error.value)},
+              {"age_us", micros(a.position.max_age)}};
+    if (a.in_space) j["in_space"] = true;
+    return j;
   }
   // Where robots charge, by fleet index.
   Json dock(sema::KindId kind, const sema::Energy& energy) const {

@@ -236,8 +236,9 @@ void add_signals(const ir::Decision& d, const sema::Spec& spec, DecisionInterfac
                                     [&](const ir::Agent& each) { return each.name == agent.name; });
     to.agents.emplace_back();
     if (found == d.agents.end()) continue;
-    to.agents.back().first = members.samples[found->seen];
-    if (found->present) to.agents.back().second = members.samples[*found->present];
+    to.agents.back().seen = members.samples[found->seen];
+    to.agents.back().in_space = found->in_space;
+    if (found->present) to.agents.back().present = members.samples[*found->present];
   }
   for (std::size_t k = 0; k < d.facts.params.size(); ++k) {
     to.params.emplace_back(members.params[k], d.facts.params[k].value);

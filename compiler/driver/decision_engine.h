@@ -55,7 +55,11 @@ struct DecisionInterface {
   std::int64_t jitter_us = 0;  // a step comes so much later than due at most
   // Members of the kernel's inputs: where each agent of the specification is, and whether it is
   // there; "": the decision does not ask. None where it asks for no agent.
-  std::vector<std::pair<std::string, std::string>> agents{};
+  struct Agent {
+    std::string seen, present;
+    bool in_space = false;
+  };
+  std::vector<Agent> agents{};
 };
 // Those of the module, which is to be generated under the name `prefix`, a C identifier.
 std::vector<DecisionInterface> decision_interfaces(ir::Module& module, const sema::Spec& spec,

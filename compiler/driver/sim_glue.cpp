@@ -19,8 +19,8 @@ std::size_t other_words(const DecisionInterface& d) {
 }
 // { self, holding, surrender, position, velocity, battery, heading, sent, proposed, plan, others }
 constexpr std::size_t own_words = 43;
-// { x, y, between, valid, stamp, present, valid, stamp }
-constexpr std::size_t agent_words = 8;
+// { x, y, between, valid, stamp, present, valid, stamp, z }
+constexpr std::size_t agent_words = 9;
 std::size_t in_words(const DecisionInterface& d) {
   return own_words + plan_words(d) + d.robots.size() * other_words(d) +
          d.agents.size() * agent_words;
@@ -57,12 +57,13 @@ std::string take_agents(const DecisionInterface& d) {
     const auto word = [&](std::size_t at) {
       return "own[" + num(first + k * agent_words + at) + "];\n";
     };
-    if (d.agents[k].first.empty()) continue;
-    const std::string seen = "  in.facts." + d.agents[k].first + ".";
+    if (d.agents[k].seen.empty()) continue;
+    const std::string seen = "  in.facts." + d.agents[k].seen + ".";
     out += seen + "x = " + word(0) + seen + "y = " + word(1) + seen + "between = (uint32_t)" +
            word(2) + seen + "valid = (int32_t)" + word(3) + seen + "stamp_us = " + word(4);
-    if (d.agents[k].second.empty()) continue;
-    const std::string said = "  in.facts." + d.agents[k].second + ".";
+    if (d.agents[k].in_space) out += seen + "z = " + word(8);
+    if (d.agents[k].present.empty()) continue;
+    const std::string said = "  in.facts." + d.agents[k].present + ".";
     out += said + "value = " + word(5) + said + "between = 0;\n" + said + "valid = (int32_t)" +
            word(6) + said + "stamp_us = " + word(7);
   }

@@ -128,7 +128,7 @@ class Widths {
     const Body& b = decision_->body;
     return 2 * (displaced_mm(b.position_age_us) +
                 std::max(displaced_mm(b.hears_age_us),
-                         exact(b.position_error_mm + grid_mm + b.hold_mm))) +
+                         exact(b.position_error_mm + grid_mm() + b.hold_mm))) +
            1;
   }
   // The agent may have moved since, too.
@@ -136,7 +136,7 @@ class Widths {
     const Agent& agent = (*decision_)[v.agent];
     const std::int64_t moved_mm = whole_ms(agent.speed_mmps * whole_ms(agent.age_us));
     return 2 * (displaced_mm(decision_->body.position_age_us) +
-                exact(agent.error_mm + grid_mm + moved_mm)) +
+                exact(agent.error_mm + grid_mm() + moved_mm)) +
            1;
   }
   // 4: the grid of both components and of the length; what it has gained or lost since.
@@ -167,7 +167,7 @@ class Widths {
     return rounded_up(of(phase) * 7 / parts) + 2 * sine_width;
   }
   // Each coordinate lies between two steps of the grid.
-  static constexpr std::int64_t grid_mm = 2;
+  [[nodiscard]] std::int64_t grid_mm() const { return decision_->body.in_space ? 3 : 2; }
   static std::int64_t whole_ms(std::int64_t us) { return (us + 999) / 1000; }
   // How far the centre is from where it was seen, when the sample is as old as it may be: the speed
   // is that of any control, or one that was measured and may have changed until the position was.
@@ -179,7 +179,7 @@ class Widths {
     const Rational speed_mmps =
         exact(decision_->motions[0].speed_mmps + 2 * b.velocity_error_mmps + rounding_mmps) +
         rounded_up(exact(b.accel_mmps2) * exact(apart_ms) / 1000);
-    return exact(b.position_error_mm + grid_mm + rounding_mm) +
+    return exact(b.position_error_mm + grid_mm() + rounding_mm) +
            rounded_up(speed_mmps * exact(whole_ms(age_us)) / 1000);
   }
   [[nodiscard]] Rational span() const {

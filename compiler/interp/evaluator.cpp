@@ -208,8 +208,8 @@ Span Evaluator::clearance_of_body(sema::ZoneId zone) {
   return add(gap, between(Rational(-error), error));
 }
 
-// Rule 9.8: the gap between two discs; an agent that is known to be absent is farther than
-// anything.
+// Rule 9.8: the gap between two discs, of an agent in space between two balls, and of one of the
+// plane on the map; an agent that is known to be absent is farther than anything.
 Span Evaluator::distance_from_agent(const sema::AgentDistance& node) {
   if (node.present) {
     const auto& present = signals_.measured(*node.present, 0);
@@ -223,8 +223,15 @@ Span Evaluator::distance_from_agent(const sema::AgentDistance& node) {
   if (!centre) return unknown(std::nullopt);
   if (!x || !y) return unknown(node.seen);
   const Rational dx = *x - centre->x, dy = *y - centre->y;
-  const Root apart = square_root(Rational(dx * dx + dy * dy));
   const sema::Agent& agent = spec_[node.agent];
+  Rational dz = 0;
+  if (agent.in_space) {
+    const auto& z = signals_.measured(node.seen, 2);
+    const auto own = robots_->height(robots_->self());
+    if (!z || !own) return unknown(node.seen);
+    dz = *z - *own;
+  }
+  const Root apart = square_root(Rational(dx * dx + dy * dy + dz * dz));
   const Rational bodies = robots_->kind().radius.value + agent.radius.value;
   const Rational error = robots_->place_error() + agent.position.error.value;
   return between(Rational(apart.below - bodies - error), Rational(apart.above - bodies + error));

@@ -494,6 +494,7 @@ std::vector<Agent> agents_of(const sema::Spec& spec, const Watch& facts) {
     to.speed_mmps = up(from.speed.value, 1000);
     to.age_us = floor_to_int(from.position.max_age.value * 1'000'000);
     to.seen = seen;
+    to.in_space = from.in_space;
     if (from.present) to.present = channel_of(facts, spec[*from.present].name);
     all.push_back(std::move(to));
   }

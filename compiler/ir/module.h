@@ -552,8 +552,9 @@ struct Lookahead {
 struct Agent {
   std::string name;
   std::int64_t radius_mm = 0, error_mm = 0, speed_mmps = 0, age_us = 0;
-  std::uint32_t seen = 0;                // channel of Decision::facts: x, y
+  std::uint32_t seen = 0;                // channel of Decision::facts: x, y; in space z
   std::optional<std::uint32_t> present;  // channel: whether it is there at all
+  bool in_space = false;
 };
 inline constexpr std::int64_t agent_far_mm = std::int64_t{1} << 31;  // beyond any distance
 enum class RecoveryKind { external, retreat, route, yield, brake, loiter, sequence, land };
@@ -703,6 +704,14 @@ inline bool is_disturbed(const Module& module) {
   return false;
 }
 // Does some decision look out for what moves by itself?
+inline bool has_agents_in_space(const Module& module) {
+  for (const Decision& d : module.decisions) {
+    for (const Agent& agent : d.agents) {
+      if (agent.in_space) return true;
+    }
+  }
+  return false;
+}
 inline bool has_agents(const Module& module) {
   for (const Decision& d : module.decisions) {
     if (!d.agents.empty()) return true;

@@ -303,8 +303,9 @@ class Printer {
       line("  motion " + m.name + " speed " + num(m.speed_mmps) + " accel " + num(m.accel_mmps2));
     }
     for (const Agent& a : d.agents) {
-      line("  agent " + a.name + " radius " + num(a.radius_mm) + ", error " + num(a.error_mm) +
-           " mm, speed " + num(a.speed_mmps) + ", age " + num(a.age_us) + " us");
+      line("  agent " + a.name + (a.in_space ? " in space" : "") + " radius " + num(a.radius_mm) +
+           ", error " + num(a.error_mm) + " mm, speed " + num(a.speed_mmps) + ", age " +
+           num(a.age_us) + " us");
     }
     for (std::size_t i = 0; i < d.keeps.size(); ++i) {
       std::string row;

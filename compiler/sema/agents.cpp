@@ -39,6 +39,12 @@ void check_agent(Context& context, AgentId id, const syntax::AgentItem& written)
     return quantity(context, *expr, due).value_or(Quantity{0, expr->range});
   };
   Agent& agent = context.spec.agents[index_of(id)];
+  if (written.type) {
+    agent.in_space = written.type->text == "point3";
+    if (!agent.in_space && written.type->text != "point") {
+      context.unknown_word(*written.type, "the type of an agent's position", {"point", "point3"});
+    }
+  }
   agent.radius = value(written.radius, {dims::length, "the radius of an agent", Limit::positive});
   agent.speed = value(written.speed, {dims::speed, "the speed of an agent", Limit::not_negative});
   agent.position.error =
@@ -59,11 +65,13 @@ void check_agents(Context& context) {
       agent.radius = first.radius;
       agent.speed = first.speed;
       agent.position = first.position;
+      agent.in_space = first.in_space;
     } else {
       check_agent(context, id, written);
     }
-    const InputId seen = add_input(context, id, "position",
-                                   {TypeKind::point, dims::length, std::nullopt, std::nullopt});
+    ValueType place{TypeKind::point, dims::length, std::nullopt, std::nullopt};
+    place.space = agent.in_space;
+    const InputId seen = add_input(context, id, "position", place);
     agent.seen = seen;
     if (!written.present) continue;
     agent.present =
@@ -101,16 +109,19 @@ ExprPtr PropertyChecker::distance_from_agent(const syntax::Expr& expr,
             : resolve_agent(context_, *name, index != nullptr ? index->index.get() : nullptr);
   if (!agent) return nullptr;
   require_motion(expr.range, "`distance`");
-  if (in_space()) {
-    const std::string& agents_name = context_.spec[*agent].name;
+  const Agent& of = context_.spec[*agent];
+  if (of.in_space && !in_space()) {
     context_.report(
         Finding(Code::spaces_differ, expr.range,
-                "`" + agents_name + "` moves in the plane, `" + kind_name() + "` in space")
-            .label("an agent has no height")
-            .help("robots that sense `position : point` keep away from agents"));
+                "`" + of.name + "` moves in space, `" + kind_name() + "` in the plane")
+            .label("the robot has no height")
+            .note(of.name_range, "the agent is declared here")
+            .help("an agent of the plane works, without `point3`: it is near whatever its height "
+                  "is; or declare `sense position : point3 ...` and `sense velocity : vector3 ...` "
+                  "of `" +
+                  kind_name() + "`"));
     return nullptr;
   }
-  const Agent& of = context_.spec[*agent];
   context_.used_inputs.insert(of.seen);
   if (of.present) context_.used_inputs.insert(*of.present);
   return make_quantity(expr.range, dims::length, AgentDistance{*agent, of.seen, of.present});

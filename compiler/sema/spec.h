@@ -215,9 +215,10 @@ struct Agent {
   SourceRange name_range;
   Quantity radius, speed;            // m, m/s
   Sense position;                    // m
-  InputId seen{};                    // x, y
+  InputId seen{};                    // x, y; in space z
   std::optional<InputId> present{};  // whether it is there at all
   std::string group{};               // the name of numbered ones
+  bool in_space = false;             // its position has a height
 };
 struct Site {
   std::string name;

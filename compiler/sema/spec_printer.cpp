@@ -105,7 +105,8 @@ class SpecPrinter {
   }
 
   void print(const Agent& agent) {
-    line(0, "agent " + agent.name + " radius " + si_text(agent.radius, dims::length) + " speed " +
+    line(0, "agent " + agent.name + (agent.in_space ? " point3" : "") + " radius " +
+                si_text(agent.radius, dims::length) + " speed " +
                 si_text(agent.speed, dims::speed) + (agent.present ? ", present" : ""));
     print("position", agent.position, dims::length);
   }

@@ -412,11 +412,13 @@ struct FleetItem {  // fleet r1, r2 : Cart;   fleet bots : Drone[128];
   ExprPtr count;  // of numbered members; null: each name is a robot
 };
 // agent people[8] : radius 30 cm, speed <= 2 m/s error 10 cm max_age 200 ms, present;
+// agent glider : point3, radius 2 m, speed <= 20 m/s error 1 m max_age 500 ms;
 struct AgentItem {
   std::vector<Name> names;
   ExprPtr count;  // of numbered ones; null: each name is one
   ExprPtr radius, speed, error, max_age;
   bool present = false;
+  std::optional<Name> type{};  // of its position; none: of the plane
 };
 struct SiteItem {  // site dock(r1) = (1 m, 1 m);   site home = (0 m, 0 m);
   Name name;

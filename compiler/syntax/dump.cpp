@@ -205,7 +205,9 @@ class Dumper {
     part("Count", node.count);
   }
   void add(const AgentItem& node, const SourceRange& range) {
-    line("Agent " + join(node.names, ", ") + (node.present ? " present" : ""), range);
+    line("Agent " + join(node.names, ", ") + (node.type ? " : " + node.type->text : "") +
+             (node.present ? " present" : ""),
+         range);
     Level level{text_};
     part("Count", node.count);
     part("Radius", node.radius);

@@ -210,10 +210,10 @@ std::string print_node(const FleetItem& node) {
 }
 std::string print_node(const AgentItem& node) {
   return "agent " + join(node.names, ", ") +
-         (node.count ? '[' + print_expr(*node.count) + ']' : "") + " : radius " +
-         print_expr(*node.radius) + ", speed" + optional_part("<=", node.speed) +
-         optional_part("error", node.error) + optional_part("max_age", node.max_age) +
-         (node.present ? ", present" : "") + ";\n";
+         (node.count ? '[' + print_expr(*node.count) + ']' : "") + " : " +
+         (node.type ? node.type->text + ", " : "") + "radius " + print_expr(*node.radius) +
+         ", speed" + optional_part("<=", node.speed) + optional_part("error", node.error) +
+         optional_part("max_age", node.max_age) + (node.present ? ", present" : "") + ";\n";
 }
 std::string print_node(const SiteItem& node) {
   return "site " + node.name.text + (node.robot ? '(' + print_robot(*node.robot) + ')' : "") +

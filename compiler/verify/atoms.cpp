@@ -71,7 +71,7 @@ std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decis
   if (atoms.speed) add({"speed"});
   if (atoms.charge) add({"energy"});
   if (body.in_space && places) add({"space_tube"});
-  if (body.in_space && (atoms.distance || atoms.others)) add({"space_gap"});
+  if (body.in_space && (atoms.distance || atoms.others || atoms.agent)) add({"space_gap"});
   if (monitor.lookahead.command) add({"command_legs", "command_stops"});
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());

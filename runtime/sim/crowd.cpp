@@ -26,11 +26,13 @@ Crowd::Crowd(const std::vector<AgentSetup>& agents, const std::vector<Property>&
       moves_(Random::stream(seed, crowd_stream, 0)),
       noise_(Random::stream(seed, crowd_noise_stream, 0)),
       minds_(agents.size()),
-      seen_(truths.size(), std::vector<Sample<Vec2>>(agents.size())) {
+      seen_(truths.size(), std::vector<Sample<Vec3>>(agents.size())) {
   surroundings.agents = &places_;
   surroundings.agent_radius_m.clear();
+  surroundings.agent_in_space.clear();
   for (const AgentSetup& agent : agents) {
     surroundings.agent_radius_m.push_back(agent.radius_m);
+    surroundings.agent_in_space.push_back(agent.in_space);
     longest_us_ = std::max(longest_us_, agent.age_us);
   }
   place(properties, surroundings);
@@ -41,8 +43,7 @@ void Crowd::place(const std::vector<Property>& properties, const Surroundings& s
   const auto holds = [&] {
     for (const Property& p : properties) {
       for (std::size_t r = 0; r < truths_.size(); ++r) {
-        const Scene scene{surroundings, truths_, static_cast<int>(r), truths_[r].position};
-        if (!(margin_of(p, scene) > 0)) return false;
+        if (!(margin_of(p, scene_of(surroundings, truths_, static_cast<int>(r))) > 0)) return false;
       }
     }
     return true;
@@ -52,18 +53,29 @@ void Crowd::place(const std::vector<Property>& properties, const Surroundings& s
     for (int tries = 0; tries < tries_max; ++tries) {
       const auto robot = static_cast<std::size_t>(moves_.below(std::int64_t(truths_.size())));
       const double reach_m = moves_.uniform(nearest_m, farthest_m * (1 + 0.1 * tries));
-      places_.back() = truths_[robot].position + moves_.on_circle(reach_m);
+      places_.back() = level(k, position_of(truths_[robot])) + any_way(moves_, k, reach_m);
       if (holds()) break;
     }
   }
 }
 
-Vec2 Crowd::nearest_robot(Vec2 from) const {
-  Vec2 nearest = from;
+Vec3 Crowd::level(std::size_t agent, Vec3 way) const {
+  return agents_[agent].in_space ? way : Vec3{way.x, way.y, 0};
+}
+
+Vec3 Crowd::any_way(Random& random, std::size_t agent, double size) const {
+  if (agents_[agent].in_space) return random.on_sphere(size);
+  const Vec2 flat = random.on_circle(size);
+  return {flat.x, flat.y, 0};
+}
+
+Vec3 Crowd::way_to_nearest(std::size_t agent) const {
+  Vec3 nearest{};
   double least = std::numeric_limits<double>::infinity();
   for (const TruthState& truth : truths_) {
-    const double gap = length(truth.position - from);
-    if (gap < least) nearest = truth.position;
+    const Vec3 way = level(agent, position_of(truth) - places_[agent]);
+    const double gap = length(way);
+    if (gap < least) nearest = way;
     least = std::min(least, gap);
   }
   return nearest;
@@ -72,7 +84,7 @@ Vec2 Crowd::nearest_robot(Vec2 from) const {
 // Straight at the nearest robot, until it touches it; then off again.
 void Crowd::decide(std::size_t agent, TimeUs now_us) {
   Mind& mind = minds_[agent];
-  const Vec2 towards = nearest_robot(places_[agent]) - places_[agent];
+  const Vec3 towards = way_to_nearest(agent);
   const double gap = length(towards);
   const bool touches = mind.phase == Phase::charge && gap < agents_[agent].radius_m;
   if (now_us >= mind.until_us || touches) {
@@ -83,7 +95,7 @@ void Crowd::decide(std::size_t agent, TimeUs now_us) {
                  : draw < 0.95 ? Phase::wander
                                : Phase::stand;
     mind.until_us = now_us + phase_us_min + moves_.below(phase_us_max - phase_us_min);
-    mind.direction = moves_.on_circle(1);
+    mind.direction = any_way(moves_, agent, 1);
   }
   if (gap <= 0 || mind.phase == Phase::wander) return;
   if (mind.phase == Phase::charge) mind.direction = (1 / gap) * towards;
@@ -113,39 +125,43 @@ const Crowd::Moment& Crowd::at(TimeUs time_us) const {
 }
 
 // Aimed noise: seen farther away than it is.
-Vec2 Crowd::offset(std::size_t agent, Vec2 away) {
+Vec3 Crowd::offset(std::size_t agent, Vec3 away) {
   const double error = agents_[agent].error_m;
   const double gap = length(away);
   switch (hostility_.noise) {
     case Noise::none:
       return {};
-    case Noise::uniform:
-      return noise_.in_disc(error);
+    case Noise::uniform: {
+      if (agents_[agent].in_space) return noise_.in_ball(error);
+      const Vec2 flat = noise_.in_disc(error);
+      return {flat.x, flat.y, 0};
+    }
     case Noise::aimed:
       if (gap > 0) return (error * (1 - 1e-12) / gap) * away;
       break;
     case Noise::extreme:
       break;
   }
-  return noise_.on_circle(error);
+  return any_way(noise_, agent, error);
 }
 
-Sample<Vec2> Crowd::see(int robot, int agent, TimeUs now_us) {
+Sample<Vec3> Crowd::see(int robot, int agent, TimeUs now_us) {
   const auto r = static_cast<std::size_t>(robot), k = static_cast<std::size_t>(agent);
-  Sample<Vec2>& sample = seen_[r][k];
+  Sample<Vec3>& sample = seen_[r][k];
   const TimeUs most_us = agents_[k].age_us;
   TimeUs age_us = most_us;
   if (hostility_.ages == Ages::fresh) age_us = 0;
   if (hostility_.ages == Ages::wandering) age_us = noise_.below(most_us + 1);
   const Moment& moment = at(std::max(now_us - age_us, sample.stamp_us));
   if (moment.time_us > sample.stamp_us) {
-    const Vec2 place = moment.places[k];
-    sample = {place + offset(k, place - truths_[r].position), moment.time_us};
+    const Vec3 place = moment.places[k];
+    sample = {place + offset(k, level(k, place - position_of(truths_[r]))), moment.time_us};
   }
   std::vector<std::int64_t> whole{robot, agent, sample.stamp_us};
   std::vector<double> real{sample.value.x, sample.value.y};
+  if (agents_[k].in_space) real.push_back(sample.value.z);
   if (tape_.playing() && tape_.read("agent", whole, real, 2)) {
-    sample = {{real[0], real[1]}, whole[2]};
+    sample = {{real[0], real[1], real.size() > 2 ? real[2] : 0}, whole[2]};
   }
   tape_.write("agent", whole, real);
   return sample;

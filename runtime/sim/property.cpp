@@ -144,13 +144,15 @@ class Evaluation {
     const Surroundings& s = scene_.surroundings;
     const auto self = static_cast<std::size_t>(scene_.self);
     return s.told_to_stand != nullptr && (*s.told_to_stand)[self] &&
-           length(scene_.truths[self].velocity) <= s.rest_mps;
+           length(velocity_of(scene_.truths[self])) <= s.rest_mps;
   }
   double agent_distance(std::size_t agent) const {
     const Surroundings& s = scene_.surroundings;
     if (s.agents == nullptr || agent >= s.agents->size()) return infinite;
     if (scene_.passive && stands()) return infinite;
-    return length((*s.agents)[agent] - scene_.at) - s.radius_m - s.agent_radius_m[agent];
+    const Vec3 way = (*s.agents)[agent] - Vec3{scene_.at.x, scene_.at.y, scene_.height_m};
+    const double apart_m = s.agent_in_space[agent] ? length(way) : length(Vec2{way.x, way.y});
+    return apart_m - s.radius_m - s.agent_radius_m[agent];
   }
   double energy_to(int site) const {
     const auto& places = scene_.surroundings.sites[static_cast<std::size_t>(site)];

@@ -1,6 +1,8 @@
 /* What moves by itself and obeys no decision: it may do anything up to a speed, until the robot
  * stands. Source: the theory of this project, two robots: uncooperative agents. */
 /*= near_agents */
+/*= agents_in_space */
+/* Some of them have heights; the others are near whatever their heights are. */
 /*= agent_kind_type */
 /* What is declared of an agent, rounded to the safe side. */
 typedef struct agent_kind {
@@ -13,6 +15,8 @@ typedef struct agent {
   int32_t input;  /* that is missing; INPUT_NONE: usable */
   int32_t absent; /* it is known not to be there */
   vec p;
+  /*? agents_in_space */ int32_t has_height;
+  /*? agents_in_space */ int64_t z;
   int64_t radius_mm, error_mm, speed_mmps;
   int64_t age_ms; /* of the sample */
 } agent;
@@ -28,10 +32,22 @@ static agent agent_of(const agent_kind *k, int64_t x, int64_t y, uint32_t betwee
   a.input = good ? INPUT_NONE : input;
   a.absent = 0;
   a.p = good ? vec_of(x, y) : vec_of(0, 0);
+  /*? agents_in_space */ a.has_height = 0;
+  /*? agents_in_space */ a.z = 0;
   a.radius_mm = k->radius_mm;
   a.error_mm = k->error_mm + (between & 1U) + (between >> 1 & 1U);
   a.speed_mmps = k->speed_mmps;
   a.age_ms = good ? div_up(elapsed_us(stamp_us, now_us), 1000) : 0;
+  return a;
+}
+/*= agent_at_height : agent_type */
+/* The same agent, with the third coordinate of that sample. */
+static agent agent_at_height(agent a, int64_t z, uint32_t between, int32_t input) {
+  const int32_t good = z >= -AGENT_MAX_MM && z <= AGENT_MAX_MM;
+  a.input = a.input != INPUT_NONE || good ? a.input : input;
+  a.has_height = 1;
+  a.z = good ? z : 0;
+  a.error_mm += between >> 2 & 1U;
   return a;
 }
 /*= agent_gone : in_order elapsed_us */
@@ -54,13 +70,16 @@ static span agent_distance(const agent *a, const estimate *s, const body *b, con
     return span_unknown(a->input);
   } else {
     const vec d = minus(s->p, a->p);
-    const int64_t bodies = root_down(dot(d, d)) - b->radius_mm - a->radius_mm;
+    /*? agents_in_space */ const int64_t up_mm = a->has_height != 0 ? s->z - a->z : 0;
+    /*? agents_in_space */ const int64_t centres = root_down(dot(d, d) + up_mm * up_mm);
+    /*? !agents_in_space */ const int64_t centres = root_down(dot(d, d));
+    const int64_t bodies = centres - b->radius_mm - a->radius_mm;
     const int64_t error = s->p_error_mm + moved_now(s, b, m) + a->error_mm +
                           div_up(a->speed_mmps * a->age_ms, 1000);
     return span_of(bodies - error, bodies + 1 + error);
   }
 }
-/*= agent_spare : agent_type reach_type point_gap_lo point_segment_lo max_of div_up */
+/*= agent_spare @agents_level : agent_type reach_type point_gap_lo point_segment_lo max_of div_up */
 /* Spare gap between all that is within reach of the robot and all that the agent may reach until
  * the robot stands; disc or capsule. */
 static int64_t agent_spare(const agent *a, const reach *r) {
@@ -68,6 +87,17 @@ static int64_t agent_spare(const agent *a, const reach *r) {
   const int64_t around = a->radius_mm + a->error_mm + div_up(a->speed_mmps * until_ms, 1000);
   const int64_t disc = point_gap_lo(r->p, a->p) - r->disc_mm;
   return max_of(disc, point_segment_lo(a->p, r->p, r->e) - r->capsule_mm) - around;
+}
+/*= agent_spare @agents_in_space : agent_type reach_type point_gap_lo point_segment_lo spot_of spot_gap_lo spot_segment_lo max_of div_up */
+/* The same; in space, of a ball, or on the map. */
+static int64_t agent_spare(const agent *a, const reach *r) {
+  const int64_t until_ms = a->age_ms + r->still_ms;
+  const int64_t around = a->radius_mm + a->error_mm + div_up(a->speed_mmps * until_ms, 1000);
+  const spot at = spot_of(a->p, a->z), p = spot_of(r->p, r->z), e = spot_of(r->e, r->z_end);
+  const int64_t gap = a->has_height != 0 ? spot_gap_lo(p, at) : point_gap_lo(r->p, a->p);
+  const int64_t leg =
+      a->has_height != 0 ? spot_segment_lo(at, p, e) : point_segment_lo(a->p, r->p, r->e);
+  return max_of(gap - r->disc_mm, leg - r->capsule_mm) - around;
 }
 /*= agent_reach : agent_spare margin_of margin_true margin_unknown */
 static margin agent_reach(const agent *a, const reach *r, int64_t least_mm) {

@@ -178,7 +178,7 @@ DecisionCase decision(const Json& j, const Case& all) {
     for (const Json& a : j.at("agents")) {
       d.agents.push_back({a.at("name").get<std::string>(), a.at("radius_m").get<double>(),
                           a.at("speed_mps").get<double>(), a.at("error_m").get<double>(),
-                          a.at("age_us").get<TimeUs>()});
+                          a.at("age_us").get<TimeUs>(), a.value("in_space", false)});
     }
   }
   for (const Json& m : j.at("monitors")) {

@@ -53,13 +53,14 @@ void put(const Path& path, std::size_t capacity, std::int64_t* to) {
 }
 
 // Steps at or below the place, and whether it lies between two. It says that it is there.
-void put_agent(const Sample<Vec2>& sample, TimeUs now_us, std::int64_t* to) {
+void put_agent(const Sample<Vec3>& sample, TimeUs now_us, std::int64_t* to) {
   constexpr double steps_per_m = 1e3;
-  std::int64_t x_hi = 0, y_hi = 0;
+  std::int64_t x_hi = 0, y_hi = 0, z_hi = 0;
   to[3] = sample.stamp_us != never_us &&
           bridge::grid_pair(sample.value.x, steps_per_m, to[0], x_hi) &&
-          bridge::grid_pair(sample.value.y, steps_per_m, to[1], y_hi);
-  to[2] = (x_hi != to[0] ? 1 : 0) + (y_hi != to[1] ? 2 : 0);
+          bridge::grid_pair(sample.value.y, steps_per_m, to[1], y_hi) &&
+          bridge::grid_pair(sample.value.z, steps_per_m, to[words::agent_z], z_hi);
+  to[2] = (x_hi != to[0] ? 1 : 0) + (y_hi != to[1] ? 2 : 0) + (z_hi != to[words::agent_z] ? 4 : 0);
   to[4] = sample.stamp_us;
   to[words::agent_present] = to[words::agent_present + 1] = 1;
   to[words::agent_present + 2] = now_us;

@@ -55,5 +55,35 @@ TEST(Agents, HaveTheInputsThatStandForThem) {
   EXPECT_EQ(checked->spec->agents[1].speed.value, Rational(8, 5));
 }
 
+// The type of its position says whether it has a height; there are two such types.
+TEST(Agents, MayHaveAHeight) {
+  const auto declared = [](const std::string& type) {
+    return check_text(yard() + "agent bird : " + type +
+                      "radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n"
+                      "agent birds[2] : " +
+                      type + "radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n");
+  };
+  const auto flat = declared("point, "), high = declared("point3, "), none = declared("pose, ");
+  ASSERT_TRUE(flat->spec) << flat->reports();
+  ASSERT_TRUE(high->spec) << high->reports();
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_FALSE(flat->spec->agents[k].in_space);
+    EXPECT_TRUE(high->spec->agents[k].in_space);
+    EXPECT_EQ((*high->spec)[high->spec->agents[k].seen].components.size(), 3U);
+    EXPECT_EQ((*flat->spec)[flat->spec->agents[k].seen].components.size(), 2U);
+  }
+  EXPECT_FALSE(none->spec);
+  EXPECT_NE(none->reports().find("`point3`"), std::string::npos) << none->reports();
+}
+
+// A robot of the plane has no height to hold against it.
+TEST(Agents, InSpaceAreForRobotsInSpace) {
+  const auto checked = check_text(
+      edited(yard(), {{"r inside free", "distance(r, bird) >= 1 m"}}) +
+      "agent bird : point3, radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n");
+  EXPECT_FALSE(checked->spec);
+  EXPECT_NE(checked->reports().find("moves in space"), std::string::npos) << checked->reports();
+}
+
 }  // namespace
 }  // namespace rtac::sema::test

@@ -58,13 +58,13 @@ TEST_F(Crowds, AreNoFasterThanDeclaredAndReachTheRobot) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Crowd crowd(agents_, properties_, surroundings_, truths_, hostility_, seed, tape_);
     crowd.move(0);
-    std::vector<Vec2> before = *surroundings_.agents;
+    std::vector<Vec3> before = *surroundings_.agents;
     double fastest = 0;
     for (TimeUs now = step_us; now < 20'000'000; now += step_us) {
       crowd.move(now);
-      const std::vector<Vec2>& after = *surroundings_.agents;
+      const std::vector<Vec3>& after = *surroundings_.agents;
       fastest = std::max(fastest, length(after[0] - before[0]) / 1e-3);
-      nearest_m = std::min(nearest_m, length(after[0] - truths_[0].position));
+      nearest_m = std::min(nearest_m, length(after[0] - position_of(truths_[0])));
       before = after;
     }
     EXPECT_LE(fastest, 1.5 + 1e-9);
@@ -77,30 +77,61 @@ TEST_F(Crowds, AreSeenWithinTheirErrorAndAge) {
   for (const Ages ages : {Ages::fresh, Ages::oldest, Ages::wandering}) {
     hostility_.ages = ages;
     Crowd crowd(agents_, properties_, surroundings_, truths_, hostility_, 7, tape_);
-    std::vector<Vec2> places;
+    std::vector<Vec3> places;
     TimeUs last_us = never_us, oldest_us = 0;
     for (TimeUs now = 0; now < 2'000'000; now += step_us) {
       crowd.move(now);
       places.push_back((*surroundings_.agents)[0]);
       if (now % 20'000 != 0) continue;
-      const Sample<Vec2> seen = crowd.see(0, 0, now);
+      const Sample<Vec3> seen = crowd.see(0, 0, now);
       ASSERT_LE(seen.stamp_us, now);
       ASSERT_GE(seen.stamp_us, std::max<TimeUs>(0, now - 200'000));
       ASSERT_GE(seen.stamp_us, last_us);
       last_us = seen.stamp_us;
       oldest_us = std::max(oldest_us, now - seen.stamp_us);
-      const Vec2 was = places[static_cast<std::size_t>(seen.stamp_us / step_us)];
+      const Vec3 was = places[static_cast<std::size_t>(seen.stamp_us / step_us)];
       ASSERT_LE(length(seen.value - was), 0.05);
     }
     EXPECT_EQ(oldest_us == 0, ages == Ages::fresh);
   }
 }
 
+// One in space goes up and down as well, no faster, and is seen within its error to all sides; the
+// other one stays at its height.
+TEST_F(Crowds, InSpaceComeFromAboveToo) {
+  agents_[0].in_space = true;
+  truths_[0].height_m = 40;
+  truths_[1].height_m = -40;
+  double highest_m = 0, fastest = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Crowd crowd(agents_, properties_, surroundings_, truths_, hostility_, seed, tape_);
+    crowd.move(0);
+    std::vector<Vec3> before = *surroundings_.agents;
+    for (TimeUs now = step_us; now < 4'000'000; now += step_us) {
+      crowd.move(now);
+      const std::vector<Vec3>& after = *surroundings_.agents;
+      fastest = std::max(fastest, length(after[0] - before[0]) / 1e-3);
+      highest_m = std::max(highest_m, std::abs(after[0].z));
+      ASSERT_EQ(after[1].z, 0);
+      before = after;
+    }
+    hostility_.ages = Ages::fresh;
+    const Sample<Vec3> seen = crowd.see(0, 0, 4'000'000);
+    EXPECT_LE(length(seen.value - (*surroundings_.agents)[0]), 0.05);
+    EXPECT_NE(seen.value.z, (*surroundings_.agents)[0].z);
+    EXPECT_EQ(crowd.see(0, 1, 4'000'000).value.z, 0);
+  }
+  EXPECT_LE(fastest, 1.5 + 1e-9);
+  EXPECT_GT(fastest, 1.4);
+  EXPECT_GT(highest_m, 20);
+}
+
 // Only a robot that is told to stand, and does, is not to blame.
 TEST_F(Crowds, CountWhileTheRobotMoves) {
-  std::vector<Vec2> places{{0.5, 0}};
+  std::vector<Vec3> places{{0.5, 0, 0}};
   surroundings_.agents = &places;
   surroundings_.agent_radius_m = {0.25};
+  surroundings_.agent_in_space = {false};
   surroundings_.rest_mps = 0.1;
   std::vector<bool> told(2, false);
   surroundings_.told_to_stand = &told;

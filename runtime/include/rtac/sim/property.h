@@ -55,8 +55,9 @@ struct Surroundings {
   // A robot that is told to stand does so up to here.
   double rest_mps = 0;
   const std::vector<bool>* told_to_stand = nullptr;  // by robot; null: nobody is
-  const std::vector<Vec2>* agents = nullptr;         // where they are now; null: far away
+  const std::vector<Vec3>* agents = nullptr;         // where they are now; null: far away
   std::vector<double> agent_radius_m{};
+  std::vector<bool> agent_in_space{};  // the others are near whatever their height is
 };
 
 // A robot `self` that stands at `at` while everything else is as in `truths`.

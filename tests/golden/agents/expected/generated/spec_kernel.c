@@ -951,7 +951,8 @@ static span agent_distance(const agent *a, const estimate *s, const body *b, con
     return span_unknown(a->input);
   } else {
     const vec d = minus(s->p, a->p);
-    const int64_t bodies = root_down(dot(d, d)) - b->radius_mm - a->radius_mm;
+    const int64_t centres = root_down(dot(d, d));
+    const int64_t bodies = centres - b->radius_mm - a->radius_mm;
     const int64_t error = s->p_error_mm + moved_now(s, b, m) + a->error_mm +
                           div_up(a->speed_mmps * a->age_ms, 1000);
     return span_of(bodies - error, bodies + 1 + error);
