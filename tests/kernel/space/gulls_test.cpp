@@ -24,7 +24,7 @@ rtac::TimeUs us(double s) {
   return static_cast<rtac::TimeUs>(std::llround(1e6 * s));
 }
 struct Seen {
-  Vec3 p, v, gull = far, walker = far;
+  Vec3 p, v, gull = far, walker = far, drone = far;
   double p_age_s = 0, v_age_s = 0, gull_age_s = 0;
 };
 const rtac::DecisionRecord& asked(Fly& decision, const Seen& s) {
@@ -36,6 +36,7 @@ const rtac::DecisionRecord& asked(Fly& decision, const Seen& s) {
   seen.height_m = s.p.z;
   seen.climb_mps = s.v.z;
   decision.gull_position({s.gull.x, s.gull.y, s.gull.z}, seen.now_us - us(s.gull_age_s));
+  decision.drone_position({s.drone.x, s.drone.y, s.drone.z}, seen.now_us);
   decision.walker_position({Metres(s.walker.x), Metres(s.walker.y)}, seen.now_us);
   return decision.step(seen, false, false);
 }
@@ -132,6 +133,17 @@ TEST_F(SpaceAgents, ItIsABallAroundARobotAtRest) {
   EXPECT_NEAR(needed_m({0, 0, 1}, {}, 0.2), level_m + 0.2 * gull_mps, 0.005);
   EXPECT_GT(needed_m({0, 0, 1}, {0, 0, 2}), needed_m({0, 0, -1}, {0, 0, 2}) + 1);
   EXPECT_GT(needed_m({0, 0, 1}, {0, 0, 2}), needed_m({1, 0, 0}, {0, 0, 2}) + 1);
+}
+
+// How wrong it is seen is all that the gull and the drone differ by.
+TEST_F(SpaceAgents, TheErrorOfWhatIsSeenCounts) {
+  const auto margin = [](const Seen& s, std::size_t monitor) {
+    Fly decision(0);
+    return asked(decision, s).monitors[monitor].margin;
+  };
+  Seen s;
+  s.gull = s.drone = {3, 4, 5};
+  EXPECT_NEAR(margin(s, 2) - margin(s, 0), gull_error_m - 0.05, 1e-9);
 }
 
 TEST_F(SpaceAgents, OfWhoIsInThePlaneTheHeightDoesNotCount) {
