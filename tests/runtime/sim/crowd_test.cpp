@@ -100,6 +100,7 @@ TEST_F(Crowds, AreSeenWithinTheirErrorAndAge) {
 // other one stays at its height.
 TEST_F(Crowds, InSpaceComeFromAboveToo) {
   agents_[0].in_space = true;
+  hostility_.ages = Ages::fresh;
   truths_[0].height_m = 40;
   truths_[1].height_m = -40;
   double highest_m = 0, fastest = 0;
@@ -115,7 +116,6 @@ TEST_F(Crowds, InSpaceComeFromAboveToo) {
       ASSERT_EQ(after[1].z, 0);
       before = after;
     }
-    hostility_.ages = Ages::fresh;
     const Sample<Vec3> seen = crowd.see(0, 0, 4'000'000);
     EXPECT_LE(length(seen.value - (*surroundings_.agents)[0]), 0.05);
     EXPECT_NE(seen.value.z, (*surroundings_.agents)[0].z);
