@@ -128,6 +128,14 @@ std::vector<bool> has_way(const Grid& grid, const std::vector<bool>& goals) {
   return found;
 }
 
+Stranded at_cell(const Grid& grid, const ir::Cells& cells, std::size_t at) {
+  const auto columns = static_cast<std::size_t>(cells.columns);
+  const std::int64_t half = cells.cell_mm / 2;
+  return {cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half,
+          cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half, grid.clearance(at),
+          1};
+}
+
 // The connected parts of the cells for which `inside` holds.
 std::vector<Stranded> parts_of(const Grid& grid, const ir::Cells& cells,
                                const std::vector<bool>& inside) {
@@ -144,11 +152,9 @@ std::vector<Stranded> parts_of(const Grid& grid, const ir::Cells& cells,
       open.pop_back();
       ++part.cells;
       if (grid.clearance(at) > part.clearance_mm) {
-        part.clearance_mm = grid.clearance(at);
-        const auto columns = static_cast<std::size_t>(cells.columns);
-        const std::int64_t half = cells.cell_mm / 2;
-        part.x_mm = cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half;
-        part.y_mm = cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half;
+        const std::int64_t so_far = part.cells;
+        part = at_cell(grid, cells, at);
+        part.cells = so_far;
       }
       grid.beside(at, [&](std::size_t other) {
         if (!inside[other] || seen[other]) return;
@@ -231,6 +237,33 @@ std::vector<Stranded> narrow_parts(const ir::Cells& cells, std::int64_t body_mm,
     narrow[at] = grid.clearance(at) >= body_mm && away_mm[at] > 2 * return_mm + 2 * cells.cell_mm;
   }
   return parts_of(grid, cells, narrow);
+}
+
+// Cells are opened from the clearest on; where two rooms meet, the passage between them is as wide
+// as the cell that joins them.
+std::vector<Stranded> passages(const ir::Cells& cells, std::int64_t body_mm, std::int64_t need_mm) {
+  const Grid grid(cells, need_mm);
+  std::vector<std::size_t> order(grid.count());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return grid.clearance(a) > grid.clearance(b);
+  });
+  Sets rooms(grid.count());
+  std::vector<bool> opened(grid.count(), false);
+  std::vector<Stranded> all;
+  for (const std::size_t at : order) {
+    if (grid.clearance(at) < body_mm) break;
+    opened[at] = true;
+    if (grid.clearance(at) >= need_mm) rooms.mark(at);
+    grid.beside(at, [&](std::size_t other) {
+      if (!opened[other] || rooms.find(at) == rooms.find(other)) return;
+      const bool joins = rooms.marked(at) && rooms.marked(other) && grid.clearance(at) < need_mm;
+      if (joins) all.push_back(at_cell(grid, cells, at));
+      rooms.join(at, other);
+    });
+  }
+  std::reverse(all.begin(), all.end());
+  return all;
 }
 
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery) {

@@ -32,6 +32,10 @@ Ways ways_to(const ir::Cells& cells, const std::vector<bool>& goals, std::int64_
 std::vector<Stranded> narrow_parts(const ir::Cells& cells, std::int64_t body_mm,
                                    std::int64_t return_mm);
 
+// The narrowest places between rooms that are `need_mm` wide on either side, as clear as a body at
+// least: the narrowest first.
+std::vector<Stranded> passages(const ir::Cells& cells, std::int64_t body_mm, std::int64_t need_mm);
+
 // Where a recovery leads and for how long; of one that stands nothing.
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery);
 // The same if its zone had these cells.

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-bool above(const ZoneView& base, Vec2 p) {
-  return signed_clearance(base, p) >= 0;
-}
-
 // To the part of a level that is a floor or a ceiling: straight up or down. The nearest place of it
 // elsewhere lies on its edge, where a wall begins.
 double to_level(double z, double level_m, bool below, bool on_top) {
@@ -28,12 +24,13 @@ double signed_clearance(const SolidView& zone, Vec3 p) {
   bool inside = false, below = false;  // below: the slab before is over or under the place
   for (std::size_t i = 0; i < zone.slab_count; ++i) {
     const SlabView& slab = zone.slabs[i];
-    const bool here = above(*slab.base, at);
+    const double beside_m = signed_clearance(*slab.base, at);
+    const bool here = beside_m >= 0;
     const bool joined = top_m == slab.floor_m;
     if (!joined) nearest_m = std::min(nearest_m, to_level(p.z, top_m, below, false));
     nearest_m = std::min(nearest_m, to_level(p.z, slab.floor_m, joined && below, here));
     const double up_m = std::max({slab.floor_m - p.z, p.z - slab.ceiling_m, 0.0});
-    nearest_m = std::min(nearest_m, std::hypot(std::abs(signed_clearance(*slab.base, at)), up_m));
+    nearest_m = std::min(nearest_m, std::hypot(beside_m, up_m));
     inside = inside || (here && up_m <= 0);
     top_m = slab.ceiling_m;
     below = here;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "rtac/sim/math.h"
@@ -122,7 +123,8 @@ Vec3 Arena::steepest_in_space(std::size_t monitor, int robot, double reach_m) co
     best_turn = turn_rad;
   };
   for (int t = -tilts / 2; t <= tilts / 2; ++t) {
-    for (int k = 0; k < directions; ++k) look(pi * t / tilts, 2 * pi * k / directions);
+    const int turns = std::abs(t) == tilts / 2 ? 1 : directions;  // up and down there is one way
+    for (int k = 0; k < turns; ++k) look(pi * t / tilts, 2 * pi * k / directions);
   }
   double by_rad = pi / directions;
   for (int k = 0; k < refinements; ++k, by_rad /= 2) {

@@ -83,6 +83,49 @@ TEST_F(Verify, UnsoundLookAheadIsAcknowledged) {
   EXPECT_EQ(statuses(o.out, "P1a", "walls"), Statuses{"acknowledged"});
 }
 
+// Two halls and a gate, in which robots cannot get round each other: it is named, with its width
+// and what would do. Without the gate nothing is narrow, and that robots find a way is not shown.
+TEST_F(Verify, WhereRobotsCannotPassIsNamed) {
+  const auto because = [this](const std::string& zone) {
+    const std::string text = "spec halls;\nzone floor = " + zone + R"(;
+robot Cart {
+  body radius 0.2 m;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 1 cm max_age 100 ms;
+  sense velocity : vector error 1 cm/s max_age 100 ms;
+  hears other robots max_age 200 ms;
+  output drive : acceleration;
+  latency 20 ms;
+}
+fleet a, b : Cart;
+controller pilot : advanced for Cart extern;
+controller give_way : safe for Cart = yield within floor speed 0.3 m/s order id;
+controller back : safe for Cart = retreat within floor speed 0.3 m/s;
+monitor apart for r : Cart { "R1: apart" always forall q : Cart, q != r : distance(r, q) >= 20 cm; recover give_way; }
+monitor fence for r : Cart { "R2: on the floor" always r inside floor; recover back; }
+decision go for Cart { advanced pilot; period 100 ms; priority apart > fence; }
+)";
+    const Outcome o = verified(text, {"--format", "json"});
+    EXPECT_EQ(o.status, exit_inconclusive) << o.err;
+    const Json report = Json::parse(o.out);
+    for (const Json& each : report["decisions"][0]["obligations"]) {
+      if (each["obligation"] == "P2b" && each["monitor"] == "apart") {
+        return each["because"].get<std::string>();
+      }
+    }
+    return std::string();
+  };
+  const std::string gated = because(
+      "rectangle (0 m, 0 m) to (20 m, 20 m) | rectangle (30 m, 0 m) to (50 m, 20 m)"
+      " | rectangle (19 m, 8 m) to (31 m, 12 m)");
+  EXPECT_EQ(gated.find("robots that meet near (30 m, 10 m) in `floor`"), 0U) << gated;
+  EXPECT_NE(gated.find("it is about 3.84 m wide there"), std::string::npos) << gated;
+  const std::string open = because("rectangle (0 m, 0 m) to (40 m, 40 m)");
+  EXPECT_NE(open.find("has no narrow passage"), std::string::npos) << open;
+  const std::string aisle = because("rectangle (0 m, 0 m) to (40 m, 5 m)");
+  EXPECT_NE(aisle.find("it is 5 m wide at most"), std::string::npos) << aisle;
+}
+
 // Mistakes that no obligation is about are those of `rtac check`.
 TEST_F(Verify, OtherMistakesAreErrors) {
   const Outcome o = verified(edited(drone_spec(), "clearance", "clearence"));
