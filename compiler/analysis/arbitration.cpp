@@ -23,11 +23,13 @@ std::string about_metres(const Rational& m) {
 class Pair {
  public:
   Pair(const sema::RobotKind& kind, const ir::Module& module, const ir::Decision& decision,
-       const ExactZone& exact, const ir::Monitor& driving, const ir::Monitor& judged)
+       const ExactZone& exact, const ExactSolid& solid, const ir::Monitor& driving,
+       const ir::Monitor& judged)
       : kind_(kind),
         module_(module),
         decision_(decision),
         exact_(exact),
+        solid_(solid),
         driving_(driving),
         recovery_(driving.recovery),
         judged_(judged) {}
@@ -122,7 +124,8 @@ class Pair {
       const auto zone = moves_within(*step);
       if (!zone || *zone == fence) continue;
       if (module_[fence].has_height() || module_[*zone].has_height()) {
-        return in_space(fence, *zone);
+        if (!in_space(fence, *zone)) return false;
+        continue;
       }
       if (exact_(fence).contains(exact_(*zone))) continue;
       const geometry::Region beyond = exact_(*zone).subtract(exact_(fence));
@@ -166,9 +169,16 @@ class Pair {
     return false;
   }
   bool in_space(ir::ZoneIndex fence, ir::ZoneIndex zone) {
-    entry_.why = "whether " + quoted(module_[zone].name) + " lies in " +
-                 quoted(module_[fence].name) + " is not shown where zones have heights";
-    entry_.help = "a recovery within " + quoted(module_[fence].name) + " works";
+    const geometry::Solid beyond = solid_(zone).subtract(solid_(fence));
+    if (beyond.empty()) return true;
+    const geometry::Slab& slab = beyond.slabs().front();
+    const bool flat = !module_[zone].has_height();
+    const std::string name = name_as_written(module_[zone]);
+    entry_.why = (flat ? "`" + module_[zone].name + "` reaches up and down without an end"
+                       : "from " + metres(slab.floor) + " to " + metres(slab.ceiling) +
+                             " a part of " + name + ", where " + quoted(recovery_.name) +
+                             " may drive, lies outside " + name_as_written(module_[fence]));
+    entry_.help = "a recovery within " + name_as_written(module_[fence]) + " works";
     return false;
   }
   // A retreat within a zone of the plane keeps its height (rule 7.8).
@@ -229,6 +239,7 @@ class Pair {
   const ir::Module& module_;
   const ir::Decision& decision_;
   const ExactZone& exact_;
+  const ExactSolid& solid_;
   const ir::Monitor& driving_;
   const ir::Recovery& recovery_;
   const ir::Monitor& judged_;
@@ -261,7 +272,8 @@ std::vector<std::size_t> conflict_of(const std::vector<std::vector<bool>>& unkep
 }
 
 Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module,
-                           const ir::Decision& decision, const ExactZone& exact) {
+                           const ir::Decision& decision, const ExactZone& exact,
+                           const ExactSolid& solid) {
   const std::size_t count = decision.monitors.size();
   Arbitration all(count, std::vector<Entry>(count));
   std::vector<std::vector<bool>> unkept(count, std::vector<bool>(count, false));
@@ -270,7 +282,8 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
       // its own property: check_recoveries
       if (decision.monitors[i].recovery.name == decision.monitors[j].recovery.name) continue;
       auto broken =
-          Pair(kind, module, decision, exact, decision.monitors[i], decision.monitors[j]).broken();
+          Pair(kind, module, decision, exact, solid, decision.monitors[i], decision.monitors[j])
+              .broken();
       if (!broken) continue;
       unkept[i][j] = true;
       broken->keeping = j < i ? Keeping::guarded : Keeping::broken;
@@ -289,11 +302,13 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
   return all;
 }
 
-void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact) {
+void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
+                const ExactSolid& solid) {
   for (std::size_t n = 0; n < module.decisions.size(); ++n) {
     ir::Decision& decision = module.decisions[n];
     if (!decision.coordinated) continue;
-    const Arbitration all = arbitration_of(spec[spec.decisions[n].kind], module, decision, exact);
+    const Arbitration all =
+        arbitration_of(spec[spec.decisions[n].kind], module, decision, exact, solid);
     decision.keeps.clear();
     for (std::size_t i = 0; i < all.size(); ++i) {
       decision.keeps.emplace_back();
@@ -357,12 +372,12 @@ diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
 }  // namespace
 
 void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                       diag::Engine& diagnostics) {
+                       const ExactSolid& solid, diag::Engine& diagnostics) {
   for (std::size_t n = 0; n < module.decisions.size(); ++n) {
     const ir::Decision& decision = module.decisions[n];
     const sema::Decision& from = spec.decisions[n];
     if (decision.on_plan) continue;
-    const Arbitration all = arbitration_of(spec[from.kind], module, decision, exact);
+    const Arbitration all = arbitration_of(spec[from.kind], module, decision, exact, solid);
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::vector<std::size_t> broken;
       for (std::size_t j = 0; j < all.size(); ++j) {

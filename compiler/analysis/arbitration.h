@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/analysis/recoveries.h"
+#include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
@@ -32,7 +33,8 @@ struct Entry {
 using Arbitration = std::vector<std::vector<Entry>>;
 
 Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module,
-                           const ir::Decision& decision, const ExactZone& exact);
+                           const ir::Decision& decision, const ExactZone& exact,
+                           const ExactSolid& solid);
 
 // Under `coordinate` a recovery drives that keeps the longest prefix of the order, and what has
 // failed counts as kept where that is proved (docs/language.md, rule 12.1). So j is kept, whoever
@@ -47,11 +49,12 @@ std::vector<std::size_t> conflict_of(const std::vector<std::vector<bool>>& unkep
 std::string conflict_text(const ir::Decision& decision, const Entry& entry);
 
 // Fills the matrices of decisions that `coordinate`.
-void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact);
+void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
+                const ExactSolid& solid);
 
 // 6005: a recovery that breaks what a monitor says and that nobody else keeps, unless that is
 // acknowledged.
 void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                       diag::Engine& diagnostics);
+                       const ExactSolid& solid, diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

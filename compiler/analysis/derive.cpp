@@ -75,19 +75,15 @@ class Deriver {
     const ExactZone exact = [this](ir::ZoneIndex zone) -> const geometry::Region& {
       return zone_of(zone).exact;
     };
-    check_recoveries(
-        spec_, out_.module, exact,
-        [this](ir::ZoneIndex zone) {
-          const EvaluatedZone& of = zone_of(zone);
-          if (of.solid) return of.solid->exact;
-          const geometry::Slab all = geometry::Solid::everywhere().slabs().front();
-          return geometry::Solid::prism(of.exact, all.floor, all.ceiling);
-        },
-        lies_, diagnostics_);
+    const ExactSolid solid = [this](ir::ZoneIndex zone) {
+      const EvaluatedZone& of = zone_of(zone);
+      return of.solid ? of.solid->exact : without_end(of.exact);
+    };
+    check_recoveries(spec_, out_.module, exact, solid, lies_, diagnostics_);
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
     // Whatever it says, the module can be built, and passes look at the rest.
-    coordinate(spec_, out_.module, exact);
-    check_arbitration(spec_, out_.module, exact, diagnostics_);
+    coordinate(spec_, out_.module, exact, solid);
+    check_arbitration(spec_, out_.module, exact, solid, diagnostics_);
     return std::move(out_);
   }
 

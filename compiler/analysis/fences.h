@@ -16,9 +16,10 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
 using Choice = std::vector<ir::ZoneIndex>;
 std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params);
 
-// Whether some comparison of the property, of any branch, asks for a clearance or a distance.
+// Whether some comparison of the property, of any branch, asks for a clearance or a height, or for
+// a distance; and whether all that it asks of places is not to be too high.
 struct Asks {
-  bool clearance = false, distance = false;
+  bool clearance = false, distance = false, only_lower = false;
 };
 Asks asks_of(const ir::Block& property, const std::vector<ir::Param>& params);
 

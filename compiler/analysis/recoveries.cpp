@@ -55,13 +55,16 @@ class Recoveries {
   // recovery has to lead out of that.
   void outward(const Asks& asks) {
     const ir::RecoveryKind last = ir::last_step(monitor_.recovery).kind;
-    const bool stands = last == ir::RecoveryKind::brake || last == ir::RecoveryKind::land;
+    const bool stands =
+        last == ir::RecoveryKind::brake || (last == ir::RecoveryKind::land && !asks.only_lower);
     const bool stays = (asks.clearance || asks.distance) && stands;
     const bool waits = asks.clearance && last == ir::RecoveryKind::yield;
     const bool braked = asks.clearance && monitor_.recovery.claims;
     const bool holds = stays || waits || braked;
     // Whether there is room to pass each other is not shown: it may be accepted that there is none.
-    const bool may_wait = asks.distance && last == ir::RecoveryKind::yield;
+    // Nor is what becomes of a robot on the ground.
+    const bool may_wait = (asks.distance && last == ir::RecoveryKind::yield) ||
+                          (asks.only_lower && last == ir::RecoveryKind::land);
     if (written_.hold_reason && !holds && !may_wait) return unneeded();
     if (written_.hold_reason || !holds) return;
     if (braked) return breaks_its_claim();

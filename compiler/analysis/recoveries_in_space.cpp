@@ -232,6 +232,11 @@ class InSpace {
 
 }  // namespace
 
+geometry::Solid without_end(const geometry::Region& region) {
+  const geometry::Slab all = geometry::Solid::everywhere().slabs().front();
+  return geometry::Solid::prism(region, all.floor, all.ceiling);
+}
+
 Found misplaced_in_space(const sema::Monitor& written, const ir::Module& module,
                          const ir::Decision& decision, const ir::Monitor& monitor,
                          const ExactSolid& exact) {

@@ -15,6 +15,9 @@ namespace rtac::analysis {
 // The exact zone of a table: one with height, or one of the plane as all of its heights.
 using ExactSolid = std::function<geometry::Solid(ir::ZoneIndex)>;
 
+// A zone of the plane, from as far down to as far up as coordinates go.
+geometry::Solid without_end(const geometry::Region& region);
+
 // What is wrong with the recovery of the monitor, if anything; `written`: that monitor.
 std::optional<diag::Diagnostic> misplaced_in_space(const sema::Monitor& written,
                                                    const ir::Module& module,

@@ -107,8 +107,9 @@ Found Claims::check(const Claim& claim) {
       {"limits", &Claims::limits},       {"horizon", &Claims::horizon},
       {"return", &Claims::returns},      {"output", &Claims::output},
       {"recovery", &Claims::recovery},   {"contained", &Claims::contained},
-      {"place", &Claims::place},         {"ways", &Claims::ways},
-      {"legs", &Claims::legs},           {"height", &Claims::height},
+      {"place", &Claims::place},         {"seen", &Claims::seen},
+      {"ways", &Claims::ways},           {"legs", &Claims::legs},
+      {"height", &Claims::height},       {"landing", &Claims::landing},
       {"outranks", &Claims::outranks},   {"fails", &Claims::fails},
       {"start", &Claims::known},         {"judged", &Claims::on_plan},
       {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated}};
@@ -242,8 +243,8 @@ Found Claims::contained(const Values& v) {
 
 namespace {
 
-// The largest c of `clearance(r, zone) >= c` in a property.
-Rational gap_of(const sema::Expr& property, sema::ZoneId zone) {
+// The largest c of `clearance(r, zone) >= c` in a property, whatever its parameters become.
+Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone) {
   Rational most = 0;
   sema::for_each_expr(property, [&](const sema::Expr& e) {
     const auto* compare = std::get_if<sema::Compare>(&e.node);
@@ -251,9 +252,11 @@ Rational gap_of(const sema::Expr& property, sema::ZoneId zone) {
     for (const auto& [gap, least] : {std::pair(compare->left.get(), compare->right.get()),
                                      std::pair(compare->right.get(), compare->left.get())}) {
       const auto* clearance = std::get_if<sema::Clearance>(&gap->node);
+      if (clearance == nullptr || clearance->zone != zone) continue;
       const auto* constant = std::get_if<sema::Constant>(&least->node);
-      if (clearance == nullptr || constant == nullptr || clearance->zone != zone) continue;
-      most = std::max(most, constant->value);
+      const auto* param = std::get_if<sema::ParamRef>(&least->node);
+      if (constant != nullptr) most = std::max(most, constant->value);
+      if (param != nullptr) most = std::max(most, spec[param->param].most.value);
     }
   });
   return most;
@@ -297,12 +300,29 @@ Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::Z
   Rational ahead = 0, gap = 0;
   for (const sema::MonitorId id : d.priority) {
     const sema::Monitor& m = spec_[id];
-    if (zone) gap = std::max(gap, gap_of(*m.always, *zone));
-    if (!m.ahead.waypoints_only) {
-      ahead = std::max(ahead, m.ahead.duration ? m.ahead.duration->value : n.period);
+    if (zone) {
+      const auto own = all_zones(*m.always);
+      if (std::find(own.begin(), own.end(), *zone) == own.end()) continue;
+      gap = std::max(gap, gap_of(spec_, *m.always, *zone));
     }
+    if (m.ahead.waypoints_only) continue;
+    const bool external = m.recover && sema::templates_of(spec_[*m.recover]).empty();
+    const Rational least = n.period * (external ? 2 : 1);  // rule 9.1
+    ahead = std::max(ahead, m.ahead.duration ? m.ahead.duration->value : least);
   }
   return resting_clearance(n, accel, ahead + extra) + gap;
+}
+
+// The place of a claim is in the zone, as far from its boundary.
+Found Claims::lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm) {
+  const auto x = number(v, "x_mm"), y = number(v, "y_mm"), z = number(v, "z_mm");
+  if (!x || !y) return wrong("no such place");
+  // 2 mm: what is known of curves and offsets from inside
+  const Rational near = milli(std::max<std::int64_t>(gap_mm - 2, 0));
+  const bool clear = z ? zones_.clear_in_space(zone, {milli(*x), milli(*y)}, milli(*z), near)
+                       : zones_.clear(zone, {milli(*x), milli(*y)}, near);
+  if (!clear) return wrong("the place is nearer to the boundary");
+  return std::nullopt;
 }
 
 Found Claims::place(const Values& v) {
@@ -316,13 +336,7 @@ Found Claims::place(const Values& v) {
   if (d->period && milli(*gap) < return_clearance(*d, *zone, micro(*extra))) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
-  // 2 mm: what is known of curves and offsets from inside
-  const Rational near = milli(std::max<std::int64_t>(*gap - 2, 0));
-  const auto z = number(v, "z_mm");
-  const bool clear = z ? zones_.clear_in_space(*zone, {milli(*x), milli(*y)}, milli(*z), near)
-                       : zones_.clear(*zone, {milli(*x), milli(*y)}, near);
-  if (!clear) return wrong("the place is nearer to the boundary");
-  return std::nullopt;
+  return lies_clear(*zone, v, *gap);
 }
 
 Found Claims::legs(const Values& v) {
@@ -353,6 +367,55 @@ Found Claims::height(const Values& v) {
     });
     if (low) return wrong("`" + spec_[id].name + "` needs another height");
   }
+  return std::nullopt;
+}
+
+// Of a robot at rest there every sample shows, as old as it may be, that it has what is asked for.
+Found Claims::seen(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  const auto zone = zones_.find(text(v, "zone"));
+  const auto gap = number(v, "clearance_mm");
+  if (m == nullptr || !zone || !gap) return wrong("no such zone or monitor");
+  if (d->period) {
+    const Numbers n = numbers_of(spec_[d->kind], *d, 0);
+    const Rational accel =
+        (n.unicycle ? interp::square_root(n.accel_square).below : n.accel) + n.disturbance;
+    const Rational start = std::min(n.speed, n.velocity_error), age = n.position_age;
+    const Rational capped = n.speed - start;  // until it is as fast as can be
+    const Rational moved = start + accel * age <= n.speed
+                               ? Rational(start * age + accel * age * age / 2)
+                               : Rational(n.speed * age - capped * capped / (2 * accel));
+    const Rational need =
+        n.radius + 2 * n.position_error + moved + gap_of(spec_, *m->always, *zone);
+    if (milli(*gap) < need) return wrong("a sample may not show that clearance");
+  }
+  return lies_clear(*zone, v, *gap);
+}
+
+// Whose property only says how high it may be, and leaves that much room where the landing ends.
+Found Claims::landing(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  const auto end = number(v, "land_mm"), gap = number(v, "gap_mm"), extra = number(v, "extra_us");
+  if (m == nullptr || !m->recover || !d->period || !end || !gap || !extra || *extra < 0) {
+    return wrong("no such monitor or height");
+  }
+  const std::vector<sema::Template> steps = sema::templates_of(spec_[*m->recover]);
+  const auto* const land = steps.empty() ? nullptr : std::get_if<sema::Land>(&steps.back());
+  if (land == nullptr || milli(*end) < land->height.value) return wrong("it does not land there");
+  if (milli(*gap) < return_clearance(*d, std::nullopt, micro(*extra))) {
+    return wrong("a robot at rest with that clearance may not be given back");
+  }
+  bool high = false, elsewhere = !all_zones(*m->always).empty();
+  sema::for_each_expr(*m->always, [&](const sema::Expr& e) {
+    const auto room = room_at(e, milli(*end));
+    high = high || (room && *room < milli(*gap));
+    elsewhere = elsewhere || std::holds_alternative<sema::Distance>(e.node) ||
+                std::holds_alternative<sema::AgentDistance>(e.node);
+  });
+  if (high) return wrong("the landing ends too high, or too low");
+  if (elsewhere) return wrong("the property asks for more than a height");
   return std::nullopt;
 }
 
@@ -436,6 +499,7 @@ Found Claims::no_fences(const Values& v) {
   const sema::Decision* const d = decision(v);
   if (d == nullptr) return wrong("no such decision");
   for (const sema::MonitorId id : d->priority) {
+    if (spec_[id].ahead.waypoints_only) continue;  // it looks at plans, not at places
     if (!kept_in(*spec_[id].always).empty()) return wrong("`" + spec_[id].name + "` has a zone");
   }
   return std::nullopt;

@@ -40,9 +40,12 @@ class Claims {
   std::optional<Doubt> recovery(const Values& v);
   std::optional<Doubt> contained(const Values& v);
   std::optional<Doubt> place(const Values& v);
+  std::optional<Doubt> seen(const Values& v);
+  std::optional<Doubt> lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm);
   std::optional<Doubt> ways(const Values& v);
   std::optional<Doubt> legs(const Values& v);
   std::optional<Doubt> height(const Values& v);
+  std::optional<Doubt> landing(const Values& v);
   std::optional<Doubt> outranks(const Values& v);
   std::optional<Doubt> coordinated(const Values& v);
   std::optional<Doubt> fails(const Values& v);

@@ -167,6 +167,7 @@ class Check {
     if (has(e, "no_fences", {{"decision", d.name}})) return;
     std::set<std::string> zones, places;
     for (const sema::MonitorId id : d.priority) {
+      if (spec_[id].ahead.waypoints_only) continue;
       for (const sema::ZoneId zone : kept_in(*spec_[id].always)) {
         zones.insert(claims_.zones().name(zone));
       }
@@ -222,22 +223,39 @@ class Check {
     }
     if (e.claims.empty()) fail(whom(d, e) + ": it rests on no claim");
   }
+  static bool guards(const Entry& e, const sema::Decision& d, const sema::Monitor& judged,
+                     const sema::Monitor& driving) {
+    return has(e, "outranks",
+               {{"decision", d.name}, {"higher", judged.name}, {"lower", driving.name}});
+  }
+  static bool coordinates(const Entry& e, const sema::Decision& d, const sema::Monitor& judged,
+                          const sema::Monitor& driving) {
+    return has(e, "coordinated",
+               {{"decision", d.name}, {"driving", driving.name}, {"judged", judged.name}});
+  }
   void keeps_other(const sema::Decision& d, const Entry& e, const sema::Monitor& m,
                    const Part& part) {
     for (const sema::MonitorId id : d.priority) {
       const sema::Monitor& driving = spec_[id];
       if (!driving.recover || spec_[*driving.recover].name != e.recovery) continue;
-      if (&driving == &m) continue;
-      if (has(e, "outranks", {{"decision", d.name}, {"higher", m.name}, {"lower", driving.name}})) {
-        continue;
-      }
-      if (has(e, "coordinated",
-              {{"decision", d.name}, {"driving", driving.name}, {"judged", m.name}})) {
+      if (&driving == &m || guards(e, d, m, driving)) continue;
+      if (coordinates(e, d, m, driving)) {
         if (in_circle(spec_, d, part, m)) {
           fail(whom(d, e) + ": recoveries that do not keep each other lead round in a circle");
         }
         continue;
       }
+      // the recovery of several monitors has an entry for each of them
+      const bool elsewhere =
+          std::any_of(part.entries.begin(), part.entries.end(), [&](const Entry& other) {
+            if (&other == &e || other.kind != "C" || other.monitor != e.monitor ||
+                other.recovery != e.recovery) {
+              return false;
+            }
+            return other.status != "proved" || guards(other, d, m, driving) ||
+                   coordinates(other, d, m, driving);
+          });
+      if (elsewhere) continue;
       if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }

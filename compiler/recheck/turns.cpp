@@ -33,10 +33,12 @@ class Turns {
   // Where recovery i may return, nothing keeps monitor j from giving control back.
   bool settles(std::size_t i, std::size_t j) {
     const sema::Expr& says = *monitor(j).always;
-    bool other = false;
-    sema::for_each_expr(says, [&](const sema::Expr& e) { other = other || asks_for_more(e); });
-    if (other) return false;
     const auto zones = all_zones(says);
+    bool other = false;
+    sema::for_each_expr(says, [&](const sema::Expr& e) {
+      other = other || asks_for_more(e) || (!zones.empty() && is_choice(e));
+    });
+    if (other) return false;
     return std::all_of(zones.begin(), zones.end(),
                        [&](sema::ZoneId zone) { return leaves_room(i, zone); });
   }
@@ -80,20 +82,34 @@ class Turns {
   // What neither rest nor a place in a zone settles.
   static bool asks_for_more(const sema::Expr& e) {
     const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-    const auto* logic = std::get_if<sema::Logic>(&e.node);
     return (signal != nullptr && signal->signal != sema::Signal::speed) ||
-           (logic != nullptr && logic->op != sema::LogicOp::logical_and) ||
            std::holds_alternative<sema::EnergyTo>(e.node) ||
            std::holds_alternative<sema::ZoneOpen>(e.node) ||
            std::holds_alternative<sema::WhileOpen>(e.node);
   }
+  // Of zones, one side of it may be what rest settles, and another one what holds. Without any,
+  // rest settles every side that is not about inputs alone.
+  static bool is_choice(const sema::Expr& e) {
+    const auto* logic = std::get_if<sema::Logic>(&e.node);
+    return logic != nullptr && logic->op != sema::LogicOp::logical_and;
+  }
+  // Where it leads, which is proved for one of the monitors that it recovers for.
+  [[nodiscard]] const Claim* way_back(std::size_t i) const {
+    for (std::size_t k = 0; k < d_.priority.size(); ++k) {
+      if (monitor(k).recover != monitor(i).recover) continue;
+      const Entry* const back = find(part_, "P2b", monitor(k).name);
+      if (back == nullptr) continue;
+      for (const char* const what : {"ways", "legs"}) {
+        if (const Claim* const way = claim_of(*back, what)) return way;
+      }
+    }
+    return nullptr;
+  }
   bool leaves_room(std::size_t i, sema::ZoneId zone) {
     const auto within = moves_within(recovery(i));
-    const Entry* const back = find(part_, "P2b", monitor(i).name);
-    const Claim* way = back == nullptr ? nullptr : claim_of(*back, "ways");
-    const bool legs = back != nullptr && way == nullptr;
-    if (legs) way = claim_of(*back, "legs");
+    const Claim* const way = way_back(i);
     if (within.empty() || way == nullptr) return false;
+    const bool legs = way->what == "legs";
     const auto left_mm = number(way->values, legs ? "clearance_mm" : "return_mm");
     const auto extra_us = number(way->values, "extra_us");
     if (!left_mm || !extra_us) return false;

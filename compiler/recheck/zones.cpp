@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <queue>
+#include <set>
 #include <utility>
 
 namespace rtac::recheck {
@@ -174,20 +175,35 @@ std::optional<Grid> grid_of(const std::vector<Segment>& all, const Cells& cells)
 
 }  // namespace
 
+// A zone without a name is called by what it leaves out, or by its line, and a number where that is
+// taken.
 NamedZones::NamedZones(const sema::Spec& spec, const SourceManager& sources)
-    : spec_(spec), sources_(sources), zones_(spec) {}
+    : spec_(spec), zones_(spec) {
+  std::set<std::string> taken;
+  for (const sema::Zone& zone : spec.zones) taken.insert(zone.name);
+  for (const sema::Zone& zone : spec.zones) {
+    names_.push_back(zone.name);
+    if (!zone.name.empty()) continue;
+    const auto* complement = std::get_if<sema::ZoneComplement>(&zone.value->node);
+    const std::string of = complement != nullptr ? spec[complement->zone].name : "";
+    const SourceRange& range = zone.value->range;
+    const std::string base =
+        !of.empty()
+            ? "outside_of_" + of
+            : "zone_of_line_" + std::to_string(sources.position(range.file, range.begin).line);
+    std::string& name = names_.back();
+    name = base;
+    for (int n = 2; !taken.insert(name).second; ++n) name = base + "_" + std::to_string(n);
+  }
+}
 
 std::string NamedZones::name(sema::ZoneId id) const {
-  const sema::Zone& zone = spec_[id];
-  if (!zone.name.empty()) return zone.name;
-  const SourceRange& range = zone.value->range;
-  return "zone_of_line_" + std::to_string(sources_.position(range.file, range.begin).line);
+  return names_[static_cast<std::size_t>(id)];
 }
 
 std::optional<sema::ZoneId> NamedZones::find(const std::string& name) const {
-  for (std::size_t i = 0; i < spec_.zones.size(); ++i) {
-    const sema::ZoneId id{static_cast<std::uint32_t>(i)};
-    if (this->name(id) == name) return id;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (names_[i] == name) return sema::ZoneId{static_cast<std::uint32_t>(i)};
   }
   return std::nullopt;
 }

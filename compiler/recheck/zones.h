@@ -34,7 +34,7 @@ class NamedZones {
 
  private:
   const sema::Spec& spec_;
-  const SourceManager& sources_;
+  std::vector<std::string> names_;  // by ZoneId
   interp::Zones zones_;
 };
 

@@ -52,6 +52,13 @@ class ExactZones {
   geometry::Region none_;
 };
 
+analysis::Arbitration matrix_of(const Subject& s) {
+  const analysis::ExactSolid solid = [&](ir::ZoneIndex zone) {
+    return s.module[zone].has_height() ? s.solid(zone) : analysis::without_end(s.exact(zone));
+  };
+  return analysis::arbitration_of(s.kind, s.module, s.decision, s.exact, solid);
+}
+
 class Prover {
  public:
   Prover(const Subject& subject, const protocol::CheckModel& check) : s_(subject), check_(check) {}
@@ -93,8 +100,7 @@ class Prover {
     }
   }
   void arbitration() {
-    const analysis::Arbitration all =
-        analysis::arbitration_of(s_.kind, s_.module, s_.decision, s_.exact);
+    const analysis::Arbitration all = matrix_of(s_);
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (std::size_t j = 0; j < all.size(); ++j) {
         if (i != j) take([&] { return keeps_others(s_, all[i][j], i, j); });
@@ -224,9 +230,7 @@ std::vector<protocol::Arbitration> turns_of(const sema::Spec& spec, const ir::Mo
                                             const ir::TableMap& tables) {
   std::vector<protocol::Arbitration> all;
   for_each_subject(spec, module, tables, [&](const Subject& s) {
-    all.push_back(s.decision.on_plan ? protocol::Arbitration()
-                                     : known_turns(s, analysis::arbitration_of(
-                                                          s.kind, s.module, s.decision, s.exact)));
+    all.push_back(s.decision.on_plan ? protocol::Arbitration() : known_turns(s, matrix_of(s)));
   });
   return all;
 }

@@ -132,18 +132,32 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   }
   o.status = Status::proved;
   o.method = "witness";
-  const std::int64_t need = s.decision.on_plan ? 0 : ir::last_step(m.recovery).return_clearance_mm;
+  analysis::Standoffs own;
+  analysis::ask_for_standoffs(m.property, s.decision.facts.params, own);
+  const std::int64_t need =
+      s.decision.on_plan
+          ? 0
+          : analysis::shown_clearance_mm(s.decision, s.decision.motions.front(), own.fence_mm);
   for (const ir::ZoneIndex zone : places_of(s, m)) {
     const ir::ZoneTable& table = s.module[zone];
+    if (table.widest_mm < need) {
+      o.status = Status::unknown;
+      o.method = "no proof";
+      o.because = "the widest place of " + quoted(table.name) + " is " + metres(table.widest_mm) +
+                  " from its boundary, and " + metres(need) + " are sure to be seen";
+      o.claims.clear();
+      return o;
+    }
     const std::string height = table.has_height() ? ", " + metres(table.widest_z_mm) : "";
     o.because = std::string(s.decision.on_plan ? "a plan to (" : "a robot at rest at (") +
                 metres(table.widest_x_mm) + ", " + metres(table.widest_y_mm) + height +
                 ") is seen to be in " + quoted(table.name) + ", whatever the errors";
-    o.claims.push_back(place_claim(s, zone, table.widest_x_mm, table.widest_y_mm,
-                                   std::min<std::int64_t>(need, table.widest_mm)));
-    if (table.has_height()) {
-      o.claims.back().values["z_mm"] = std::to_string(table.widest_z_mm);
-    }
+    Claim claim = place_claim(s, zone, table.widest_x_mm, table.widest_y_mm, need);
+    claim.what = "seen";
+    claim.values.erase("extra_us");
+    claim.values["monitor"] = m.name;
+    if (table.has_height()) claim.values["z_mm"] = std::to_string(table.widest_z_mm);
+    o.claims.push_back(std::move(claim));
   }
   if (o.because.empty() && !s.decision.on_plan) {
     o.method = "closed form";

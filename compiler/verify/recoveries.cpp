@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -225,6 +226,40 @@ std::string room_to_pass(const Subject& s, const ir::Recovery& yield) {
          " wide there, and " + wide;
 }
 
+// What is only too high has control given back on the way down, at the latest where it ends.
+Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  const std::int64_t end_mm = ir::last_step(m.recovery).land_mm;
+  const std::int64_t gap_mm =
+      analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + s.decision.body.hold_mm;
+  std::optional<std::int64_t> most_mm;
+  ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+    const auto most = ir::upper_bound(block, c);
+    if (!most || most->leaf.kind != ir::Leaf::Kind::altitude) return;
+    most_mm = std::min(most_mm.value_or(most->most), most->most);
+  });
+  const bool lowers = analysis::asks_of(m.property, s.decision.facts.params).only_lower;
+  if (!lowers || !most_mm || m.return_when || end_mm + gap_mm > *most_mm) {
+    o.status = Status::unknown;
+    o.method = "no proof";
+    o.because = "nothing shows that control is given back where " + quoted(m.recovery.name) +
+                " ends, at " + metres(end_mm);
+    return o;
+  }
+  o.status = Status::proved;
+  o.method = "closed form";
+  o.because = quoted(m.recovery.name) + " ends at " + metres(end_mm) + ", " +
+              metres(*most_mm - end_mm) + " below the limit, and " + metres(gap_mm) + " are enough";
+  o.claims.push_back({"landing",
+                      {{"decision", s.decision.name},
+                       {"monitor", m.name},
+                       {"land_mm", std::to_string(end_mm)},
+                       {"extra_us", std::to_string(s.decision.return_extra_us)},
+                       {"gap_mm", std::to_string(gap_mm)}}});
+  o.claims.push_back(recovery_claim(s, k));
+  return o;
+}
+
 }  // namespace
 
 Obligation control_returns(const Subject& s, std::size_t k) {
@@ -249,6 +284,7 @@ Obligation control_returns(const Subject& s, std::size_t k) {
   if (ir::moves(last) && last != ir::RecoveryKind::yield) {
     return s.decision.body.in_space ? legs_back(s, k) : ways_back(s, k, std::move(o));
   }
+  if (last == ir::RecoveryKind::land) return landing_returns(s, k, std::move(o));
   o.status = Status::unknown;
   o.method = "no proof";
   if (last == ir::RecoveryKind::yield) {

@@ -86,6 +86,12 @@ Obligation same_output(const Subject& s) {
 Obligation drives_until_next(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   Obligation o = of_monitor(s, k, Kind::p3);
+  if (m.lookahead.too_short && unsound_reason(s, k).empty()) {
+    o.status = Status::unknown;
+    o.method = "no proof";
+    o.because = "the look-ahead is too short for the next decision";
+    return o;
+  }
   if (m.lookahead.too_short || !m.lookahead.duration || m.lookahead.points_only) {
     o.status = Status::acknowledged;
     o.method = "declared";

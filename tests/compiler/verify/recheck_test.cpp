@@ -1,0 +1,315 @@
+// `rtac verify --recheck`: what is proved is found once more, and what was changed is noticed.
+#include <algorithm>
+#include <cctype>
+
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Recheck : public Verify {
+ protected:
+  void SetUp() override {
+    Verify::SetUp();
+    ASSERT_EQ(verified(drone_spec(), {"-o", "certificates"}).status, exit_clean);
+    report_ = Json::parse(read("certificates/verification.json"));
+  }
+  void write_delivery() {
+    const std::string text = spec_text("specs/robot_delivery/robot_delivery.rta");
+    ASSERT_EQ(verified(text, {"-o", "certificates"}).status, exit_clean);
+    report_ = Json::parse(read("certificates/verification.json"));
+  }
+  static Outcome rechecked() { return rtac({"verify", "--recheck", "certificates"}); }
+  Outcome rechecked_with(const Json& report) {
+    write("certificates/verification.json", report.dump(2));
+    return rechecked();
+  }
+  // Changes the value of a claim by so much, everywhere.
+  Json changed(const std::string& claim, const std::string& key, std::int64_t by) {
+    Json report = report_;
+    int found = 0;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      for (Json& c : o["claims"]) {
+        if (c["claim"] != claim) continue;
+        c[key] = std::to_string(std::stoll(c[key].get<std::string>()) + by);
+        ++found;
+      }
+    }
+    EXPECT_GT(found, 0) << claim << "." << key;
+    return report;
+  }
+  Json report_;
+};
+
+TEST_F(Recheck, WhatIsProvedIsFoundOnceMore) {
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
+// Every bound, a little to the unsafe side.
+TEST_F(Recheck, AMutatedBoundIsNoticed) {
+  const struct {
+    const char *claim, *key;
+    std::int64_t by;
+  } mistakes[] = {{"limits", "period_us", 1},
+                  {"limits", "radius_mm", -1},
+                  {"limits", "position_error_mm", -1},
+                  {"limits", "velocity_error_mmps", -1},
+                  {"limits", "position_age_us", -1},
+                  {"limits", "velocity_age_us", -1},
+                  {"limits", "latency_us", -1},
+                  {"limits", "speed_mmps", -1},
+                  {"limits", "accel_mmps2", -1},
+                  {"limits", "brake_mmps2", 1},
+                  {"limits", "disturbance_mmps2", -1},
+                  {"limits", "brake_lag_ms", -1},
+                  {"limits", "hold_mm", -15},
+                  {"horizon", "lookahead_us", -60'000},
+                  {"horizon", "horizon_us", -1},
+                  {"return", "extra_us", -60'000},
+                  {"return", "dwell_ticks", -2},
+                  {"place", "x_mm", 2'200},
+                  {"place", "clearance_mm", -60},
+                  {"seen", "clearance_mm", -60},
+                  {"seen", "x_mm", 2'400},
+                  {"ways", "return_mm", -60},
+                  {"ways", "cell_mm", -10},
+                  {"ways", "cell_mm", 10},
+                  {"ways", "cells_x_mm", 5},
+                  {"ways", "cells_y_mm", -100}};
+  for (const auto& m : mistakes) {
+    const Outcome o = rechecked_with(changed(m.claim, m.key, m.by));
+    EXPECT_EQ(o.status, exit_violation) << m.claim << "." << m.key << "\n" << o.out << o.err;
+  }
+}
+
+// In a park robots look for their ways over wider cells, and so does who checks them.
+TEST_F(Recheck, WaysInAWideZoneAreFoundOnceMore) {
+  const std::string park = edited(drone_spec(), "(5 m, 5 m)", "(250 m, 190 m)");
+  ASSERT_EQ(verified(park, {"-o", "certificates"}).status, exit_clean);
+  EXPECT_EQ(read("certificates/verification.json").find("\"cell_mm\": \"100\""), std::string::npos);
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
+TEST_F(Recheck, AMutatedLemmaIsNoticed) {
+  const fs::path lemma = "certificates/lemmas/disc.smt2";
+  write(lemma, read(lemma) + "\n(assert false)\n");
+  EXPECT_EQ(rechecked().status, exit_violation);
+}
+
+// A convex hall: a leg leads back from everywhere. An annex on top of it is another matter.
+TEST_F(Recheck, RobotsInSpaceAreProvedInAConvexHall) {
+  const std::string annex =
+      "\n          | prism (rectangle (0 m, 0 m) to (5 m, 9 m)) from 6 m to 10 m";
+  const std::string stacked = spec_text("tests/golden/space_recoveries/spec.rta");
+  const Outcome unknown = verified(stacked, {"--format", "json"});
+  EXPECT_EQ(unknown.status, exit_inconclusive) << unknown.err;
+  EXPECT_EQ(statuses(unknown.out, "P2b", "walls"), Statuses{"unknown"});
+  EXPECT_EQ(statuses(unknown.out, "joint return", ""), Statuses{"proved"});
+  ASSERT_EQ(verified(edited(stacked, annex, ""), {"-o", "certificates"}).status, exit_clean);
+  EXPECT_EQ(rechecked().status, exit_clean);
+  report_ = Json::parse(read("certificates/verification.json"));
+  for (const char* const claim : {"legs", "place"}) {
+    EXPECT_EQ(rechecked_with(changed(claim, "clearance_mm", 5'000)).status, exit_violation)
+        << claim;
+  }
+  EXPECT_EQ(rechecked_with(changed("height", "z_mm", 6'000)).status, exit_violation);
+  EXPECT_EQ(rechecked_with(changed("height", "gap_mm", -400)).status, exit_violation);
+}
+// What is only too high is not any more on the way down: a landing leads out of it. Not where it
+// ends too high, and not out of what is too low.
+TEST_F(Recheck, ALandingLeadsOutOfWhatIsTooHigh) {
+  const std::string text = R"(spec mast;
+zone shaft = prism (rectangle (0 m, 0 m) to (20 m, 20 m)) from 0 m to 60 m;
+robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller down : safe for Quad = land to 2 m speed 0.5 m/s;
+monitor roof for r : Quad { "R1: below 50 m" always r.position.z <= 50 m; recover down; }
+decision fly for Quad { advanced policy; period 50 ms; priority roof; }
+)";
+  ASSERT_EQ(verified(text, {"-o", "certificates"}).status, exit_clean);
+  EXPECT_EQ(rechecked().status, exit_clean);
+  report_ = Json::parse(read("certificates/verification.json"));
+  EXPECT_EQ(rechecked_with(changed("landing", "land_mm", -1)).status, exit_violation);
+  EXPECT_EQ(rechecked_with(changed("landing", "land_mm", 48'000)).status, exit_violation);
+  EXPECT_EQ(rechecked_with(changed("landing", "gap_mm", -600)).status, exit_violation);
+  const Outcome high =
+      verified(edited(text, "land to 2 m", "land to 49.9 m"), {"--format", "json"});
+  EXPECT_EQ(statuses(high.out, "P2b", "roof"), Statuses{"unknown"}) << high.out << high.err;
+  const Outcome low = verified(edited(text, "<= 50 m", ">= 5 m"));
+  EXPECT_EQ(low.status, exit_violation);
+  EXPECT_NE(low.err.find("error[5017]: `down` only goes down"), std::string::npos) << low.err;
+}
+
+TEST_F(Recheck, AMutatedModelIsNoticed) {
+  write_delivery();
+  const std::string path = "certificates/models/plan_executor.pml";
+  const std::string text = read(path);
+  write(path, edited(text, "!surrender && before != 0 && open != NOBODY", "false"));
+  EXPECT_EQ(rechecked().status, exit_violation);
+  write(path, edited(text, "#define PROMISES 1", "#define PROMISES 0"));
+  EXPECT_EQ(rechecked().status, exit_violation);
+  std::filesystem::remove(path);
+  EXPECT_EQ(rechecked().status, exit_violation);
+}
+// What the model takes for granted has to be shown elsewhere.
+TEST_F(Recheck, AnEntryOfTheModelThatNobodyProvesIsNoticed) {
+  write_delivery();
+  for (const char* const table : {"keeps", "settles"}) {
+    Json report = report_;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] != "switching") continue;
+      std::string rows = o["claims"][0][table];
+      ASSERT_NE(rows.find('0'), std::string::npos) << table;
+      rows[rows.find('0')] = '1';
+      o["claims"][0][table] = rows;
+    }
+    EXPECT_EQ(rechecked_with(report).status, exit_violation) << table;
+  }
+}
+TEST_F(Recheck, WhatIsLeftOutIsNoticed) {
+  for (std::size_t i = 0; i < report_["decisions"][0]["obligations"].size(); ++i) {
+    Json report = report_;
+    const std::string kind = report["decisions"][0]["obligations"][i]["obligation"];
+    if (kind == "not vacuous") continue;  // says nothing about safety
+    report["decisions"][0]["obligations"].erase(i);
+    EXPECT_EQ(rechecked_with(report).status, exit_violation) << kind;
+    report = report_;
+    report["decisions"][0]["obligations"][i]["claims"] = Json::array();
+    EXPECT_EQ(rechecked_with(report).status, exit_violation) << kind;
+  }
+}
+
+// A certificate cannot be carried over to a property that no robot can break.
+TEST_F(Recheck, APropertyThatIsNeverFalseIsNoticed) {
+  write("certificates/sources/spec.rta",
+        edited(read("certificates/sources/spec.rta"), "always  clearance(d, room)",
+               "always  d.speed <= 90 m/s or clearance(d, room)"));
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_violation);
+  EXPECT_NE((o.out + o.err).find("never false"), std::string::npos) << o.out << o.err;
+}
+
+// Nobody has acknowledged anything.
+TEST_F(Recheck, AnAcknowledgementIsInTheSpecification) {
+  for (Json& o : report_["decisions"][0]["obligations"]) o["status"] = "acknowledged";
+  EXPECT_EQ(rechecked_with(report_).status, exit_violation);
+}
+
+// Two zones that overlap, and the room around both: coordinated, with what has to be acknowledged.
+std::string two_sides(bool both) {
+  std::string more = R"(
+zone west  = rectangle (0 m, 0 m) to (3.5 m, 5 m);
+controller go_west  : safe for Drone = retreat within west speed 0.3 m/s;
+monitor in_west  for d : Drone { "SR-2: in the west" always d inside west; recover go_west; }
+)";
+  if (both) {
+    more += R"(zone south = rectangle (0 m, 0 m) to (5 m, 3.5 m);
+controller go_south : safe for Drone = retreat within south speed 0.3 m/s;
+monitor in_south for d : Drone { "SR-3: in the south" always d inside south; recover go_south; }
+)";
+  }
+  return edited(drone_spec(), "decision fly", more + "decision fly");
+}
+class RecheckCoordinated : public Recheck {
+ protected:
+  void write_certificates(const std::string& clause) {
+    const std::string text =
+        edited(two_sides(clause.find("south") != std::string::npos), "priority walls;", clause);
+    const Outcome o = verified(text, {"-o", "certificates"});
+    ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
+    report_ = Json::parse(read("certificates/verification.json"));
+  }
+  // What is claimed of a monitor while a recovery drives.
+  Json& pair(const std::string& monitor, const std::string& recovery) {
+    for (Json& o : report_["decisions"][0]["obligations"]) {
+      if (o["obligation"] == "C" && o["monitor"] == monitor && o["recovery"] == recovery) return o;
+    }
+    ADD_FAILURE() << monitor << " " << recovery;
+    return report_;
+  }
+};
+
+TEST_F(RecheckCoordinated, TheProofIsFoundOnceMore) {
+  write_certificates("coordinate walls > in_west;");
+  EXPECT_EQ(pair("in_west", "back_off")["method"], "coordination");
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+// Without it, a zone would have to lie in the other one.
+TEST_F(RecheckCoordinated, AProofThatIsLeftOutIsNoticed) {
+  write_certificates("coordinate walls > in_west;");
+  Json& claims = pair("in_west", "back_off")["claims"];
+  claims.erase(claims.size() - 1);
+  EXPECT_EQ(rechecked_with(report_).status, exit_violation);
+}
+// By priority nobody coordinates.
+TEST_F(RecheckCoordinated, ItTakesADecisionThatCoordinates) {
+  write_certificates("priority in_west > walls;");
+  for (Json& c : pair("in_west", "back_off")["claims"]) {
+    if (c["claim"] != "outranks") continue;
+    c = {
+        {"claim", "coordinated"}, {"decision", "fly"}, {"driving", "walls"}, {"judged", "in_west"}};
+  }
+  EXPECT_EQ(rechecked_with(report_).status, exit_violation);
+}
+// In a circle nobody keeps what the report says that somebody does.
+TEST_F(RecheckCoordinated, ACircleIsNoticed) {
+  write_certificates(
+      "coordinate walls > in_west > in_south; acknowledge back_off may break in_south \"a test\"; "
+      "acknowledge go_west may break in_south \"a test\";");
+  EXPECT_EQ(rechecked().status, exit_clean);
+  Json& forged = pair("in_south", "go_west");
+  EXPECT_EQ(forged["status"], "acknowledged");
+  forged["status"] = "proved";
+  forged["claims"] = Json::array({{{"claim", "coordinated"},
+                                   {"decision", "fly"},
+                                   {"driving", "in_west"},
+                                   {"judged", "in_south"}}});
+  EXPECT_EQ(rechecked_with(report_).status, exit_violation);
+}
+
+TEST_F(Recheck, NoReportIsAnError) {
+  write("certificates/verification.json", "{");
+  EXPECT_EQ(rechecked().status, exit_violation);
+  fs::remove("certificates/verification.json");
+  EXPECT_EQ(rechecked().status, exit_usage);
+}
+
+// Whatever is proved, of any kind of decision, is found once more.
+class RecheckCases : public Verify, public ::testing::WithParamInterface<const char*> {};
+TEST_P(RecheckCases, WhatIsProvedIsFoundOnceMore) {
+  const std::string spec = std::string(RTAC_SOURCE_DIR) + "/tests/" + GetParam() + ".rta";
+  const Outcome o = rtac({"verify", spec, "-o", "certificates"});
+  ASSERT_NE(o.out.find(" proved, "), std::string::npos) << o.out << o.err;
+  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_NE(again.out.find(" 0 not proved"), std::string::npos) << again.out << again.err;
+}
+INSTANTIATE_TEST_SUITE_P(
+    Specs, RecheckCases,
+    ::testing::Values("golden/agents/spec", "golden/ahead_command/spec", "golden/claims/spec",
+                      "golden/coordinated/spec", "golden/external_recovery/spec",
+                      "golden/fleet_of_three/spec", "golden/or_of_zones/spec",
+                      "golden/plan_only/spec", "golden/point_fleet_yield/spec",
+                      "golden/robot_facts/spec", "golden/shared_recovery/spec",
+                      "golden/waypoints_only/spec", "golden/bad_5001_too_short/spec",
+                      "golden/bad_5034_landing/spec", "campaign/specs/legs", "campaign/specs/fuel",
+                      "campaign/specs/attic"),
+    [](const auto& info) {
+      std::string name = info.param;
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+      return name;
+    });
+
+}  // namespace
+}  // namespace rtac::driver::test
