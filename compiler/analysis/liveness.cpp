@@ -301,12 +301,14 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
   // from where it stands to the centre of a cell (connector_reach_m of the search)
   const std::int64_t cell_mm = module[last.zone].cells.cell_mm;
   const Rational speed(static_cast<long>(last.speed_mmps), 1000);
-  const bool retreats = last.kind != ir::RecoveryKind::route;
-  const std::int64_t joined_mm = *ways.longest_mm + std::max<std::int64_t>(400, 2 * cell_mm) +
-                                 cell_mm +
-                                 (retreats ? run_out_mm(kind, speed, decision.period_us) : 0);
+  const std::int64_t joined_mm =
+      *ways.longest_mm + std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
   Rational seconds = travel_seconds(kind, speed, decision.period_us,
                                     static_cast<std::int32_t>(cell_mm), joined_mm);
+  if (last.kind != ir::RecoveryKind::route) {  // the last leg goes straight on
+    const Rational slowest = speed - pushed_speed(kind, decision.period_us);
+    seconds += Rational(run_out_mm(kind, speed, decision.period_us), 1000) / slowest;
+  }
   for (const ir::Recovery& step : recovery.steps) {
     seconds += Rational(static_cast<long>(step.lasts_us), 1'000'000);
   }
