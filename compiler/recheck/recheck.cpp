@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "compiler/recheck/claims.h"
 #include "compiler/recheck/coordination.h"
@@ -12,6 +13,7 @@ namespace rtac::recheck {
 namespace {
 
 constexpr const char* switching = "switching";
+constexpr const char* not_asked = "not asked, while something else is not proved";
 
 class Check {
  public:
@@ -31,6 +33,7 @@ class Check {
         if (e.kind != switching) entry(d, e, *part);
       }
     }
+    lemmas();
     // Rests on the others, and takes longest.
     for (const sema::Decision& d : spec_.decisions) {
       for (const Part& part : parts) {
@@ -85,15 +88,30 @@ class Check {
     rests_on(d, e, part);
     for (const Claim& claim : e.claims) {
       ++out_.claims;
-      const auto doubt = claim.what == "protocol" ? turns(d, part, claim) : claims_.check(claim);
-      if (!doubt) continue;
-      (doubt->refuted ? out_.failed : out_.open)
-          .push_back(whom(d, e) + ": " + claim.what + ": " + doubt->why);
+      if (claim.what == "lemma") {
+        lemmas_.emplace_back(whom(d, e), claim);
+        continue;
+      }
+      take(whom(d, e), claim,
+           claim.what == "protocol" ? turns(d, part, claim) : claims_.check(claim));
     }
+  }
+  void take(const std::string& of, const Claim& claim, const std::optional<Doubt>& doubt) {
+    if (!doubt) return;
+    (doubt->refuted ? out_.failed : out_.open)
+        .push_back(of + ": " + claim.what + ": " + doubt->why);
+  }
+  // They do not depend on the specification, and a solver takes its time.
+  void lemmas() {
+    if (!out_.failed.empty() && !lemmas_.empty()) {
+      out_.open.emplace_back("the lemmas: " + std::string(not_asked));
+      return;
+    }
+    for (const auto& [of, claim] : lemmas_) take(of, claim, claims_.check(claim));
   }
 
   std::optional<Doubt> turns(const sema::Decision& d, const Part& part, const Claim& claim) {
-    if (!out_.failed.empty()) return Doubt{false, "not asked, while something else is not proved"};
+    if (!out_.failed.empty()) return Doubt{false, not_asked};
     return check_turns(spec_, d, part, claim, claims_, provers_.model);
   }
 
@@ -266,6 +284,7 @@ class Check {
   const sema::Spec& spec_;
   const Provers& provers_;
   Claims claims_;
+  std::vector<std::pair<std::string, Claim>> lemmas_;  // with whom they are for
   Outcome out_;
 };
 
