@@ -27,8 +27,7 @@ static int64_t magnitude(int64_t a) {
 
 /* Time from `from` to a later `to`, at most INT64_MAX: stamps may be anything. */
 static int64_t elapsed_us(int64_t from, int64_t to) {
-  const uint64_t us = (uint64_t)to - (uint64_t)from;
-  return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
+  return to < from || (from < 0 && to > INT64_MAX + from) ? INT64_MAX : to - from;
 }
 
 /* `us` after `time_us`, for us >= 0; the end of time is never passed. */
