@@ -254,8 +254,9 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
           zone(z.zone) + ", " + place(z.zone) + ", &v->within, " + limit(z.least_mm, z.more));
     }
     std::string operator()(const ZoneCourse& z) const {
-      return p.use("zone_course", zone(z.zone) + ", " + place(z.zone) + ", &v->told, " +
-                                      limit(z.least_mm, z.more));
+      const char* const course = p.module_[z.zone].has_height() ? "solid_course" : "zone_course";
+      return p.use(
+          course, zone(z.zone) + ", " + place(z.zone) + ", &v->told, " + limit(z.least_mm, z.more));
     }
     std::string operator()(const PairCourse& r) const {
       return p.use("pair_course",

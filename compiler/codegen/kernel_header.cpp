@@ -158,7 +158,8 @@ class Header {
         "enum", [&](Code& body) { body.line(up_ + "_COMMANDS = " + std::to_string(commands())); },
         "};");
     code_.blank();
-    record("command", {"int64_t time_us, x_mmps2, y_mmps2;", "int32_t known;"});
+    const std::string up = ir::in_space(module_) ? ", z_mmps2" : "";
+    record("command", {"int64_t time_us, x_mmps2, y_mmps2" + up + ";", "int32_t known;"});
   }
   [[nodiscard]] std::int64_t commands() const {
     std::int64_t most = 0;

@@ -75,6 +75,7 @@ class StepPrinter : public CheckPrinter {
           each.line("s->commands[k].time_us = INT64_MIN;");
           each.line("s->commands[k].x_mmps2 = 0;");
           each.line("s->commands[k].y_mmps2 = 0;");
+          if (in_space(module_)) each.line("s->commands[k].z_mmps2 = 0;");
           each.line("s->commands[k].known = 0;");
         });
       }

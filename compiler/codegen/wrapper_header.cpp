@@ -33,8 +33,9 @@ void periodic_class(const Decision& d, const Names& names, const std::string& pr
         body.line(name + "& plan(const rtac::Path& value);");
         if (judges_commands(d)) {
           body.comment("What was sent after the last step, and what is to be sent after this one.");
-          body.line(name + "& sent(rtac::Vec2 mps2, rtac::TimeUs step_us);");
-          body.line(name + "& proposed(rtac::Vec2 mps2, rtac::TimeUs step_us);");
+          const std::string axes = d.body.in_space ? "3" : "2";
+          body.line(name + "& sent(rtac::Vec" + axes + " mps2, rtac::TimeUs step_us);");
+          body.line(name + "& proposed(rtac::Vec" + axes + " mps2, rtac::TimeUs step_us);");
         }
         body.line("// goes_first: see rtac::goes_first");
         body.line(name + "& heard(int robot, const rtac::Announcement& value, bool goes_first);");

@@ -293,8 +293,15 @@ class WrapperSource {
            "rtac::bridge::put(in_.plan, value, " + num(d.plan_capacity) + ");");
     if (judges_commands(d)) {
       for (const std::string field : {"sent", "proposed"}) {
+        if (d.body.in_space) {
+          setter(field, "rtac::Vec3 mps2, rtac::TimeUs step_us",
+                 "rtac::bridge::put_in_space(in_." + field +
+                     ", rtac::Sample<rtac::Vec2>{{mps2.x, mps2.y}, step_us}, mps2.z);");
+          continue;
+        }
         setter(field, "rtac::Vec2 mps2, rtac::TimeUs step_us",
-               "rtac::bridge::put(in_." + field + ", rtac::Sample<rtac::Vec2>{mps2, step_us});");
+               std::string("rtac::bridge::put") + (flat().empty() ? "" : "_in_space") + "(in_." +
+                   field + ", rtac::Sample<rtac::Vec2>{mps2, step_us}" + flat() + ");");
       }
     }
     out_.block(
@@ -377,8 +384,12 @@ class WrapperSource {
           }
           body.line("plan(observation.plan);");
           if (judges_commands(d)) {
-            body.line("rtac::bridge::put(in_.sent, observation.sent);");
-            body.line("rtac::bridge::put(in_.proposed, observation.proposed);");
+            for (const std::string field : {"sent", "proposed"}) {
+              const std::string z =
+                  d.body.in_space ? ", observation." + field + "_up_mps2" : flat();
+              body.line(std::string("rtac::bridge::put") + (z.empty() ? "" : "_in_space") +
+                        "(in_." + field + ", observation." + field + z + ");");
+            }
           }
           body.block("for (int j = 0; j < " + upper(kernel) + "_ROBOTS; ++j)", [&](Code& each) {
             each.line("if (j == in_.self) continue;");

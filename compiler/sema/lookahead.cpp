@@ -64,13 +64,7 @@ class AheadChecker {
     }
     if (!kind_) return;
     const RobotKind& kind = context_.spec[*kind_];
-    if (kind.in_space) {
-      context_.report(
-          Finding(Code::not_in_space, range, "`ahead command` does not know robots in space yet")
-              .label("`" + kind.name + "` has a height")
-              .note(kind.name_range, "the robot is declared here")
-              .help("`ahead 200 ms` works: under any control"));
-    } else if (kind.output == OutputType::twist) {
+    if (kind.output == OutputType::twist) {
       context_.report(Finding(Code::output_unsuited, range,
                               "`ahead command` needs to know how `" + kind.name +
                                   "` follows its commands, and a twist does not say")

@@ -16,6 +16,12 @@ Sample<Vec2> commanded(const Acceleration& output, TimeUs now_us) {
 Sample<Vec2> commanded(const Twist&, TimeUs) {
   return {};  // the compiler refuses to judge twists
 }
+double commanded_up(const Acceleration& output) {
+  return output.up_mps2;
+}
+double commanded_up(const Twist&) {
+  return 0;
+}
 
 }  // namespace
 
@@ -196,12 +202,14 @@ void PlanExecutor<Output>::propose() {
   if (!parts_.decision->info().judges_commands) return;
   proposal_ = parts_.advanced->command(observation_);
   observation_.proposed = commanded(proposal_, observation_.now_us);
+  observation_.proposed_up_mps2 = commanded_up(proposal_);
 }
 
 template <class Output>
 void PlanExecutor<Output>::remember(const Output& output) {
   if (parts_.decision->info().judges_commands) {
     observation_.sent = commanded(output, observation_.now_us);
+    observation_.sent_up_mps2 = commanded_up(output);
   }
 }
 

@@ -20,12 +20,14 @@ typedef struct course {
   int32_t usable; /* else any control has to be assumed */
   int32_t count, first;
   vec at[COURSE_MAX], stop[COURSE_MAX];
+  /*? in_space */ int64_t z[COURSE_MAX], stop_z[COURSE_MAX];
   int64_t leg_mm, stop_mm;
 } course;
 /*= sailing_type : vec_type */
 /* A course in the making: from where the sample was taken, um and um/s. */
 typedef struct sailing {
   int64_t t_us, x_um, y_um, vx_umps, vy_umps;
+  /*? in_space */ int64_t z_um, vz_umps, z; /* z: of p */
   int64_t p_error_um, v_error_umps; /* beside those of the sample */
   int64_t leg_bend_um, stop_bend_um; /* of the curved way from its chords */
   int64_t fastest_umps;              /* while the recovery may take over */
@@ -41,10 +43,14 @@ static KERNEL_command command_of(const KERNEL_point *u, int64_t time_us, const o
   c.time_us = time_us;
   c.x_mmps2 = u->x_lo;
   c.y_mmps2 = u->y_lo;
+  /*? in_space */ c.z_mmps2 = u->z_lo;
   c.known = u->valid != 0 && u->x_lo >= -most && u->x_lo <= most && u->y_lo >= -most &&
             u->y_lo <= most && u->x_hi >= u->x_lo && u->x_hi <= u->x_lo + 1 &&
             u->y_hi >= u->y_lo && u->y_hi <= u->y_lo + 1 &&
-            root_up(dot(vec_of(u->x_lo, u->y_lo), vec_of(u->x_lo, u->y_lo))) <= most;
+            /*? in_space */ u->z_lo >= -most && u->z_lo <= most && u->z_hi >= u->z_lo &&
+            /*? in_space */ u->z_hi <= u->z_lo + 1 &&
+            /*? in_space */ root_up(u->x_lo * u->x_lo + u->y_lo * u->y_lo + u->z_lo * u->z_lo) <= most;
+            /*? !in_space */ root_up(dot(vec_of(u->x_lo, u->y_lo), vec_of(u->x_lo, u->y_lo))) <= most;
   return c;
 }
 /*= keep_command : command_of */
@@ -60,7 +66,11 @@ static void keep_command(KERNEL_command *kept, const KERNEL_point *sent, int64_t
 /*= place_on_course : course_type sailing_type vec_of on_map root_up max_of */
 /* The next place, and, when the recovery may take over there, where it stops. */
 static void place_on_course(course *c, sailing *w) {
-  const int64_t speed = root_up(w->vx_umps * w->vx_umps + w->vy_umps * w->vy_umps);
+  /*? in_space */ const int64_t z = w->z + w->z_um / 1000;
+  /*? in_space */ const int64_t speed = root_up(w->vx_umps * w->vx_umps + w->vy_umps * w->vy_umps +
+  /*? in_space */                               w->vz_umps * w->vz_umps);
+  /*? in_space */ const int64_t stop_z = z + w->vz_umps * speed / (2 * w->brake_umps2) / 1000;
+  /*? !in_space */ const int64_t speed = root_up(w->vx_umps * w->vx_umps + w->vy_umps * w->vy_umps);
   const vec at = vec_of(w->p.x + w->x_um / 1000, w->p.y + w->y_um / 1000);
   vec stop;
   if (c->count == COURSE_MAX || at.x != on_map(at.x) || at.y != on_map(at.y)) {
@@ -73,6 +83,12 @@ static void place_on_course(course *c, sailing *w) {
     c->usable = 0;
     return;
   }
+  /*? in_space */ if (z != on_map(z) || stop_z != on_map(stop_z)) {
+  /*? in_space */   c->usable = 0;
+  /*? in_space */   return;
+  /*? in_space */ }
+  /*? in_space */ c->z[c->count] = z;
+  /*? in_space */ c->stop_z[c->count] = stop_z;
   c->at[c->count] = at;
   c->stop[c->count] = stop;
   if (w->t_us >= w->now_us) {
@@ -90,10 +106,13 @@ static void place_on_course(course *c, sailing *w) {
  * |u| h^2 / 8; the stop v |v| / (2 b) by a^2 / (8 b) and, where it saturates, V off / b. */
 static void sail(course *c, sailing *w, const KERNEL_command *u, int64_t until_us) {
   const int64_t h_us = until_us - w->t_us;
-  const int64_t size = root_up(u->x_mmps2 * u->x_mmps2 + u->y_mmps2 * u->y_mmps2);
+  /*? in_space */ const int64_t size = root_up(u->x_mmps2 * u->x_mmps2 + u->y_mmps2 * u->y_mmps2 +
+  /*? in_space */                              u->z_mmps2 * u->z_mmps2);
+  /*? !in_space */ const int64_t size = root_up(u->x_mmps2 * u->x_mmps2 + u->y_mmps2 * u->y_mmps2);
   const int64_t gained = div_up(size * h_us, 1000);
   const int64_t cap = w->cap_umps;
   int64_t vx, vy, speed, over, off = 0;
+  /*? in_space */ int64_t vz;
   if (h_us <= 0 || c->usable == 0) {
     return;
   }
@@ -103,21 +122,31 @@ static void sail(course *c, sailing *w, const KERNEL_command *u, int64_t until_u
   }
   vx = w->vx_umps + u->x_mmps2 * h_us / 1000;
   vy = w->vy_umps + u->y_mmps2 * h_us / 1000;
-  speed = root_up(vx * vx + vy * vy);
+  /*? in_space */ vz = w->vz_umps + u->z_mmps2 * h_us / 1000;
+  /*? in_space */ speed = root_up(vx * vx + vy * vy + vz * vz);
+  /*? !in_space */ speed = root_up(vx * vx + vy * vy);
   over = max_of(0, speed - cap);
   if (over > 0) {
-    const int64_t below =
-        max_of(0, cap - root_down(w->vx_umps * w->vx_umps + w->vy_umps * w->vy_umps));
+    /*? in_space */ const int64_t was = root_down(w->vx_umps * w->vx_umps + w->vy_umps * w->vy_umps +
+    /*? in_space */                               w->vz_umps * w->vz_umps);
+    /*? in_space */ const int64_t below = max_of(0, cap - was);
+    /*? !in_space */ const int64_t below =
+    /*? !in_space */     max_of(0, cap - root_down(w->vx_umps * w->vx_umps + w->vy_umps * w->vy_umps));
     const int64_t bend = div_up(gained * gained, cap);
     off = min_of(over, below + bend) + div_up(bend, 4) + 2;
     vx = vx * cap / speed;
     vy = vy * cap / speed;
+    /*? in_space */ vz = vz * cap / speed;
   }
+  /*? in_space */ w->z_um += (w->vz_umps + vz) * h_us / 2000000;
+  /*? in_space */ w->vz_umps = vz;
   w->x_um += (w->vx_umps + vx) * h_us / 2000000;
   w->y_um += (w->vy_umps + vy) * h_us / 2000000;
   w->vx_umps = vx;
   w->vy_umps = vy;
   w->t_us = until_us;
+  /*? in_space */ w->v_error_umps += 2; /* of the third axis */
+  /*? in_space */ w->p_error_um += 2;
   /* 4: the divisions above */
   w->v_error_umps += div_up(gained * over, cap) + 4;
   w->p_error_um += div_up(off * h_us, 1000000) + 4;
@@ -168,13 +197,31 @@ static void sail_commands(course *c, sailing *w, const KERNEL_command *kept,
     const int64_t since_us = min_of(elapsed_us(next->time_us, now_us), w->now_us + o->latency_us);
     const int64_t until_us = w->now_us - since_us + o->latency_us / 2;
     const int64_t dx = next->x_mmps2 - kept[k].x_mmps2, dy = next->y_mmps2 - kept[k].y_mmps2;
+    /*? in_space */ const int64_t dz = next->z_mmps2 - kept[k].z_mmps2;
     sail_on(c, w, &kept[k], min_of(until_us, end_us));
-    w->v_error_umps += div_up(root_up(dx * dx + dy * dy) * div_up(o->latency_us + 1, 2), 1000);
+    /*? in_space */ w->v_error_umps +=
+    /*? in_space */     div_up(root_up(dx * dx + dy * dy + dz * dz) * div_up(o->latency_us + 1, 2), 1000);
+    /*? !in_space */ w->v_error_umps += div_up(root_up(dx * dx + dy * dy) * div_up(o->latency_us + 1, 2), 1000);
   }
   sail_on(c, w, proposed, w->t_us + (end_us - w->t_us) / 2);
   sail_on(c, w, proposed, end_us);
 }
-/*= sideways : vec_of minus cross dot root_up root_down div_up max_of magnitude course_type */
+/*= sideways @in_space : spot_of spot_way spot_dot spot_cross spot_length_up root_up root_down div_up max_of course_type */
+/* Between two places and their stops lies nothing that is farther from the ways to the stops and
+ * from the one between them than this: twice how far the four lie off one line. */
+static int64_t sideways(const course *c, int32_t i) {
+  const spot from = spot_of(c->at[i - 1], c->z[i - 1]);
+  const spot d = spot_way(from, spot_of(c->stop[i], c->stop_z[i]));
+  const spot e = spot_way(from, spot_of(c->at[i], c->z[i]));
+  const spot f = spot_way(from, spot_of(c->stop[i - 1], c->stop_z[i - 1]));
+  const int64_t length = root_down(spot_dot(d, d));
+  if (length == 0) {
+    return 2 * max_of(root_up(spot_dot(e, e)), root_up(spot_dot(f, f)));
+  }
+  return 2 * max_of(div_up(spot_length_up(spot_cross(d, e)), length),
+                    div_up(spot_length_up(spot_cross(d, f)), length));
+}
+/*= sideways @plane : vec_of minus cross dot root_up root_down div_up max_of magnitude course_type */
 /* Between two places and their stops lies nothing that is farther from the ways to the stops and
  * from the one between them than this: twice how far the four lie off one line. */
 static int64_t sideways(const course *c, int32_t i) {
@@ -200,13 +247,16 @@ static void course_room(course *c, const sailing *w, const estimate *s, const bo
                        /*? disturbed */ div_up(ideal * b->sway_permille, 1000) +
                        div_up(ideal * b->brake_lag_permille, 1000) + b->hold_mm;
   /* 3: two millimetres of the corners of places, one of the estimate */
-  const int64_t off = s->p_error_mm + div_up(w->p_error_um, 1000) + div_up(v_error * t_ms, 1000) +
-                      div_up(o->error_mmps2 * t_ms * t_ms, 2000000) + b->radius_mm + 3;
+  /*? in_space */ int64_t off = s->p_error_mm + div_up(w->p_error_um, 1000) + div_up(v_error * t_ms, 1000) +
+  /*? in_space */               div_up(o->error_mmps2 * t_ms * t_ms, 2000000) + b->radius_mm + 3;
+  /*? !in_space */ const int64_t off = s->p_error_mm + div_up(w->p_error_um, 1000) + div_up(v_error * t_ms, 1000) +
+  /*? !in_space */                     div_up(o->error_mmps2 * t_ms * t_ms, 2000000) + b->radius_mm + 3;
   int64_t between = 0;
   int32_t i;
   for (i = c->first + 1; i < c->count; ++i) {
     between = max_of(between, sideways(c, i));
   }
+  /*? in_space */ off += 2; /* of a third axis of those corners */
   c->leg_mm = off + div_up(w->leg_bend_um, 1000);
   c->stop_mm = off + div_up(w->stop_bend_um, 1000) + between + tube +
                div_up((fastest + s1) * drift, 2 * b->brake_mmps2);
@@ -236,9 +286,13 @@ static course course_of(const estimate *s, const body *b, const order *o,
   w.brake_umps2 = 1000 * b->brake_mmps2;
   w.vx_umps = 1000 * s->v.x;
   w.vy_umps = 1000 * s->v.y;
+  /*? in_space */ w.z_um = 0;
+  /*? in_space */ w.vz_umps = 1000 * s->vz;
+  /*? in_space */ w.z = s->z;
   if (s->speed_mmps > b->speed_mmps) { /* the true velocity is no larger, and nearer to this one */
     w.vx_umps = w.vx_umps * b->speed_mmps / s->speed_mmps;
     w.vy_umps = w.vy_umps * b->speed_mmps / s->speed_mmps;
+    /*? in_space */ w.vz_umps = w.vz_umps * b->speed_mmps / s->speed_mmps;
   }
   w.p_error_um = 0;
   w.v_error_umps = 2;
@@ -282,7 +336,18 @@ static margin zone_course(const zone *z, const place *at, const course *c, int64
   spare -= least_mm;
   return margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, REASON_MARGIN);
 }
-/*= leg_apart : other_type vec_type point_segment_lo segment_gap_lo max_of */
+/*= leg_apart @in_space : other_type spot_type spot_of spot_segment_lo spots_apart_lo max_of */
+/* Spare gap between what is within `room_mm` of a leg and everything within reach of a robot. */
+static int64_t leg_apart(spot from, spot to, int64_t room_mm, const other *o, const body *b) {
+  const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
+  const spot p = spot_of(o->s.p, o->s.z), e = spot_of(o->r.e, o->r.z_end);
+  int64_t spare = spot_segment_lo(p, from, to) - room_mm - (o->held != 0 ? still : o->r.disc_mm);
+  if (o->held == 0) {
+    spare = max_of(spare, spots_apart_lo(from, to, p, e) - room_mm - o->r.capsule_mm);
+  }
+  return spare;
+}
+/*= leg_apart @plane : other_type vec_type point_segment_lo segment_gap_lo max_of */
 /* Spare gap between what is within `room_mm` of a leg and everything within reach of a robot. */
 static int64_t leg_apart(vec from, vec to, int64_t room_mm, const other *o, const body *b) {
   const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
@@ -310,11 +375,15 @@ static margin pair_course(const course *c, const other *o, const body *b, int64_
   } else {
     for (i = 0; i < c->count; ++i) {
       const int32_t before = i > 0 ? i - 1 : 0;
-      spare = min_of(spare, leg_apart(c->at[before], c->at[i], c->leg_mm, o, b));
+      const int32_t stop = i > c->first ? i - 1 : i;
+      /*? in_space */ const spot from = spot_of(c->at[before], c->z[before]), at = spot_of(c->at[i], c->z[i]);
+      /*? in_space */ const spot rest = spot_of(c->stop[i], c->stop_z[i]);
+      /*? in_space */ const spot first = spot_of(c->stop[stop], c->stop_z[stop]);
+      /*? !in_space */ const vec from = c->at[before], at = c->at[i], rest = c->stop[i], first = c->stop[stop];
+      spare = min_of(spare, leg_apart(from, at, c->leg_mm, o, b));
       if (i >= c->first) {
-        const int32_t stop = i > c->first ? i - 1 : i;
-        spare = min_of(spare, leg_apart(c->at[i], c->stop[i], c->stop_mm, o, b));
-        spare = min_of(spare, leg_apart(c->stop[stop], c->stop[i], c->stop_mm, o, b));
+        spare = min_of(spare, leg_apart(at, rest, c->stop_mm, o, b));
+        spare = min_of(spare, leg_apart(first, rest, c->stop_mm, o, b));
       }
     }
     spare -= least_mm;

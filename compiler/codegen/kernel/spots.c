@@ -34,6 +34,19 @@ static spot spot_cross(spot a, spot b) {
   s.z = a.x * b.y - a.y * b.x;
   return s;
 }
+/*= spot_length_up : spot_type magnitude max_of root_up */
+/* The length of what may be as long as a product, from above: halved until its squares fit. */
+static int64_t spot_length_up(spot n) {
+  int64_t x = magnitude(n.x), y = magnitude(n.y), z = magnitude(n.z);
+  int64_t by = 1;
+  while (max_of(max_of(x, y), z) >= INT64_C(1) << 30) {
+    x = x / 2 + 1;
+    y = y / 2 + 1;
+    z = z / 2 + 1;
+    by *= 2;
+  }
+  return root_up(x * x + y * y + z * z) * by;
+}
 /*= spot_sized : spot_type magnitude max_of */
 /* The same direction with its longest component from 2^28 on and below 2^29, but for what is cut
  * off: 2^-28 of it. No direction stays none. */

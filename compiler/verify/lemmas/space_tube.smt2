@@ -4,7 +4,7 @@
 ; keeps it to every place between them. Zones with height are stacks of slabs, each over a zone of the
 ; plane: a tube whose shadow, widened by R, is in every slab that its heights touch is in the zone, as
 ; long as the slabs that it touches follow each other without a gap.
-; code: compiler/codegen/kernel/space.c | const int64_t bottom = min_of(r->z, r->z_end) - need_mm;
+; code: compiler/codegen/kernel/space.c | const int64_t bottom = min_of(p_z, e_z) - need_mm;
 ; code: compiler/codegen/kernel/space.c | spare = min_of(spare, held - k->floor_mm);
 ; code: compiler/codegen/kernel/space.c | const int64_t spare = max_of(now - r->centre_mm, min_of(now, end) - r->capsule_mm + b->radius_mm);
 

@@ -152,8 +152,8 @@ const DecisionRecord& KernelDecision::step(const Observation& seen, bool holding
   put(seen.velocity, seen.climb_mps, &in_[words::velocity]);
   put(seen.battery, battery_steps, &in_[words::battery]);
   put(seen.heading, heading_steps, &in_[words::heading]);
-  put(seen.sent, 0, &in_[words::sent]);
-  put(seen.proposed, 0, &in_[words::proposed]);
+  put(seen.sent, seen.sent_up_mps2, &in_[words::sent]);
+  put(seen.proposed, seen.proposed_up_mps2, &in_[words::proposed]);
   put(seen.plan, capacity_, &in_[words::plan]);
   std::int64_t* other = &in_[words::plan] + words::plan_size(capacity_);
   for (int j = 0; j < info_.robot_count; ++j, other += words::other_size(capacity_)) {

@@ -171,8 +171,10 @@ struct Observation {
   // last step, and the one that the advanced controller proposes to be sent after this one, in
   // m/s^2. Both belong to the step; a stamp of never_us says that there is none.
   Sample<Vec2> sent{}, proposed{};
-  // Of robots in space: the third components of position and velocity, of the same samples.
+  // Of robots in space: the third components of position and velocity, of the same samples, and of
+  // those commands.
   double height_m = 0, climb_mps = 0;
+  double sent_up_mps2 = 0, proposed_up_mps2 = 0;
 };
 
 inline Vec3 position_of(const Observation& seen) {

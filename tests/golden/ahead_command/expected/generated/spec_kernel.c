@@ -1116,11 +1116,12 @@ static margin pair_course(const course *c, const other *o, const body *b, int64_
   } else {
     for (i = 0; i < c->count; ++i) {
       const int32_t before = i > 0 ? i - 1 : 0;
-      spare = min_of(spare, leg_apart(c->at[before], c->at[i], c->leg_mm, o, b));
+      const int32_t stop = i > c->first ? i - 1 : i;
+      const vec from = c->at[before], at = c->at[i], rest = c->stop[i], first = c->stop[stop];
+      spare = min_of(spare, leg_apart(from, at, c->leg_mm, o, b));
       if (i >= c->first) {
-        const int32_t stop = i > c->first ? i - 1 : i;
-        spare = min_of(spare, leg_apart(c->at[i], c->stop[i], c->stop_mm, o, b));
-        spare = min_of(spare, leg_apart(c->stop[stop], c->stop[i], c->stop_mm, o, b));
+        spare = min_of(spare, leg_apart(at, rest, c->stop_mm, o, b));
+        spare = min_of(spare, leg_apart(first, rest, c->stop_mm, o, b));
       }
     }
     spare -= least_mm;

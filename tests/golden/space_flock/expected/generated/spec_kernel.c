@@ -1233,19 +1233,20 @@ static place place_in_solid(const solid *z, const estimate *s) {
   return at;
 }
 
-/* How much farther than `need_mm` from the capsule's segment the zone reaches, up, down and sideways:
+/* How much farther than `need_mm` from the segment p-e the zone reaches, up, down and sideways:
  * below 0 unless each slab that the heights of the tube touch holds all of its shadow. The tube lies
  * in the upright cylinder over that shadow. */
-static int64_t tube_in_solid(const solid *z, const reach *r, int64_t need_mm) {
-  const int64_t bottom = min_of(r->z, r->z_end) - need_mm;
-  const int64_t top = max_of(r->z, r->z_end) + need_mm;
+static int64_t tube_in_solid(const solid *z, vec p, int64_t p_z, vec e, int64_t e_z,
+                             int64_t need_mm) {
+  const int64_t bottom = min_of(p_z, e_z) - need_mm;
+  const int64_t top = max_of(p_z, e_z) + need_mm;
   int64_t held = bottom; /* up to there it lies in slabs */
   int64_t spare = SPAN_MAX;
   int32_t i;
   for (i = 0; i < z->count; ++i) {
     const slab *k = &z->slabs[i];
     if (k->ceiling_mm > bottom && k->floor_mm < top) {
-      const int64_t gap = inside_zone(k->base, r->p) ? segment_boundary_lo(k->base, r->p, r->e) : 0;
+      const int64_t gap = inside_zone(k->base, p) ? segment_boundary_lo(k->base, p, e) : 0;
       spare = min_of(spare, gap - need_mm);
       /* the lowest one is to reach below it, the others to begin where the one before ends */
       spare = min_of(spare, held - k->floor_mm);
@@ -1266,7 +1267,8 @@ static margin solid_reach(const solid *z, const place *at, const reach *r, int64
   } else {
     spare = at->gap_mm - r->disc_mm - least_mm;
     if (spare < 0) {
-      spare = max_of(spare, tube_in_solid(z, r, r->capsule_mm + least_mm));
+      spare = max_of(spare,
+                     tube_in_solid(z, r->p, r->z, r->e, r->z_end, r->capsule_mm + least_mm));
     }
   }
   return margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, SPACE_FLOCK_REASON_MARGIN);
