@@ -43,8 +43,7 @@ static int64_t magnitude(int64_t a) {
 
 /* Time from `from` to a later `to`, at most INT64_MAX: stamps may be anything. */
 static int64_t elapsed_us(int64_t from, int64_t to) {
-  const uint64_t us = (uint64_t)to - (uint64_t)from;
-  return us < (uint64_t)INT64_MAX ? (int64_t)us : INT64_MAX;
+  return to < from || (from < 0 && to > INT64_MAX + from) ? INT64_MAX : to - from;
 }
 
 /* For the record; -1: there is nothing, or it is from the future. */
@@ -312,9 +311,32 @@ static void lost(estimate *s, int32_t input) {
   s->p_input = input;
 }
 
-/* Velocity and position of unequal stamps: the velocity may have changed in between. A speed that
- * the robot cannot have is unknown; 2 mm/s: the lower corner of the grid lengthens a velocity by
- * less than sqrt(2) mm/s, and the root rounds up. */
+/* The declared error of a position, and its width on the grid. */
+static int64_t place_error_mm(const space_command_point *position, const body *b) {
+  return b->position_error_mm + (on_map(position->x_hi) - on_map(position->x_lo)) +
+         (on_map(position->z_hi) - on_map(position->z_lo)) +
+         (on_map(position->y_hi) - on_map(position->y_lo));
+}
+
+/* How far saturation moves the corners of a position, all of them together. */
+static int64_t off_map_of(const space_command_point *position) {
+  return off_map(position->x_lo) + off_map(position->x_hi) + off_map(position->y_lo) +
+         off_map(position->z_lo) + off_map(position->z_hi) +
+         off_map(position->y_hi);
+}
+
+/* Velocity and position of unequal stamps: the velocity may have changed in between. */
+static int64_t velocity_error_mmps(const space_command_point *position, const space_command_point *velocity,
+                                   const body *b) {
+  const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
+  return b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
+         (velocity->y_hi - velocity->y_lo) +
+         (velocity->z_hi - velocity->z_lo) +
+         min_of(div_up(b->accel_mmps2 * apart_ms, 1000), 2 * SPEED_MAX_MMPS);
+}
+
+/* A speed that the robot cannot have is unknown; 2 mm/s: the lower corner of the grid lengthens a
+ * velocity by less than sqrt(2) mm/s, and the root rounds up. */
 static estimate estimate_of(const space_command_point *position, const space_command_point *velocity,
                             int64_t now_us, const body *b) {
   estimate s;
@@ -335,23 +357,15 @@ static estimate estimate_of(const space_command_point *position, const space_com
   s.age_us = 0;
   if (s.p_input == SPACE_COMMAND_INPUT_NONE) {
     s.p = vec_of(on_map(position->x_lo), on_map(position->y_lo));
-    s.p_error_mm = b->position_error_mm + (on_map(position->x_hi) - s.p.x) +
-                   (on_map(position->y_hi) - s.p.y);
-    s.off_map_mm = off_map(position->x_lo) + off_map(position->x_hi) + off_map(position->y_lo) +
-                   off_map(position->y_hi);
     s.z = on_map(position->z_lo);
-    s.p_error_mm += on_map(position->z_hi) - s.z;
-    s.off_map_mm += off_map(position->z_lo) + off_map(position->z_hi);
+    s.p_error_mm = place_error_mm(position, b);
+    s.off_map_mm = off_map_of(position);
     s.age_us = elapsed_us(position->stamp_us, now_us);
   }
   if (s.input == SPACE_COMMAND_INPUT_NONE) {
-    const int64_t apart_ms = div_up(magnitude(position->stamp_us - velocity->stamp_us), 1000);
     s.v = vec_of(velocity->x_lo, velocity->y_lo);
-    s.v_error_mmps = b->velocity_error_mmps + (velocity->x_hi - velocity->x_lo) +
-                     (velocity->y_hi - velocity->y_lo) +
-                     min_of(div_up(b->accel_mmps2 * apart_ms, 1000), 2 * SPEED_MAX_MMPS);
+    s.v_error_mmps = velocity_error_mmps(position, velocity, b);
     s.vz = velocity->z_lo;
-    s.v_error_mmps += velocity->z_hi - velocity->z_lo;
     /* one step of the grid more than in the plane, which is in the body's speed */
     s.speed_mmps = root_up(dot(s.v, s.v) + s.vz * s.vz);
     if (s.speed_mmps > b->speed_mmps + b->velocity_error_mmps + 2) {
@@ -396,34 +410,60 @@ static int64_t moved_now(const estimate *s, const body *b, const motion *m) {
                                 : div_up(b->speed_mmps * div_up(s->age_us, 1000), 1000);
 }
 
+/* `v * w` over twice the brake: with v = w the way of a stop from that speed. */
+static int64_t braked_mm(int64_t v, int64_t w, const body *b) {
+  return div_up(v * w, 2 * b->brake_mmps2);
+}
+
+/* The tube around the ideal way of a stop of `stop` mm from `s1` mm/s, see the brake of the theory;
+ * the body is included. */
+static int64_t tube_mm(const body *b, int64_t s1, int64_t stop) {
+  return b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
+         div_up(stop * b->sway_permille, 1000) +
+         div_up(stop * b->brake_lag_permille, 1000) + b->hold_mm;
+}
+
+/* How far the course may bend off the measured velocity, for `t_ms` and until it stands, when it
+ * brakes from `s1` mm/s: what the velocity's error and the acceleration make of it. */
+static int64_t aside_mm(const estimate *s, const body *b, const motion *m, int64_t t_ms,
+                        int64_t s1) {
+  const int64_t drift = s->v_error_mmps + div_up(m->accel_mmps2 * t_ms, 1000);
+  const int64_t by_error = div_up(s->v_error_mmps * t_ms, 1000);
+  const int64_t by_accel = div_up(m->accel_mmps2 * t_ms * t_ms, 2000000);
+  return by_error + by_accel + braked_mm(s->speed_mmps + s1, drift, b);
+}
+
+/* The way of a stop from the measured speed, as time at that speed. */
+static int64_t stopping_us(const estimate *s, const body *b) {
+  return div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
+}
+
+/* Where the measured velocity leads in `us`; the division towards zero moves it by less than 1 mm
+ * per axis. */
+static vec straight_on(const estimate *s, int64_t us) {
+  return vec_of(s->p.x + s->v.x * us / 1000000, s->p.y + s->v.y * us / 1000000);
+}
+
 static reach reach_of(const estimate *s, const body *b, const motion *m, int64_t horizon_us) {
   reach r;
   const int64_t t_us = s->age_us + horizon_us;
   const int64_t t_ms = div_up(t_us, 1000);
   const int64_t cap = speed_cap(s, m);
-  const int64_t gain = div_up(m->accel_mmps2 * t_ms, 1000);
-  const int64_t drift = s->v_error_mmps + gain;
   const int64_t s0 = min_of(cap, s->speed_mmps + s->v_error_mmps);
-  const int64_t s1 = min_of(cap, s0 + gain);
-  const int64_t stop = div_up(s1 * s1, 2 * b->brake_mmps2);
-  /* the tube around the ideal stopping path, see the brake of the theory */
-  const int64_t tube = b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
-                       div_up(stop * b->sway_permille, 1000) +
-                       div_up(stop * b->brake_lag_permille, 1000) + b->hold_mm;
-  const int64_t centre = s->p_error_mm + travel_of(s0, t_ms, cap, m) + stop + tube - b->radius_mm;
-  const int64_t along_us = t_us + div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
+  const int64_t s1 = min_of(cap, s0 + div_up(m->accel_mmps2 * t_ms, 1000));
+  const int64_t stop = braked_mm(s1, s1, b);
+  const int64_t tube = tube_mm(b, s1, stop);
+  const int64_t along_us = t_us + stopping_us(s, b);
   r.input = s->input;
   r.p = s->p;
-  r.e = vec_of(s->p.x + s->v.x * along_us / 1000000, s->p.y + s->v.y * along_us / 1000000);
+  r.e = straight_on(s, along_us);
   r.z = s->z;
   r.z_end = s->z + s->vz * along_us / 1000000;
   r.e.x = r.z_end == on_map(r.z_end) ? r.e.x : EXTENT_MM + 1; /* off the map, too */
-  /* 2 mm: the division towards zero moves the end point by less than 1 mm per axis */
-  r.capsule_mm = s->p_error_mm + div_up(s->v_error_mmps * t_ms, 1000) +
-                 div_up(m->accel_mmps2 * t_ms * t_ms, 2000000) +
-                 div_up((s->speed_mmps + s1) * drift, 2 * b->brake_mmps2) + 2 + tube;
-  r.centre_mm = centre;
-  r.disc_mm = centre + b->radius_mm;
+  /* 2 mm: for the rounded end point */
+  r.capsule_mm = s->p_error_mm + aside_mm(s, b, m, t_ms, s1) + 2 + tube;
+  r.disc_mm = s->p_error_mm + travel_of(s0, t_ms, cap, m) + stop + tube;
+  r.centre_mm = r.disc_mm - b->radius_mm;
   if (r.e.x != on_map(r.e.x) || r.e.y != on_map(r.e.y)) {
     r.z_end = r.z;
     r.e = r.p; /* off the map, where products do not fit: the disc has to do */
