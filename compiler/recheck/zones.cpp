@@ -82,9 +82,11 @@ class Filler {
  public:
   Filler(const std::vector<Segment>& all, Grid& grid) : all_(all), grid_(grid) {
     grid_.clearance.assign(grid_.columns * grid_.rows, -1);
+  }
+  void run() {
     std::size_t side = 1;
     while (side < std::max(grid_.columns, grid_.rows)) side *= 2;
-    std::vector<std::size_t> every(all.size());
+    std::vector<std::size_t> every(all_.size());
     std::iota(every.begin(), every.end(), std::size_t{0});
     find_insides();
     fill(0, 0, side, every);
@@ -169,7 +171,7 @@ std::optional<Grid> grid_of(const std::vector<Segment>& all, const Cells& cells)
   if (grid.cell < least_m - slack_m || !wide_enough || !narrow_enough) return std::nullopt;
   grid.columns = static_cast<std::size_t>(std::ceil((right - grid.x) / grid.cell - snap_m));
   grid.rows = static_cast<std::size_t>(std::ceil((top - grid.y) / grid.cell - snap_m));
-  Filler(all, grid);
+  Filler(all, grid).run();
   return grid;
 }
 
