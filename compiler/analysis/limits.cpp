@@ -103,7 +103,10 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
   b.jitter_us = jitter_us;
   b.in_space = kind.in_space;
   b.radius_mm = up(kind.radius.value, 1000);
-  b.position_error_mm = kind.position ? up(kind.position->error.value, 1000) : 0;
+  // What the body gets larger by on the grid, it may also be nearer: an upper end of a distance
+  // takes the radius off, too.
+  const Rational larger = Rational(b.radius_mm, 1000) - kind.radius.value;
+  b.position_error_mm = kind.position ? up(Rational(kind.position->error.value + larger), 1000) : 0;
   b.velocity_error_mmps = kind.velocity ? up(kind.velocity->error.value, 1000) : 0;
   b.accel_mmps2 = planar_accel(kind, up(kind.motion.speed.value, 1000));
   b.brake_mmps2 = down(kind.motion.brake.value, 1000);

@@ -490,7 +490,8 @@ std::vector<Agent> agents_of(const sema::Spec& spec, const Watch& facts) {
     Agent to;
     to.name = from.name;
     to.radius_mm = up(from.radius.value, 1000);
-    to.error_mm = up(from.position.error.value, 1000);
+    const Rational larger = Rational(to.radius_mm, 1000) - from.radius.value;  // as of robots
+    to.error_mm = up(Rational(from.position.error.value + larger), 1000);
     to.speed_mmps = up(from.speed.value, 1000);
     to.age_us = floor_to_int(from.position.max_age.value * 1'000'000);
     to.seen = seen;

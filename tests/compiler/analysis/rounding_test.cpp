@@ -41,6 +41,20 @@ sema::RobotKind kind_of(sema::MotionModel model) {
   return k;
 }
 
+// The radius is taken off both ends of a distance: by what it was rounded up, the upper end would
+// be too low, if places were not as much less certain.
+TEST(Rounding, TheUpperEndOfADistanceIsNeverTooLow) {
+  for (const long tenths : {1000, 1001, 1005, 1009}) {
+    sema::RobotKind k = kind_of(sema::MotionModel::point);
+    k.radius = {Rational(tenths, 10'000), {}};
+    k.position->error.value = Rational(1, 100);
+    const ir::Body b = body_of(k, 50'000);
+    EXPECT_GE(exact(b.position_error_mm - b.radius_mm),
+              1000 * Rational(k.position->error.value - k.radius.value))
+        << tenths;
+  }
+}
+
 TEST(Rounding, DemandsAreRoundedUpAndSuppliesDown) {
   const sema::RobotKind k = kind_of(sema::MotionModel::point);
   const ir::Body b = body_of(k, 50'000);
