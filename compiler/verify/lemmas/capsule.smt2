@@ -5,8 +5,11 @@
 ; Everything between them is, too (norms), and with the tube of the brake added, everything that the
 ; robot covers until it stands. A segment that keeps R and the tube to the boundary, from a place
 ; inside, is inside with all of that.
-; code: compiler/codegen/kernel/motion.c | const int64_t along_us = t_us + div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
-; code: compiler/codegen/kernel/motion.c | div_up((s->speed_mmps + s1) * drift, 2 * b->brake_mmps2) + 2 + tube;
+; code: compiler/codegen/kernel/motion.c | const int64_t along_us = t_us + stopping_us(s, b);
+; code: compiler/codegen/kernel/motion.c | return div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
+; code: compiler/codegen/kernel/motion.c | r.capsule_mm = s->p_error_mm + aside_mm(s, b, m, t_ms, s1) + 2 + tube;
+; code: compiler/codegen/kernel/motion.c | return by_error + by_accel + braked_mm(s->speed_mmps + s1, drift, b);
+; code: compiler/codegen/kernel/motion.c | return div_up(v * w, 2 * b->brake_mmps2);
 ; code: compiler/codegen/kernel/checks.c | segment_boundary_lo(z, r->p, r->e) - r->capsule_mm - least_mm
 
 ; step: the nominal place and the nominal stop at t lie on the segment, `along` in times of |v0|

@@ -6,7 +6,7 @@
 ; code: compiler/codegen/kernel/motion.c | if (m->accel_mmps2 * t_ms <= (cap - s0) * 1000) {
 ; code: compiler/codegen/kernel/motion.c | return div_up(s0 * t_ms, 1000) + div_up(m->accel_mmps2 * t_ms * t_ms, 2000000);
 ; code: compiler/codegen/kernel/motion.c | return div_up(cap * t_ms, 1000) - (cap - s0) * (cap - s0) / (2 * m->accel_mmps2);
-; code: compiler/codegen/kernel/motion.c | const int64_t centre = s->p_error_mm + travel_of(s0, t_ms, cap, m) + stop + tube - b->radius_mm;
+; code: compiler/codegen/kernel/motion.c | r.disc_mm = s->p_error_mm + travel_of(s0, t_ms, cap, m) + stop + tube;
 ; code: compiler/analysis/reach.cpp | return div_up(s.cap_mmps * t_ms, 1000) - rest * rest / (2 * motion.accel_mmps2);
 
 ; step: the way with saturation, from gaining speed for r and driving at V from then on

@@ -3,8 +3,9 @@
 ; straight motion, and with the errors of the measurement within e_v + A t and e_p + e_v t +
 ; A t^2 / 2. Shown for accelerations that are constant piece by piece, by induction over the pieces;
 ; every measurable one is a limit of such.
-; code: compiler/codegen/kernel/motion.c | const int64_t drift = s->v_error_mmps + gain;
-; code: compiler/codegen/kernel/motion.c | r.capsule_mm = s->p_error_mm + div_up(s->v_error_mmps * t_ms, 1000) + div_up(m->accel_mmps2 * t_ms * t_ms, 2000000)
+; code: compiler/codegen/kernel/motion.c | const int64_t drift = s->v_error_mmps + div_up(m->accel_mmps2 * t_ms, 1000);
+; code: compiler/codegen/kernel/motion.c | const int64_t by_error = div_up(s->v_error_mmps * t_ms, 1000);
+; code: compiler/codegen/kernel/motion.c | const int64_t by_accel = div_up(m->accel_mmps2 * t_ms * t_ms, 2000000);
 
 ; step: a piece of length h with the acceleration q, after a time t: the velocity; triangle
 ; mistake: s/(\* A (+ t h))/(* A t)/

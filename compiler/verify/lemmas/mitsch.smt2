@@ -4,7 +4,8 @@
 ; (IJRR 2017), Theorem 1: v^2 / (2 b) + (A / b + 1)(A T^2 / 2 + T v). With an agent of the speed V_o,
 ; until the robot stands, it is that of passive safety, Theorem 2: v^2 / (2 b) + V_o v / b +
 ; (A / b + 1)(A T^2 / 2 + T (v + V_o)). So either is a case of the formulas of the kernel.
-; code: compiler/codegen/kernel/motion.c | const int64_t stop = div_up(s1 * s1, 2 * b->brake_mmps2);
+; code: compiler/codegen/kernel/motion.c | const int64_t stop = braked_mm(s1, s1, b);
+; code: compiler/codegen/kernel/motion.c | return div_up(v * w, 2 * b->brake_mmps2);
 
 ; step: Theorem 1, times 2 b
 ; mistake: s/(+ A b) (+ (\* 0.5 A T T)/(+ A b) (+ (* A T T)/

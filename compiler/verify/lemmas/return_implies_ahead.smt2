@@ -3,7 +3,8 @@
 ; check (P3), as do larger errors, speeds and limits, each bound being monotone in all of them. What
 ; the capsule covers in less time is part of what it covers in more.
 ; code: compiler/analysis/derive.cpp | d.return_extra_us = return_extra_us(spec_, from, d.period_us);
-; code: compiler/codegen/kernel/motion.c | const int64_t along_us = t_us + div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
+; code: compiler/codegen/kernel/motion.c | const int64_t along_us = t_us + stopping_us(s, b);
+; code: compiler/codegen/kernel/motion.c | return div_up(s->speed_mmps * 1000000, 2 * b->brake_mmps2);
 
 ; step: the radius of the capsule
 ; mistake: s/(assert (<= T T2))/(assert (<= T (* 2 T2)))/

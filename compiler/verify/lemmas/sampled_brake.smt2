@@ -16,7 +16,7 @@
 ; code: runtime/core/pilot_point.cpp | if (!latched_) return commanded((-b / std::max(speed, b * reaction_s_)) * v);
 ; code: runtime/core/pilot_point.cpp | rest_mps_ = eta_mps * limits_.brake_mps2 / (limits_.brake_mps2 - limits_.disturbance_mps2);
 ; code: compiler/analysis/limits.cpp | b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
-; code: compiler/codegen/kernel/motion.c | const int64_t tube = b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
+; code: compiler/codegen/kernel/motion.c | return b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
 
 ; step: M, of the turn alone: -u of unit length instead of -v/|v| moves that point with v (1 - c)
 ; step+ along v and v sin / 2 across; M^2 = (1 - c)^2 + (1 - c^2) / 4
