@@ -2,8 +2,8 @@
 // line `/*= name : needs needs */`; only what a specification needs is printed. A line that begins
 // with `/*? name */` is part of its function only when `name` is needed too. Zones come in two
 // kinds: functions marked `@cells` after their name are there when `cells` is wanted, those marked
-// `@edges` when it is not; and so do distances
-// between robots, by `@in_space` and `@plane`, and those from agents.
+// `@edges` when it is not; and so do distances between robots, by `@in_space` and `@plane`, and
+// those from agents.
 #pragma once
 
 #include <set>
