@@ -53,14 +53,15 @@ void for_each_near_edge(const ZoneView& zone, Vec2 p, const Visit& visit) {
   }
 }
 
+// A ray to the east of the place meets the edge.
+bool is_east(const Edge& e, Vec2 p) {
+  if ((e.a.y > p.y) == (e.b.y > p.y)) return false;
+  return p.x < e.a.x + (p.y - e.a.y) / (e.b.y - e.a.y) * (e.b.x - e.a.x);
+}
 // Even-odd rule over all rings: holes need no special case.
 bool contains(const ZoneView& zone, Vec2 p) {
   bool inside = false;
-  for_each_edge(zone, [&](const Edge& e) {
-    if ((e.a.y > p.y) == (e.b.y > p.y)) return;
-    const double x = e.a.x + (p.y - e.a.y) / (e.b.y - e.a.y) * (e.b.x - e.a.x);
-    if (p.x < x) inside = !inside;
-  });
+  for_each_edge(zone, [&](const Edge& e) { inside = inside != is_east(e, p); });
   return inside;
 }
 bool contains(const ZoneView& zone, const ZoneCell& cell, Vec2 p) {
@@ -135,7 +136,7 @@ double deepest(const ZoneView& zone, Vec2 a, Vec2 b) {
 double signed_clearance(const ZoneView& zone, Vec2 p) {
   ZoneCell cell;
   const bool in_tree = find_cell(zone, p, cell);
-  const bool is_inside = in_tree ? contains(zone, cell, p) : contains(zone, p);
+  bool is_inside = in_tree && contains(zone, cell, p);
   if (in_tree && cell.is_far() && is_inside) return cell.far_mm() * detail::m_per_mm;
   double squared_m2 = std::numeric_limits<double>::infinity();
   const auto look = [&](const Edge& e) {
@@ -144,8 +145,13 @@ double signed_clearance(const ZoneView& zone, Vec2 p) {
   };
   if (in_tree && !cell.is_far()) {
     for_each_edge(zone, cell, look);
-  } else {  // outside, where a bound of the distance would call a place less far out than it is
+  } else if (in_tree) {  // outside, where a bound would call a place less far out than it is
     for_each_edge(zone, look);
+  } else {
+    for_each_edge(zone, [&](const Edge& e) {
+      is_inside = is_inside != is_east(e, p);
+      look(e);
+    });
   }
   const double distance_m = std::sqrt(squared_m2);
   return is_inside ? distance_m : -distance_m;

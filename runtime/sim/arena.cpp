@@ -106,10 +106,11 @@ Threat Arena::threat(int robot, Aim aim) const {
   return threat;
 }
 
-// Straight up and down, and rings of directions between; then around the best of them.
+// Straight up and down, and rings of directions between; then around the best of them. Walls are
+// flat, so that a margin falls over the half of all directions that lead to one: few rings do.
 Vec3 Arena::steepest_in_space(std::size_t monitor, int robot, double reach_m) const {
   const Vec3 here = position_of(truth(robot));
-  constexpr int tilts = 8;
+  constexpr int tilts = 4, turns = 8;
   Vec3 best{0, 0, 1};
   double least = std::numeric_limits<double>::infinity(), best_tilt = 0, best_turn = 0;
   const auto look = [&](double tilt_rad, double turn_rad) {
@@ -123,10 +124,10 @@ Vec3 Arena::steepest_in_space(std::size_t monitor, int robot, double reach_m) co
     best_turn = turn_rad;
   };
   for (int t = -tilts / 2; t <= tilts / 2; ++t) {
-    const int turns = std::abs(t) == tilts / 2 ? 1 : directions;  // up and down there is one way
-    for (int k = 0; k < turns; ++k) look(pi * t / tilts, 2 * pi * k / directions);
+    const int of_ring = std::abs(t) == tilts / 2 ? 1 : turns;  // up and down there is one way
+    for (int k = 0; k < of_ring; ++k) look(pi * t / tilts, 2 * pi * k / turns);
   }
-  double by_rad = pi / directions;
+  double by_rad = pi / turns;
   for (int k = 0; k < refinements; ++k, by_rad /= 2) {
     const double tilt_rad = best_tilt, turn_rad = best_turn;
     for (const double by : {-by_rad, by_rad}) {
