@@ -1,12 +1,12 @@
 // Robot delivery (paper, section 4.2): two robots, three monitors, a planner that is an RTA module
-// too. 24 seeds of twelve minutes; noise on its declared bound, latency and ages as declared.
+// too. 20 seeds of twelve minutes; noise on its declared bound, latency and ages as declared.
 #include "study.h"
 
 namespace {
 
 using nlohmann::json;
 
-constexpr int seeds = 24;
+constexpr int seeds = 20;
 
 class Delivery : public testing::Test {
  protected:

@@ -30,12 +30,13 @@ double FreeSpace::wall_slack_m(Vec2 a, Vec2 b) const {
   return signed_clearance(*zone_, a, b) - clearance_m_;
 }
 
+// How far outside a leg leads that is not free is nobody's question here, and the most costly one.
 bool FreeSpace::leg_free(Vec2 a, Vec2 b) const {
   // Written so that a NaN is not free.
   for (const Disc& disc : *discs_) {
     if (!(disc_slack_m(disc, a, b) >= 0)) return false;
   }
-  return wall_slack_m(a, b) >= 0;
+  return zone_ == nullptr || keeps_clearance(*zone_, a, b, clearance_m_);
 }
 
 bool FreeSpace::leg_no_worse_than(Vec2 start, Vec2 a, Vec2 b) const {
