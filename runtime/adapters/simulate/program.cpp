@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <future>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <ostream>
-#include <thread>
 
 #include "conservatism.h"
 #include "rtac/sim/picture.h"
@@ -164,17 +164,20 @@ class Program {
     to.problem =
         run(case_.decisions[index], functions_[index], to.setup, none, to.outcome, until_s_);
   }
-  // Runs know nothing of each other: as many at once as there are jobs.
+  // Runs know nothing of each other: as many at once as there are jobs. What one of them throws is
+  // thrown here, when all have ended.
   std::vector<Attempt> attempts(std::size_t index, std::uint64_t first, std::uint64_t count) {
     std::vector<Attempt> all(count);
     std::atomic<std::size_t> next{0};
     const auto work = [&] {
       for (std::size_t k = next++; k < all.size(); k = next++) attempt(index, first + k, all[k]);
     };
-    std::vector<std::thread> others;
-    for (std::uint64_t job = 1; job < std::min(jobs_, count); ++job) others.emplace_back(work);
+    std::vector<std::future<void>> others;
+    for (std::uint64_t job = 1; job < std::min(jobs_, count); ++job) {
+      others.push_back(std::async(std::launch::async, work));
+    }
     work();
-    for (std::thread& other : others) other.join();
+    for (std::future<void>& other : others) other.get();
     return all;
   }
   // Added in the order of the seeds, so that what is told is the same whatever the number of jobs.
