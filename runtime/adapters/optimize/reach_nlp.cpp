@@ -1,13 +1,11 @@
 #include "reach_nlp.h"
 
-#include <IpIpoptApplication.hpp>
-#include <IpTNLP.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <mutex>
 #include <utility>
+
+#include "ipopt_session.h"
 
 namespace rtac::optimize {
 namespace {
@@ -16,9 +14,6 @@ using Ipopt::Index;
 using Ipopt::Number;
 
 constexpr double smoothing_mps = 1e-4;  // see worst_case.h
-constexpr double unbounded = 2e19;      // Ipopt takes anything beyond 1e19 for infinity
-constexpr int iterations_max = 100;
-constexpr double tolerance = 1e-9;
 
 // |x_at - centre|^2 / radius^2 <= 1
 struct Ball {
@@ -112,7 +107,7 @@ class ReachNlp : public Ipopt::TNLP {
 
   bool eval_jac_g(Index, const Number* x, bool, Index, Index, Index* rows, Index* columns,
                   Number* values) override {
-    Entries entries{rows, columns, values};
+    SparseEntries entries{rows, columns, values};
     for (Index i = 0; i < first_step(); ++i) {
       const Ball& b = ball(i);
       const Vec2 d = values == nullptr ? Vec2{} : (2 / (b.radius * b.radius)) * difference(b, x);
@@ -134,7 +129,7 @@ class ReachNlp : public Ipopt::TNLP {
   bool eval_h(Index, const Number* x, bool, Number objective_factor, Index,
               const Number* multipliers, bool, Index, Index* rows, Index* columns,
               Number* values) override {
-    Entries entries{rows, columns, values};
+    SparseEntries entries{rows, columns, values};
     for (Index i = 0; i < first_step(); ++i) {
       const Ball& b = ball(i);
       const double c = values == nullptr ? 0 : 2 * multipliers[i] / (b.radius * b.radius);
@@ -163,23 +158,6 @@ class ReachNlp : public Ipopt::TNLP {
   struct Curvature {
     double xx = 0, xy = 0, yy = 0;
   };
-  // Ipopt asks first for the places of a sparse matrix (`values` null), later for its values.
-  struct Entries {
-    Index* rows;
-    Index* columns;
-    Number* values;
-    Index next = 0;
-    void add(Index row, Index column, double value) {
-      if (values == nullptr) {
-        rows[next] = row;
-        columns[next] = column;
-      } else {
-        values[next] = value;
-      }
-      ++next;
-    }
-  };
-
   void add_balls() {
     const bool capped = std::isfinite(problem_.speed_mps);
     if (problem_.position_error_m > 0) {
@@ -242,46 +220,14 @@ class ReachNlp : public Ipopt::TNLP {
   bool has_result_ = false;
 };
 
-// MUMPS, the linear solver of this build of Ipopt, keeps global state.
-std::mutex& solver_in_use() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-bool set_options(Ipopt::IpoptApplication& app) {
-  auto options = app.Options();
-  return options->SetIntegerValue("print_level", 0) && options->SetStringValue("sb", "yes") &&
-         options->SetIntegerValue("max_iter", iterations_max) &&
-         options->SetNumericValue("tol", tolerance) &&
-         options->SetStringValue("linear_solver", "mumps") &&
-         // An empty name: no option file of the working directory is read.
-         app.Initialize("") == Ipopt::Solve_Succeeded;
-}
-
-SolveStatus status_of(Ipopt::ApplicationReturnStatus status) {
-  return status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level
-             ? SolveStatus::converged
-             : SolveStatus::stopped_early;
-}
-
 }  // namespace
 
 SolveStatus solve(const ReachProblem& problem, Candidate& candidate) {
-  const std::lock_guard<std::mutex> owner(solver_in_use());
-  try {
-    const bool console = false;
-    Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(console);
-    if (!set_options(*app)) return SolveStatus::failed;
-    Ipopt::SmartPtr<ReachNlp> nlp = new ReachNlp(problem, candidate);
-    const auto status = status_of(app->OptimizeTNLP(GetRawPtr(nlp)));
-    if (!nlp->has_result()) return SolveStatus::failed;
-    candidate = nlp->candidate();
-    return status;
-  } catch (const std::exception&) {
-    return SolveStatus::failed;
-  } catch (const Ipopt::IpoptException&) {  // not derived from std::exception
-    return SolveStatus::failed;
-  }
+  const Ipopt::SmartPtr<ReachNlp> nlp = new ReachNlp(problem, candidate);
+  const SolveStatus status = run_ipopt(Ipopt::SmartPtr<Ipopt::TNLP>(GetRawPtr(nlp)));
+  if (!nlp->has_result()) return SolveStatus::failed;
+  candidate = nlp->candidate();
+  return status;
 }
 
 }  // namespace rtac::optimize

@@ -1,4 +1,4 @@
-// The search of rtac/optimize/worst_case.h as a nonlinear programme, and the only door to Ipopt.
+// The search of rtac/optimize/worst_case.h as a nonlinear programme.
 //
 // Variables (x and y each): true start position, velocities at the ends of all intervals, controls
 // as fractions of the limit. Velocities are variables, tied to the controls by linear equations,
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rtac/optimize/worst_case.h"
+#include "solve_status.h"
 
 namespace rtac::optimize {
 
@@ -18,8 +19,6 @@ struct Candidate {
   Vec2 start;                    // true position at time 0, m
   std::vector<Vec2> velocities;  // intervals + 1 of them, m/s
 };
-
-enum class SolveStatus { converged, stopped_early, failed };
 
 // One local search. `candidate` holds the starting point, and the result unless `failed`; the
 // result keeps the constraints only up to Ipopt's tolerance.

@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "oracle.h"
-#include "rtac/optimize/worst_case.h"
 #include "rtac/sim/math.h"
 #include "run.h"
 #include "track.h"
+#include "worst_path.h"
 
 namespace rtac::simulate {
 namespace {
@@ -21,7 +21,6 @@ using sim::TruthState;
 using State = Tightness::State;
 
 constexpr double us_per_s = 1e6;
-constexpr int restarts = 60, starts = 3;
 // Speeds from rest to the greatest one that is certainly within the limits.
 constexpr std::array speeds = {0.0, 0.5, 0.999};
 constexpr std::array angles_rad = {0.0, sim::pi / 3};
@@ -75,14 +74,11 @@ class Search {
     if (case_of().horizon_us == 0) return "it does not look ahead by a duration alone";
     if (!std::isfinite(metres_)) return "it speaks of more than lengths";
     if (sim::speaks_of(property_, sim::PropertyOp::agent_distance)) return "it speaks of agents";
-    const auto of_others = {sim::PropertyOp::distance, sim::PropertyOp::count,
-                            sim::PropertyOp::forall, sim::PropertyOp::exists};
-    if (std::any_of(of_others.begin(), of_others.end(),
-                    [&](sim::PropertyOp op) { return sim::speaks_of(property_, op); })) {
-      return "motions of other robots are not searched";
-    }
-    if (d_.limits.unicycle) return "motions of a unicycle are not searched";
-    return "";
+    if (sim::speaks_of(property_, sim::PropertyOp::count)) return "it counts robots";
+    return not_searched(d_.limits);
+  }
+  [[nodiscard]] bool of_others() const {
+    return sim::speaks_of(property_, sim::PropertyOp::distance);
   }
 
   // ---- the property, on true places
@@ -148,6 +144,11 @@ class Search {
       all.push_back({turn.cos, turn.sin, 0});
     }
     if (d_.limits.in_space) all.insert(all.begin(), {{0, 0, 1}, {0, 0, -1}});
+    if (!of_others()) return all;
+    for (std::size_t j = 1; j < base_.size(); ++j) {
+      const Vec3 there = base_[j].position - base_.front().position;
+      if (norm(there) > 0) all.insert(all.begin(), (1 / norm(there)) * there);
+    }
     return all;
   }
   // Where the property fails on the way there, and which way it falls fastest.
@@ -187,17 +188,37 @@ class Search {
     return walls;
   }
 
-  // The robot so far from the wall, with that speed at that angle from the normal.
+  // The robot so far from the wall, with that speed at that angle from the normal; the one that is
+  // the wall, if one is, comes to meet it.
   [[nodiscard]] std::vector<Moving> asked(const Wall& wall, double away_m, double speed_mps,
                                           double angle) const {
     std::vector<Moving> robots = base_;
     const Frame frame = frame_of(wall.at, wall.normal, {});
     const sim::SinCos turn = sim::sin_cos(angle);
-    robots.front().position = wall.at - away_m * wall.normal;
-    robots.front().velocity = speed_mps * (turn.cos * wall.normal + turn.sin * frame.aside);
-    robots.front().heading_rad =
-        sim::angle_of({robots.front().velocity.x, robots.front().velocity.y});
+    const Vec3 way = turn.cos * wall.normal + turn.sin * frame.aside;
+    robots.front() = driving(robots.front(), wall.at - away_m * wall.normal, way, speed_mps);
+    if (const std::size_t other = met(); other != 0) {
+      robots[other] = driving(robots[other], robots[other].position, -1 * wall.normal, speed_mps);
+    }
     return robots;
+  }
+  [[nodiscard]] static Moving driving(Moving robot, Vec3 place, Vec3 way, double speed_mps) {
+    robot.position = place;
+    robot.velocity = speed_mps * way;
+    robot.heading_rad = sim::angle_of({way.x, way.y});
+    return robot;
+  }
+  // The robot that the property keeps it away from: the nearest one; 0: none.
+  [[nodiscard]] std::size_t met() const {
+    std::size_t nearest = 0;
+    double least_m = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 1; of_others() && j < base_.size(); ++j) {
+      const double m = norm(base_[j].position - base_.front().position);
+      if (m >= least_m) continue;
+      least_m = m;
+      nearest = j;
+    }
+    return nearest;
   }
   // The nearest state to the wall, of those that are looked at, that passes; none: nothing does.
   std::optional<std::vector<Moving>> just_passing(const Wall& wall, double speed, double angle) {
@@ -223,40 +244,36 @@ class Search {
     const RobotLimits& l = d_.limits;
     const double fastest = l.speed_mps + l.velocity_error_mps;
     const double brake = l.brake_mps2 - l.disturbance_mps2;
-    return l.position_error_m + fastest * (out_.ahead_s + fastest / (2 * brake)) * 1.5 + 0.5;
+    const double one_m =
+        l.position_error_m + fastest * (out_.ahead_s + fastest / (2 * brake)) * 1.5 + 0.5;
+    const double heard_s = static_cast<double>(l.hears_age_us) / us_per_s;
+    return of_others() ? 2 * (one_m + 1.5 * fastest * heard_s) : one_m;
   }
 
   // ---- the worst from there
 
-  [[nodiscard]] ReachProblem problem_of(const Moving& robot, const Frame& frame,
-                                        double apart_s) const {
-    const RobotLimits& l = d_.limits;
-    const auto along = [&](Vec3 axis) {
-      return robot.velocity.x * axis.x + robot.velocity.y * axis.y + robot.velocity.z * axis.z;
-    };
-    ReachProblem q;
-    q.position = {0, 0};
-    q.velocity = {along(frame.across), along(frame.aside)};
-    q.position_error_m = l.position_error_m;
-    // what pushes it pushes it on, and takes from its brake
-    q.accel_mps2 = l.accel_mps2 + l.disturbance_mps2;
-    q.brake_mps2 = l.brake_mps2 - l.disturbance_mps2;
-    // it may have changed before the position was measured
-    q.velocity_error_mps = l.velocity_error_mps + apart_s * q.accel_mps2;
-    q.speed_mps = l.speed_mps;
-    q.horizon_s = out_.ahead_s;
-    q.normal = {1, 0};
-    q.starts = starts;
-    return q;
+  // Of the robot that asks; of another one, whose message is as old as it may be.
+  [[nodiscard]] WorstPaths paths_of(const Moving& robot, Vec3 normal, bool heard) const {
+    const double ahead_s = static_cast<double>(case_of().horizon_us) / us_per_s;
+    const TimeUs age_us = heard ? d_.limits.hears_age_us : oracle_.position_age_us();
+    const TimeUs apart_us = heard ? 0 : oracle_.velocity_age_us() - oracle_.position_age_us();
+    const double age_s = static_cast<double>(age_us) / us_per_s;
+    return worst_paths(d_.limits, {robot, normal, -age_s, age_s + ahead_s,
+                                   static_cast<double>(apart_us) / us_per_s});
   }
-  // The least margin along a motion of the first robot.
-  [[nodiscard]] double least_along(const std::vector<Moving>& robots, const Track& track) const {
-    constexpr int looks = 64;
+  // The least margin along a motion of the first robot, and of the one that it meets.
+  [[nodiscard]] double least_along(const std::vector<Moving>& robots, const WorstPath& path,
+                                   const WorstPath* others) const {
+    constexpr int looks = 96;
     std::vector<Vec3> places;
     for (const Moving& robot : robots) places.push_back(robot.position);
+    const double begin_s = -static_cast<double>(oracle_.position_age_us()) / us_per_s;
+    const double end_s = others == nullptr ? path.end_s : std::max(path.end_s, others->end_s);
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= looks; ++k) {
-      places.front() = track.at(track.end_s() * k / looks);
+      const double time_s = begin_s + (end_s - begin_s) * k / looks;
+      places.front() = path.at(time_s);
+      if (others != nullptr) places[met()] = others->at(time_s);
       least = std::min(least, margin_m(places));
     }
     return least;
@@ -269,30 +286,28 @@ class Search {
     const auto robots = just_passing(wall, speed, angle);
     if (!robots) return;
     State state;
-    const Moving& robot = robots->front();
-    state.speed_mps = norm(robot.velocity);
+    state.speed_mps = norm(robots->front().velocity);
     state.angle_rad = angle;
-    state.bound_m = margin_m(robot.position);
+    std::vector<Vec3> seen;
+    for (const Moving& robot : *robots) seen.push_back(robot.position);
+    state.bound_m = margin_m(seen);
     if (!(state.bound_m > 0)) return;
-    const Frame frame = frame_of(robot.position, wall.normal, robot.velocity);
-    const double apart_s =
-        static_cast<double>(oracle_.velocity_age_us() - oracle_.position_age_us()) / us_per_s;
-    const ReachProblem problem = problem_of(robot, frame, apart_s);
     state.found_m = -std::numeric_limits<double>::infinity();
-    const auto take = [&](const WorstCase& found, const char* by) {
-      if (found.positions_m.empty()) return;
-      const double used = state.bound_m - least_along(*robots, {frame, problem, found, 0});
+    const WorstPaths own = paths_of(robots->front(), wall.normal, false);
+    WorstPaths other;
+    if (met() != 0) other = paths_of((*robots)[met()], -1 * wall.normal, true);
+    out_.searches += own.searches + other.searches;
+    out_.failures += own.failures + other.failures;
+    const auto take = [&](const WorstPath& path, const WorstPath* others) {
+      const double used = state.bound_m - least_along(*robots, path, others);
       if (!(used > state.found_m)) return;
       state.found_m = used;
-      state.by = by;
+      state.by = path.by;
     };
-    const WorstCase searched = worst_case(problem);
-    out_.searches += problem.starts;
-    if (searched.status == SearchStatus::converged)
-      take(searched, "Ipopt");
-    else
-      out_.failures += problem.starts;
-    take(worst_case_by_restarts(problem, restarts), "restarts");
+    for (const WorstPath& path : own.paths) {
+      if (met() == 0) take(path, nullptr);
+      for (const WorstPath& others : other.paths) take(path, &others);
+    }
     if (*state.by != '\0') out_.states.push_back(state);
   }
 

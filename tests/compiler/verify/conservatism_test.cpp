@@ -1,5 +1,6 @@
 // `rtac verify --conservatism`: how much of what monitors keep free is needed. The targets are
 // those that a look-ahead has to meet to be worth something; more than all of it is a refutation.
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -101,15 +102,51 @@ TEST_F(ConservatismTest, WithoutASimulatorItIsNotMeasured) {
   EXPECT_FALSE(of.contains("share")) << of;
 }
 
-// Others move as well, and nobody has searched how: no number is better than a wrong one.
-TEST_F(ConservatismTest, WhatOtherRobotsDoIsNotMeasured) {
+// Turning, and another robot that comes to meet it; both studies' kind of robot.
+class ConservatismOf : public ConservatismTest, public testing::WithParamInterface<const char*> {};
+INSTANTIATE_TEST_SUITE_P(All, ConservatismOf,
+                         testing::Values("tests/campaign/specs/templates/brake_unicycle.rta",
+                                         "tests/campaign/specs/templates/pair_space.rta",
+                                         "tests/campaign/specs/pair.rta",
+                                         "specs/robot_delivery/robot_delivery.rta"));
+TEST_P(ConservatismOf, EveryMonitorThatSpeaksOfLengths) {
+  const std::string path = std::string(RTAC_SOURCE_DIR) + "/" + GetParam();
+  const Outcome o = rtac({"verify", path, "--conservatism", "--format", "json"});
+  EXPECT_NE(o.status, exit_violation) << o.out << o.err;
+  const Json all = Json::parse(o.out)["decisions"][0]["conservatism"];
+  ASSERT_FALSE(all.empty());
+  for (const Json& of : all) {
+    if (of["monitor"] == "battery") continue;
+    ASSERT_TRUE(of["measured"].get<bool>()) << of;
+    EXPECT_GE(of["share"].get<double>(), 0.6) << of;
+    EXPECT_LE(of["share"].get<double>(), 1) << of;
+  }
+}
+
+// What forgets the bodies lets two robots touch, and a unicycle leave its zone.
+TEST_F(ConservatismTest, UnsoundVariantsOfUnicyclesAndPairsAreRefuted) {
   const std::string path =
-      std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/crowd.rta";
+      std::string(RTAC_SOURCE_DIR) + "/specs/robot_delivery/robot_delivery.rta";
   const Outcome o =
-      rtac({"verify", path, "--conservatism", "--format", "json", "-o", "certificates"});
-  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
-  const Json of = Json::parse(o.out)["decisions"][0]["conservatism"][0];
-  EXPECT_FALSE(of["measured"].get<bool>()) << of;
+      rtac({"verify", path, "--conservatism", "--mutate", "no-radius", "--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.err;
+  const Json all = Json::parse(o.out)["decisions"][0]["conservatism"];
+  EXPECT_GT(all[0]["share"].get<double>(), 1) << all;
+  EXPECT_GT(all[1]["share"].get<double>(), 1) << all;
+}
+
+// What agents do nobody has searched, and charge is no length: no number is better than a wrong
+// one.
+TEST_F(ConservatismTest, AgentsAndChargeAreNotMeasured) {
+  for (const char* name : {"tests/campaign/specs/templates/agents_space.rta",
+                           "specs/robot_delivery/robot_delivery.rta"}) {
+    const std::string path = std::string(RTAC_SOURCE_DIR) + "/" + name;
+    const Outcome o = rtac({"verify", path, "--conservatism", "--format", "json"});
+    const Json all = Json::parse(o.out)["decisions"][0]["conservatism"];
+    const auto not_measured = [](const Json& of) { return !of["measured"].get<bool>(); };
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), not_measured)) << name << o.out;
+    for (const Json& of : all) EXPECT_EQ(of.contains("share"), !not_measured(of)) << of;
+  }
 }
 
 TEST_F(ConservatismTest, AsksForSenseOnly) {

@@ -1,0 +1,40 @@
+// The worst that one robot can do: any control for a while, then its brake.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "oracle.h"
+#include "rtac/types.h"
+
+namespace rtac::simulate {
+
+// As far along `normal` as it comes.
+struct Push {
+  Moving robot;    // as it was measured
+  Vec3 normal;     // unit vector
+  double begin_s;  // of its position, on the clock of who asks
+  double free_s;   // from then on any control acts, until the brake does
+  double apart_s;  // its velocity was measured so much earlier
+};
+
+// An admissible motion; it stands before it begins and after its end.
+struct WorstPath {
+  std::function<Vec3(double time_s)> at;
+  double end_s = 0;
+  const char* by = "";  // "Ipopt" or "restarts"
+};
+
+struct WorstPaths {
+  std::vector<WorstPath> paths;  // of each search that has found one, Ipopt first
+  int searches = 0;              // local ones, by Ipopt
+  int failures = 0;              // of these, without a result
+};
+
+// Why motions of such a robot are not searched; empty: they are.
+std::string not_searched(const RobotLimits& limits);
+
+WorstPaths worst_paths(const RobotLimits& limits, const Push& push);
+
+}  // namespace rtac::simulate
