@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "compiler/passes/lookahead/atoms.h"
+#include "compiler/support/words.h"
 
 namespace rtac::passes::lookahead {
 namespace {
@@ -39,6 +40,33 @@ std::vector<Kind> signals_of(const Atom& atom) {
   return kinds;
 }
 
+std::string written(const Expansion& in, const Leaf& length) {
+  if (length.kind == Kind::clearance) {
+    return "clearance(r, " + in.module()[ZoneIndex(length.table)].name + ")";
+  }
+  const bool of_agent = length.kind == Kind::agent;
+  return "distance(r, " + (of_agent ? in.decision()[AgentIndex(length.table)].name : "q") + ")";
+}
+
+// Of a distance that grows with the speed: what it comes to at the declared one, in words.
+std::string at_full_speed(const Expansion& expansion, const Atom& atom) {
+  const Linear form = linear_form(atom.from, atom.compare);
+  if (form.terms.size() != 2 || !form.rest.params.empty()) return "";
+  const Leaf speed{Kind::speed, 0};
+  const auto at = form.terms.find(speed);
+  if (at == form.terms.end() || at->second > 0) return "";
+  const auto& [length, of_length] =
+      form.terms.begin() == at ? *form.terms.rbegin() : *form.terms.begin();
+  const bool known =
+      length.kind == Kind::clearance || length.kind == Kind::distance || length.kind == Kind::agent;
+  if (!known || of_length < 0) return "";
+  const Rational most_mmps = static_cast<long>(expansion.decision().motions.front().speed_mmps);
+  const Rational need_mm = -(at->second * most_mmps + form.rest.constant) / of_length;
+  return quoted(written(expansion, length) + " >= " + metres(ceil_to_int(need_mm))) +
+         " works, which is what it comes to at " + to_decimal(Rational(most_mmps / 1000)) +
+         " m/s, the declared speed; ";
+}
+
 }  // namespace
 
 ValueId transform(Expansion& expansion, const Atom& atom) {
@@ -62,7 +90,7 @@ ValueId transform(Expansion& expansion, const Atom& atom) {
   return expansion.refuse(atom.source,
                           "this comparison cannot be looked ahead: no bound is known for how it "
                           "changes while the robot moves",
-                          atom.to);
+                          atom.to, at_full_speed(expansion, atom));
 }
 
 std::string registered_forms() {
