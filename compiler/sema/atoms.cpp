@@ -281,6 +281,7 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
     return nullptr;
   }
   const bool quantified = other_ != nullptr;
+  if (!quantified && one == Subject::self && !is_known(second)) return nullptr;
   context_.report(
       Finding(Code::distance_needs_other, expr.range,
               quantified ? "`distance` is the one between `" + self + "` and `" + other_->text + "`"
@@ -290,6 +291,14 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
                            : "write `forall q : " + kind_name() + ", q != " + self +
                                  " : distance(" + self + ", q) >= ...`"));
   return nullptr;
+}
+
+// A name that nobody has declared is reported as that: it may be the one of a zone.
+bool PropertyChecker::is_known(const syntax::Expr& expr) {
+  const auto* name = std::get_if<syntax::NameRef>(&expr.node);
+  if (name == nullptr || context_.symbols.find(name->name.text) != nullptr) return true;
+  (void)context_.resolve(name->name, Sort::zone);
+  return false;
 }
 
 // The gap between the body and a zone to keep out of, negative on overlap.

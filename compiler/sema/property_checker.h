@@ -288,6 +288,7 @@ class PropertyChecker {
                       const syntax::Expr& zone);
   ExprPtr clearance(const syntax::Expr& expr, const syntax::Call& call);
   ExprPtr distance(const syntax::Expr& expr, const syntax::Call& call);
+  bool is_known(const syntax::Expr& expr);
   ExprPtr distance_from_zone(const syntax::Expr& expr, const syntax::Expr& written);
   ExprPtr energy_to(const syntax::Expr& expr, const syntax::Call& call);
   ExprPtr signal(const syntax::Expr& expr, const syntax::Name& field, Subject subject);

@@ -447,15 +447,20 @@ bool stays(Context& context, const syntax::Name& name, ZoneId id, Change change)
   const bool at_times = !written.during.empty() || scheduled_in(*written.value) != nullptr;
   const bool timed = change == Change::timed || !at_times;
   if (!written.around && timed) return true;
+  // Where windows of time are looked ahead at, a robot looks.
+  const bool of_robot = change == Change::timed;
   context.report(Finding(Code::zone_not_fixed, name.range,
                          "the zone `" + name.text + "` " +
                              (written.around ? "moves with `" + written.around->name.text + "`"
                                              : "is there at certain times only"))
                      .label("a zone that stays as it is is due here")
                      .note(context.spec[id].name_range, "`" + name.text + "` is declared here")
-                     .help("monitors without a robot judge places against it by its name: `p "
-                           "inside base and not p inside " +
-                           name.text + "`"));
+                     .help(of_robot ? "robots keep away from what moves by its distance: `forall q "
+                                      ": Kind, q != r : distance(r, q) >= c` from other robots, "
+                                      "`distance(r, agent) >= c` from an `agent`"
+                                    : "monitors without a robot judge places against it by its "
+                                      "name: `p inside base and not p inside " +
+                                          name.text + "`"));
   return false;
 }
 

@@ -151,7 +151,7 @@ inline std::vector<Rule> rules_of_carriers() {
        Code::zone_not_fixed,
        "escort",
        "the zone `escort` moves with `one`",
-       "monitors without a robot"},
+       "`forall q : Kind, q != r : distance(r, q) >= c` from other robots"},
       {"a_zone_moves_with_a_point",
        {{"around crane", "around masts"}},
        Code::wrong_argument,
