@@ -3,6 +3,8 @@
 
 #include "compiler/sema/monitors.h"
 #include "compiler/sema/quantity.h"
+#include "compiler/sema/suggest.h"
+#include "compiler/sema/units.h"
 
 namespace rtac::sema {
 
@@ -41,6 +43,7 @@ class AheadChecker {
     if (const auto* name = std::get_if<syntax::NameRef>(&written.duration->node)) {
       if (name->name.text == "command") return command(range, written);
     }
+    if (is_misspelt_waypoints(*written.duration)) return;
     if (!first("the duration of `ahead`", range)) return;
     duration_range_ = range;
     ahead_.duration = quantity(context_, *written.duration,
@@ -49,6 +52,21 @@ class AheadChecker {
     if (!written.unsound || !reason_given(range, *written.unsound)) return;
     ahead_.duration_unsound = written.unsound->text;
     warn(range, "a duration below the reaction time of the module is allowed");
+  }
+
+  // `2 wayponts` is no duration.
+  bool is_misspelt_waypoints(const syntax::Expr& duration) {
+    const auto* number = std::get_if<syntax::NumberLit>(&duration.node);
+    if (number == nullptr || !number->unit || parse_unit(number->unit->text)) return false;
+    const auto meant = nearest(number->unit->text, {"waypoint", "waypoints"});
+    if (!meant) return false;
+    has_waypoints_ = true;
+    context_.report(Finding(Code::unknown_unit, number->unit->range,
+                            "the unit `" + number->unit->text + "` is not known")
+                        .label("neither a unit nor way-points")
+                        .help("did you mean `" + *meant + "`?")
+                        .replace(number->unit->range, *meant));
+    return true;
   }
 
   // `ahead command`: where the robot will be when it does what it is told, which has to be known.

@@ -366,7 +366,9 @@ class KindChecker {
                   charging_site(values["charge"].written),
                   values["held"].quantity,
                   values["detour"].quantity};
-    for (const syntax::Bound& bound : written.bounds) check_at(bound);
+    for (const syntax::Bound& bound : written.bounds) {
+      if (values.count(bound.name.text) > 0) check_at(bound);  // others are unknown: reported
+    }
     if (values["idle"].good && values["drain"].good && energy.drain.value < energy.idle.value) {
       report_drain(energy);
     }
