@@ -213,6 +213,11 @@ bool PropertyChecker::excludes(const syntax::Expr& guard, const Head& head,
       if (robot) out.push_back(*robot);
       return robot.has_value();
     }
+    const syntax::Name* name = left ? name_in(other) : nullptr;
+    if (name != nullptr && context_.symbols.find(name->text) == nullptr) {
+      (void)context_.resolve(*name, Sort::robot);
+      return false;
+    }
   }
   context_.report(Finding(Code::guard_missing, guard.range, "the guard does not leave out a robot")
                       .label("must be like `" + head.variable.text + " != r1`")

@@ -18,6 +18,27 @@ std::vector<Code> codes_of(const Checked& checked) {
   return codes;
 }
 
+// A fleet under another name is missed wherever it is used, which is one mistake.
+TEST(Cascades, AMisspeltFleetIsOneMistake) {
+  const auto checked = check_text(R"(spec herd;
+period 10 ms;
+robot Cart {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 200 ms;
+  sense velocity : vector error 2 cm/s max_age 200 ms;
+  output push : acceleration;
+  latency 20 ms;
+}
+fleet laed : Cart;
+fleet carts : Cart[2];
+input gate : point in -9 .. 9 m;
+monitor near { "R1: near the gate" always distance(lead, gate) <= 5 m; }
+monitor apart { "R2: apart" always min(c : Cart, c != lead : distance(lead, c)) >= 50 cm; }
+)");
+  EXPECT_EQ(codes_of(*checked), std::vector<Code>{Code::unknown_robot}) << checked->reports();
+}
+
 TEST(Cascades, IndependentMistakesAreAllReported) {
   const auto checked = check_text(edited(yard(), {{"radius 11 cm", "radius 0.2"},
                                                   {"r inside free", "r inside fre"},
