@@ -2,6 +2,7 @@
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/suggest.h"
 #include "compiler/sema/zones.h"
+#include "compiler/syntax/print_expr.h"
 
 namespace rtac::sema {
 
@@ -256,6 +257,14 @@ ExprPtr PropertyChecker::clearance(const syntax::Expr& expr, const syntax::Call&
                         make_quantity(expr.range, dims::length, Clearance{*zone}));
 }
 
+// The place that a robot's distance is asked from, where its numbers are written out.
+static const syntax::Expr* fixed_place(const syntax::Expr& first, const syntax::Expr& second) {
+  for (const syntax::Expr* each : {&second, &first}) {
+    if (std::holds_alternative<syntax::PointLit>(each->node)) return each;
+  }
+  return nullptr;
+}
+
 ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& call) {
   const std::string& self = scope_.self.text;
   if (!argument_count(expr, call, 2, "distance(" + self + ", q)")) return nullptr;
@@ -282,14 +291,23 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
   }
   const bool quantified = other_ != nullptr;
   if (!quantified && one == Subject::self && !is_known(second)) return nullptr;
-  context_.report(
-      Finding(Code::distance_needs_other, expr.range,
-              quantified ? "`distance` is the one between `" + self + "` and `" + other_->text + "`"
-                         : "`distance` needs another robot, bound by `forall` or `exists`")
-          .label(quantified ? "not these two" : "outside `forall` and `exists`")
-          .help(quantified ? "write `distance(" + self + ", " + other_->text + ")`"
-                           : "write `forall q : " + kind_name() + ", q != " + self +
-                                 " : distance(" + self + ", q) >= ...`"));
+  Finding finding(Code::distance_needs_other, expr.range,
+                  quantified
+                      ? "`distance` is the one between `" + self + "` and `" + other_->text + "`"
+                      : "`distance` needs another robot, bound by `forall` or `exists`");
+  finding.label(quantified ? "not these two" : "outside `forall` and `exists`");
+  if (const syntax::Expr* fixed = fixed_place(first, second)) {
+    finding.label("a place that stays where it is")
+        .help("declare `zone around = circle " + print_expr(*fixed) +
+              " radius 50 cm;` with the radius that is due, and write `distance(" + self +
+              ", around) >= 0 m` to stay outside, or `" + self + " inside around`");
+  } else if (quantified) {
+    finding.help("write `distance(" + self + ", " + other_->text + ")`");
+  } else {
+    finding.help("write `forall q : " + kind_name() + ", q != " + self + " : distance(" + self +
+                 ", q) >= ...`");
+  }
+  context_.report(finding);
   return nullptr;
 }
 
