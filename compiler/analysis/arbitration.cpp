@@ -5,6 +5,7 @@
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/liveness.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -23,16 +24,16 @@ std::string about_metres(const Rational& m) {
 class Pair {
  public:
   Pair(const sema::RobotKind& kind, const ir::Module& module, const ir::Decision& decision,
-       const ExactZone& exact, const ExactSolid& solid, const ir::Monitor& driving,
-       const ir::Monitor& judged)
+       const ExactZone& exact, const ExactSolid& solid, std::size_t driving, std::size_t judged)
       : kind_(kind),
         module_(module),
         decision_(decision),
         exact_(exact),
         solid_(solid),
-        driving_(driving),
-        recovery_(driving.recovery),
-        judged_(judged) {}
+        drives_(driving),
+        driving_(decision.monitors[driving]),
+        recovery_(driving_.recovery),
+        judged_(decision.monitors[judged]) {}
 
   // nullopt: it keeps the property.
   std::optional<Entry> broken() {
@@ -44,10 +45,11 @@ class Pair {
   bool keeps(const ir::Block& block, ir::ValueId id) {
     const ir::Op& op = block[id].op;
     if (const auto* v = std::get_if<ir::And>(&op)) return keeps(block, v->a) && keeps(block, v->b);
-    // Whichever side holds at the take-over, it goes on to hold. That a zone lies in the union of
-    // two is not enough: a body on their seam is in neither.
+    // Whichever side holds at the take-over, it goes on to hold, or another one does. That a zone
+    // lies in the union of two is not enough: a body on their seam is in neither.
     if (const auto* v = std::get_if<ir::Or>(&op)) {
       if (speaks_of_windows(block, id)) return !decision_.coordinated || keeps_windows();
+      if (keeps_a_side(module_, decision_, exact_, drives_, block, id)) return true;
       return keeps(block, v->a) && keeps(block, v->b);
     }
     if (const ir::Block* body = ir::body_of(op)) return keeps(*body, body->result);
@@ -240,6 +242,7 @@ class Pair {
   const ir::Decision& decision_;
   const ExactZone& exact_;
   const ExactSolid& solid_;
+  const std::size_t drives_;
   const ir::Monitor& driving_;
   const ir::Recovery& recovery_;
   const ir::Monitor& judged_;
@@ -281,9 +284,7 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
     for (std::size_t j = 0; j < count; ++j) {
       // its own property: check_recoveries
       if (decision.monitors[i].recovery.name == decision.monitors[j].recovery.name) continue;
-      auto broken =
-          Pair(kind, module, decision, exact, solid, decision.monitors[i], decision.monitors[j])
-              .broken();
+      auto broken = Pair(kind, module, decision, exact, solid, i, j).broken();
       if (!broken) continue;
       unkept[i][j] = true;
       broken->keeping = j < i ? Keeping::guarded : Keeping::broken;

@@ -9,6 +9,7 @@
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_set.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/widening.h"
 #include "compiler/support/words.h"
@@ -57,14 +58,17 @@ class Recoveries {
     const ir::RecoveryKind last = ir::last_step(monitor_.recovery).kind;
     const bool stands =
         last == ir::RecoveryKind::brake || (last == ir::RecoveryKind::land && !asks.only_lower);
-    const bool stays = (asks.clearance || asks.distance) && stands;
+    const bool at_rest = holds_at_rest(decision_, monitor_) && last == ir::RecoveryKind::brake;
+    if (at_rest && !written_.hold_reason) return;
+    const bool stays = (asks.clearance || asks.distance) && stands && !at_rest;
     const bool waits = asks.clearance && last == ir::RecoveryKind::yield;
     const bool braked = asks.clearance && monitor_.recovery.claims;
     const bool holds = stays || waits || braked;
-    // Whether there is room to pass each other is not shown: it may be accepted that there is none.
-    // Nor is what becomes of a robot on the ground.
-    const bool may_wait = (asks.distance && last == ir::RecoveryKind::yield) ||
-                          (asks.only_lower && last == ir::RecoveryKind::land);
+    // Whether there is room to pass each other is not shown, nor that what leads away from
+    // boundaries leads away from others: it may be accepted that robots wait for each other. Nor is
+    // what becomes of a robot on the ground.
+    const bool may_wait =
+        (asks.distance && ir::moves(last)) || (asks.only_lower && last == ir::RecoveryKind::land);
     if (written_.hold_reason && !holds && !may_wait) return unneeded();
     if (written_.hold_reason || !holds) return;
     if (braked) return breaks_its_claim();

@@ -18,20 +18,6 @@ std::string speed_text(std::int64_t mmps) {
   return to_decimal(Rational(mmps, 1000)) + " m/s";
 }
 
-// What the kernel may take a robot at rest for, until a recovery would act: it is measured to have
-// the error of the velocity, which counts once more, and each component lies on the grid.
-std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us) {
-  constexpr std::int64_t grid_mmps = 4;
-  const ir::Body& body = decision.body;
-  const std::int64_t us = horizon_us_max(body, lookahead_us) + decision.return_extra_us;
-  // theory, horizon: stamps that differ add to the error of the velocity
-  const std::int64_t apart_us = std::max(body.position_age_us, body.velocity_age_us);
-  const Rational gained =
-      Rational(static_cast<long>(body.accel_mmps2)) * (us + apart_us) / 1'000'000;
-  const std::int64_t mmps = 2 * body.velocity_error_mmps + grid_mmps + ceil_to_int(gained);
-  return std::min(decision.motions[0].speed_mmps, mmps);
-}
-
 // The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
 // where nothing else of it holds.
 class Limits {
@@ -169,6 +155,42 @@ class Limits {
 };
 
 }  // namespace
+
+// It is measured to have the error of the velocity, which counts once more, and each component lies
+// on the grid.
+std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us) {
+  constexpr std::int64_t grid_mmps = 4;
+  const ir::Body& body = decision.body;
+  const std::int64_t us = horizon_us_max(body, lookahead_us) + decision.return_extra_us;
+  // theory, horizon: stamps that differ add to the error of the velocity
+  const std::int64_t apart_us = std::max(body.position_age_us, body.velocity_age_us);
+  const Rational gained =
+      Rational(static_cast<long>(body.accel_mmps2)) * (us + apart_us) / 1'000'000;
+  const std::int64_t mmps = 2 * body.velocity_error_mmps + grid_mmps + ceil_to_int(gained);
+  return std::min(decision.motions[0].speed_mmps, mmps);
+}
+
+namespace {
+
+bool asks_for_no_more_than(std::int64_t mmps, const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return asks_for_no_more_than(mmps, block, v->a) && asks_for_no_more_than(mmps, block, v->b);
+  }
+  if (const auto* v = std::get_if<ir::Or>(&op)) {
+    return asks_for_no_more_than(mmps, block, v->a) || asks_for_no_more_than(mmps, block, v->b);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  const auto most = compare ? ir::upper_bound(block, *compare) : std::nullopt;
+  return most && most->leaf.kind == ir::Leaf::Kind::speed && mmps <= most->most;
+}
+
+}  // namespace
+
+bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor) {
+  const std::int64_t mmps = fastest_from_rest(decision, monitor.lookahead.duration_us);
+  return asks_for_no_more_than(mmps, monitor.property, monitor.property.result);
+}
 
 std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of) {
   std::vector<diag::Diagnostic> all;

@@ -8,6 +8,14 @@
 
 namespace rtac::analysis {
 
+// What the kernel may take a robot at rest for, until a recovery would act: control returns at rest
+// where a limit of speed is no lower.
+std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us);
+
+// Whether a robot that has come to rest fulfils the property of a monitor wherever it is, and is
+// given back: as it asks for no more than to be slow, or one side of its `or` does.
+bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor);
+
 // 5033, of each comparison that asks for at most some speed.
 std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of);
 

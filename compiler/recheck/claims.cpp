@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "compiler/recheck/fails.h"
+#include "compiler/recheck/sides.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -59,15 +60,6 @@ std::vector<sema::ZoneId> all_zones(const sema::Expr& property) {
   return zones;
 }
 
-std::vector<sema::ZoneId> held_by(const sema::Expr& property) {
-  bool either = false;
-  sema::for_each_expr(property, [&](const sema::Expr& e) {
-    const auto* logic = std::get_if<sema::Logic>(&e.node);
-    either = either || (logic != nullptr && logic->op != sema::LogicOp::logical_and);
-  });
-  return either ? all_zones(property) : kept_in(property);
-}
-
 std::vector<sema::ZoneId> kept_in(const sema::Expr& property) {
   if (const auto* inside = std::get_if<sema::InsideZone>(&property.node)) return {inside->zone};
   const auto* logic = std::get_if<sema::Logic>(&property.node);
@@ -112,7 +104,8 @@ Found Claims::check(const Claim& claim) {
       {"height", &Claims::height},       {"landing", &Claims::landing},
       {"outranks", &Claims::outranks},   {"fails", &Claims::fails},
       {"start", &Claims::known},         {"judged", &Claims::on_plan},
-      {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated}};
+      {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated},
+      {"sides", &Claims::sides}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -291,6 +284,15 @@ std::optional<Rational> room_at(const sema::Expr& e, const Rational& z) {
 
 }  // namespace
 
+bool keeps_heights(const sema::Expr& property, const Rational& z, const Rational& gap) {
+  bool low = false;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto room = room_at(e, z);
+    low = low || (room && *room < gap);
+  });
+  return !low;
+}
+
 Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::ZoneId> zone,
                                   const Rational& extra) const {
   const Rational jitter = d.jitter ? d.jitter->value : Rational(0);
@@ -360,12 +362,8 @@ Found Claims::height(const Values& v) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
   for (const sema::MonitorId id : d->priority) {
-    bool low = false;
-    sema::for_each_expr(*spec_[id].always, [&](const sema::Expr& e) {
-      const auto room = room_at(e, milli(*z));
-      low = low || (room && *room < milli(*gap));
-    });
-    if (low) return wrong("`" + spec_[id].name + "` needs another height");
+    if (keeps_heights(*spec_[id].always, milli(*z), milli(*gap))) continue;
+    return wrong("`" + spec_[id].name + "` needs another height");
   }
   return std::nullopt;
 }
@@ -464,6 +462,20 @@ Found Claims::outranks(const Values& v) {
   const std::size_t high = rank(text(v, "higher")), low = rank(text(v, "lower"));
   if (low == d->priority.size() || high >= low) return wrong("it does not rank higher");
   return std::nullopt;
+}
+
+Found Claims::sides(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  if (m == nullptr) return wrong("no such monitor");
+  for (const sema::MonitorId id : d->priority) {
+    if (!spec_[id].recover || spec_[*spec_[id].recover].name != text(v, "controller")) continue;
+    if (Sides(spec_, *d, *this).keeping(spec_[*spec_[id].recover], *m->always).by_sides) {
+      return std::nullopt;
+    }
+    return wrong("no side of it holds wherever the recovery drives");
+  }
+  return wrong("no such recovery");
 }
 
 // That nobody leads round in a circle is a matter of all pairs: recheck.cpp.

@@ -48,6 +48,7 @@ class Claims {
   std::optional<Doubt> landing(const Values& v);
   std::optional<Doubt> outranks(const Values& v);
   std::optional<Doubt> coordinated(const Values& v);
+  std::optional<Doubt> sides(const Values& v);
   std::optional<Doubt> fails(const Values& v);
   std::optional<Doubt> known(const Values& v);
   std::optional<Doubt> on_plan(const Values& v);
@@ -68,9 +69,8 @@ std::string text(const Values& v, const std::string& key);
 // The zones that a property keeps the robot in whatever else it says, and those of all its atoms.
 std::vector<sema::ZoneId> kept_in(const sema::Expr& property);
 std::vector<sema::ZoneId> all_zones(const sema::Expr& property);
-// The zones that a recovery has to stay within to keep a property: those, or, where it says `or`
-// and the like, all that it names, since one side of it has to go on to hold.
-std::vector<sema::ZoneId> held_by(const sema::Expr& property);
+// Whether a property allows a height, with `gap` to spare of each of its limits.
+bool keeps_heights(const sema::Expr& property, const Rational& z, const Rational& gap);
 // The zones that a recovery moves within, of all of its steps.
 std::vector<sema::ZoneId> moves_within(const sema::Controller& controller);
 

@@ -6,6 +6,7 @@
 
 #include "compiler/recheck/claims.h"
 #include "compiler/recheck/coordination.h"
+#include "compiler/recheck/sides.h"
 #include "compiler/recheck/turns.h"
 #include "compiler/sema/visit.h"
 
@@ -165,7 +166,7 @@ class Check {
     const sema::Monitor* const m = monitor(d, e.monitor);
     if (m == nullptr) return fail(whom(d, e) + ": there is no such monitor");
     if (e.kind == "P2a") return keeps(d, e, *m);
-    if (e.kind == "P2b") return returns(d, e, *m);
+    if (e.kind == "P2b") return returns(d, e, *m, part);
     if (e.kind == "P3") {
       need(d, e, "limits");
       need(d, e, "return", of_monitor);
@@ -213,11 +214,17 @@ class Check {
     }
     return asks;
   }
-  // Each zone that a recovery moves within lies in each zone that the property keeps the robot in.
+  // Each zone that a recovery moves within lies in each zone that the property keeps the robot in,
+  // or it keeps a side of it.
   void within(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
-              const std::vector<sema::ZoneId>& fences) {
-    for (const sema::ZoneId inner : moves_within(recovery)) {
-      for (const sema::ZoneId outer : fences) {
+              const sema::Monitor& m) {
+    const std::vector<sema::ZoneId> moves = moves_within(recovery);
+    const Keeping asked = Sides(spec_, d, claims_).keeping(recovery, *m.always);
+    if (asked.by_sides && !moves.empty()) {
+      need(d, e, "sides", {{"controller", recovery.name}, {"monitor", m.name}});
+    }
+    for (const sema::ZoneId inner : moves) {
+      for (const sema::ZoneId outer : asked.zones) {
         if (inner == outer) continue;
         const NamedZones& zones = claims_.zones();
         need(d, e, "contained", {{"inner", zones.name(inner)}, {"outer", zones.name(outer)}},
@@ -228,18 +235,25 @@ class Check {
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     need(d, e, "limits");
     need(d, e, "recovery", {{"monitor", m.name}});
-    if (m.recover) within(d, e, spec_[*m.recover], held_by(*m.always));
+    if (m.recover) within(d, e, spec_[*m.recover], m);
     if (all_zones(*m.always).empty()) return;
     for (const char* lemma : {"capsule", "disc", "stop_difference"}) {
       need(d, e, "lemma", {{"name", lemma}}, false);
     }
   }
-  void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
-    if (has(e, "legs", {{"decision", d.name}, {"monitor", m.name}})) return;
-    if (m.recover && !moves_within(spec_[*m.recover]).empty() && !all_zones(*m.always).empty()) {
-      return need(d, e, "ways", {{"monitor", m.name}});
-    }
-    if (e.claims.empty()) fail(whom(d, e) + ": it rests on no claim");
+  void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m, const Part& part) {
+    if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
+    if (has(e, "landing", {{"decision", d.name}, {"monitor", m.name}})) return;
+    const bool moves = m.recover && !moves_within(spec_[*m.recover]).empty();
+    const bool legs = has(e, "legs", {{"decision", d.name}, {"monitor", m.name}});
+    if (!legs && moves && !all_zones(*m.always).empty()) need(d, e, "ways", {{"monitor", m.name}});
+    // how much further ahead control returns is said with P3
+    const Entry* const ahead = find(part, "P3", m.name);
+    const Claim* const claimed = ahead != nullptr ? claim_of(*ahead, "return") : nullptr;
+    const auto extra_us = claimed != nullptr ? number(claimed->values, "extra_us") : std::nullopt;
+    const Rational extra = Rational(static_cast<long>(extra_us.value_or(0))) / 1'000'000;
+    if (Sides(spec_, d, claims_).gives_back(m, extra)) return;
+    fail(whom(d, e) + ": where the recovery has led to, nothing gives control back");
   }
   static bool guards(const Entry& e, const sema::Decision& d, const sema::Monitor& judged,
                      const sema::Monitor& driving) {
@@ -277,7 +291,7 @@ class Check {
       if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }
-      within(d, e, spec_[*driving.recover], held_by(*m.always));
+      within(d, e, spec_[*driving.recover], m);
     }
   }
 

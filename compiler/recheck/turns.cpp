@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "compiler/recheck/coordination.h"
+#include "compiler/recheck/sides.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -33,10 +34,12 @@ class Turns {
   // Where recovery i may return, nothing keeps monitor j from giving control back.
   bool settles(std::size_t i, std::size_t j) {
     const sema::Expr& says = *monitor(j).always;
+    if (Sides(spec_, d_, claims_).holds_at_rest(monitor(j), extra(j))) return true;
     const auto zones = all_zones(says);
     bool other = false;
     sema::for_each_expr(says, [&](const sema::Expr& e) {
-      other = other || asks_for_more(e) || (!zones.empty() && is_choice(e));
+      other = other || asks_for_more(e) || (is_height(e) && !leaves_height(i, j)) ||
+              ((!zones.empty() || is_height(e)) && is_choice(e));
     });
     if (other) return false;
     return std::all_of(zones.begin(), zones.end(),
@@ -82,10 +85,36 @@ class Turns {
   // What neither rest nor a place in a zone settles.
   static bool asks_for_more(const sema::Expr& e) {
     const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-    return (signal != nullptr && signal->signal != sema::Signal::speed) ||
+    return (signal != nullptr && signal->signal == sema::Signal::battery) ||
            std::holds_alternative<sema::EnergyTo>(e.node) ||
            std::holds_alternative<sema::ZoneOpen>(e.node) ||
            std::holds_alternative<sema::WhileOpen>(e.node);
+  }
+  static bool is_height(const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    return signal != nullptr && signal->signal == sema::Signal::altitude;
+  }
+  // How much further ahead monitor j looks for control to return: said with its P3.
+  [[nodiscard]] Rational extra(std::size_t j) const {
+    const Entry* const ahead = find(part_, "P3", monitor(j).name);
+    const Claim* const claim = ahead != nullptr ? claim_of(*ahead, "return") : nullptr;
+    const auto us = claim != nullptr ? number(claim->values, "extra_us") : std::nullopt;
+    return Rational(static_cast<long>(us.value_or(0))) / 1'000'000;
+  }
+  // The lowest and the highest place where recovery i leads to keep every limit of height.
+  bool leaves_height(std::size_t i, std::size_t j) {
+    const auto within = moves_within(recovery(i));
+    const Claim* const way = way_back(i);
+    if (within.empty() || way == nullptr || way->what != "legs") return false;
+    const auto left_mm = number(way->values, "clearance_mm");
+    const auto extra_us = number(way->values, "extra_us");
+    const auto solid = claims_.zones().solid(within.back());
+    if (!left_mm || !extra_us || !solid || solid->slabs().empty()) return false;
+    const Rational left = Rational(*left_mm) / 1000;
+    const Rational gap =
+        claims_.return_clearance(d_, std::nullopt, Rational(*extra_us) / 1'000'000);
+    return keeps_heights(*monitor(j).always, solid->slabs().front().floor + left, gap) &&
+           keeps_heights(*monitor(j).always, solid->slabs().back().ceiling - left, gap);
   }
   // Of zones, one side of it may be what rest settles, and another one what holds. Without any,
   // rest settles every side that is not about inputs alone.

@@ -179,6 +179,18 @@ Obligation returns_together_in_space(const Subject& s) {
   return Together(s, needs_of(s)).run();
 }
 
+bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t gap_mm,
+                     const ir::Block& block, const ir::AtLeast& limit) {
+  if (!ir::moves(last.kind) || !s.module[last.zone].has_height()) return false;
+  const auto most = ir::upper_bound(block, limit);
+  const auto least = ir::lower_bound(block, limit, s.decision.facts.params);
+  const auto& slabs = s.module[last.zone].slabs;
+  const std::int64_t low_mm = slabs.front().floor_mm + last.return_clearance_mm;
+  const std::int64_t high_mm = slabs.back().ceiling_mm - last.return_clearance_mm;
+  return (!most || high_mm + gap_mm <= most->most) &&
+         (!least || low_mm - gap_mm >= least->need.strictest);
+}
+
 // The look of a retreat in space (rtac/safe/space.h) goes to the nearest cell that is clear enough,
 // straight, on a height that is. In a convex zone the clearance along a leg is no less than at its
 // ends, so that every such cell is in sight from everywhere.

@@ -49,6 +49,10 @@ Obligation control_returns(const Subject& s, std::size_t k);
 Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::size_t driving,
                         std::size_t judged);
 
+// P2b of a recovery that is proved to lead to its clearance of return: whether a robot that has
+// come to rest there is given back, as far as its own monitor is concerned.
+Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved);
+
 // ---- the places
 std::vector<Need> needs_of(const Subject& s);
 Claim place_claim(const Subject& s, ir::ZoneIndex zone, std::int64_t x_mm, std::int64_t y_mm,
@@ -63,6 +67,10 @@ bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer);
 // In space: a place, and whether a straight leg leads to one as clear from everywhere in a zone.
 Obligation returns_together_in_space(const Subject& s);
 Obligation legs_back(const Subject& s, std::size_t k);
+// Whether a limit of height is kept, with `gap_mm` to spare, where a recovery comes to rest as
+// clear of its zone as control returns at.
+bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t gap_mm,
+                     const ir::Block& block, const ir::AtLeast& limit);
 
 // Of a decision on a plan.
 std::vector<Obligation> plan_obligations(const Subject& s);

@@ -4,6 +4,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
@@ -66,19 +67,42 @@ bool has(const ir::Block& property, bool (*is)(const ir::Op&)) {
 bool speaks_of_windows(const ir::Block& property) {
   return has(property, [](const ir::Op& op) { return std::holds_alternative<ir::ZoneThere>(op); });
 }
-// The zones that hold the robot wherever the property holds; with an `or`, all that it names: one
-// side of it has to go on to hold.
-std::vector<ir::ZoneIndex> zones_of(const Subject& s, const ir::Block& property) {
-  if (!has(property, [](const ir::Op& op) { return std::holds_alternative<ir::Or>(op); })) {
-    return analysis::fences_of(property, s.decision.facts.params);
-  }
+// What the recovery of monitor `k` has to stay in to keep a property: the zones that hold the robot
+// wherever it holds; of an `or` all that it names, since the side that holds has to go on to hold,
+// but where the recovery keeps some side or other.
+struct Keeping {
   std::vector<ir::ZoneIndex> zones;
-  ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
-    for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
-      if (leaf.kind == ir::Leaf::Kind::clearance) zones.push_back(ir::ZoneIndex{leaf.table});
+  bool by_sides = false;
+};
+void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueId id, bool any,
+             Keeping& asked) {
+  const ir::Op& op = block[id].op;
+  if (const auto* both = std::get_if<ir::And>(&op)) {
+    ask_for(s, k, block, both->a, any, asked);
+    ask_for(s, k, block, both->b, any, asked);
+  } else if (const auto* either = std::get_if<ir::Or>(&op)) {
+    if (analysis::keeps_a_side(s.module, s.decision, s.exact, k, block, id)) {
+      asked.by_sides = true;
+      return;
     }
-  });
-  return zones;
+    ask_for(s, k, block, either->a, true, asked);
+    ask_for(s, k, block, either->b, true, asked);
+  } else if (const auto* negated = std::get_if<ir::Not>(&op)) {
+    ask_for(s, k, block, negated->a, true, asked);
+  } else if (const ir::Block* body = ir::body_of(op)) {
+    ask_for(s, k, *body, body->result, true, asked);
+  } else if (const auto* compare = std::get_if<ir::AtLeast>(&op)) {
+    const auto least = ir::lower_bound(block, *compare, s.decision.facts.params);
+    if (!any && (!least || least->need.strictest < 0)) return;
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
+      if (leaf.kind == ir::Leaf::Kind::clearance) asked.zones.push_back(ir::ZoneIndex{leaf.table});
+    }
+  }
+}
+Keeping keeping_of(const Subject& s, std::size_t k, const ir::Block& property) {
+  Keeping asked;
+  ask_for(s, k, property, property.result, false, asked);
+  return asked;
 }
 // The zones that a recovery moves within, of all of its steps.
 std::vector<ir::ZoneIndex> moves_within(const ir::Recovery& recovery) {
@@ -88,14 +112,20 @@ std::vector<ir::ZoneIndex> moves_within(const ir::Recovery& recovery) {
   }
   return zones;
 }
-// That each step of a recovery stays within the zones of a property.
-void claim_zones(const Subject& s, const ir::Recovery& recovery, const ir::Block& property,
+// That each step of the recovery of monitor `k` stays within the zones of the property of `judged`,
+// or keeps one side of it.
+void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
                  std::vector<Claim>& claims) {
-  for (const ir::ZoneIndex inner : moves_within(recovery)) {
-    for (const ir::ZoneIndex outer : zones_of(s, property)) {
-      claims.push_back(contained(s, inner, outer));
-    }
+  const ir::Recovery& recovery = s.decision.monitors[k].recovery;
+  const std::vector<ir::ZoneIndex> within = moves_within(recovery);
+  const Keeping asked = keeping_of(s, k, judged.property);
+  for (const ir::ZoneIndex inner : within) {
+    for (const ir::ZoneIndex outer : asked.zones) claims.push_back(contained(s, inner, outer));
   }
+  if (within.empty() || !asked.by_sides) return;
+  claims.push_back(
+      {"sides",
+       {{"decision", s.decision.name}, {"controller", recovery.name}, {"monitor", judged.name}}});
 }
 Claim recovery_claim(const Subject& s, std::size_t k) {
   const ir::Recovery& r = s.decision.monitors[k].recovery;
@@ -107,13 +137,13 @@ Claim recovery_claim(const Subject& s, std::size_t k) {
 }
 
 // Why it is not shown that a recovery keeps a property; "": it is.
-std::string doubt_about(const Subject& s, const ir::Recovery& recovery, const ir::Block& property) {
-  const std::vector<ir::ZoneIndex> inner = moves_within(recovery);
+std::string doubt_about(const Subject& s, std::size_t k, const ir::Block& property) {
+  const std::vector<ir::ZoneIndex> inner = moves_within(s.decision.monitors[k].recovery);
   if (inner.empty()) return "";
   if (speaks_of_windows(property)) {
     return "the way out of zones that come and go is checked (5030, 5031), and has no certificate";
   }
-  for (const ir::ZoneIndex outer : zones_of(s, property)) {
+  for (const ir::ZoneIndex outer : keeping_of(s, k, property).zones) {
     for (const ir::ZoneIndex zone : inner) {
       if (zone == outer || lies_in(s, zone, outer)) continue;
       return "a way from one zone of the `or` to another is not shown to stay in one of them";
@@ -189,12 +219,12 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
                 " brakes within what was found clear, and moves only where the property holds, "
                 "gated by the distances to others";
   }
-  if (std::string doubt = doubt_about(s, m.recovery, m.property); !doubt.empty()) {
+  if (std::string doubt = doubt_about(s, k, m.property); !doubt.empty()) {
     return doubted(std::move(o), std::move(doubt));
   }
   o.claims.push_back(limits_claim(s));
   o.claims.push_back(recovery_claim(s, k));
-  claim_zones(s, m.recovery, m.property, o.claims);
+  claim_zones(s, k, m, o.claims);
   if (m.recovery.kind != ir::RecoveryKind::brake) o.claims.push_back(lemma_claim("way_pieces"));
   for (const std::string& lemma : lemmas_of(atoms, s.decision, m)) {
     o.claims.push_back(lemma_claim(lemma));
@@ -282,7 +312,8 @@ Obligation control_returns(const Subject& s, std::size_t k) {
     return o;
   }
   if (ir::moves(last) && last != ir::RecoveryKind::yield) {
-    return s.decision.body.in_space ? legs_back(s, k) : ways_back(s, k, std::move(o));
+    Obligation ways = s.decision.body.in_space ? legs_back(s, k) : ways_back(s, k, std::move(o));
+    return ways.status == Status::proved ? returned_at_rest(s, k, std::move(ways)) : ways;
   }
   if (last == ir::RecoveryKind::land) return landing_returns(s, k, std::move(o));
   o.status = Status::unknown;
@@ -330,12 +361,12 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
         {"coordinated", {{"decision", s.decision.name}, {"driving", i.name}, {"judged", j.name}}});
     return o;
   }
-  if (std::string doubt = doubt_about(s, i.recovery, j.property); !doubt.empty()) {
+  if (std::string doubt = doubt_about(s, driving, j.property); !doubt.empty()) {
     return why.empty() ? doubted(std::move(o), std::move(doubt)) : acknowledged(std::move(o), why);
   }
   o.method = "geometry and bounds";
   o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);
-  claim_zones(s, i.recovery, j.property, o.claims);
+  claim_zones(s, driving, j, o.claims);
   return o;
 }
 

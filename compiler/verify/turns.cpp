@@ -5,7 +5,10 @@
 #include <algorithm>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/speed_limits.h"
+#include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
@@ -28,17 +31,46 @@ bool has_promises(const ir::Decision& d) {
          });
 }
 
+// Where recovery i leads is proved with P2b of one of the monitors that it recovers for.
+bool leads_back(const Subject& s, std::size_t i) {
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    if (s.decision.monitors[k].recovery.name != s.decision.monitors[i].recovery.name) continue;
+    const Obligation back = control_returns(s, k);
+    const bool leads = std::any_of(back.claims.begin(), back.claims.end(), [](const Claim& c) {
+      return c.what == "ways" || c.what == "legs";
+    });
+    if (back.status == Status::proved && leads) return true;
+  }
+  return false;
+}
+
+// Every limit of height, where a recovery has come to rest.
+bool keeps_heights(const Subject& s, const ir::Recovery& last, const ir::Monitor& m) {
+  const std::int64_t gap_mm = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
+  bool all = true;
+  ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
+      if (leaf.kind != ir::Leaf::Kind::altitude) continue;
+      all = all && rests_at_height(s, last, gap_mm, block, compare);
+    }
+  });
+  return all;
+}
+
 // Where recovery i may return, the derived return condition of monitor j holds: others are far, at
 // rest every limit of speed holds, and what recovery i leaves between itself and its zone is enough
 // for the zones of j, which hold that one.
-bool settles(const Subject& s, const std::vector<Need>& needs, std::size_t i, std::size_t j) {
+bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, std::size_t i,
+             std::size_t j) {
   if (i == j) return true;
   const ir::Monitor& m = s.decision.monitors[j];
   const Atoms atoms = atoms_of(m.property);
-  if (atoms.charge || atoms.energy || atoms.altitude) return false;
-  if (!atoms.clearance) return true;
+  if (atoms.charge || atoms.energy) return false;
+  if (analysis::holds_at_rest(s.decision, m)) return true;
+  if (!atoms.clearance && !atoms.altitude) return true;
   const ir::Recovery& last = ir::last_step(s.decision.monitors[i].recovery);
   if (last.kind != ir::RecoveryKind::retreat && last.kind != ir::RecoveryKind::route) return false;
+  if (!leads || (atoms.altitude && !keeps_heights(s, last, m))) return false;
   return std::all_of(m.property.values.begin(), m.property.values.end(),
                      [](const ir::Value& v) {
                        return !std::holds_alternative<ir::ZoneThere>(v.op) &&
@@ -113,11 +145,12 @@ protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration&
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     known.keeps.emplace_back();
     known.settles.emplace_back();
+    const bool leads = leads_back(s, i);
     for (std::size_t j = 0; j < matrix.size(); ++j) {
       known.keeps.back().push_back(i == j ||
                                    (matrix[i][j].keeping == analysis::Keeping::kept &&
                                     keeps_others(s, matrix[i][j], i, j).status == Status::proved));
-      known.settles.back().push_back(settles(s, needs, i, j));
+      known.settles.back().push_back(settles(s, needs, leads, i, j));
     }
   }
   return known;

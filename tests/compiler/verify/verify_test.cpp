@@ -121,8 +121,10 @@ decision fly)";
   std::string text = edited(drone_spec(), "decision fly", halves);
   text = edited(text, "priority walls;", "priority side > walls;");
   const Outcome o = verified(text, {"--format", "json"});
-  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "P2a", "side"), Statuses{"unknown"}) << o.out;
+  // and whoever stands on it is not given back
+  EXPECT_EQ(statuses(o.out, "P2b", "side"), Statuses{"refuted"}) << o.out;
   EXPECT_EQ(statuses(o.out, "C", "side"), Statuses{"unknown"}) << o.out;  // the same recovery
 }
 

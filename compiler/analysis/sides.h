@@ -1,0 +1,37 @@
+// An `or` of which a recovery keeps one side or another, whichever of them held when it took over.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compiler/analysis/recovery_places.h"
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// Whether a value asks for no more than that the robot is slow, as slow as the recovery of monitor
+// `k` drives. Its brake makes the robot no faster: what held until it stands goes on to hold then.
+bool asks_for_slow(const ir::Decision& decision, std::size_t k, const ir::Block& block,
+                   ir::ValueId id);
+
+// The zones of an `or` whose sides are nothing but `r inside Z` in the plane, else none.
+std::vector<ir::ZoneIndex> sides_in_zones(const ir::Module& module, const ir::Decision& decision,
+                                          const ir::Block& block, ir::ValueId id);
+
+// More than offsets of regions round (geometry/region.h), in mm.
+inline constexpr std::int64_t offsets_round_mm = 3;
+// The places that are `own_mm` from the boundary of `own`, and for each of `zones` no farther than
+// `side_mm` from what it leaves out of that. With less of the former than a disc has, and more of
+// the latter: empty where every such disc that lies in `own` lies in one of the zones. The other
+// way round: places of discs that lie in none of them. nullopt: too many vertices to tell.
+std::optional<geometry::Region> between(const geometry::Region& own,
+                                        const std::vector<ir::ZoneIndex>& zones,
+                                        const ExactZone& exact, std::int64_t own_mm,
+                                        std::int64_t side_mm);
+
+// Whether one side of an `or` holds wherever the recovery of monitor `k` drives, and where it
+// stopped another one did.
+bool keeps_a_side(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
+                  std::size_t k, const ir::Block& block, ir::ValueId id);
+
+}  // namespace rtac::analysis

@@ -1,0 +1,292 @@
+#include "compiler/recheck/sides.h"
+
+#include <algorithm>
+
+#include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
+
+namespace rtac::recheck {
+namespace {
+
+// What is known of offsets from inside and outside (geometry/region.h).
+const Rational offsets_round(3, 1000);
+
+// By how much a robot is faster than its recovery means to be where something pushes it: its
+// velocity follows with a time constant of two delays, 0.3 s at least (docs/templates.md).
+Rational pushed(const Numbers& n) {
+  const Rational delay = n.latency + n.period + n.velocity_age;
+  return 2 * n.disturbance * std::max(Rational(3, 10), Rational(2 * delay));
+}
+
+// The limit of `r.speed <= c`, or of a comparison that is false.
+std::optional<Rational> most_speed(const sema::Expr& e, bool value, bool& strict) {
+  const auto* compare = std::get_if<sema::Compare>(&e.node);
+  if (compare == nullptr) return std::nullopt;
+  using Op = sema::CompareOp;
+  const bool at_most = (compare->op == Op::less || compare->op == Op::less_equal) == value;
+  strict = (compare->op == Op::less || compare->op == Op::greater) == value;
+  const sema::Expr& small = at_most ? *compare->left : *compare->right;
+  const sema::Expr& large = at_most ? *compare->right : *compare->left;
+  const auto* speed = std::get_if<sema::SignalRef>(&small.node);
+  const auto* most = std::get_if<sema::Constant>(&large.node);
+  if (speed == nullptr || most == nullptr || speed->signal != sema::Signal::speed ||
+      speed->subject != sema::Subject::self) {
+    return std::nullopt;
+  }
+  return most->value;
+}
+
+}  // namespace
+
+Sides::Sides(const sema::Spec& spec, const sema::Decision& decision, Claims& claims)
+    : spec_(spec),
+      decision_(decision),
+      claims_(claims),
+      numbers_(numbers_of(spec[decision.kind], decision,
+                          decision.jitter ? decision.jitter->value : Rational(0))) {
+  for (const sema::Robot& robot : spec.robots) robots_ += robot.kind == decision.kind ? 1 : 0;
+}
+
+// What a negation says of what it negates.
+Sides::Part Sides::plain(Part part) {
+  for (;;) {
+    const auto* logic = std::get_if<sema::Logic>(&part.expr->node);
+    if (logic == nullptr || logic->op != sema::LogicOp::logical_not) return part;
+    part = {logic->operands[0].get(), !part.value};
+  }
+}
+
+Sides::Split Sides::split(const Part& part) {
+  Split out;
+  const auto* logic = std::get_if<sema::Logic>(&part.expr->node);
+  if (logic == nullptr) return out;
+  using Op = sema::LogicOp;
+  const auto add = [&](std::size_t k, bool value) {
+    out.parts.push_back(plain({logic->operands[k].get(), value}));
+  };
+  switch (logic->op) {
+    case Op::logical_not:
+      return split(plain(part));
+    case Op::logical_and:
+    case Op::logical_or:
+      for (std::size_t k = 0; k < logic->operands.size(); ++k) add(k, part.value);
+      (logic->op == Op::logical_and) == part.value ? out.all = true : out.any = true;
+      return out;
+    case Op::implies:
+      add(0, !part.value);
+      add(1, part.value);
+      part.value ? out.any = true : out.all = true;
+      return out;
+    case Op::iff:
+    case Op::logical_xor:
+      return out;
+  }
+  return out;
+}
+
+bool Sides::speaks_of_inputs(const Part& part) {
+  const Split parts = split(part);
+  if (!parts.all && !parts.any) return !sema::speaks_of_robot(*part.expr);
+  return std::any_of(parts.parts.begin(), parts.parts.end(), speaks_of_inputs);
+}
+
+Keeping Sides::keeping(const sema::Controller& recovery, const sema::Expr& property) {
+  Keeping asked;
+  collect(recovery, plain({&property, true}), false, asked);
+  return asked;
+}
+
+void Sides::collect(const sema::Controller& recovery, const Part& part, bool either,
+                    Keeping& asked) {
+  const Split parts = split(part);
+  if (parts.any && keeps_a_side(recovery, part, parts)) {
+    asked.by_sides = true;
+    return;
+  }
+  if (parts.all || parts.any) {
+    for (const Part& each : parts.parts) collect(recovery, each, either || parts.any, asked);
+    return;
+  }
+  const bool plain = !either && part.value && !std::holds_alternative<sema::Logic>(part.expr->node);
+  for (const sema::ZoneId zone : plain ? kept_in(*part.expr) : all_zones(*part.expr)) {
+    asked.zones.push_back(zone);
+  }
+}
+
+// A side that asks for no more than to be as slow as the recovery is, from when it stands on; or
+// sides of which one holds a disc wherever another one lies in the zone of the recovery.
+bool Sides::keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts) {
+  std::optional<Rational> speed = Rational(0);
+  for (const sema::Template& what : sema::templates_of(recovery)) {
+    if (const auto of = sema::speed_of(what)) speed = std::max(*speed, *of);
+  }
+  if (sema::claim_of(recovery)) speed = std::nullopt;
+  if (speed) {
+    const Rational at_most = std::min(numbers_.speed, Rational(*speed + pushed(numbers_)));
+    for (const Part& each : parts.parts) {
+      if (slow(each, at_most)) return true;
+    }
+  }
+  std::vector<sema::ZoneId> zones;
+  if (!zones_of(part, zones)) return false;
+  const auto within = moves_within(recovery);
+  return std::all_of(within.begin(), within.end(),
+                     [&](sema::ZoneId own) { return one_holds(own, zones, numbers_.radius); });
+}
+
+bool Sides::slow(const Part& part, const Rational& speed) {
+  const Split parts = split(part);
+  if (parts.all) {
+    return std::all_of(parts.parts.begin(), parts.parts.end(),
+                       [&](const Part& each) { return slow(each, speed); });
+  }
+  bool strict = false;
+  const auto most = most_speed(*part.expr, part.value, strict);
+  return most && (strict ? speed < *most : speed <= *most);
+}
+
+// All of it, or one side of an `or`, asks for no more than to be slow.
+bool Sides::slow_side(const Part& part, const Rational& speed) {
+  const Split parts = split(part);
+  const auto is = [&](const Part& each) { return slow_side(each, speed); };
+  if (parts.all) return std::all_of(parts.parts.begin(), parts.parts.end(), is);
+  if (parts.any) return std::any_of(parts.parts.begin(), parts.parts.end(), is);
+  return slow(part, speed);
+}
+
+bool Sides::zones_of(const Part& part, std::vector<sema::ZoneId>& zones) {
+  const Split parts = split(part);
+  if (parts.any) {
+    return std::all_of(parts.parts.begin(), parts.parts.end(),
+                       [&](const Part& each) { return zones_of(each, zones); });
+  }
+  if (parts.all || !part.value) return false;
+  if (const auto* inside = std::get_if<sema::InsideZone>(&part.expr->node)) {
+    zones.push_back(inside->zone);
+    return true;
+  }
+  const auto* compare = std::get_if<sema::Compare>(&part.expr->node);
+  const auto own = kept_in(*part.expr);
+  if (compare == nullptr || own.size() != 1) return false;
+  for (const sema::Expr* side : {compare->left.get(), compare->right.get()}) {
+    const auto* least = std::get_if<sema::Constant>(&side->node);
+    if (least != nullptr && least->value != 0) return false;
+  }
+  if (compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::less) return false;
+  zones.push_back(own.front());
+  return true;
+}
+
+bool Sides::one_holds(sema::ZoneId own, const std::vector<sema::ZoneId>& zones,
+                      const Rational& radius) {
+  const geometry::Region* const moves = claims_.zones().region(own);
+  if (moves == nullptr) return false;
+  geometry::Region all;
+  auto left = moves->offset(offsets_round - radius);
+  for (const sema::ZoneId zone : zones) {
+    const geometry::Region* const region = claims_.zones().region(zone);
+    if (region == nullptr || !left) return false;
+    all = all.unite(*region);
+    const auto near = moves->subtract(*region).offset(radius + offsets_round);
+    if (!near) return false;
+    left = left->intersect(*near);
+  }
+  return left && left->empty() && all.contains(*moves);
+}
+
+bool Sides::gives_back(const sema::Monitor& m, const Rational& extra) {
+  bool windows = false;  // where a recovery leads to they do not matter (5030)
+  sema::for_each_expr(*m.always, [&](const sema::Expr& e) {
+    windows = windows || std::holds_alternative<sema::ZoneOpen>(e.node) ||
+              std::holds_alternative<sema::WhileOpen>(e.node);
+  });
+  if (windows) return true;
+  return back(rests_of(m, extra), plain({m.always.get(), true}), false) != Back::no;
+}
+
+bool Sides::holds_at_rest(const sema::Monitor& m, const Rational& extra) {
+  return slow_side(plain({m.always.get(), true}), rests_of(m, extra).from_rest);
+}
+
+Sides::Rests Sides::rests_of(const sema::Monitor& m, const Rational& extra) const {
+  Rests rests{m, std::nullopt, 0, 0};
+  if (m.recover) {
+    const auto within = moves_within(spec_[*m.recover]);
+    if (!within.empty()) rests.own = within.back();
+  }
+  const bool external = m.recover && sema::templates_of(spec_[*m.recover]).empty();
+  const Rational least = numbers_.period * (external ? 2 : 1);
+  const Rational ahead = m.ahead.duration ? m.ahead.duration->value : least;
+  const Rational horizon = ahead + extra + numbers_.position_age + numbers_.latency +
+                           numbers_.jitter + std::max(numbers_.position_age, numbers_.velocity_age);
+  // a root from below: a limit that is hardly lower is taken for one that lets go
+  const Rational accel =
+      numbers_.unicycle ? interp::square_root(numbers_.accel_square).below : numbers_.accel;
+  rests.from_rest =
+      std::min(numbers_.speed, Rational(2 * numbers_.velocity_error + accel * horizon));
+  rests.clearance = claims_.return_clearance(decision_, std::nullopt, extra);
+  return rests;
+}
+
+Sides::Back Sides::back(const Rests& rests, const Part& part, bool either) {
+  if (!sema::speaks_of_robot(*part.expr)) return Back::told;
+  const Split parts = split(part);
+  if (!parts.all && !parts.any) return back_of_leaf(rests, part, either);
+  bool yes = false, no = false;
+  for (const Part& each : parts.parts) {
+    const Back one = back(rests, each, either || parts.any);
+    yes = yes || one == Back::yes;
+    no = no || one == Back::no;
+  }
+  if (parts.all) return no ? Back::no : Back::yes;
+  // what is told may keep its own side from holding for ever
+  if (speaks_of_inputs(part) ? !no : yes) return Back::yes;
+  std::vector<sema::ZoneId> zones;
+  const bool covered =
+      rests.own && zones_of(part, zones) && one_holds(*rests.own, zones, rests.clearance);
+  return covered ? Back::yes : Back::no;
+}
+
+Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool either) {
+  if (std::holds_alternative<sema::ForOthers>(part.expr->node)) {
+    return robots_ < 2 ? Back::yes : Back::no;
+  }
+  bool counts = false;
+  sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
+    counts = counts || std::holds_alternative<sema::CountOthers>(e.node);
+  });
+  if (counts && robots_ > 1) return Back::no;
+  bool strict = false;
+  if (const auto most = most_speed(*part.expr, part.value, strict)) {
+    return rests.from_rest <= *most ? Back::yes : Back::no;
+  }
+  bool high = false;
+  sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    high = high || (signal != nullptr && signal->signal == sema::Signal::altitude);
+  });
+  const auto zones = all_zones(*part.expr);
+  if (zones.empty() && !high) return Back::yes;  // of charge: other claims, and errors
+  if (!rests.own) return Back::no;               // it stands, wherever that is
+  if (high) {
+    const auto solid = claims_.zones().solid(*rests.own);
+    if (!part.value || !solid || solid->slabs().empty()) return Back::no;
+    const Rational low = solid->slabs().front().floor + rests.clearance;
+    const Rational top = solid->slabs().back().ceiling - rests.clearance;
+    return keeps_heights(*part.expr, low, rests.clearance) &&
+                   keeps_heights(*part.expr, top, rests.clearance)
+               ? Back::yes
+               : Back::no;
+  }
+  if (!either && part.value) return Back::yes;
+  return std::all_of(zones.begin(), zones.end(),
+                     [&](sema::ZoneId zone) {
+                       const auto in = claims_.zones().solid(*rests.own);
+                       const auto out = claims_.zones().solid(zone);
+                       return *rests.own == zone || (in && out && in->subtract(*out).empty());
+                     })
+             ? Back::yes
+             : Back::no;
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,65 @@
+// Properties with `or`, as they are written: which zones a recovery has to stay in to keep one, and
+// whether a robot that has come to rest is given back by one.
+#pragma once
+
+#include <vector>
+
+#include "compiler/recheck/claims.h"
+
+namespace rtac::recheck {
+
+// What a recovery has to stay in to keep a property; `by_sides`: some `or` is kept as one side of
+// it always holds, whose zones are none of these.
+struct Keeping {
+  std::vector<sema::ZoneId> zones;
+  bool by_sides = false;
+};
+
+class Sides {
+ public:
+  Sides(const sema::Spec& spec, const sema::Decision& decision, Claims& claims);
+  Keeping keeping(const sema::Controller& recovery, const sema::Expr& property);
+  // That the robot of a monitor is given back where its recovery has come to rest as clear of the
+  // boundary of its zone as control returns at, `extra` s further ahead: by what the property says
+  // of zones, and of speeds. Inputs are taken as they come.
+  bool gives_back(const sema::Monitor& m, const Rational& extra);
+  // The same wherever it has come to rest, and whatever others do.
+  bool holds_at_rest(const sema::Monitor& m, const Rational& extra);
+
+ private:
+  struct Part {
+    const sema::Expr* expr;
+    bool value;  // it has to be true, or false
+  };
+  struct Split {
+    bool all = false, any = false;  // of the parts; neither: it is no connective of these
+    std::vector<Part> parts;
+  };
+  static Part plain(Part part);
+  static Split split(const Part& part);
+  static bool speaks_of_inputs(const Part& part);
+  void collect(const sema::Controller& recovery, const Part& part, bool either, Keeping& asked);
+  bool keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts);
+  bool slow(const Part& part, const Rational& speed);
+  bool slow_side(const Part& part, const Rational& speed);
+  bool zones_of(const Part& part, std::vector<sema::ZoneId>& zones);
+  // Every disc in the zone lies in one of the zones.
+  bool one_holds(sema::ZoneId own, const std::vector<sema::ZoneId>& zones, const Rational& radius);
+  enum class Back { yes, no, told };
+  struct Rests {
+    const sema::Monitor& monitor;
+    std::optional<sema::ZoneId> own;
+    Rational clearance, from_rest;
+  };
+  [[nodiscard]] Rests rests_of(const sema::Monitor& m, const Rational& extra) const;
+  Back back(const Rests& rests, const Part& part, bool either);
+  Back back_of_leaf(const Rests& rests, const Part& part, bool either);
+
+  const sema::Spec& spec_;
+  const sema::Decision& decision_;
+  Claims& claims_;
+  Numbers numbers_;
+  int robots_ = 0;
+};
+
+}  // namespace rtac::recheck

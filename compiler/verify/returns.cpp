@@ -1,0 +1,200 @@
+// P2b, at the end of the way: what a monitor says beside how clear its robot is of one zone. A way
+// to a clearance gives control back where that is all; other robots may be near, and of an `or` no
+// side alone may hold there.
+#include <algorithm>
+
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/sides.h"
+#include "compiler/analysis/speed_limits.h"
+#include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+namespace {
+
+// Of a robot at rest with the clearance of return: whether a part of its property gives it back.
+// `told`: that depends on inputs alone, whatever the robot does.
+enum class AtRest { given_back, kept, told };
+
+class Rest {
+ public:
+  Rest(const Subject& s, std::size_t k)
+      : s_(s),
+        monitor_(s.decision.monitors[k]),
+        last_(ir::last_step(monitor_.recovery)),
+        return_mm_(analysis::return_clearance_mm(s.decision, monitor_.lookahead.duration_us)),
+        from_rest_mmps_(analysis::fastest_from_rest(s.decision, monitor_.lookahead.duration_us)) {}
+
+  // Of zones that come and go: the recovery leads to where they do not matter (5030).
+  AtRest judge() {
+    const auto& values = monitor_.property.values;
+    const bool windows = std::any_of(values.begin(), values.end(), [](const ir::Value& v) {
+      return std::holds_alternative<ir::ZoneThere>(v.op);
+    });
+    if (windows) return AtRest::given_back;
+    return judge(monitor_.property, monitor_.property.result, false);
+  }
+  [[nodiscard]] bool by_others() const { return others_; }
+  // Where it is stuck between the sides of an `or`.
+  [[nodiscard]] const std::optional<geometry::Point>& stuck() const { return stuck_; }
+
+ private:
+  AtRest judge(const ir::Block& block, ir::ValueId id, bool of_choice) {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      const AtRest a = judge(block, v->a, of_choice), b = judge(block, v->b, of_choice);
+      if (a == AtRest::kept || b == AtRest::kept) return AtRest::kept;
+      return a == AtRest::told && b == AtRest::told ? AtRest::told : AtRest::given_back;
+    }
+    if (const auto* v = std::get_if<ir::Or>(&op)) return choice(block, id, *v);
+    if (const auto* compare = std::get_if<ir::AtLeast>(&op)) {
+      return comparison(block, *compare, of_choice);
+    }
+    if (ir::body_of(op) != nullptr) {
+      if (s_.decision.robots < 2) return AtRest::given_back;
+      others_ = true;
+      return AtRest::kept;
+    }
+    if (const auto* v = std::get_if<ir::Not>(&op)) {
+      return judge(block, v->a, true) == AtRest::told ? AtRest::told : AtRest::kept;
+    }
+    return AtRest::told;
+  }
+  AtRest choice(const ir::Block& block, ir::ValueId id, const ir::Or& v) {
+    const bool others = others_;
+    const AtRest a = judge(block, v.a, true), b = judge(block, v.b, true);
+    const bool told = a == AtRest::told || b == AtRest::told;
+    if (a == AtRest::told && b == AtRest::told) return AtRest::told;
+    // an input may keep its own side from holding for ever: both have to do
+    const bool back = speaks_of_inputs(block, v.a) || speaks_of_inputs(block, v.b)
+                          ? a != AtRest::kept && b != AtRest::kept
+                          : a == AtRest::given_back || b == AtRest::given_back;
+    if (back || (!told && somewhere(block, id))) {
+      others_ = others;
+      return AtRest::given_back;
+    }
+    return AtRest::kept;
+  }
+  AtRest comparison(const ir::Block& block, const ir::AtLeast& compare, bool of_choice) const {
+    AtRest all = AtRest::told;
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
+      all = AtRest::given_back;
+      if (leaf.kind == ir::Leaf::Kind::altitude &&
+          !rests_at_height(s_, last_, return_mm_, block, compare)) {
+        return AtRest::kept;
+      }
+      if (!of_choice) continue;  // errors of the analysis are about the rest of it
+      if (leaf.kind == ir::Leaf::Kind::clearance &&
+          !lies_in(s_, last_.zone, ir::ZoneIndex{leaf.table})) {
+        return AtRest::kept;
+      }
+    }
+    const auto most = ir::upper_bound(block, compare);
+    if (most && most->leaf.kind == ir::Leaf::Kind::speed && from_rest_mmps_ > most->most) {
+      return AtRest::kept;
+    }
+    return all;
+  }
+  // Every place that is as clear is deep enough in one of the zones of an `or`.
+  bool somewhere(const ir::Block& block, ir::ValueId id) {
+    const auto zones = analysis::sides_in_zones(s_.module, s_.decision, block, id);
+    if (zones.empty() || s_.module[last_.zone].has_height()) return false;
+    const std::int64_t mm = std::max(last_.return_clearance_mm, return_mm_);
+    const geometry::Region& own = s_.exact(last_.zone);
+    constexpr std::int64_t round_mm = analysis::offsets_round_mm;
+    const auto left = analysis::between(own, zones, s_.exact, mm - round_mm, mm + round_mm);
+    if (left && left->empty()) return true;
+    // and a place where a robot stands in one of them, and is not given back, wherever the errors
+    // of its position have it seen
+    const ir::Body& body = s_.decision.body;
+    const std::int64_t off_mm = 2 * body.position_error_mm + 10 + round_mm;
+    const auto sure = analysis::between(own, zones, s_.exact, mm + off_mm, mm - off_mm);
+    for (const ir::ZoneIndex zone : zones) {
+      if (!sure || stuck_) break;
+      const auto fits = analysis::within(s_.exact(zone), body.radius_mm + off_mm);
+      if (fits) stuck_ = some_place(sure->intersect(*fits));
+    }
+    return false;
+  }
+  // Of the largest part the middle of the box around it, or else a corner.
+  static std::optional<geometry::Point> some_place(const geometry::Region& region) {
+    std::optional<geometry::Point> found;
+    Rational most = -1;
+    for (const geometry::PolygonWithHoles& part : region.polygons()) {
+      geometry::Point low = part.outer.front(), high = low;
+      for (const geometry::Point& p : part.outer) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+      const Rational size = (high.x - low.x) * (high.y - low.y);
+      if (size <= most) continue;
+      most = size;
+      const geometry::Point middle{Rational((low.x + high.x) / 2), Rational((low.y + high.y) / 2)};
+      found = region.contains(middle) ? middle : part.outer.front();
+    }
+    return found;
+  }
+  static bool speaks_of_inputs(const ir::Block& block, ir::ValueId id) {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      return speaks_of_inputs(block, v->a) || speaks_of_inputs(block, v->b);
+    }
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      return speaks_of_inputs(block, v->a) || speaks_of_inputs(block, v->b);
+    }
+    if (const auto* v = std::get_if<ir::Not>(&op)) return speaks_of_inputs(block, v->a);
+    return std::holds_alternative<ir::Fact>(op);
+  }
+
+  // So far from where it would be given back, or would leave the zone, that no error moves it
+  // there.
+  static constexpr std::int64_t stands_off_mm = 20;
+  const Subject& s_;
+  const ir::Monitor& monitor_;
+  const ir::Recovery& last_;
+  const std::int64_t return_mm_;
+  const std::int64_t from_rest_mmps_;
+  bool others_ = false;
+  std::optional<geometry::Point> stuck_;
+};
+
+// What is to spare of an overlap of zones for offsets that are rounded, twice on either side.
+constexpr std::int64_t overlap_spare_mm = 14;
+
+}  // namespace
+
+Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  Rest rest(s, k);
+  if (rest.judge() != AtRest::kept) return proved;
+  Obligation o;
+  o.kind = proved.kind;
+  o.monitor = proved.monitor;
+  o.method = "no proof";
+  const ir::Recovery& last = ir::last_step(m.recovery);
+  if (rest.by_others()) {
+    o.because = quoted(m.recovery.name) + " leads away from boundaries, and from no other robot: " +
+                "that robots which have stopped near each other part is not shown";
+    o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
+    return o;
+  }
+  if (rest.stuck() && last.kind == ir::RecoveryKind::retreat) {
+    o.status = Status::refuted;
+    o.method = "geometry";
+    o.place_mm = {floor_to_int(Rational(rest.stuck()->x * 1000)),
+                  floor_to_int(Rational(rest.stuck()->y * 1000))};
+    o.because = "at rest at (" + metres(o.place_mm->first) + ", " + metres(o.place_mm->second) +
+                ") a robot is so clear of the boundary of " + quoted(s.module[last.zone].name) +
+                " that " + quoted(m.recovery.name) +
+                " leads no further, and not clear enough in any zone of the `or`";
+    o.repair = "zones that overlap by " + metres(2 * last.return_clearance_mm + overlap_spare_mm) +
+               " there work, or a recovery within one of them";
+    return o;
+  }
+  o.because = "that control is given back where " + quoted(m.recovery.name) + " has led, by what " +
+              quoted(m.name) + " says, is not shown";
+  return o;
+}
+
+}  // namespace rtac::verify
