@@ -59,10 +59,11 @@ std::string filled(const DecisionFacts& f, const std::string& pattern) {
 
 using Clauses = std::vector<std::string>;
 
-// Of functions that put together what others find: their contracts are what callers rely on, but
-// the provers leave goals open, about memory that nothing writes. See
-// compiler/docs/kernel_proof.md.
-const std::string open = "!! open\n";
+// Of a decision that looks at other robots, what puts together what is found of each is taken for
+// granted; see compiler/docs/kernel_proof.md.
+std::string granted(const DecisionFacts& f) {
+  return f.has_company ? "!! fleet\n" : "";
+}
 
 std::string joined(const std::string& word, const Clauses& clauses) {
   std::string out;
@@ -185,29 +186,73 @@ std::string start_contract(const DecisionFacts& f) {
   return out;
 }
 
+// Robot by robot, which are so few that each is named.
+std::string look_loop(const DecisionFacts& f) {
+  if (!f.has_company) return "";
+  std::string out = "-- loop 1\nloop invariant 0 <= j <= $R;\n";
+  for (std::size_t i = 0; i < f.robots; ++i) {
+    const std::string k = number(i), other = "v->others[" + k + "]";
+    out += "loop invariant estimate_ok(" + other + ".s);\nloop invariant j > " + k +
+           " && v->in->self != " + k + " ==> other_ok(" + other +
+           ", $D_body, $D_motions[0], v->horizon_us);\n";
+  }
+  return out + "loop assigns j, v->others[0 .. $Q];\nloop variant $R - j;\n";
+}
+
 std::string look_contract(const DecisionFacts& f) {
   return "== $D_look\nrequires \\valid(v) && \\valid_read(v->in) && \\valid_read(m) && "
          "\\separated(v, m) && \\separated(v, v->in);\n"
          "requires motion_ok(*m) && 0 <= horizon_us <= 100000000;\n" +
-         joined("requires", measured(f)) + "assigns v->m, v->horizon_us, v->within" +
+         joined("requires", measured(f)) +
+         "assigns v->m \\from m;\nassigns v->horizon_us, v->within" +
          (f.has_company ? ", v->others[0 .. $Q]" : "") +
-         ";\nensures v->m == m && v->horizon_us == horizon_us;\n" + joined("ensures", looked(f));
+         ";\nensures v->m == m && v->horizon_us == horizon_us;\n" + joined("ensures", looked(f)) +
+         look_loop(f);
+}
+
+// Of the others, and of what has to hold for a time, when ticks were missed.
+std::string measure_loops(const DecisionFacts& f) {
+  std::string out;
+  if (f.has_company) {
+    out += "-- loop 1\nloop invariant 0 <= j <= $R;\n";
+    for (std::size_t i = 0; i < f.robots; ++i) {
+      const std::string k = number(i);
+      out += "loop invariant j > " + k + " ==> estimate_ok(v->others[" + k + "].s);\n";
+    }
+    out +=
+        "loop assigns j, v->others[0 .. $Q], s->last_other_us[0 .. $Q],\n  "
+        "s->last_other_velocity_us[0 .. $Q], s->last_other_lease_us[0 .. $Q];\n"
+        "loop variant $R - j;\n";
+  }
+  if (f.runs == 0) return out;
+  const std::string runs = number(f.runs);
+  return out + "-- loop " + (f.has_company ? "2" : "1") + "\nloop invariant 0 <= k <= " + runs +
+         ";\nloop assigns k, s->runs[0 .. " + number(2 * f.runs) + " - 1];\nloop variant " + runs +
+         " - k;\n";
 }
 
 std::string measure_contract(const DecisionFacts& f) {
   const auto us = [](const Quantity& q) { return number(floor_to_int(q.value * 1'000'000)); };
-  std::string out = "== $D_measure\n" + open +
+  std::string out = "== $D_measure\n" + granted(f) +
                     "requires \\valid(v) && \\valid(s) && \\valid_read(v->in) && "
                     "\\separated(v, s, v->in);\n" +
                     joined("requires", state(f)) +
                     "assigns v->self, v->charge, s->last_position_us, s->last_velocity_us";
   for (const std::string& zone : f.zones) out += ", v->at_" + zone;
+  if (f.has_heading) out += ",\n  v->heading, s->last_heading_us";
+  if (f.has_energy) out += ",\n  s->last_battery_us";
+  if (f.has_company) {
+    out +=
+        ",\n  v->others[0 .. $Q], s->last_other_us[0 .. $Q], s->last_other_velocity_us[0 .. $Q], "
+        "s->last_other_lease_us[0 .. $Q]";
+  }
+  if (f.runs > 0) out += ",\n  s->runs[0 .. " + number(2 * f.runs) + " - 1]";
   out += ";\n" + joined("ensures", measured(f)) + joined("ensures", state(f));
   out +=
       "ensures elapsed < 0 ==> v->self.input != INPUT_NONE && v->self.p_input != INPUT_NONE;\n"
       "ensures v->in->self < 0 || v->in->self >= $R ==> v->self.input != INPUT_NONE && "
       "v->self.p_input != INPUT_NONE;\n";
-  if (!f.kind->position || !f.kind->velocity) return out;
+  if (!f.kind->position || !f.kind->velocity) return out + measure_loops(f);
   out += "ensures ages: v->self.input == INPUT_NONE ==> fresh(v->in->position, v->now_us, " +
          us(f.kind->position->max_age) + ") &&\n  fresh(v->in->velocity, v->now_us, " +
          us(f.kind->velocity->max_age) + ");\n";
@@ -219,7 +264,7 @@ std::string measure_contract(const DecisionFacts& f) {
       number(ceil_to_int(f.kind->position->error.value * 1000)) +
       " + (v->in->position.x_hi - v->in->position.x_lo) +\n"
       "    (v->in->position.y_hi - v->in->position.y_lo);\n";
-  return out;
+  return out + measure_loops(f);
 }
 
 std::int64_t horizon_of(const DecisionFacts& f, std::size_t i) {
@@ -229,32 +274,106 @@ std::int64_t horizon_of(const DecisionFacts& f, std::size_t i) {
   return us + f.latency_us;
 }
 
+// What `check` writes does not change what is claimed of a view, unless sets in it are: then every
+// claim is one of the view before, which no write has to be led past.
+std::string of_before(const DecisionFacts& f, const std::string& claim) {
+  return f.has_company ? claim : "\\at(" + claim + ", Pre)";
+}
+
+std::string now_clause(const DecisionFacts& f, std::size_t i) {
+  return "checks[" + number(i) + "].now.lo >= 0 ==>\n  " +
+         of_before(f, claimed_now(f, i, "$D_motions[v->driver]"));
+}
+std::string ahead_clause(const DecisionFacts& f, std::size_t i) {
+  const Within within{"$D_motions[v->driver]", number(horizon_of(f, i)), "mode == 0"};
+  return "checks[" + number(i) + "].ahead.lo >= 0 ==>\n  " +
+         of_before(f, claimed_ahead(f, i, within));
+}
+std::string safer_clause(const DecisionFacts& f, std::size_t i) {
+  const std::string longer = number(horizon_of(f, i)) + " + " + number(f.period_us);
+  return "checks[" + number(i) + "].safer.lo >= 0 ==> back != 0 &&\n  " +
+         of_before(f, claimed_ahead(f, i, {"$D_motions[0]", longer, "\\true", false}));
+}
+
+// What holds before every line of `check` that writes: tables and the plan are as they were.
+Clauses untouched(const DecisionFacts& f) {
+  Clauses all;
+  for (std::size_t k = 0; k <= f.monitors.size(); ++k) {
+    const std::string at = "$D_motions[" + number(k) + "]";
+    all.push_back("motion_ok(" + at + ")");
+    all.push_back(at + " == \\at(" + at + ", Pre)");
+  }
+  const std::string plan = "v->in->plan";
+  if (!f.kind->plan) return all;
+  for (const char* member : {".valid", ".count", ".index"}) {
+    all.push_back(plan + member + " == \\at(" + plan + member + ", Pre)");
+  }
+  for (const char* member : {".x[j]", ".y[j]"}) {
+    all.push_back("\\forall integer j; 0 <= j < PLAN_CAPACITY ==> " + plan + member + " == \\at(" +
+                  plan + member + ", Pre)");
+  }
+  all.push_back("same_plan{Pre, Here}(&" + plan + ")");
+  return all;
+}
+
+// Provers lead a fact past one write at a time, so each is said again after it. Only for one
+// monitor: what is written for several takes more than they have time for.
+std::string check_steps(const DecisionFacts& f) {
+  if (f.has_company || f.monitors.size() != 1) return "";
+  const std::string start = joined("assert", untouched(f));
+  const auto found = [](const char* what) {
+    return std::string("assert margin_ok(checks[0].") + what + ");\n";
+  };
+  const std::string reached =
+      "assert motion_ok(*v->m);\n"
+      "assert reach_is(v->within, v->self, $D_body, *v->m, v->horizon_us);\n";
+  const std::string far = number(horizon_of(f, 0)), driver = "$D_motions[v->driver]";
+  std::string held = found("safer"), claims = "assert " + safer_clause(f, 0) + ";\n";
+  std::string out = "-- before if (back)\n" + start;
+  out += "-- before v->legs = mode\n" + start + held + claims;
+  out += "-- before checks[0].now =\n" + start + reached + held + claims;
+  held += found("now");
+  claims += "assert " + now_clause(f, 0) + ";\n";
+  out += "-- before checks[0].ahead =\n" + start + reached + held + claims;
+  held += found("ahead");
+  // The claim of the monitor's function, in its words and then in those of the view before.
+  out += "-- before checks[0].gives_back =\n" + start + reached + held +
+         "assert v->horizon_us == " + far + " && *v->m == \\at($D_motions[v->driver], Pre);\n" +
+         "assert checks[0].ahead.lo >= 0 ==> " +
+         claimed_ahead(f, 0, {"*v->m", "v->horizon_us", "\\false"}) + ";\n" +
+         "assert checks[0].ahead.lo >= 0 ==>\n  \\at(" +
+         claimed_ahead(f, 0, {driver, far, "\\false"}) + ", Pre);\n" +
+         "assert legs: checks[0].ahead.lo >= 0 && v->legs != 0 ==>\n  \\at(" +
+         claimed_ahead(f, 0, {driver, far, "\\true"}) + ", Pre);\n";
+  claims += "assert " + ahead_clause(f, 0) + ";\n";
+  out += claims;
+  return out + "-- at end\n" + start + reached + held + claims;
+}
+
 std::string check_contract(const DecisionFacts& f) {
-  std::string out = "== $D_check\n" + open +
+  std::string out = "== $D_check\n" + granted(f) +
                     "requires \\valid(v) && \\valid_read(v->in) && \\valid(checks + (0 .. $L)) && "
                     "\\separated(v, checks + (0 .. $L));\n"
+                    "requires \\separated(checks + (0 .. $L), &$D_motions[0 .. $N], &$D_body);\n"
                     "requires \\separated(v, v->in) && \\separated(checks + (0 .. $L), v->in);\n"
                     "requires 0 <= v->driver <= $N && 0 <= v->me < $R;\n" +
                     joined("requires", measured(f)) +
-                    "assigns v->legs, v->m, v->horizon_us, v->within, checks[0 .. $L];\n" +
+                    "assigns v->legs, v->m, v->horizon_us, v->within, checks[0 .. $L]" +
+                    (f.has_company ? ", v->others[0 .. $Q]" : "") +
+                    (f.runs > 0 ? ", v->runs[0 .. " + number(2 * f.runs) + " - 1]" : "") + ";\n" +
                     joined("ensures", looked(f)) + joined("ensures", checks(f));
   for (std::size_t i = 0; i < f.monitors.size(); ++i) {
     const std::string& name = f.monitors[i].name;
-    const std::string at = "checks[" + number(i) + "]", far = number(horizon_of(f, i));
-    const std::string driver = "$D_motions[v->driver]", longer = far + " + " + number(f.period_us);
-    out +=
-        "ensures " + name + "_now: " + at + ".now.lo >= 0 ==> " + claimed_now(f, i, driver) + ";\n";
-    out += "ensures " + name + "_ahead: " + at + ".ahead.lo >= 0 ==> " +
-           claimed_ahead(f, i, {driver, far, "mode == 0"}) + ";\n";
-    out += "ensures " + name + "_safer: " + at + ".safer.lo >= 0 ==> back != 0 && " +
-           claimed_ahead(f, i, {"$D_motions[0]", longer, "\\true"}) + ";\n";
+    out += "ensures " + name + "_now: " + now_clause(f, i) + ";\n";
+    out += "ensures " + name + "_ahead: " + ahead_clause(f, i) + ";\n";
+    out += "ensures " + name + "_safer: " + safer_clause(f, i) + ";\n";
   }
-  return out;
+  return out + check_steps(f);
 }
 
 std::string report_contract(const DecisionFacts& f) {
   std::string out =
-      "== $D_report\n" + open +
+      "== $D_report\n"
       "requires \\valid_read(v) && \\valid_read(v->in) && \\valid_read(s) && "
       "\\valid_read(checks + (0 .. $L)) && \\valid(out);\n"
       "requires \\separated(out, v) && \\separated(out, v->in) && \\separated(out, s) && "
@@ -275,7 +394,7 @@ std::string report_contract(const DecisionFacts& f) {
 }
 
 std::string step_contract(const DecisionFacts& f) {
-  std::string out = "== $P_$D_step\n" + open +
+  std::string out = "== $P_$D_step\n" + granted(f) +
                     "requires \\valid(s) && \\valid_read(in) && \\valid(out) && "
                     "\\separated(s, in, out);\n" +
                     joined("requires", state(f)) + "assigns *s, *out;\n" +
@@ -288,17 +407,38 @@ std::string step_contract(const DecisionFacts& f) {
     const std::string driver = "$D_motions[v.driver]", longer = far + " + " + number(f.period_us);
     out +=
         "ensures priority: " + at + ".engaged != 0 ==> 1 <= out->mode <= " + number(k + 1) + ";\n";
-    out += "ensures advanced: out->mode == 0 ==> " + at + ".engaged == 0 && " + at +
-           ".now != VERDICT_FALSE;\n";
+    // The first step asks the longer look-ahead alone, which leaves no room for a violation.
+    out += "ensures advanced: out->mode == 0 ==> " + at +
+           ".engaged == 0 &&\n  (\\old(s->clock.started) != 0 ==> " + at +
+           ".now != VERDICT_FALSE);\n";
     claims += "assert rule_5_" + f.monitors[k].name + ": s->mode == 0 ==>\n  (" +
               claimed_ahead(f, k, {driver, far, "\\true"}) + ") ||\n  (" +
-              claimed_ahead(f, k, {"$D_motions[0]", longer, "\\true"}) + ");\n";
+              claimed_ahead(f, k, {"$D_motions[0]", longer, "\\true", false}) + ");\n";
   }
   // There `v` is the structure itself.
   for (std::size_t at = claims.find("v->"); at != std::string::npos; at = claims.find("v->", at)) {
     claims.replace(at, 3, "v.");
   }
   return out + claims;
+}
+
+// Of a decision on plans: what each monitor finds, and who decides.
+std::string plan_contracts(const DecisionFacts& f) {
+  std::string out;
+  for (const MonitorClaims& m : f.monitors) {
+    out += "== $D_" + m.name + "_now\n!! plans\nrequires \\valid_read(v);\nassigns \\nothing;\n" +
+           "ensures margin_ok(\\result);\n";
+  }
+  return out +
+         "== $P_$D_judge\nrequires \\valid_read(plan) && \\valid(out) && \\separated(plan, out);\n"
+         "assigns *out;\nensures 0 <= out->mode <= $N && out->monitor == out->mode - 1;\n"
+         "ensures advanced: out->mode == 0 ==> \\forall integer j; 0 <= j < $N ==>\n"
+         "  out->monitors[j].engaged == 0 && out->monitors[j].now == VERDICT_TRUE;\n"
+         "-- loop 1\nloop invariant -1 <= k <= $L;\n"
+         "loop invariant 0 <= out->mode <= $N && out->monitor == out->mode - 1;\n"
+         "loop invariant out->mode == 0 ==> \\forall integer j; k < j < $N ==>\n"
+         "  out->monitors[j].engaged == 0 && out->monitors[j].now == VERDICT_TRUE;\n"
+         "loop assigns k, *out;\nloop variant k + 1;\n";
 }
 
 }  // namespace
@@ -308,12 +448,12 @@ Contracts contracts_of(const Spec& spec, const std::string& prefix) {
   std::set<std::size_t> counts;
   for (const Decision& decision : spec.decisions) {
     const DecisionFacts f = facts_of(spec, decision, prefix);
+    if (decision.on_plan) {
+      contracts.text += filled(f, plan_contracts(f));
+      continue;
+    }
     for (const MonitorClaims& m : f.monitors) {
       if (!m.gap.empty()) contracts.gaps.push_back(m.gap);
-    }
-    if (decision.on_plan) {
-      contracts.gaps.push_back("decision `" + decision.name + "` runs on plans");
-      continue;
     }
     if (spec[decision.kind].in_space) {
       contracts.gaps.push_back("decision `" + decision.name + "` is for robots in space");

@@ -170,16 +170,63 @@ std::string claimed_ahead(const DecisionFacts& f, std::size_t i, const Within& w
   const int waypoints = (*f.spec)[f.decision->priority[i]].ahead.waypoints;
   std::string out = "v->self.input == INPUT_NONE";
   for (const Claim& c : f.monitors[i].claims) {
+    if (c.kind != Claim::Kind::zone && !within.sets) continue;
     out += " &&\n  " + ahead_text(f, c, waypoints, within);
   }
   return out;
 }
+
+namespace {
+
+// What is found of one of several robots, and of all of them one after the other.
+std::string contracts_among(const DecisionFacts& f, const std::string& name, const Claim& claim,
+                            const std::string& given) {
+  const std::string least = text(claim.least);
+  const std::string apart[] = {
+      "apart_now(v->self, v->others[@], $D_body, *v->m, $D_motions[0], " + least + ")",
+      "sets_apart(v->within, v->others[@], $D_body, " + least + ")"};
+  std::string out;
+  for (const bool ahead : {false, true}) {
+    const std::string which = name + (ahead ? "_ahead" : "_now");
+    const auto of = [&](const std::string& index) {
+      std::string claimed = apart[ahead ? 1 : 0];
+      return claimed.replace(claimed.find('@'), 1, index);
+    };
+    out += which + "_v0\n" + given + "requires 0 <= j < $R && j != v->in->self;\n" +
+           "requires other_ok(v->others[j], $D_body, $D_motions[0], v->horizon_us);\n" +
+           "assigns \\nothing;\nensures margin_ok(\\result);\nensures \\result.lo >= 0 ==> " +
+           of("j") + (ahead ? " && v->self.input == INPUT_NONE" : "") + ";\n";
+    out +=
+        which + "\n-- loop 1\nloop invariant 0 <= j <= $R && margin_ok(v0);\n" +
+        "loop invariant v0.lo >= 0 ==> \\forall integer i; 0 <= i < j && i != v->in->self ==>\n  " +
+        of("i") + ";\n";
+    if (ahead) {
+      out +=
+          "loop invariant v0.lo >= 0 && (j > 1 || (j == 1 && v->in->self != 0)) ==>\n"
+          "  v->self.input == INPUT_NONE;\n";
+    }
+    out += "loop assigns j, v0;\nloop variant $R - j;\n";
+  }
+  return out;
+}
+
+const Claim* among_robots(const MonitorClaims& monitor) {
+  for (const Claim& c : monitor.claims) {
+    if (c.kind == Claim::Kind::company) return &c;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 std::string monitor_contracts(const DecisionFacts& f, const std::string& given) {
   static const Within seen{"*v->m", "v->horizon_us", "v->legs != 0"};
   std::string out;
   for (std::size_t i = 0; i < f.monitors.size(); ++i) {
     const std::string name = "== " + f.name + "_" + f.monitors[i].name;
+    if (const Claim* const c = among_robots(f.monitors[i])) {
+      out += contracts_among(f, name, *c, given);
+    }
     const std::string is_ok = "ensures margin_ok(\\result);\n";
     out += name + "_now\n" + given + "assigns \\nothing;\n" + is_ok +
            "ensures \\result.lo >= 0 ==> " + claimed_now(f, i, "*v->m") + ";\n";

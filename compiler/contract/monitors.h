@@ -47,6 +47,7 @@ DecisionFacts facts_of(const sema::Spec& spec, const sema::Decision& decision,
 std::string claimed_now(const DecisionFacts& facts, std::size_t i, const std::string& motion);
 struct Within {
   std::string motion, horizon_us, legs;
+  bool sets = true;  // the view's sets within reach are those of that motion and time
 };
 std::string claimed_ahead(const DecisionFacts& facts, std::size_t i, const Within& within);
 

@@ -59,6 +59,8 @@ void read_notes(const std::string& text, const std::string& prefix, Notes& notes
       lines = &function->loops[std::stoi(line.substr(8))];
     } else if (function != nullptr && starts_with(line, "-- before ")) {
       lines = &function->before.emplace_back(line.substr(10), Lines()).second;
+    } else if (function != nullptr && line == "-- at end") {
+      lines = &function->at_end;
     } else if (lines != nullptr) {
       lines->push_back(line);
     }

@@ -4,6 +4,7 @@
 //   !! REASON           it is taken for granted, for that reason (compiler/docs/kernel_proof.md)
 //   -- loop N           of its Nth loop
 //   -- before TEXT      assertions, each before the next; before the first line that begins so
+//   -- at end           assertions where the function ends
 //   == after NAME       what follows stands behind the declaration of that type, table or macro
 //
 // Lines that begin with # are comments. `KERNEL_` stands for the prefix of what a kernel declares.
@@ -23,6 +24,7 @@ struct Function {
   Lines contract;
   std::map<int, Lines> loops;
   std::vector<std::pair<std::string, Lines>> before;  // beginning of the line, assertions
+  Lines at_end;
 };
 struct Notes {
   std::map<std::string, Function> functions;

@@ -122,6 +122,7 @@ class Weaver {
       if (starts_with(line, "for (")) put_loop(++loops, function, name, indent);
       put(lines_[at_]);
     }
+    if (function != nullptr) put_assertions(function->at_end, 2);
     if (function != nullptr && done.size() < function->before.size()) {
       result_.missing.push_back("assertions of " + name + " have no place");
     }

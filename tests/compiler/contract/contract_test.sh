@@ -44,6 +44,22 @@ done
 ! grep -n 'admit \|axiom [a-z_]*:' "$proof" | grep -vE 'axiom (same_side|leg_of_place):' ||
   breach 'an axiom that compiler/docs/kernel_proof.md does not list'
 
+# Nothing is without a contract, and what is taken for granted is so for a reason that is explained;
+# of the drone study it is nothing that puts a decision together.
+! grep '^/\* gap: ' "$proof" || breach 'functions without contract, or properties that none states'
+page=$(dirname -- "$0")/../../../compiler/docs/kernel_proof.md
+reasons=$(sed -n 's|^/\* held: [A-Za-z0-9_]*: \(.*\) \*/$|\1|p' "$proof" | LC_ALL=C sort -u)
+for reason in $reasons; do
+  grep -q "^| $reason |" "$page" || breach "compiler/docs/kernel_proof.md does not explain \`$reason\`"
+done
+if [[ $name == drone_surveillance && $reasons != distances$'\n'roots ]]; then
+  breach "it takes more for granted than it did: $reasons"
+fi
+for held in _init _report _step mode_step monitor_step reach_of estimate_of; do
+  [[ $name == robot_delivery && $held == _step ]] || ! grep -qE "^/\* held: [a-z_]*$held: " "$proof" ||
+    breach "$held is taken for granted"
+done
+
 for mutant in or-for-and lowest-priority-drives half-look-ahead no-radius; do
   "$rtac" build --contracts --mutate "$mutant" "$spec" -o "$scratch/$mutant" 2>/dev/null
   diff <(contracts "$proof") <(contracts "$scratch/$mutant/${name}_proof.c") >"$scratch/diff" ||
