@@ -136,7 +136,12 @@ class Pair {
       entry_.why = to_decimal(Rational(square_mm / 1'000'000)) + " m^2 of " +
                    name_as_written(module_[*zone]) + ", where " + quoted(recovery_.name) +
                    " may drive, lie outside " + name;
-      if (would_do(fence)) entry_.help = "a recovery within " + name + " works";
+      if (would_do(fence)) {
+        entry_.help = "a recovery within " + name + " works";
+      } else if (both_would_do(*zone, fence)) {
+        entry_.help = "a recovery within a zone that is `" + module_[*zone].name + " & " +
+                      module_[fence].name + "` works";
+      }
       return false;
     }
     return true;
@@ -157,6 +162,27 @@ class Pair {
           const auto own = fences_of(m.property, params);
           return choices_of(m.property, params).empty() && std::ranges::all_of(own, leads_in);
         });
+  }
+  // What two zones share lies in both, so that a recovery within that keeps all that it has kept:
+  // if it leads straight in, and has a place to return to.
+  [[nodiscard]] bool both_would_do(ir::ZoneIndex zone, ir::ZoneIndex fence) const {
+    const ir::Recovery& last = ir::last_step(recovery_);
+    if (last.kind == ir::RecoveryKind::route || recovery_.claims) return false;
+    const std::string made = "outside_of_";
+    if (module_[zone].name.starts_with(made) || module_[fence].name.starts_with(made)) return false;
+    const geometry::Region shared = exact_(zone).intersect(exact_(fence));
+    const auto returns = within(shared, last.return_clearance_mm + 1);
+    if (!returns || returns->empty() || !is_convex(shared)) return false;
+    const auto& params = decision_.facts.params;
+    return std::all_of(decision_.monitors.begin(), decision_.monitors.end(),
+                       [&](const ir::Monitor& m) {
+                         if (m.recovery.name != recovery_.name) return true;
+                         const auto own = fences_of(m.property, params);
+                         return choices_of(m.property, params).empty() &&
+                                std::ranges::all_of(own, [&](ir::ZoneIndex each) {
+                                  return is_convex(exact_(each)) && exact_(each).contains(shared);
+                                });
+                       });
   }
   // Straight down from anywhere in it: shown of one slab, and of zones of the plane.
   bool reaches_down(ir::ZoneIndex fence, std::int64_t land_mm) {
@@ -334,10 +360,37 @@ std::string conflict_text(const ir::Decision& decision, const Entry& entry) {
 
 namespace {
 
+// An order, the one that is declared as far as may be, in which everybody ranks above the
+// recoveries that may break it, but where that is acknowledged; empty: there is none.
+std::vector<std::size_t> order_that_keeps(const ir::Decision& decision, const Arbitration& all) {
+  const std::size_t count = all.size();
+  const auto breaks = [&](std::size_t i, std::size_t j) {
+    const Keeping k = all[i][j].keeping;
+    return (k == Keeping::broken || k == Keeping::guarded) &&
+           !ir::acknowledged(decision, decision.monitors[i].recovery.name,
+                             decision.monitors[j].name);
+  };
+  std::vector<std::size_t> order;
+  std::vector<bool> placed(count, false);
+  for (std::size_t i = 0; i < count;) {
+    bool free = !placed[i];
+    for (std::size_t j = 0; j < count; ++j) free = free && (placed[j] || !breaks(i, j));
+    if (!free) {
+      ++i;
+      continue;
+    }
+    placed[i] = true;
+    order.push_back(i);
+    i = 0;
+  }
+  return order.size() == count ? order : std::vector<std::size_t>();
+}
+
 // One report for each recovery, whatever number of monitors it may break.
 diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
-                         const ir::Decision& decision, const std::vector<Entry>& row, std::size_t i,
+                         const ir::Decision& decision, const Arbitration& all, std::size_t i,
                          const std::vector<std::size_t>& broken) {
+  const std::vector<Entry>& row = all[i];
   const std::string& recovery = decision.monitors[i].recovery.name;
   const auto name = [&](std::size_t j) { return decision.monitors[j].name; };
   std::string names, accept;
@@ -365,8 +418,13 @@ diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
     return d;
   }
   const std::string& works = row[broken.front()].help;
-  d.help = quoted(name(broken.front()) + " > " + decision.monitors[i].name) + " as priority works" +
-           (works.empty() ? "" : ", or " + works) + accept;
+  std::string order;
+  for (const std::size_t k : order_that_keeps(decision, all)) {
+    order += (order.empty() ? "`priority " : " > ") + name(k);
+  }
+  if (!order.empty()) order += ";` works";
+  d.help = order + (order.empty() || works.empty() ? "" : ", or ") + works;
+  d.help += d.help.empty() ? accept.substr(5) : accept;
   return d;
 }
 
@@ -390,7 +448,7 @@ void check_arbitration(const sema::Spec& spec, const ir::Module& module, const E
         broken.push_back(j);
       }
       if (broken.empty()) continue;
-      diagnostics.report(finding(spec, from, decision, all[i], i, broken));
+      diagnostics.report(finding(spec, from, decision, all, i, broken));
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/ways_in.h"
 #include "compiler/support/words.h"
@@ -134,7 +135,8 @@ class Places {
         ir::moves(step.kind) ? std::max(step.route_clearance_mm, radius_mm_) : radius_mm_;
     const Region body = kept.zones.size() > 1 ? shrunk(own, keeps_mm + rounded_mm) : own;
     const bool between = !centres.contains(body);
-    if (!outside) return between && seam(step, kept, body, 2 * (keeps_mm + rounded_mm));
+    const std::int64_t overlap_mm = 2 * (std::max(keeps_mm, step.return_clearance_mm) + rounded_mm);
+    if (!outside) return between && seam(step, kept, body, overlap_mm);
     const Region beyond = own.subtract(all);
     const std::string zone = "`" + module_[step.zone].name + "`";
     diag::Diagnostic d = finding(diag::Code::recovery_elsewhere,
@@ -236,15 +238,23 @@ class Places {
   // A recovery within all that the property keeps the robot in, if that would do: it has a place
   // to return to, and between the zones of a choice a body is always in one of them.
   std::string works(const ir::Recovery& step) const {
-    Region all = Region::everywhere(), centres = all;
-    for (const Kept& each : kept_) {
-      all = all.intersect(united(each));
-      centres = centres.intersect(centres_of(each));
-    }
-    const bool chosen = std::any_of(kept_.begin(), kept_.end(),
-                                    [](const Kept& each) { return each.zones.size() > 1; });
-    const std::int64_t keeps_mm = std::max(step.route_clearance_mm, radius_mm_) + rounded_mm;
-    const bool inside = !chosen || centres.contains(shrunk(all, keeps_mm));
+    Region all = Region::everywhere();
+    for (const Kept& each : kept_) all = all.intersect(united(each));
+    // to be in one of them everywhere, and to be given back where it comes to rest, which of zones
+    // that come and go is a matter of where the recovery leads to (5030)
+    const auto& values = monitor_.property.values;
+    const bool windows = std::any_of(values.begin(), values.end(), [](const ir::Value& v) {
+      return std::holds_alternative<ir::ZoneThere>(v.op);
+    });
+    const std::int64_t rests_mm = windows ? 0 : step.return_clearance_mm;
+    const std::int64_t keeps_mm =
+        std::max({step.route_clearance_mm, rests_mm, radius_mm_}) + rounded_mm;
+    const bool inside = std::all_of(kept_.begin(), kept_.end(), [&](const Kept& each) {
+      if (each.zones.size() < 2) return true;
+      if (windows) return centres_of(each).contains(shrunk(all, keeps_mm));
+      const auto none = between(all, each.zones, exact_, keeps_mm - rounded_mm, keeps_mm);
+      return none && none->empty();
+    });
     const auto returns = within(all, step.return_clearance_mm);
     if (!inside) {
       return "a choice of zones that overlap by more than " + metres(2 * keeps_mm) +

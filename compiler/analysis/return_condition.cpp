@@ -7,6 +7,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/site_room.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
@@ -144,6 +145,7 @@ class Judge {
                                 way_mm(b, motion_, b.velocity_error_mmps, b.position_age_us);
     const auto price = price_at(module_, way->site, within);
     if (!price) return std::nullopt;
+    if (*price >= ir::no_way) return cramped(way->site, within, source);
     const std::int64_t left = shown_full_ppm(b) - *price;
     return charge(way->reserve.strictest, left, compare->strict ? 1 : 0,
                   " beyond the way to `" + module_[way->site].name + "`", source);
@@ -192,6 +194,7 @@ class Judge {
                                 disc_mm(b, decision_.motions[0], b.velocity_error_mmps, t_us);
     const auto price = price_at(module_, site, within);
     if (!price) return std::nullopt;
+    if (*price >= ir::no_way) return cramped(site, within, block[id].source);
     const std::int64_t left = shown_full_ppm(b) - *price - decision_.hold_reserve_ppm -
                               div_up(b.drain_ppm_per_s * div_up(t_us, 1000), 1000);
     return charge(
@@ -333,6 +336,28 @@ class Judge {
                            percent(shown_full_ppm(decision_.body))});
     d.help = best - strict > 0 ? "`" + percent(best - strict) + "` works" + beyond
                                : "no charge works" + beyond + ": a nearer site is needed";
+    return d;
+  }
+  // No charge is enough where there is no way.
+  Finding cramped(ir::SiteIndex site, std::int64_t within_mm, const SourceRange& source) const {
+    const auto room = cramped_site(module_, site, within_mm);
+    if (!room) return std::nullopt;
+    const std::string name = "`" + module_[site].name + "`";
+    const std::string zone = "`" + module_[module_[site].zone].name + "`";
+    const auto text = [](const PlaceMm& p) {
+      return "(" + metres(p.x_mm) + ", " + metres(p.y_mm) + ")";
+    };
+    diag::Diagnostic d = finding(source);
+    d.label = "has no way from some places beside " + name;
+    d.notes.push_back({std::nullopt, "control is given back at " + name + ", " + text(room->at) +
+                                         ", if a way is known from all that a robot may reach "
+                                         "before its recovery acts, up to " +
+                                         metres(within_mm) + " from there in x and in y; " +
+                                         "near the boundary of " + zone + " there is none"});
+    d.help = room->works ? name + " at " + text(*room->works) + " works"
+                         : "no site in " + zone +
+                               " works: widen it, or lower `ahead`, `speed` or "
+                               "`accel`";
     return d;
   }
   // Measured to stand, this instant, it may still have the error of its velocity.

@@ -204,6 +204,13 @@ class Describer {
     Diagnostic result =
         make(Code::unexpected_token, "expected " + what + after() + ", found " + found(),
              what + " is missing");
+    if (kind == T::SPEED && found_.kind == T::LEFT_PAREN) {
+      result.label = "the name of a zone is due";
+      result.help =
+          "recoveries move within a zone that has a name: "
+          "`zone inner = shrink(yard, 10 cm);`";
+      return result;
+    }
     if (kind == T::SEMICOLON) result.code = Code::missing_semicolon;
     result.range = behind_previous();
     const bool is_word = find_word(kind) != nullptr;

@@ -114,7 +114,12 @@ std::string_view construct_form(const std::vector<Token>& tokens, std::size_t be
   }
   const bool is_window = error.index > begin && tokens[error.index - 1].kind == T::RIGHT_BRACKET;
   if (is_window && error.expects(T::LEFT_PAREN)) return kAggregate;
+  int closed = 0;  // what stands in brackets behind the place is complete
   for (std::size_t i = error.index; i-- > begin;) {
+    const TokenKind kind = tokens[i].kind;
+    if (kind == T::RIGHT_PAREN || kind == T::RIGHT_BRACKET) ++closed;
+    if ((kind == T::LEFT_PAREN || kind == T::LEFT_BRACKET) && closed > 0) --closed;
+    if (closed > 0) continue;
     // `within` is part of a template there, and of an expression elsewhere
     std::string_view text = in_controller && tokens[i].kind == T::WITHIN
                                 ? std::string_view{}

@@ -90,6 +90,12 @@ constexpr Habit kFunctions[] = {
     {"stale", "the time since the newest sample is `age(x)`: `age(x) > 200 ms`"},
     {"time", "the time since the newest sample of an input is `age(x)`"},
     {"now", "the time since the newest sample of an input is `age(x)`"},
+    {"speed", "the speed of a robot is `r.speed`"},
+    {"velocity", "the speed of a robot is `r.speed`"},
+    {"altitude", "the height of a robot in space is `r.position.z`"},
+    {"height", "the height of a robot in space is `r.position.z`"},
+    {"battery", "the charge of a robot is `r.battery`"},
+    {"energy", "the charge of a robot is `r.battery`, that of a way `energy_to(dock(r))`"},
 };
 
 constexpr std::string_view kParam =

@@ -194,12 +194,55 @@ TEST(Arbitration, TheHelpWorks) {
   for (const auto& d : c->diagnostics.all()) {
     if (d.code == Code::recovery_breaks) help = d.help;
   }
-  EXPECT_NE(help.find("`in_west > in_yard`"), std::string::npos) << help;
+  EXPECT_NE(help.find("`priority in_west > in_yard;` works"), std::string::npos) << help;
   EXPECT_NE(help.find("a recovery within `west`"), std::string::npos) << help;
   EXPECT_EQ(broken(two_zones("monitor here for r : Rover { \"SR-6: in the yard\" always r inside "
                              "yard; recover go_west; }\n",
                              "priority here > in_west;")),
             Messages{});
+}
+
+std::string help_of_6005(const std::string& text) {
+  const auto c = compiled(text);
+  for (const auto& d : c->diagnostics.all()) {
+    if (d.code == Code::recovery_breaks) return d.help;
+  }
+  ADD_FAILURE() << reports(*c);
+  return "";
+}
+// An order is offered where one keeps everything, all of it at once.
+TEST(Arbitration, AnOrderThatIsOfferedIsOneThatKeepsEverything) {
+  const std::string inner =
+      "zone bay = rectangle (0 m, 0 m) to (3 m, 3 m);\n"
+      "controller go_bay : safe for Rover = retreat within bay speed 0.2 m/s;\n"
+      "monitor in_bay for r : Rover { \"SR-6: in the bay\" always r inside bay; recover go_bay; "
+      "}\n";
+  const std::string help = help_of_6005(two_zones(inner, "priority in_yard > in_west > in_bay;"));
+  EXPECT_NE(help.find("`priority in_bay > in_west > in_yard;` works"), std::string::npos) << help;
+  EXPECT_EQ(broken(two_zones(inner, "priority in_bay > in_west > in_yard;")), Messages{});
+}
+// Of two zones that overlap each recovery leads out of the other one, whatever the order is: what
+// they share is offered, and works.
+TEST(Arbitration, WhereNoOrderKeepsBothWhatTheyShareIsOffered) {
+  const auto text = [](const std::string& within) {
+    return two_zones(
+        "zone low = rectangle (0 m, 0 m) to (8 m, 5 m);\nzone shared = west & low;\n"
+        "controller go_low : safe for Rover = retreat within " +
+            within +
+            " speed 0.2 m/s;\n"
+            "controller to_west : safe for Rover = retreat within " +
+            (within == "low" ? std::string("west") : within) +
+            " speed 0.2 m/s;\n"
+            "monitor in_low for r : Rover { \"SR-6: low\" always r inside low; recover go_low; }\n"
+            "monitor west_too for r : Rover { \"SR-7: west\" always r inside west; recover "
+            "to_west; }\n",
+        "priority in_low > west_too;");
+  };
+  const std::string help = help_of_6005(text("low"));
+  EXPECT_EQ(help.find("priority"), std::string::npos) << help;
+  EXPECT_NE(help.find("a recovery within a zone that is `low & west` works"), std::string::npos)
+      << help;
+  EXPECT_EQ(broken(text("shared")), Messages{});
 }
 
 }  // namespace

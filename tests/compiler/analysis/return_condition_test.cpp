@@ -206,5 +206,43 @@ TEST(ReturnCondition, APropertyThatHoldsNowhereIsNamed) {
             std::string::npos);
 }
 
+// A dock so near the boundary that no way is known from beside it: no charge helps, and no nearer
+// site. The place that is offered works.
+TEST(ReturnCondition, ASiteWithoutAWayFromAllAroundItIsRefusedWithAPlaceThatHasOne) {
+  const auto text = [](const std::string& dock) {
+    return "spec cramped;\nzone arena = rectangle (0 m, 0 m) to (12 m, 8 m);\n"
+           "zone inner = shrink(arena, 60 cm);\n"
+           R"(robot Bot {
+  body radius 20 cm;
+  motion point { speed <= 0.8 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 100 ms;
+  sense velocity : vector error 2 cm/s max_age 100 ms;
+  sense battery : ratio error 1 % max_age 2 s;
+  output push : acceleration;
+  latency 30 ms;
+  energy { drive <= 0.2 %/m; idle <= 0.01 %/s; drain <= 0.3 %/s; charge >= 1 %/s at dock; held <= 60 s; detour <= 20 m; }
+}
+fleet one : Bot;
+site dock = )" +
+           dock + R"(;
+controller job  : advanced for Bot extern;
+controller home : safe for Bot = route to dock within inner speed 0.3 m/s;
+monitor charge for r : Bot { "R1: home" always r.battery >= energy_to(dock) + 5 %; recover home; return when r.battery >= 90 %; }
+decision gate for Bot { advanced job; period 100 ms; priority charge; }
+)";
+  };
+  const auto c = compiled(text("(2 m, 1.9 m)"));
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  EXPECT_NE(reports(*c).find("has no way from some places beside `dock`"), std::string::npos);
+  std::string place;
+  for (const auto& d : c->diagnostics.all()) {
+    if (d.code != Code::return_set_empty) continue;
+    const std::size_t from = d.help.find('('), to = d.help.find(") works");
+    ASSERT_NE(to, std::string::npos) << d.help;
+    place = d.help.substr(from, to - from + 1);
+  }
+  EXPECT_FALSE(is_refused(text(place))) << place;
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test
