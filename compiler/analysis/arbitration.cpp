@@ -136,7 +136,10 @@ class Pair {
       entry_.why = to_decimal(Rational(square_mm / 1'000'000)) + " m^2 of " +
                    name_as_written(module_[*zone]) + ", where " + quoted(recovery_.name) +
                    " may drive, lie outside " + name;
-      if (would_do(fence)) {
+      if (leads_inside(fence)) {
+        entry_.help = "a way to " + quoted(module_[ir::last_step(recovery_).site].name) +
+                      " within " + name + " works, as far as the charge pays for it";
+      } else if (would_do(fence)) {
         entry_.help = "a recovery within " + name + " works";
       } else if (both_would_do(*zone, fence)) {
         entry_.help = "a recovery within a zone that is `" + module_[*zone].name + " & " +
@@ -162,6 +165,20 @@ class Pair {
           const auto own = fences_of(m.property, params);
           return choices_of(m.property, params).empty() && std::ranges::all_of(own, leads_in);
         });
+  }
+  // A way to a site that lies in the fence, as deep as control returns at.
+  [[nodiscard]] bool leads_inside(ir::ZoneIndex fence) const {
+    const ir::Recovery& last = ir::last_step(recovery_);
+    if (last.kind != ir::RecoveryKind::route || module_[fence].name.starts_with("outside_of_")) {
+      return false;
+    }
+    const auto deep = within(exact_(fence), last.return_clearance_mm + 1);
+    if (!deep || !exact_(*moves_within(last)).contains(exact_(fence))) return false;
+    const auto& places = module_[last.site].places;
+    return std::all_of(places.begin(), places.end(), [&](const ir::SiteTable::Place& p) {
+      return deep->contains(
+          geometry::Point{Rational(Rational(p.x_mm) / 1000), Rational(Rational(p.y_mm) / 1000)});
+    });
   }
   // What two zones share lies in both, so that a recovery within that keeps all that it has kept:
   // if it leads straight in, and has a place to return to.
@@ -370,6 +387,12 @@ std::vector<std::size_t> order_that_keeps(const ir::Decision& decision, const Ar
            !ir::acknowledged(decision, decision.monitors[i].recovery.name,
                              decision.monitors[j].name);
   };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (ir::last_step(decision.monitors[i].recovery).kind != ir::RecoveryKind::route) continue;
+    for (std::size_t j = 0; j < count; ++j) {
+      if (breaks(i, j)) return {};
+    }
+  }
   std::vector<std::size_t> order;
   std::vector<bool> placed(count, false);
   for (std::size_t i = 0; i < count;) {

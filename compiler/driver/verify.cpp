@@ -29,6 +29,16 @@ int exit_code(verify::Status worst) {
   return exit_clean;
 }
 
+// Recoveries may take over from each other for ever: a run may show what that costs.
+bool in_turns(const verify::Report& report) {
+  for (const verify::Decision& d : report.decisions) {
+    for (const verify::Obligation& o : d.obligations) {
+      if (o.in_turns) return true;
+    }
+  }
+  return false;
+}
+
 // What takes robots in motion: how conservative monitors are, and runs that show what is refuted.
 // What cannot be simulated is nothing that the user has done wrong, but for mutants that are none.
 int simulate_findings(const Options& options, Compilation& c, verify::Report& report) {
@@ -45,7 +55,8 @@ int simulate_findings(const Options& options, Compilation& c, verify::Report& re
       leave_unmeasured(report, aside.diagnostics.all().front().message);
     }
   }
-  if (built == exit_clean && verify::worst(report) == verify::Status::refuted) {
+  if (built == exit_clean &&
+      (verify::worst(report) == verify::Status::refuted || in_turns(report))) {
     show(options, simulator, aside, report);
   }
   c.spec = std::move(aside.spec);
@@ -60,7 +71,7 @@ int verify(const Options& options, Compilation& c, std::ostream& out) {
                                          c.diagnostics.all(), check_model);
   verify::Status worst = verify::worst(report);
   if (c.diagnostics.has_errors() && worst != verify::Status::refuted) return exit_spec_errors;
-  if (c.module && (options.conservatism || worst == verify::Status::refuted)) {
+  if (c.module && (options.conservatism || worst == verify::Status::refuted || in_turns(report))) {
     if (const int refused = simulate_findings(options, c, report); refused != exit_clean) {
       return refused;
     }

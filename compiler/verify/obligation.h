@@ -52,6 +52,9 @@ struct Obligation {
   std::string model;          // of `switching`, proved: what the claims hold of
   std::int64_t micros = 0;    // how long it took
   std::string not_shown{};    // of what is refuted: why there is no run
+  // Of `switching`, unknown: recoveries take over from each other for ever in a run of the model,
+  // if not of a robot.
+  bool in_turns = false;
   // Of what is refuted: where a robot would be in trouble, in mm.
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
 };

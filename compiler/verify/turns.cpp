@@ -126,6 +126,7 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
   }
   o.because = "`" + answer.claim + "` is not shown";
   if (answer.why.empty()) return o;
+  o.in_turns = true;
   const bool several = answer.why.find(',') != std::string::npos;
   o.because += ": in a run of the model " + answer.why +
                (several ? " take over from each other for ever"
