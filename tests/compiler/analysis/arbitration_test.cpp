@@ -245,5 +245,21 @@ TEST(Arbitration, WhereNoOrderKeepsBothWhatTheyShareIsOffered) {
   EXPECT_EQ(broken(text("shared")), Messages{});
 }
 
+// A way home that leaves a zone is not mended by the rank of that: whoever takes the robot from its
+// way leaves it with less charge each time. The way within the zone is offered, and works.
+TEST(Arbitration, AWayHomeThatLeavesAZoneIsOfferedInside) {
+  const std::string south =
+      "zone south = rectangle (0 m, 0 m) to (4 m, 7 m);\n"
+      "controller go_south : safe for Rover = retreat within south speed 0.2 m/s;\n"
+      "monitor in_south for r : Rover { \"SR-6: south\" always r inside south; recover go_south; "
+      "}\n";
+  const std::string text = two_zones(south, "priority charged > in_south;");
+  const std::string help = help_of_6005(text);
+  EXPECT_EQ(help.find("priority"), std::string::npos) << help;
+  EXPECT_NE(help.find("a way to `home` within `south` works"), std::string::npos) << help;
+  EXPECT_EQ(broken(edited(text, "route to home within west", "route to home within south")),
+            Messages{});
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test
