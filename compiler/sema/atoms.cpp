@@ -314,7 +314,8 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
 // A name that nobody has declared is reported as that: it may be the one of a zone.
 bool PropertyChecker::is_known(const syntax::Expr& expr) {
   const auto* name = std::get_if<syntax::NameRef>(&expr.node);
-  if (name == nullptr || context_.symbols.find(name->name.text) != nullptr) return true;
+  if (name == nullptr || name->name.text == scope_.self.text) return true;
+  if (context_.symbols.find(name->name.text) != nullptr) return true;
   (void)context_.resolve(name->name, Sort::zone);
   return false;
 }

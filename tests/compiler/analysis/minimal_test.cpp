@@ -212,6 +212,15 @@ std::vector<Offer> offers() {
   const auto of_robot = robot_offer;
   return {
       {"`ahead` of at most " + number + " ms", "ms", 1, Beyond::more, in_every_monitor},
+      // a distance that grows with the speed, at the declared one: any larger one works as well
+      {"`clearance\\(r, room\\) >= " + number +
+           " m` works, which is what it comes to at [0-9.]+ m/s",
+       "m", 1000, Beyond::nothing,
+       [](const About& a, const std::string& value) {
+         const std::regex grows("(clearance\\(d, room\\) >= )[0-9.]+ m \\+ [0-9.]+ s \\* d.speed");
+         return std::regex_replace(a.text, grows, "$01" + value);
+       },
+       5006},
       {"`ahead " + number + " ms` works(?=, or a latency)", "ms", 1, Beyond::less, looks_ahead},
       {"^`" + number + " ms` works, or `unsound", "ms", 1, Beyond::less,
        part(&About::monitor, "ahead +"), 5001},
