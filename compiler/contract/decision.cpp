@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/contract/clauses.h"
 #include "compiler/contract/contract.h"
 #include "compiler/contract/monitors.h"
 #include "compiler/support/rational.h"
@@ -13,13 +14,6 @@ namespace rtac::contract {
 namespace {
 
 using namespace sema;
-
-std::string number(std::int64_t value) {
-  return std::to_string(value);
-}
-std::string number(std::size_t value) {
-  return std::to_string(value);
-}
 
 // Text with $D for the name of the decision, $P for the prefix, $N for the number of monitors, $L
 // for the last of them, $R and $Q for the robots likewise.
@@ -55,69 +49,6 @@ std::string filled(const DecisionFacts& f, const std::string& pattern) {
     }
   }
   return out;
-}
-
-using Clauses = std::vector<std::string>;
-
-// Of a decision that looks at other robots, what puts together what is found of each is taken for
-// granted; see compiler/docs/kernel_proof.md.
-std::string granted(const DecisionFacts& f) {
-  return f.has_company ? "!! fleet\n" : "";
-}
-
-std::string joined(const std::string& word, const Clauses& clauses) {
-  std::string out;
-  for (const std::string& clause : clauses) out += word + " " + clause + ";\n";
-  return out;
-}
-
-// Clauses are about single members, so that provers need not look into predicates of pointers.
-Clauses pointers(const DecisionFacts& f) {
-  Clauses all = {"\\valid_read(v) && \\valid_read(v->in) && \\valid_read(v->m)", "0 <= v->me < $R"};
-  if (f.runs > 0) all.push_back("\\valid(v->runs + (0 .. " + number(2 * f.runs) + " - 1))");
-  return all;
-}
-
-Clauses measured(const DecisionFacts& f) {
-  Clauses all = {"estimate_ok(v->self)"};
-  for (const std::string& zone : f.zones) {
-    all.push_back("seen_at(&zone_" + zone + ", v->at_" + zone + ", v->self)");
-  }
-  if (f.has_energy) all.push_back("span_ok(v->charge)");
-  for (std::size_t j = 0; f.has_company && j < f.robots; ++j) {
-    all.push_back("estimate_ok(v->others[" + number(j) + "].s)");
-  }
-  return all;
-}
-
-Clauses looked(const DecisionFacts& f) {
-  Clauses all = measured(f);
-  all.insert(all.end(),
-             {"motion_ok(*v->m)", "0 <= v->horizon_us <= 100000000", "reach_ok(v->within)",
-              "reach_is(v->within, v->self, $D_body, *v->m, v->horizon_us)"});
-  for (std::size_t j = 0; f.has_company && j < f.robots; ++j) {
-    all.push_back("v->in->self != " + number(j) + " ==> other_ok(v->others[" + number(j) +
-                  "], $D_body, $D_motions[0], v->horizon_us)");
-  }
-  return all;
-}
-
-Clauses state(const DecisionFacts& f) {
-  Clauses all = {"clock_ok(s->clock)", "0 <= s->mode <= $N",
-                 std::string("0 <= s->takeover.before <= ") + (f.has_company ? "$N + 1" : "$N")};
-  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
-    const std::string at = "s->monitors[" + number(k) + "]";
-    all.push_back("monitor_ok(" + at + ".engaged, " + at + ".dwell, 1)");
-  }
-  return all;
-}
-
-Clauses checks(const DecisionFacts& f) {
-  Clauses all;
-  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
-    all.push_back("check_ok(checks[" + number(k) + "])");
-  }
-  return all;
 }
 
 // That the record has what was found, of monitor `k`.
@@ -233,11 +164,12 @@ std::string measure_loops(const DecisionFacts& f) {
 
 std::string measure_contract(const DecisionFacts& f) {
   const auto us = [](const Quantity& q) { return number(floor_to_int(q.value * 1'000'000)); };
-  std::string out = "== $D_measure\n" + granted(f) +
-                    "requires \\valid(v) && \\valid(s) && \\valid_read(v->in) && "
-                    "\\separated(v, s, v->in);\n" +
-                    joined("requires", state(f)) +
-                    "assigns v->self, v->charge, s->last_position_us, s->last_velocity_us";
+  std::string out =
+      "== $D_measure\n"
+      "requires \\valid(v) && \\valid(s) && \\valid_read(v->in) && "
+      "\\separated(v, s, v->in);\n" +
+      joined("requires", state(f)) +
+      "assigns v->self, v->charge, s->last_position_us, s->last_velocity_us";
   for (const std::string& zone : f.zones) out += ", v->at_" + zone;
   if (f.has_heading) out += ",\n  v->heading, s->last_heading_us";
   if (f.has_energy) out += ",\n  s->last_battery_us";
@@ -265,110 +197,6 @@ std::string measure_contract(const DecisionFacts& f) {
       " + (v->in->position.x_hi - v->in->position.x_lo) +\n"
       "    (v->in->position.y_hi - v->in->position.y_lo);\n";
   return out + measure_loops(f);
-}
-
-std::int64_t horizon_of(const DecisionFacts& f, std::size_t i) {
-  const Ahead& ahead = (*f.spec)[f.decision->priority[i]].ahead;
-  const std::int64_t us =
-      ahead.duration ? ceil_to_int(ahead.duration->value * 1'000'000) : f.period_us;
-  return us + f.latency_us;
-}
-
-// What `check` writes does not change what is claimed of a view, unless sets in it are: then every
-// claim is one of the view before, which no write has to be led past.
-std::string of_before(const DecisionFacts& f, const std::string& claim) {
-  return f.has_company ? claim : "\\at(" + claim + ", Pre)";
-}
-
-std::string now_clause(const DecisionFacts& f, std::size_t i) {
-  return "checks[" + number(i) + "].now.lo >= 0 ==>\n  " +
-         of_before(f, claimed_now(f, i, "$D_motions[v->driver]"));
-}
-std::string ahead_clause(const DecisionFacts& f, std::size_t i) {
-  const Within within{"$D_motions[v->driver]", number(horizon_of(f, i)), "mode == 0"};
-  return "checks[" + number(i) + "].ahead.lo >= 0 ==>\n  " +
-         of_before(f, claimed_ahead(f, i, within));
-}
-std::string safer_clause(const DecisionFacts& f, std::size_t i) {
-  const std::string longer = number(horizon_of(f, i)) + " + " + number(f.period_us);
-  return "checks[" + number(i) + "].safer.lo >= 0 ==> back != 0 &&\n  " +
-         of_before(f, claimed_ahead(f, i, {"$D_motions[0]", longer, "\\true", false}));
-}
-
-// What holds before every line of `check` that writes: tables and the plan are as they were.
-Clauses untouched(const DecisionFacts& f) {
-  Clauses all;
-  for (std::size_t k = 0; k <= f.monitors.size(); ++k) {
-    const std::string at = "$D_motions[" + number(k) + "]";
-    all.push_back("motion_ok(" + at + ")");
-    all.push_back(at + " == \\at(" + at + ", Pre)");
-  }
-  const std::string plan = "v->in->plan";
-  if (!f.kind->plan) return all;
-  for (const char* member : {".valid", ".count", ".index"}) {
-    all.push_back(plan + member + " == \\at(" + plan + member + ", Pre)");
-  }
-  for (const char* member : {".x[j]", ".y[j]"}) {
-    all.push_back("\\forall integer j; 0 <= j < PLAN_CAPACITY ==> " + plan + member + " == \\at(" +
-                  plan + member + ", Pre)");
-  }
-  all.push_back("same_plan{Pre, Here}(&" + plan + ")");
-  return all;
-}
-
-// Provers lead a fact past one write at a time, so each is said again after it. Only for one
-// monitor: what is written for several takes more than they have time for.
-std::string check_steps(const DecisionFacts& f) {
-  if (f.has_company || f.monitors.size() != 1) return "";
-  const std::string start = joined("assert", untouched(f));
-  const auto found = [](const char* what) {
-    return std::string("assert margin_ok(checks[0].") + what + ");\n";
-  };
-  const std::string reached =
-      "assert motion_ok(*v->m);\n"
-      "assert reach_is(v->within, v->self, $D_body, *v->m, v->horizon_us);\n";
-  const std::string far = number(horizon_of(f, 0)), driver = "$D_motions[v->driver]";
-  std::string held = found("safer"), claims = "assert " + safer_clause(f, 0) + ";\n";
-  std::string out = "-- before if (back)\n" + start;
-  out += "-- before v->legs = mode\n" + start + held + claims;
-  out += "-- before checks[0].now =\n" + start + reached + held + claims;
-  held += found("now");
-  claims += "assert " + now_clause(f, 0) + ";\n";
-  out += "-- before checks[0].ahead =\n" + start + reached + held + claims;
-  held += found("ahead");
-  // The claim of the monitor's function, in its words and then in those of the view before.
-  out += "-- before checks[0].gives_back =\n" + start + reached + held +
-         "assert v->horizon_us == " + far + " && *v->m == \\at($D_motions[v->driver], Pre);\n" +
-         "assert checks[0].ahead.lo >= 0 ==> " +
-         claimed_ahead(f, 0, {"*v->m", "v->horizon_us", "\\false"}) + ";\n" +
-         "assert checks[0].ahead.lo >= 0 ==>\n  \\at(" +
-         claimed_ahead(f, 0, {driver, far, "\\false"}) + ", Pre);\n" +
-         "assert legs: checks[0].ahead.lo >= 0 && v->legs != 0 ==>\n  \\at(" +
-         claimed_ahead(f, 0, {driver, far, "\\true"}) + ", Pre);\n";
-  claims += "assert " + ahead_clause(f, 0) + ";\n";
-  out += claims;
-  return out + "-- at end\n" + start + reached + held + claims;
-}
-
-std::string check_contract(const DecisionFacts& f) {
-  std::string out = "== $D_check\n" + granted(f) +
-                    "requires \\valid(v) && \\valid_read(v->in) && \\valid(checks + (0 .. $L)) && "
-                    "\\separated(v, checks + (0 .. $L));\n"
-                    "requires \\separated(checks + (0 .. $L), &$D_motions[0 .. $N], &$D_body);\n"
-                    "requires \\separated(v, v->in) && \\separated(checks + (0 .. $L), v->in);\n"
-                    "requires 0 <= v->driver <= $N && 0 <= v->me < $R;\n" +
-                    joined("requires", measured(f)) +
-                    "assigns v->legs, v->m, v->horizon_us, v->within, checks[0 .. $L]" +
-                    (f.has_company ? ", v->others[0 .. $Q]" : "") +
-                    (f.runs > 0 ? ", v->runs[0 .. " + number(2 * f.runs) + " - 1]" : "") + ";\n" +
-                    joined("ensures", looked(f)) + joined("ensures", checks(f));
-  for (std::size_t i = 0; i < f.monitors.size(); ++i) {
-    const std::string& name = f.monitors[i].name;
-    out += "ensures " + name + "_now: " + now_clause(f, i) + ";\n";
-    out += "ensures " + name + "_ahead: " + ahead_clause(f, i) + ";\n";
-    out += "ensures " + name + "_safer: " + safer_clause(f, i) + ";\n";
-  }
-  return out + check_steps(f);
 }
 
 std::string report_contract(const DecisionFacts& f) {
