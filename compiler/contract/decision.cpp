@@ -167,7 +167,7 @@ std::string measure_contract(const DecisionFacts& f) {
   std::string out =
       "== $D_measure\n"
       "requires \\valid(v) && \\valid(s) && \\valid_read(v->in) && "
-      "\\separated(v, s, v->in);\n" +
+      "\\separated(v, s, v->in) && elapsed > INT64_MIN;\n" +
       joined("requires", state(f)) +
       "assigns v->self, v->charge, s->last_position_us, s->last_velocity_us";
   for (const std::string& zone : f.zones) out += ", v->at_" + zone;
