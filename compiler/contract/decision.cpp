@@ -201,15 +201,16 @@ std::string measure_contract(const DecisionFacts& f) {
 
 std::string report_contract(const DecisionFacts& f) {
   std::string out =
-      "== $D_report\n"
+      "== $D_report\n" + granted(f) +
       "requires \\valid_read(v) && \\valid_read(v->in) && \\valid_read(s) && "
       "\\valid_read(checks + (0 .. $L)) && \\valid(out);\n"
       "requires \\separated(out, v) && \\separated(out, v->in) && \\separated(out, s) && "
       "\\separated(out, checks + (0 .. $L));\n" +
       joined("requires", state(f)) + joined("requires", checks(f)) +
       "assigns out->tick, out->time_us, out->lease_end_us, out->position_age_us, "
-      "out->velocity_age_us, out->battery_age_us,\n"
-      "  out->violation_us, out->monitors[0 .. $L], out->monitor, out->found;\n"
+      "out->velocity_age_us, out->battery_age_us,\n  " +
+      (f.has_heading ? "out->heading_age_us, " : "") +
+      "out->violation_us, out->monitors[0 .. $L], out->monitor, out->found;\n"
       "ensures out->monitor == s->mode - 1;\n";
   for (std::size_t k = 0; k < f.monitors.size(); ++k) out += "ensures " + recorded(k) + ";\n";
   out +=

@@ -210,6 +210,14 @@ std::string contracts_among(const DecisionFacts& f, const std::string& name, con
   return out;
 }
 
+// No prover sees the shape of a table of cells, which is declared alone.
+bool looks_into_cells(const MonitorClaims& monitor) {
+  for (const Claim& c : monitor.claims) {
+    if (c.kind == Claim::Kind::energy) return true;
+  }
+  return false;
+}
+
 const Claim* among_robots(const MonitorClaims& monitor) {
   for (const Claim& c : monitor.claims) {
     if (c.kind == Claim::Kind::company) return &c;
@@ -228,9 +236,10 @@ std::string monitor_contracts(const DecisionFacts& f, const std::string& given) 
       out += contracts_among(f, name, *c, given);
     }
     const std::string is_ok = "ensures margin_ok(\\result);\n";
-    out += name + "_now\n" + given + "assigns \\nothing;\n" + is_ok +
+    const std::string held = looks_into_cells(f.monitors[i]) ? "!! tables\n" : "";
+    out += name + "_now\n" + held + given + "assigns \\nothing;\n" + is_ok +
            "ensures \\result.lo >= 0 ==> " + claimed_now(f, i, "*v->m") + ";\n";
-    out += name + "_ahead\n" + given + "assigns \\nothing;\n" + is_ok +
+    out += name + "_ahead\n" + held + given + "assigns \\nothing;\n" + is_ok +
            "ensures \\result.lo >= 0 ==> " + claimed_ahead(f, i, seen) + ";\n";
     if (f.monitors[i].has_return) {
       const std::string runs = "v->runs[0 .. " + number(2 * f.runs) + " - 1]";
