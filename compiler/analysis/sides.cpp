@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
@@ -45,7 +46,7 @@ bool asks_for_slow(const ir::Decision& decision, std::size_t k, const ir::Block&
   const auto* compare = std::get_if<ir::AtLeast>(&op);
   const auto bound = compare ? ir::upper_bound(block, *compare) : std::nullopt;
   return bound && bound->leaf.kind == ir::Leaf::Kind::speed &&
-         decision.motions[k + 1].speed_mmps <= bound->most;
+         fastest_while_driving(decision, k) <= bound->most;
 }
 
 std::vector<ir::ZoneIndex> sides_in_zones(const ir::Module& module, const ir::Decision& decision,

@@ -18,6 +18,13 @@ std::string speed_text(std::int64_t mmps) {
   return to_decimal(Rational(mmps, 1000)) + " m/s";
 }
 
+// By how much a recovery that drives is faster than it means to be, as it measures its speed. One
+// whose speed is commanded follows that within its limits.
+std::int64_t strays(const ir::Decision& decision, std::size_t k) {
+  const bool measures = decision.body.brake_lag_ms > 0;
+  return measures && decision.motions[k + 1].speed_mmps > 0 ? decision.body.velocity_error_mmps : 0;
+}
+
 // The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
 // where nothing else of it holds.
 class Limits {
@@ -86,7 +93,7 @@ class Limits {
     const ir::Op& op = block_[id].op;
     if (const auto* v = std::get_if<ir::And>(&op)) return keeps(k, v->a) && keeps(k, v->b);
     if (const auto* v = std::get_if<ir::Or>(&op)) return keeps(k, v->a) || keeps(k, v->b);
-    if (const auto own = limit(id)) return decision_.motions[k + 1].speed_mmps <= own->most_mmps;
+    if (const auto own = limit(id)) return fastest_while_driving(decision_, k) <= own->most_mmps;
     const auto* compare = std::get_if<ir::AtLeast>(&op);
     const auto bound =
         compare ? ir::lower_bound(block_, *compare, decision_.facts.params) : std::nullopt;
@@ -105,7 +112,7 @@ class Limits {
     for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
       const std::string& name = decision_.monitors[k].recovery.name;
       if (ir::acknowledged(decision_, name, monitor_.name)) continue;
-      works_mmps = std::max(works_mmps, decision_.motions[k + 1].speed_mmps);
+      works_mmps = std::max(works_mmps, fastest_while_driving(decision_, k));
     }
     const auto others = repairs(of_.spec, of_.written, [&](const Trial& t) {
       const std::int64_t ahead_us = lookahead_us(of_.spec, written_, t.decision.period_us);
@@ -120,11 +127,12 @@ class Limits {
   }
   void report_too_fast(const Limit& limit, std::size_t k, bool of_a_choice) {
     const std::string& name = decision_.monitors[k].recovery.name;
-    const std::int64_t mmps = decision_.motions[k + 1].speed_mmps;
+    const std::int64_t mmps = fastest_while_driving(decision_, k);
     // a recovery may be faster than it means to be by twice of what pushes it, and is no slower
     // than it takes to make way
     const ir::Body& body = decision_.body;
-    const std::int64_t slower_mmps = limit.most_mmps - 2 * decision_.pushed_mmps;
+    const std::int64_t slower_mmps =
+        limit.most_mmps - 2 * decision_.pushed_mmps - strays(decision_, k);
     const std::int64_t least_mmps = 2 * (body.velocity_error_mmps + decision_.pushed_mmps);
     const std::string works = slower_mmps >= std::max<std::int64_t>(1, least_mmps)
                                   ? "a recovery of at most " + speed_text(slower_mmps)
@@ -168,6 +176,11 @@ std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookah
       Rational(static_cast<long>(body.accel_mmps2)) * (us + apart_us) / 1'000'000;
   const std::int64_t mmps = 2 * body.velocity_error_mmps + grid_mmps + ceil_to_int(gained);
   return std::min(decision.motions[0].speed_mmps, mmps);
+}
+
+std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) {
+  return std::min(decision.motions[0].speed_mmps,
+                  decision.motions[k + 1].speed_mmps + strays(decision, k));
 }
 
 namespace {

@@ -12,6 +12,10 @@ namespace rtac::analysis {
 // where a limit of speed is no lower.
 std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us);
 
+// How fast the recovery of monitor `k` may truly be while it drives: a point mass follows the speed
+// that it measures, and is wrong about that by the error of its velocity.
+std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k);
+
 // Whether a robot that has come to rest fulfils the property of a monitor wherever it is, and is
 // given back: as it asks for no more than to be slow, or one side of its `or` does.
 bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor);

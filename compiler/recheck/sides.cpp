@@ -122,7 +122,10 @@ bool Sides::keeps_a_side(const sema::Controller& recovery, const Part& part, con
   }
   if (sema::claim_of(recovery)) speed = std::nullopt;
   if (speed) {
-    const Rational at_most = std::min(numbers_.speed, Rational(*speed + pushed(numbers_)));
+    // a point mass measures how fast it is
+    const Rational strays =
+        numbers_.unicycle || *speed == 0 ? Rational(0) : numbers_.velocity_error;
+    const Rational at_most = std::min(numbers_.speed, Rational(*speed + pushed(numbers_) + strays));
     for (const Part& each : parts.parts) {
       if (slow(each, at_most)) return true;
     }
