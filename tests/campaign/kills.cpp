@@ -56,7 +56,7 @@ const std::vector<Row>& kill_table() {
       {"no-agent-age", "crossing", "chase-robot", 20},
       {"agents-stand", "templates/agents_space", "chase-robot", 20},
       {"open-gate", "gate", "drop-outs", 60},
-      {"level-flight", "attic", "chase-fence", 20, "templates/short.json"},
+      {"level-flight", "attic", "chase-fence", 20, "templates/space.json"},
       {"level-flight", "starlings", "chase-robot", 20, "above.json"},
       {"stale-charge", "fuel", "drain", 20},
   };

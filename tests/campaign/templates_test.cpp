@@ -15,7 +15,9 @@ class Templates : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Templates, SurviveTwoThousandAttacks) {
   const std::string spec = "templates/" + GetParam();
-  const Row row{"template", spec.c_str(), "", 0, "templates/short.json"};
+  const std::string motion = GetParam().substr(GetParam().rfind('_') + 1);
+  const std::string scenario = "templates/" + motion + ".json";
+  const Row row{"template", spec.c_str(), "", 0, scenario.c_str()};
   const Attack a = attack(row, "", 2000);
   EXPECT_EQ(a.status, 0) << a.said;
   EXPECT_NE(a.said.find("\nall "), std::string::npos) << a.said;

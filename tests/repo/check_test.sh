@@ -22,7 +22,10 @@ good_tree() {
   printf 'set(RTAC_ABI 7)\n' >"$tree/CMakeLists.txt"
   printf 'inline constexpr int abi = 7;\n' >"$tree/runtime/include/rtac/kernel_bridge.h"
   mkdir -p "$tree/tests/golden/one/expected" "$tree/tests/compiler"
-  mkdir -p "$tree/compiler/docs"
+  mkdir -p "$tree/compiler/docs" "$tree/tests/campaign/specs/templates"
+  printf 'spec a;\n' >"$tree/tests/campaign/specs/templates/brake_point.rta"
+  printf 'template seeds violations hash\nbrake_point 1-100000 0  0123456789abcdef\n' \
+    >"$tree/tests/campaign/summary.txt"
   printf '## Rule 1: one\n\n### Rule 1.1 first\n' >"$tree/compiler/docs/language.md"
   printf 'TEST(Rule1, Holds) {}\nTEST_F(Rule1_1, Holds) {}\n' >"$tree/tests/rules_test.cpp"
   local block phase shown="$tree/tests/golden/one/expected/transcript.txt"
@@ -54,7 +57,8 @@ refuses() { # CHECK EXPECTED_TEXT
 }
 
 good_tree
-for check in includes examples length layout paths leftovers readme links codes tested helps rules abi; do
+for check in includes examples length layout paths leftovers readme links codes tested helps rules abi \
+  campaign; do
   accepts "$check"
 done
 
@@ -117,5 +121,10 @@ printf '### Rule 1.2 second\n' >>"$tree/compiler/docs/language.md"
 refuses rules 'no test is called Rule1_2'
 printf 'TEST(Rule3, Holds) {}\n' >>"$tree/tests/rules_test.cpp"
 refuses rules 'Rule3 is no rule'
+
+sed -i 's/100000 0/100000 1/' "$tree/tests/campaign/summary.txt"
+refuses campaign 'not of a summary without violations'
+printf 'spec b;\n' >"$tree/tests/campaign/specs/templates/land_space.rta"
+refuses campaign 'land_space is not in it once'
 
 ((failures == 0)) && printf 'every check can fail\n'

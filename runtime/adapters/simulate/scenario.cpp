@@ -188,7 +188,7 @@ const Adversary* find_adversary(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::vector<const Adversary*> applicable(const DecisionCase& decision) {
+std::vector<const Adversary*> applicable(const DecisionCase& decision, const Scenario& scenario) {
   std::vector<const Adversary*> fit;
   const bool fence = has(decision, PropertyOp::inside) || has(decision, PropertyOp::clearance);
   const bool charge = has(decision, PropertyOp::battery) || has(decision, PropertyOp::energy_to);
@@ -199,6 +199,9 @@ std::vector<const Adversary*> applicable(const DecisionCase& decision) {
     if (a.aim == Aim::fence && !fence) continue;
     if (a.aim == Aim::robot && !others) continue;
     if (a.aim == Aim::charge && !charge) continue;
+    // nothing stops a robot that coasts and does not see it: no look-ahead covers that
+    const bool stops_blind = decision.twist || scenario.fault_us_max;
+    if (a.fault_every_us > 0 && !stops_blind) continue;
     if (a.drive == Drive::plans && decision.limits.in_space)
       continue;  // way-points are of the plane
     fit.push_back(&a);

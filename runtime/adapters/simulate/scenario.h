@@ -26,9 +26,6 @@ struct Adversary {
 };
 const std::vector<Adversary>& adversaries();
 const Adversary* find_adversary(const std::string& name);
-// Those that take turns and have something to aim at.
-std::vector<const Adversary*> applicable(const DecisionCase& decision);
-
 struct Start {
   std::optional<Vec2> place;
   std::optional<double> heading_rad, battery;
@@ -50,6 +47,9 @@ struct Scenario {
   std::optional<TimeUs> deaf_from_us;  // from then on no robot hears another one
   bool tight = false;                  // robots start where control is only just given
 };
+// Those that take turns: they have something to aim at, and stay within what is declared unless the
+// scenario says for how long samples are lost.
+std::vector<const Adversary*> applicable(const DecisionCase& decision, const Scenario& scenario);
 
 // From the text of a scenario, a JSON object; numbers of the command line come afterwards.
 Problem read_scenario(const std::string& text, Scenario& to);

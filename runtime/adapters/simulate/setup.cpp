@@ -126,7 +126,7 @@ Vec2 draw_place(const DecisionCase& d, const std::vector<TruthState>& truths, in
 }
 
 Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_t seed, Setup& to) {
-  const std::vector<const Adversary*> fit = applicable(d);
+  const std::vector<const Adversary*> fit = applicable(d, scenario);
   to.seed = seed;
   to.duration_us = scenario.duration_us;
   to.return_within_us = scenario.return_within_us;

@@ -1,6 +1,7 @@
 // The list of adversaries is the one that is documented, and each has something to aim at.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -30,12 +31,28 @@ TEST(Adversaries, AimAtWhatPropertiesSay) {
   inside.op = sim::PropertyOp::inside;
   fence.properties.push_back(inside);
   std::set<std::string> names;
-  for (const Adversary* a : applicable(fence)) names.insert(a->name);
+  for (const Adversary* a : applicable(fence, Scenario())) names.insert(a->name);
   EXPECT_EQ(names.count("chase-fence"), 1u);
   EXPECT_EQ(names.count("push-at-fence"), 0u);  // it takes no turn
   EXPECT_NE(find_adversary("push-at-fence"), nullptr);
   EXPECT_EQ(names.count("chase-robot"), 0u);
   EXPECT_EQ(names.count("drain"), 0u);
+}
+
+// Nothing stops a robot that coasts and does not see it: such samples have to be asked for.
+TEST(Adversaries, LoseSamplesOfRobotsThatStopBlindAlone) {
+  const auto loses = [](bool twist, const Scenario& scenario) {
+    DecisionCase decision;
+    decision.twist = twist;
+    const auto all = applicable(decision, scenario);
+    return std::any_of(all.begin(), all.end(),
+                       [](const Adversary* a) { return a->fault_every_us > 0; });
+  };
+  Scenario says;
+  says.fault_us_max = 150'000;
+  EXPECT_TRUE(loses(true, {}));
+  EXPECT_FALSE(loses(false, {}));
+  EXPECT_TRUE(loses(false, says));
 }
 
 }  // namespace
