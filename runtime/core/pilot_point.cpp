@@ -64,6 +64,17 @@ void Pilot<Acceleration>::engage(const Observation& observation) {
   }
 }
 
+void Pilot<Acceleration>::go_on(const Halt& halt) {
+  latched_ = halt.latched;
+  hold_at_ = halt.place;
+  rest_.go_on(halt);
+}
+
+std::optional<Halt> Pilot<Acceleration>::halting() const {
+  if (driving_) return std::nullopt;
+  return Halt{latched_, hold_at_, rest_.since_us(), rest_.seen_us()};
+}
+
 bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
   const TimeUs now_us = observation.now_us;
   return usable(observation.position, now_us, limits_.position_age_us, period_us_) &&
@@ -86,10 +97,23 @@ Acceleration Pilot<Acceleration>::limited(Vec3 a, double limit_mps2) const {
   return commanded(size > limit_mps2 ? (limit_mps2 / size) * a : a);
 }
 
-// Brakes along the last known direction for as long as that speed takes to vanish. A hold stays
-// where it was latched: anew after every gap, its place would wander off with the noise.
+Acceleration Pilot<Acceleration>::against(Vec3 v) const {
+  return commanded((-limits_.brake_mps2 / std::max(norm(v), limits_.brake_mps2 * reaction_s_)) * v);
+}
+
+// By its velocity, if that is all it sees; else along the last known direction for as long as that
+// speed takes to vanish. A hold stays where it was latched: anew after every gap, its place would
+// wander off with the noise.
 Acceleration Pilot<Acceleration>::brake_blind(const Observation& observation) {
   driving_ = false;
+  const bool sees_speed =
+      usable(observation.velocity, observation.now_us, limits_.velocity_age_us, period_us_) &&
+      std::isfinite(observation.climb_mps);
+  if (sees_speed && !latched_) {
+    last_velocity_ = velocity_of(observation);
+    last_seen_us_ = observation.velocity.stamp_us;
+    return against(last_velocity_);
+  }
   const double speed = norm(last_velocity_);
   if (latched_ || last_seen_us_ == never_us || speed <= limits_.velocity_error_mps) {
     last_velocity_ = {};  // at rest when last seen: any push would only start a motion
@@ -111,7 +135,7 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
     // Where the remaining speed comes to rest, so that the hold begins without a step back.
     hold_at_ = p + (reaction_s_ / 2) * v;
   }
-  if (!latched_) return commanded((-b / std::max(speed, b * reaction_s_)) * v);
+  if (!latched_) return against(v);
   const Vec3 spring = (omega_radps_ * omega_radps_) * (hold_at_ - p);
   const Vec3 damper = (-2 * omega_radps_) * v;
   return limited(spring + damper, b);

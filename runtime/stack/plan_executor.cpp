@@ -183,8 +183,10 @@ template <class Output>
 void PlanExecutor<Output>::switch_to(int mode) {
   if (mode == mode_) return;
   const bool leaves_advanced = mode_ == 0;
+  const std::optional<Halt> halt = leaves_advanced ? std::nullopt : active()->halt();
   mode_ = mode;
   if (mode_ != 0) engage(*active());
+  if (mode_ != 0 && halt) active()->go_on(*halt);
   if (!leaves_advanced) return;
   const bool of_plan = record_.reason == Reason::waypoint || record_.reason == Reason::leg ||
                        record_.reason == Reason::over_capacity;

@@ -15,7 +15,7 @@ TEST_P(Found, HoldsNow) {
 }
 INSTANTIATE_TEST_SUITE_P(All, Found,
                          ::testing::Values("weak_steering", "noisy_hold", "mixed_pair",
-                                           "poor_actuator"),
+                                           "poor_actuator", "two_recoveries"),
                          [](const auto& each) { return each.param; });
 
 }  // namespace

@@ -1,6 +1,8 @@
 // What an application plugs in, and what the templates implement.
 #pragma once
 
+#include <optional>
+
 #include "rtac/decision.h"
 #include "rtac/types.h"
 
@@ -18,6 +20,14 @@ class Controller {
   virtual Output command(const Observation& observation) = 0;
 };
 
+// How a robot has come to rest, or is about to: handed on by one recovery to the next.
+struct Halt {
+  bool latched = false;        // it holds its place; else it still brakes
+  Vec3 place;                  // that it holds
+  TimeUs since_us = never_us;  // measurements of later show the halt; never_us: it has not begun
+  TimeUs seen_us = never_us;   // the newest one of these
+};
+
 // A safe controller: never blocks, is asked every tick while it drives.
 template <class Output>
 class SafeController {
@@ -26,6 +36,11 @@ class SafeController {
   // Called on the tick of the hand-over, before the first command. A velocity that is not a number
   // is replaced by the last one that was, with its stamp: what a blind brake has to go by.
   virtual void engage(const Observation& observation) = 0;
+  // Called after it where another recovery has driven until now, and how that one halts; nothing:
+  // it moves. Who takes over goes on with it: a place that is latched anew at every hand-over would
+  // wander off with the errors of the measurements.
+  virtual void go_on(const Halt&) {}
+  [[nodiscard]] virtual std::optional<Halt> halt() const { return std::nullopt; }
   // `gate` is binding: `hold` means brake and hold, `away_only` allows motion only along which no
   // distance to a HELD robot shrinks.
   virtual Output command(const Observation& observation, Gate gate) = 0;

@@ -157,6 +157,23 @@ TEST(PointPilot, BrakesBlind) {
   EXPECT_FALSE(pilot.latched());
 }
 
+// Without a position alone it brakes by its velocity, whatever it did before it went out of sight.
+TEST(PointPilot, BrakesByItsVelocityAlone) {
+  Plant<Acceleration> plant(test::drone_limits(), {0, 0});
+  plant.v = {0.5, 0};
+  Pilot<Acceleration> pilot(drone());
+  pilot.engage(plant.observe());
+  plant.v = {-0.3, 0.6};
+  for (int i = 0; i < 60; ++i) {
+    Observation seen = plant.observe();
+    seen.position.value = {std::nan(""), 0};
+    ASSERT_FALSE(pilot.can_steer(seen));
+    plant.apply(pilot.brake_blind(seen), 50'000);
+  }
+  EXPECT_LT(norm(plant.v), 0.05);
+  EXPECT_FALSE(pilot.latched());
+}
+
 // The hand-over shows the last velocity that was a number; the commands after it see none.
 TEST(PointPilot, BrakesBlindFromTheHandOver) {
   Plant<Acceleration> plant(test::drone_limits(), {0, 0});

@@ -49,6 +49,51 @@ void place_other(Observation& seen, int j, Vec2 p, TimeUs lease_end_us, bool cla
 }
 constexpr TimeUs always = INT64_MAX / 2;
 
+// Where `hand` recoveries take over from each other every three ticks, in the middle of the room,
+// for two minutes: how far it gets. Its velocity is measured too small by the declared error,
+// always in the same direction.
+double wandered_m(std::vector<SafeController<Acceleration>*> hand) {
+  test::Plant<Acceleration> plant(test::drone_limits(), {2.5, 2.5});
+  plant.noisy = 0;
+  plant.velocity_bias = {-plant.limits.velocity_error_mps, 0};
+  SafeController<Acceleration>* driving = nullptr;
+  double farthest_m = 0;
+  for (std::size_t i = 0; i < 2400; ++i) {
+    SafeController<Acceleration>* next = hand[i / 3 % hand.size()];
+    if (next != driving) {
+      const std::optional<Halt> halt = driving == nullptr ? std::nullopt : driving->halt();
+      next->engage(plant.observe());
+      if (halt) next->go_on(*halt);
+      driving = next;
+    }
+    tick<Acceleration>(*driving, plant, Gate::hold, 50'000);
+    farthest_m = std::max(farthest_m, norm(plant.p - Vec2{2.5, 2.5}));
+  }
+  return farthest_m;
+}
+
+// A place that each of them latched for itself would creep with that error, 2 m in this time.
+TEST(HandOver, KeepsThePlace) {
+  const Setting setting = drone(room().view());
+  BrakeAndHold<Acceleration> one(setting), two(setting);
+  Retreat<Acceleration> three(setting);
+  Sequence<Acceleration> four(step<BrakeAndHold, Acceleration>(100'000, setting),
+                              step<BrakeAndHold, Acceleration>(0, setting));
+  const double alone_m = wandered_m({&one});
+  EXPECT_LE(wandered_m({&one, &two}), alone_m + 0.01);
+  EXPECT_LE(wandered_m({&one, &three, &four}), alone_m + 0.01);
+}
+
+// Also between the steps of a sequence.
+TEST(HandOver, KeepsThePlaceWithinASequence) {
+  const Setting setting = drone(room().view());
+  std::vector<Step<Acceleration>> steps;
+  for (int i = 0; i < 600; ++i) steps.push_back(step<BrakeAndHold, Acceleration>(150'000, setting));
+  Sequence<Acceleration> often(std::move(steps));
+  BrakeAndHold<Acceleration> once(setting);
+  EXPECT_LE(wandered_m({&often}), wandered_m({&once}) + 0.01);
+}
+
 // From close to a wall the drone gets to a clearance at which control returns, never closer to the
 // wall than its stop, and then says that it holds.
 TEST(Retreat, LeavesTheWall) {

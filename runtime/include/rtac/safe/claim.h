@@ -36,6 +36,14 @@ class Claimed final : public SafeController<Output> {
     braking_ = false;
     external_->engage(observation);
   }
+  void go_on(const Halt& halt) override {
+    pilot_.go_on(halt);
+    braking_ = true;  // unless the claim holds, it goes on with that
+    external_->go_on(halt);
+  }
+  [[nodiscard]] std::optional<Halt> halt() const override {
+    return braking_ ? pilot_.halting() : external_->halt();
+  }
   // The gate binds it whatever the external controller makes of it.
   Output command(const Observation& observation, Gate gate) override {
     const bool drives = gate == Gate::free && keeps_claim(observation);

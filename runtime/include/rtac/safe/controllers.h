@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,8 @@ class Driven : public SafeController<Output> {
     pilot_.engage(observation);
     plan_.engage(observation);
   }
+  void go_on(const Halt& halt) override { pilot_.go_on(halt); }
+  [[nodiscard]] std::optional<Halt> halt() const override { return pilot_.halting(); }
   Output command(const Observation& observation, Gate gate) override {
     if (!pilot_.can_steer(observation)) return pilot_.brake_blind(observation);
     plan_.update(observation, gate, pilot_.at_rest(observation));
@@ -123,10 +126,14 @@ class Sequence : public SafeController<Output> {
     at_ = 0;
     begin(observation);
   }
+  void go_on(const Halt& halt) override { now().go_on(halt); }
+  [[nodiscard]] std::optional<Halt> halt() const override { return now().halt(); }
   Output command(const Observation& observation, Gate gate) override {
     if (at_ + 1 < steps_.size() && observation.now_us - since_us_ >= steps_[at_].lasts_us) {
+      const std::optional<Halt> before = now().halt();
       ++at_;
       begin(observation);
+      if (before) now().go_on(*before);
     }
     return now().command(observation, gate);
   }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
+#include "rtac/controller.h"
 #include "rtac/safe/setting.h"
 #include "rtac/types.h"
 
@@ -48,6 +50,12 @@ double approach_speed(const LegTracker::Leg& leg, double speed_mps, double brake
 class RestWitness {
  public:
   void reset() { since_us_ = never_us; }
+  void go_on(const Halt& halt) {
+    since_us_ = halt.since_us;
+    last_us_ = halt.seen_us;
+  }
+  [[nodiscard]] TimeUs since_us() const { return since_us_; }
+  [[nodiscard]] TimeUs seen_us() const { return last_us_; }
   // True for a new measurement of the halt that goes on since the last reset.
   bool admits(const Observation& observation, TimeUs latency_us) {
     if (since_us_ == never_us) {
@@ -71,6 +79,8 @@ class Pilot<Acceleration> {
  public:
   explicit Pilot(const Setting& setting);
   void engage(const Observation& observation);
+  void go_on(const Halt& halt);
+  [[nodiscard]] std::optional<Halt> halting() const;  // nothing: it drives
   // Position and velocity are there; otherwise the only command left is `brake_blind`.
   [[nodiscard]] bool can_steer(const Observation& observation) const;
   Acceleration brake_blind(const Observation& observation);
@@ -88,6 +98,8 @@ class Pilot<Acceleration> {
 
  private:
   [[nodiscard]] Acceleration limited(Vec3 a, double limit_mps2) const;
+  // The sampled brake: at full strength, until one reaction would reverse the motion.
+  [[nodiscard]] Acceleration against(Vec3 v) const;
   [[nodiscard]] double steering_limit() const;  // m/s^2
 
   RobotLimits limits_;
@@ -110,6 +122,9 @@ class Pilot<Twist> {
  public:
   explicit Pilot(const Setting& setting);
   void engage(const Observation& observation);
+  // The base holds its place by itself.
+  void go_on(const Halt&) {}
+  [[nodiscard]] static std::optional<Halt> halting() { return std::nullopt; }
   [[nodiscard]] bool can_steer(const Observation& observation) const;
   Twist brake_blind(const Observation& observation);
   Twist halt(const Observation& observation);

@@ -12,6 +12,8 @@ class Carried : public SafeController<Acceleration> {
  public:
   explicit Carried(const Setting& setting) : setting_(setting), pilot_(setting) {}
   void engage(const Observation& observation) override;
+  void go_on(const Halt& halt) override { pilot_.go_on(halt); }
+  [[nodiscard]] std::optional<Halt> halt() const override { return pilot_.halting(); }
   Acceleration command(const Observation& observation, Gate gate) override;
   [[nodiscard]] bool holding() const override { return pilot_.latched() && legs_.empty(); }
 
