@@ -371,6 +371,7 @@ class Deriver {
     d.open_fleet = kind.open_fleet;
     d.plan_capacity = kind.plan ? kind.plan->capacity : 0;
     d.body = body_of(kind, d.period_us, from.on_plan ? 0 : jitter_us(spec_, from, d.period_us));
+    d.standing_mm = standing_mm(d.body, d.period_us);
     if (kind.energy) {
       const auto& e = *kind.energy;
       d.hold_reserve_ppm = ceil_to_int(

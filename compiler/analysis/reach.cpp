@@ -53,4 +53,10 @@ std::int64_t disc_mm(const ir::Body& body, const ir::Motion& motion, std::int64_
          stop + tube;
 }
 
+std::int64_t standing_mm(const ir::Body& body, std::int64_t period_us) {
+  const ir::Motion pushed{"", 0, body.disturbance_mmps2, true, {}};
+  const std::int64_t until_us = period_us + body.latency_us + body.jitter_us;
+  return disc_mm(body, pushed, 0, until_us) - body.radius_mm;
+}
+
 }  // namespace rtac::analysis

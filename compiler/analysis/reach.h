@@ -22,4 +22,8 @@ std::int64_t way_mm(const ir::Body& body, const ir::Motion& motion, std::int64_t
 std::int64_t disc_mm(const ir::Body& body, const ir::Motion& motion, std::int64_t measured_mmps,
                      std::int64_t t_us);
 
+// How far a robot that stands may get until it is held, and while it is, whatever pushes it and is
+// measured of it.
+std::int64_t standing_mm(const ir::Body& body, std::int64_t period_us);
+
 }  // namespace rtac::analysis

@@ -165,6 +165,7 @@ class Decisions {
     Json j{{"name", d.name}, {"number", number}, {"kind", d.kind}, {"advanced", d.advanced}};
     j["output"] = at->output == sema::OutputType::twist ? "twist" : "acceleration";
     j["period_us"] = d.period_us;
+    j["standing_m"] = metres(d.standing_mm);
     j["plan_capacity"] = d.plan_capacity;
     j["open_fleet"] = d.open_fleet;
     j["surrender_mode"] = ir::surrender_mode(d);

@@ -629,8 +629,10 @@ struct Decision {
   // Clearance of the centre at which a robot at full speed never fails a fence: for planners.
   std::int64_t cruise_clearance_mm = 0;
   std::int64_t hold_reserve_ppm = 0;  // charge that held time and detours may take
-  std::vector<Motion> motions;        // 0: any control, k + 1: recovery of monitor k
-  std::vector<Monitor> monitors;      // by priority
+  // How much a robot that stands when it is armed needs to spare to be kept where it is.
+  std::int64_t standing_mm = 0;
+  std::vector<Motion> motions;    // 0: any control, k + 1: recovery of monitor k
+  std::vector<Monitor> monitors;  // by priority
   std::uint32_t held_slots = 0;
   std::vector<Acknowledgement> acknowledgements;
   // What its monitors say of plain inputs and of the past, which is judged now whatever the

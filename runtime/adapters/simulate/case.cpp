@@ -166,6 +166,7 @@ DecisionCase decision(const Json& j, const Case& all) {
   d.number = j.at("number").get<int>();
   d.twist = j.at("output").get<std::string>() == "twist";
   d.period_us = j.at("period_us").get<TimeUs>();
+  d.standing_m = j.at("standing_m").get<double>();
   d.plan_capacity = j.at("plan_capacity").get<std::size_t>();
   d.surrender_mode = j.at("surrender_mode").get<int>();
   d.judges_commands = j.value("judges_commands", false);

@@ -16,8 +16,9 @@ using sim::TruthState;
 
 constexpr std::uint64_t setup_stream = 3001;
 constexpr int tries_max = 4000;
-// Among so many admissible places the widest one is taken, unless one is wide enough before.
-constexpr int tries_wide = 40;
+// Among so many admissible places the widest one is taken, unless one is wide enough before; among
+// so many more where none of them has what a robot at rest needs to spare.
+constexpr int tries_wide = 40, tries_standing = 400;
 constexpr double wide = 0.5;  // in scales of the margins
 // How long samples are lost. A body whose speed is commanded stops by itself; one whose
 // acceleration is commanded coasts on when it does not know how fast it is, and no look-ahead
@@ -74,7 +75,9 @@ bool place(const DecisionCase& d, const Field& field, const Start* fixed, Random
       best_margin = margin;
       best = truth;
     }
-    if (margin >= wide || ++admissible >= tries_wide) break;
+    ++admissible;
+    if (margin >= std::max(wide, d.standing_m)) break;
+    if (admissible >= (best_margin >= d.standing_m ? tries_wide : tries_standing)) break;
   }
   truths.back() = best;
   return best_margin >= 0;
