@@ -311,11 +311,14 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
   return nullptr;
 }
 
-// A name that nobody has declared is reported as that: it may be the one of a zone.
+// A name that nobody has declared, and that is nearly the one of a zone, is reported as that; so is
+// any where a declaration may be lost. Others are robots that no quantifier binds.
 bool PropertyChecker::is_known(const syntax::Expr& expr) {
   const auto* name = std::get_if<syntax::NameRef>(&expr.node);
   if (name == nullptr || name->name.text == scope_.self.text) return true;
   if (context_.symbols.find(name->name.text) != nullptr) return true;
+  const auto likely = nearest(name->name.text, context_.symbols.names_of(Sort::zone));
+  if (!likely && !context_.broken_tree()) return true;
   (void)context_.resolve(name->name, Sort::zone);
   return false;
 }
