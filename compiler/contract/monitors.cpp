@@ -179,8 +179,7 @@ std::string claimed_ahead(const DecisionFacts& f, std::size_t i, const Within& w
 namespace {
 
 // What is found of one of several robots, and of all of them one after the other.
-std::string contracts_among(const DecisionFacts& f, const std::string& name, const Claim& claim,
-                            const std::string& given) {
+std::string contracts_among(const std::string& name, const Claim& claim, const std::string& given) {
   const std::string least = text(claim.least);
   const std::string apart[] = {
       "apart_now(v->self, v->others[@], $D_body, *v->m, $D_motions[0], " + least + ")",
@@ -233,7 +232,7 @@ std::string monitor_contracts(const DecisionFacts& f, const std::string& given) 
   for (std::size_t i = 0; i < f.monitors.size(); ++i) {
     const std::string name = "== " + f.name + "_" + f.monitors[i].name;
     if (const Claim* const c = among_robots(f.monitors[i])) {
-      out += contracts_among(f, name, *c, given);
+      out += contracts_among(name, *c, given);
     }
     const std::string is_ok = "ensures margin_ok(\\result);\n";
     const std::string held = looks_into_cells(f.monitors[i]) ? "!! tables\n" : "";

@@ -13,7 +13,8 @@
 ; at most: k = 1.265 - 0.93 v up to v = 1, then 1.085 - 0.75 v down to 0 where x <= 50/49, and 0.66 up
 ; to v = 1, then 1 / (3 v^2), elsewhere. Everything is worst where q is the largest that the angle
 ; allows. In the steps, z = x q.
-; code: runtime/core/pilot_point.cpp | if (!latched_) return commanded((-b / std::max(speed, b * reaction_s_)) * v);
+; code: runtime/core/pilot_point.cpp | if (!latched_) return against(v);
+; code: runtime/core/pilot_point.cpp | return commanded((-limits_.brake_mps2 / std::max(norm(v), limits_.brake_mps2 * reaction_s_)) * v);
 ; code: runtime/core/pilot_point.cpp | rest_mps_ = eta_mps * limits_.brake_mps2 / (limits_.brake_mps2 - limits_.disturbance_mps2);
 ; code: compiler/analysis/limits.cpp | b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
 ; code: compiler/codegen/kernel/motion.c | return b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
