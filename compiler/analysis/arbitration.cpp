@@ -409,6 +409,14 @@ std::vector<std::size_t> order_that_keeps(const ir::Decision& decision, const Ar
   return order.size() == count ? order : std::vector<std::size_t>();
 }
 
+std::string priority_of(const ir::Decision& decision, const std::vector<std::size_t>& order) {
+  std::string text;
+  for (const std::size_t k : order) {
+    text += (text.empty() ? "`priority " : " > ") + decision.monitors[k].name;
+  }
+  return text.empty() ? "" : text + ";` works";
+}
+
 // One report for each recovery, whatever number of monitors it may break.
 diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
                          const ir::Decision& decision, const Arbitration& all, std::size_t i,
@@ -416,10 +424,9 @@ diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
   const std::vector<Entry>& row = all[i];
   const std::string& recovery = decision.monitors[i].recovery.name;
   const auto name = [&](std::size_t j) { return decision.monitors[j].name; };
-  std::string names, accept;
+  std::string names;
   for (std::size_t k = 0; k < broken.size(); ++k) {
     names += (k == 0 ? "" : k + 1 == broken.size() ? " and " : ", ") + quoted(name(broken[k]));
-    accept += ", or `acknowledge " + recovery + " may break " + name(broken[k]) + " \"why\";`";
   }
   diag::Diagnostic d{};
   d.code = diag::Code::recovery_breaks;
@@ -435,19 +442,14 @@ diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
     if (!row[j].conflict.empty())
       d.notes.push_back({std::nullopt, conflict_text(decision, row[j])});
   }
-  if (decision.coordinated) {
-    const std::string& works = row[broken.front()].help;
-    d.help = (works.empty() ? "" : works + ", ") + accept.substr(works.empty() ? 5 : 2);
-    return d;
+  const auto help = [&d](const std::string& way) {
+    if (!way.empty()) d.help += (d.help.empty() ? "" : ", or ") + way;
+  };
+  if (!decision.coordinated) help(priority_of(decision, order_that_keeps(decision, all)));
+  help(row[broken.front()].help);
+  for (const std::size_t j : broken) {
+    help("`acknowledge " + recovery + " may break " + name(j) + " \"why\";`");
   }
-  const std::string& works = row[broken.front()].help;
-  std::string order;
-  for (const std::size_t k : order_that_keeps(decision, all)) {
-    order += (order.empty() ? "`priority " : " > ") + name(k);
-  }
-  if (!order.empty()) order += ";` works";
-  d.help = order + (order.empty() || works.empty() ? "" : ", or ") + works;
-  d.help += d.help.empty() ? accept.substr(5) : accept;
   return d;
 }
 

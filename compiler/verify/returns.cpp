@@ -147,9 +147,6 @@ class Rest {
     return std::holds_alternative<ir::Fact>(op);
   }
 
-  // So far from where it would be given back, or would leave the zone, that no error moves it
-  // there.
-  static constexpr std::int64_t stands_off_mm = 20;
   const Subject& s_;
   const ir::Monitor& monitor_;
   const ir::Recovery& last_;

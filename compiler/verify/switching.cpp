@@ -123,10 +123,10 @@ Obligation starts_well(const Subject& s) {
   o.method = "by construction";
   o.because =
       "every monitor whose return set does not hold is engaged at the start, and a recovery "
-      "drives: what holds of a robot at rest with " +
+      "drives: one that stands is held within " +
       metres(s.decision.standing_mm) +
-      " to spare goes on holding, and where a property is false, it leads out (language rules 10 "
-      "and 11)";
+      " of its place until it is led away, and where a property is false, it leads out (language "
+      "rules 10 and 11)";
   o.claims.push_back({"start", {{"decision", s.decision.name}}});
   return o;
 }

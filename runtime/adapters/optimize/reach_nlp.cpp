@@ -158,6 +158,7 @@ class ReachNlp : public Ipopt::TNLP {
   struct Curvature {
     double xx = 0, xy = 0, yy = 0;
   };
+
   void add_balls() {
     const bool capped = std::isfinite(problem_.speed_mps);
     if (problem_.position_error_m > 0) {

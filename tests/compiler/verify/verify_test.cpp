@@ -30,6 +30,22 @@ TEST_F(Verify, WithoutItsAcknowledgementTheDeliveryIsRefuted) {
   EXPECT_EQ(statuses(o.out, "C", "battery"), (Statuses{"refuted", "proved"})) << o.out;
 }
 
+// A push carries a hold off by d / w^2 at least, w being 2 rad/s at most.
+TEST_F(Verify, TheStartTellsWithinWhatARobotIsHeld) {
+  const auto held_m = [this](const std::string& text) {
+    const Outcome o = verified(text);
+    const std::string before = "one that stands is held within ";
+    const std::size_t at = o.out.find(before);
+    EXPECT_NE(at, std::string::npos) << o.out << o.err;
+    return at == std::string::npos ? 0 : std::stod(o.out.substr(at + before.size()));
+  };
+  const double calm_m = held_m(drone_spec());
+  EXPECT_GT(calm_m, 0);
+  const std::string limit = "speed <= ";
+  EXPECT_GE(held_m(edited(drone_spec(), limit, "disturbance <= 0.1 m/s^2; " + limit)),
+            calm_m + 0.1 / 4);
+}
+
 // What no choice avoids stays refuted, and the report names the recoveries.
 TEST_F(Verify, CoordinatedRecoveriesThatDoNotKeepEachOtherAreRefuted) {
   std::string text = edited(drone_spec(), "decision fly", R"(
