@@ -13,6 +13,15 @@ namespace {
 
 constexpr double s_per_us = 1e-6;
 constexpr double lateral_gain_per_s = 1.0;
+// For what sampling adds, and the tail of its approach.
+constexpr double sway_slack_m = 0.01;
+
+Vec2 nearest_on(const Leg& leg, Vec2 at) {
+  const double length_m = norm(leg.to - leg.from);
+  if (length_m < 1e-6) return leg.to;
+  const Vec2 along = (1 / length_m) * (leg.to - leg.from);
+  return leg.from + std::clamp(dot(at - leg.from, along), 0.0, length_m) * along;
+}
 
 Acceleration commanded(Vec3 a) {
   return {{a.x, a.y}, a.z};
@@ -43,6 +52,9 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
   if (limits_.position_error_m > 0) {
     omega_radps_ = std::min(omega_radps_, std::sqrt(share_mps2 / limits_.position_error_m));
   }
+  // lemma hold, and the error of the measurement that tells
+  sway_m_ = 2 * limits_.position_error_m + 2 * limits_.velocity_error_mps / omega_radps_ +
+            limits_.disturbance_mps2 / (omega_radps_ * omega_radps_) + sway_slack_m;
   // What drives off with less than the brake has to be slow: as its measurement can tell, and by no
   // more than a creep.
   const double steers_mps2 = steering_limit();
@@ -52,6 +64,7 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
 
 void Pilot<Acceleration>::engage(const Observation& observation) {
   latched_ = driving_ = false;
+  on_leg_.reset();
   rest_.reset();
   // Also when it can steer: the very first command may have to do without a measurement. An older
   // velocity, of an earlier engagement, must not steer the blind brake.
@@ -67,12 +80,13 @@ void Pilot<Acceleration>::engage(const Observation& observation) {
 void Pilot<Acceleration>::go_on(const Halt& halt) {
   latched_ = halt.latched;
   hold_at_ = halt.place;
+  kept_ = halt.kept;
+  on_leg_ = halt.leg;
   rest_.go_on(halt);
 }
 
 std::optional<Halt> Pilot<Acceleration>::halting() const {
-  if (driving_) return std::nullopt;
-  return Halt{latched_, hold_at_, rest_.since_us(), rest_.seen_us()};
+  return Halt{latched_, hold_at_, kept_, on_leg_, rest_.since_us(), rest_.seen_us()};
 }
 
 bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
@@ -133,7 +147,12 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
   if (!latched_ && rest_.admits(observation, limits_.latency_us) && speed <= rest_mps_) {
     latched_ = true;
     // Where the remaining speed comes to rest, so that the hold begins without a step back.
-    hold_at_ = p + (reaction_s_ / 2) * v;
+    hold_at_ = kept_ = p + (reaction_s_ / 2) * v;
+    // Stop by stop, noise would carry it off: the next leg begins where this one has ended.
+    if (on_leg_) {
+      const Vec2 nearest = nearest_on(*on_leg_, {hold_at_.x, hold_at_.y});
+      kept_.x = nearest.x, kept_.y = nearest.y;
+    }
   }
   if (!latched_) return against(v);
   const Vec3 spring = (omega_radps_ * omega_radps_) * (hold_at_ - p);
@@ -144,18 +163,39 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
 // The spring pulls the robot after it, no faster than the place moves: it is critically damped, and
 // knows nothing of that speed.
 bool Pilot<Acceleration>::carry(Vec3 to, double step_m) {
+  const bool there = move_hold(to, step_m);
+  kept_ = hold_at_;
+  return there;
+}
+
+bool Pilot<Acceleration>::move_hold(Vec3 to, double step_m) {
   const Vec3 left = to - hold_at_;
   const double left_m = norm(left);
   hold_at_ = left_m <= step_m ? to : hold_at_ + (step_m / left_m) * left;
   return left_m <= step_m;
 }
 
+bool Pilot<Acceleration>::sets_out(const Observation& observation) {
+  if (!latched_) {
+    if (on_leg_) return false;  // it was stopped
+    tracker_.begin(observation.position.value);
+    return true;
+  }
+  const double step_m = speed_mps_ * static_cast<double>(period_us_) * s_per_us;
+  if (!move_hold(kept_, step_m) || !at_rest(observation)) return false;
+  if (norm(kept_ - position_of(observation)) > sway_m_) return false;
+  tracker_.begin({kept_.x, kept_.y});
+  return true;
+}
+
 Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& way) {
   const Vec2 v = observation.velocity.value, p = observation.position.value;
-  if (!driving_) tracker_.begin(p);
+  if (!driving_ && !sets_out(observation)) return halt(observation);
   if (!tracker_.advance(way, p, end_reach_m(limits_))) {
+    on_leg_.reset();
     return halt(observation);
   }
+  on_leg_ = {tracker_.from(), way.points[way.index]};
   driving_ = true;
   latched_ = false;
   rest_.reset();

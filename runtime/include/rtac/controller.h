@@ -20,10 +20,15 @@ class Controller {
   virtual Output command(const Observation& observation) = 0;
 };
 
+struct Leg {  // straight, map frame, metres
+  Vec2 from, to;
+};
 // How a robot has come to rest, or is about to: handed on by one recovery to the next.
 struct Halt {
-  bool latched = false;        // it holds its place; else it still brakes
+  bool latched = false;        // it holds its place; else it still brakes, or drives
   Vec3 place;                  // that it holds
+  Vec3 kept;                   // from which it moves on: on its leg, if it was stopped on one
+  std::optional<Leg> leg;      // that it drives, or was stopped on
   TimeUs since_us = never_us;  // measurements of later show the halt; never_us: it has not begun
   TimeUs seen_us = never_us;   // the newest one of these
 };
@@ -37,8 +42,8 @@ class SafeController {
   // is replaced by the last one that was, with its stamp: what a blind brake has to go by.
   virtual void engage(const Observation& observation) = 0;
   // Called after it where another recovery has driven until now, and how that one halts; nothing:
-  // it moves. Who takes over goes on with it: a place that is latched anew at every hand-over would
-  // wander off with the errors of the measurements.
+  // it has not begun to. Who takes over goes on with it: a place that is latched anew at every
+  // hand-over would wander off with the errors of the measurements.
   virtual void go_on(const Halt&) {}
   [[nodiscard]] virtual std::optional<Halt> halt() const { return std::nullopt; }
   // `gate` is binding: `hold` means brake and hold, `away_only` allows motion only along which no

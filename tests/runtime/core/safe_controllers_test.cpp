@@ -94,6 +94,44 @@ TEST(HandOver, KeepsThePlaceWithinASequence) {
   EXPECT_LE(wandered_m({&often}), wandered_m({&once}) + 0.01);
 }
 
+// How near two retreats come to a wall 0.3 m beside them, which leave the robot to each other every
+// `ticks` and drive in between, while their gate is open for `open` ticks of ten. Its velocity is
+// measured too large away from the wall, its place too near to it while the gate is closed.
+double nearest_m(int ticks, int open) {
+  Setting setting = drone(room().view());
+  setting.return_clearance_m = 0.6;
+  setting.limits.velocity_error_mps = 0.05;
+  Plant<Acceleration> plant(setting.limits, {0.3, 0.5});
+  plant.noisy = 0;
+  plant.velocity_bias = {setting.limits.velocity_error_mps, 0};
+  Retreat<Acceleration> one(setting), two(setting);
+  SafeController<Acceleration>*driving = &one, *other = &two;
+  driving->engage(plant.observe());
+  double least_m = 1;
+  for (int i = 0; i < 4800; ++i) {
+    const Gate gate = i % 10 < open ? Gate::free : Gate::hold;
+    Observation seen = plant.observe();
+    seen.position.value.x += (gate == Gate::free ? 1 : -1) * setting.limits.position_error_m;
+    if (i % ticks == ticks - 1) {
+      std::swap(driving, other);
+      driving->engage(seen);
+      if (const std::optional<Halt> halt = other->halt()) driving->go_on(*halt);
+    }
+    plant.apply(driving->command(seen, gate), setting.period_us);
+    least_m = std::min(least_m, signed_clearance(room().view(), plant.p));
+  }
+  return least_m;
+}
+
+// A way that began anew at every stop, where noise has left the robot, carried it out of the zone.
+TEST(HandOver, OnTheWayCarriesNothingOff) {
+  for (const int ticks : {4, 6, 7, 9, 12, 24, 47, 5000}) {
+    for (const int open : {1, 2, 4, 7, 10}) {
+      EXPECT_GE(nearest_m(ticks, open), 0.1) << "every " << ticks << " ticks, open " << open;
+    }
+  }
+}
+
 // From close to a wall the drone gets to a clearance at which control returns, never closer to the
 // wall than its stop, and then says that it holds.
 TEST(Retreat, LeavesTheWall) {

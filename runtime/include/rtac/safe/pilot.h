@@ -35,6 +35,7 @@ class LegTracker {
   // Moves way.index past the points that `at` has reached or passed. false: nothing is left.
   bool advance(Path& way, Vec2 at, double reach_m);
   [[nodiscard]] Leg leg(const Path& way, Vec2 at) const;
+  [[nodiscard]] Vec2 from() const { return from_; }
 
  private:
   Vec2 from_;
@@ -80,13 +81,14 @@ class Pilot<Acceleration> {
   explicit Pilot(const Setting& setting);
   void engage(const Observation& observation);
   void go_on(const Halt& halt);
-  [[nodiscard]] std::optional<Halt> halting() const;  // nothing: it drives
+  [[nodiscard]] std::optional<Halt> halting() const;
   // Position and velocity are there; otherwise the only command left is `brake_blind`.
   [[nodiscard]] bool can_steer(const Observation& observation) const;
   Acceleration brake_blind(const Observation& observation);
   // Brakes, then holds the position where it came to rest.
   Acceleration halt(const Observation& observation);
-  // Follows `way` from way.index on and advances it; halts at its end.
+  // Follows `way` from way.index on and advances it; halts at its end. Stopped on a leg it sets out
+  // again from that leg, at rest.
   Acceleration drive(const Observation& observation, Path& way);
   [[nodiscard]] bool latched() const { return latched_; }
   // While it holds: the place to hold moves by at most `step_m` towards `to`. True: it is there.
@@ -101,6 +103,8 @@ class Pilot<Acceleration> {
   // The sampled brake: at full strength, until one reaction would reverse the motion.
   [[nodiscard]] Acceleration against(Vec3 v) const;
   [[nodiscard]] double steering_limit() const;  // m/s^2
+  bool sets_out(const Observation& observation);
+  bool move_hold(Vec3 to, double step_m);
 
   RobotLimits limits_;
   TimeUs period_us_;
@@ -109,10 +113,12 @@ class Pilot<Acceleration> {
   double rest_mps_;     // measured speed below which the brake gives way to the position hold
   double ready_mps_;    // measured speed below which the hold may be left
   double omega_radps_;  // natural frequency of the position hold
+  double sway_m_;       // how far from the place that it holds it may be measured, once it is there
   LegTracker tracker_;
+  std::optional<Leg> on_leg_;  // that it drives, or was stopped on
   bool latched_ = false, driving_ = false;
   RestWitness rest_;
-  Vec3 hold_at_;
+  Vec3 hold_at_, kept_;
   Vec3 last_velocity_;
   TimeUs last_seen_us_ = never_us;
 };
