@@ -5,7 +5,9 @@
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/liveness.h"
+#include "compiler/analysis/paces.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -50,6 +52,7 @@ class Pair {
     if (const auto* v = std::get_if<ir::Or>(&op)) {
       if (speaks_of_windows(block, id)) return !decision_.coordinated || keeps_windows();
       if (keeps_a_side(module_, decision_, exact_, drives_, block, id)) return true;
+      if (!decision_.coordinated && too_fast_while_told(block, id)) return false;
       return keeps(block, v->a) && keeps(block, v->b);
     }
     if (const ir::Block* body = ir::body_of(op)) return keeps(*body, body->result);
@@ -57,6 +60,22 @@ class Pair {
     // What the robot has no part in, plans, which are judged before they are driven, and what
     // cannot be looked ahead, which is refused (5006).
     return !decision_.coordinated || std::holds_alternative<ir::Truth>(op) || answers_to_inputs();
+  }
+  // `estop implies d.speed <= c`: the brake of who takes over is the answer to the input.
+  bool too_fast_while_told(const ir::Block& block, ir::ValueId id) {
+    const std::int64_t mmps = fastest_while_driving(decision_, drives_);
+    const Pace pace =
+        pace_of(block, id, mmps, fastest_from_rest(decision_, judged_.lookahead.duration_us),
+                [&](const ir::Block& b, const ir::AtLeast& compare) {
+                  return keeps_comparison(b, compare);
+                });
+    if (pace != Pace::while_told) return false;
+    entry_.why = quoted(recovery_.name) + " drives at up to " +
+                 to_decimal(Rational(static_cast<long>(mmps), 1000)) + " m/s, and the inputs of " +
+                 quoted(judged_.name) + " may allow less";
+    entry_.help.clear();
+    entry_.while_told = true;
+    return true;
   }
   // No recovery makes an input true again, and none makes it false. But its own one is the answer
   // to it, and whoever coordinates must not take another one for as good.
@@ -93,6 +112,8 @@ class Pair {
     for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
       switch (leaf.kind) {
         case ir::Leaf::Kind::clearance:
+          // at most so clear: cannot be looked ahead (5006)
+          if (sgn(coefficient) < 0) break;
           kept = kept && keeps_clearance(ir::ZoneIndex{leaf.table});
           break;
         case ir::Leaf::Kind::battery:
@@ -142,15 +163,14 @@ class Pair {
       } else if (would_do(fence)) {
         entry_.help = "a recovery within " + name + " works";
       } else if (both_would_do(*zone, fence)) {
-        entry_.help = "a recovery within a zone that is `" + module_[*zone].name + " & " +
-                      module_[fence].name + "` works";
+        entry_.help = "a recovery within a zone that is `" + shared_text(*zone, fence) + "` works";
       }
       return false;
     }
     return true;
   }
   // It would lie in all that the monitors keep the robot in which it recovers for, lead straight in
-  // from the rest of that, and have a place to return to.
+  // from the rest of that, have a place to return to, and keep what it keeps of others.
   [[nodiscard]] bool would_do(ir::ZoneIndex fence) const {
     const auto& params = decision_.facts.params;
     const ir::Recovery& last = ir::last_step(recovery_);
@@ -159,11 +179,15 @@ class Pair {
     const auto leads_in = [&](ir::ZoneIndex zone) {
       return zone == fence || (is_convex(exact_(zone)) && exact_(zone).contains(exact_(fence)));
     };
+    const auto holds = [&](ir::ZoneIndex zone) {
+      return zone == fence || exact_(zone).contains(exact_(fence));
+    };
     return std::all_of(
         decision_.monitors.begin(), decision_.monitors.end(), [&](const ir::Monitor& m) {
-          if (m.recovery.name != recovery_.name) return true;
           const auto own = fences_of(m.property, params);
-          return choices_of(m.property, params).empty() && std::ranges::all_of(own, leads_in);
+          if (!choices_of(m.property, params).empty()) return false;
+          return m.recovery.name == recovery_.name ? std::ranges::all_of(own, leads_in)
+                                                   : std::ranges::all_of(own, holds);
         });
   }
   // A way to a site that lies in the fence, as deep as control returns at.
@@ -185,11 +209,11 @@ class Pair {
   [[nodiscard]] bool both_would_do(ir::ZoneIndex zone, ir::ZoneIndex fence) const {
     const ir::Recovery& last = ir::last_step(recovery_);
     if (last.kind == ir::RecoveryKind::route || recovery_.claims) return false;
-    const std::string made = "outside_of_";
-    if (module_[zone].name.starts_with(made) || module_[fence].name.starts_with(made)) return false;
+    if (shared_text(zone, fence).empty()) return false;
     const geometry::Region shared = exact_(zone).intersect(exact_(fence));
     const auto returns = within(shared, last.return_clearance_mm + 1);
-    if (!returns || returns->empty() || !is_convex(shared)) return false;
+    if (!returns || returns->empty()) return false;
+    if (shared.polygons().size() != 1) return false;
     const auto& params = decision_.facts.params;
     return std::all_of(decision_.monitors.begin(), decision_.monitors.end(),
                        [&](const ir::Monitor& m) {
@@ -200,6 +224,16 @@ class Pair {
                                   return is_convex(exact_(each)) && exact_(each).contains(shared);
                                 });
                        });
+  }
+  // As it is written; empty: one of them has no name.
+  [[nodiscard]] std::string shared_text(ir::ZoneIndex zone, ir::ZoneIndex fence) const {
+    const std::string outside = "outside_of_", unnamed = "zone_of_line_";
+    const std::string &a = module_[zone].name, &b = module_[fence].name;
+    for (const std::string& name : {a, b}) {
+      if (name.find(unnamed) != std::string::npos) return "";
+    }
+    if (a.starts_with(outside)) return "";
+    return b.starts_with(outside) ? a + " - " + b.substr(outside.size()) : a + " & " + b;
   }
   // Straight down from anywhere in it: shown of one slab, and of zones of the plane.
   bool reaches_down(ir::ZoneIndex fence, std::int64_t land_mm) {
@@ -446,10 +480,15 @@ diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
     if (!way.empty()) d.help += (d.help.empty() ? "" : ", or ") + way;
   };
   if (!decision.coordinated) help(priority_of(decision, order_that_keeps(decision, all)));
-  help(row[broken.front()].help);
+  // what mends one pair alone mends nothing while there is another one
+  const std::string& first = row[broken.front()].help;
+  if (std::ranges::all_of(broken, [&](std::size_t j) { return row[j].help == first; })) help(first);
+  std::string accepted;
   for (const std::size_t j : broken) {
-    help("`acknowledge " + recovery + " may break " + name(j) + " \"why\";`");
+    accepted += (accepted.empty() ? "" : " and ") + std::string("`acknowledge ") + recovery +
+                " may break " + name(j) + " \"why\";`";
   }
+  help(accepted);
   return d;
 }
 

@@ -28,6 +28,9 @@ struct Entry {
   // Of what is broken under `coordinate`: monitors, the first of them this one, the last one for
   // the second time. The recovery of each does not keep the next.
   std::vector<std::size_t> conflict{};
+  // It is guarded as inputs may ask for less speed than the recovery has (paces.h), and kept while
+  // they do not.
+  bool while_told = false;
 };
 // One row for the recovery of each monitor, one column for the property of each.
 using Arbitration = std::vector<std::vector<Entry>>;

@@ -89,16 +89,21 @@ Asks asks_of(const ir::Block& property, const std::vector<ir::Param>& params) {
   Asks asks;
   bool ceilings = false, others = false;
   ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    bool fences = false;
     for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
       const bool height = leaf.kind == Leaf::Kind::altitude;
       const auto most = height ? ir::upper_bound(block, compare) : std::nullopt;
       asks.clearance = asks.clearance || height;
+      fences = fences || leaf.kind == Leaf::Kind::clearance || leaf.kind == Leaf::Kind::distance;
       (most ? ceilings : others) |= height || leaf.kind == Leaf::Kind::clearance ||
                                     leaf.kind == Leaf::Kind::distance ||
                                     leaf.kind == Leaf::Kind::agent;
     }
     const auto bound = ir::lower_bound(block, compare, params);
-    if (!bound) return;
+    if (!bound) {
+      asks.other = asks.other || fences;
+      return;
+    }
     asks.clearance = asks.clearance || bound->leaf.kind == Leaf::Kind::clearance;
     asks.distance = asks.distance || bound->leaf.kind == Leaf::Kind::distance;
   });

@@ -17,9 +17,10 @@ using Choice = std::vector<ir::ZoneIndex>;
 std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params);
 
 // Whether some comparison of the property, of any branch, asks for a clearance or a height, or for
-// a distance; and whether all that it asks of places is not to be too high.
+// a distance; whether all that it asks of places is not to be too high; and whether something of
+// places is compared in another way, such as that a robot is not inside.
 struct Asks {
-  bool clearance = false, distance = false, only_lower = false;
+  bool clearance = false, distance = false, only_lower = false, other = false;
 };
 Asks asks_of(const ir::Block& property, const std::vector<ir::Param>& params);
 

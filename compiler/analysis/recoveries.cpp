@@ -69,7 +69,8 @@ class Recoveries {
     // what becomes of a robot on the ground.
     const bool may_wait =
         (asks.distance && ir::moves(last)) || (asks.only_lower && last == ir::RecoveryKind::land);
-    if (written_.hold_reason && !holds && !may_wait) return unneeded();
+    // what cannot be looked ahead is reported by itself (5006)
+    if (written_.hold_reason && !holds && !may_wait) return asks.other ? void() : unneeded();
     if (written_.hold_reason || !holds) return;
     if (braked) return breaks_its_claim();
     const ir::Motion& any = decision_.motions[0];
@@ -130,10 +131,16 @@ class Recoveries {
     diag::Diagnostic d{};
     d.code = Code::clause_without_effect;
     d.range = *written_.hold_range;
-    d.message = "`hold when violated` has no effect: `" + controller_.name +
-                "` leads out of a violation of `" + monitor_.name + "`";
-    d.label = "the recovery moves";
-    d.help = "leave it out, or recover with `brake_and_hold`";
+    d.message = "`hold when violated` has no effect: ";
+    if (ir::last_step(monitor_.recovery).kind == ir::RecoveryKind::brake) {
+      d.message += "where `" + monitor_.name + "` is false, there is no place to be led out of";
+      d.label = "a robot that stands is enough";
+      d.help = "leave it out";
+    } else {
+      d.message += "`" + controller_.name + "` leads out of a violation of `" + monitor_.name + "`";
+      d.label = "the recovery moves";
+      d.help = "leave it out, or recover with `brake_and_hold`";
+    }
     diagnostics_.report(std::move(d));
   }
 

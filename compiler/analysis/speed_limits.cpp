@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "compiler/analysis/paces.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/timing.h"
@@ -88,15 +89,16 @@ class Limits {
     const auto own = limit(id);
     return !own || need_mmps_ <= own->most_mmps;
   }
-  // Whether a recovery does not break it: by its speed, or in a zone that it stays in.
-  [[nodiscard]] bool keeps(std::size_t k, ir::ValueId id) const {
-    const ir::Op& op = block_[id].op;
-    if (const auto* v = std::get_if<ir::And>(&op)) return keeps(k, v->a) && keeps(k, v->b);
-    if (const auto* v = std::get_if<ir::Or>(&op)) return keeps(k, v->a) || keeps(k, v->b);
-    if (const auto own = limit(id)) return fastest_while_driving(decision_, k) <= own->most_mmps;
-    const auto* compare = std::get_if<ir::AtLeast>(&op);
-    const auto bound =
-        compare ? ir::lower_bound(block_, *compare, decision_.facts.params) : std::nullopt;
+  // How far a recovery keeps it: by its speed, or in a zone that it stays in.
+  [[nodiscard]] Pace pace(std::size_t k, ir::ValueId id) const {
+    return pace_of(block_, id, fastest_while_driving(decision_, k), need_mmps_,
+                   [&](const ir::Block& block, const ir::AtLeast& compare) {
+                     return stays_in(k, block, compare);
+                   });
+  }
+  [[nodiscard]] bool stays_in(std::size_t k, const ir::Block& block,
+                              const ir::AtLeast& compare) const {
+    const auto bound = ir::lower_bound(block, compare, decision_.facts.params);
     if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return false;
     const Standoff fence{ir::ZoneIndex{bound->leaf.table}, bound->need.strictest};
     const auto inside = [&](const ir::Recovery* step) {
@@ -105,6 +107,13 @@ class Limits {
     };
     const auto steps = ir::steps_of(decision_.monitors[k].recovery);
     return std::all_of(steps.begin(), steps.end(), inside);
+  }
+  // Of a limit that counts while the robot is told so, others than the monitor's own recovery are a
+  // matter of who takes over (6005).
+  [[nodiscard]] bool keeps(std::size_t k, ir::ValueId id) const {
+    const Pace found = pace(k, id);
+    if (found != Pace::while_told) return found != Pace::broken;
+    return decision_.monitors[k].recovery.name != monitor_.recovery.name;
   }
 
   void report_no_return(const Limit& limit) {

@@ -259,15 +259,13 @@ Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId
 
 namespace {
 
-// How far a height is from the limit of a comparison with it, to the good side; nullopt: it is
-// none.
-std::optional<Rational> room_at(const sema::Expr& e, const Rational& z) {
-  const auto* compare = std::get_if<sema::Compare>(&e.node);
-  if (compare == nullptr) return std::nullopt;
-  const bool at_least =
-      compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::greater_equal;
-  const sema::Expr& large = at_least ? *compare->left : *compare->right;
-  const sema::Expr& small = at_least ? *compare->right : *compare->left;
+// How far a height is from the limit of a comparison with it that has to be true, or false, to the
+// good side; nullopt: it is none.
+std::optional<Rational> room_of(const sema::Compare& compare, bool value, const Rational& z) {
+  const bool at_least = (compare.op == sema::CompareOp::greater ||
+                         compare.op == sema::CompareOp::greater_equal) == value;
+  const sema::Expr& large = at_least ? *compare.left : *compare.right;
+  const sema::Expr& small = at_least ? *compare.right : *compare.left;
   const auto is_height = [](const sema::Expr& x) {
     const auto* signal = std::get_if<sema::SignalRef>(&x.node);
     return signal != nullptr && signal->signal == sema::Signal::altitude;
@@ -282,15 +280,36 @@ std::optional<Rational> room_at(const sema::Expr& e, const Rational& z) {
   return std::nullopt;
 }
 
+// The least room of all limits of height in what has to be true, or false; of what is both, of
+// `iff` and `xor`, on either side.
+std::optional<Rational> room_at(const sema::Expr& e, bool value, const Rational& z) {
+  if (const auto* compare = std::get_if<sema::Compare>(&e.node)) {
+    return room_of(*compare, value, z);
+  }
+  const auto* logic = std::get_if<sema::Logic>(&e.node);
+  std::optional<Rational> least;
+  const auto count = [&](const sema::Expr& operand, bool wanted) {
+    const auto room = room_at(operand, wanted, z);
+    if (room && (!least || *room < *least)) least = *room;
+  };
+  bool first = true;
+  sema::for_each_operand(e, [&](const sema::ExprPtr& operand) {
+    const bool negated = logic != nullptr && (logic->op == sema::LogicOp::logical_not ||
+                                              (logic->op == sema::LogicOp::implies && first));
+    const bool both = logic != nullptr &&
+                      (logic->op == sema::LogicOp::iff || logic->op == sema::LogicOp::logical_xor);
+    count(*operand, value != negated);
+    if (both) count(*operand, value == negated);
+    first = false;
+  });
+  return least;
+}
+
 }  // namespace
 
-bool keeps_heights(const sema::Expr& property, const Rational& z, const Rational& gap) {
-  bool low = false;
-  sema::for_each_expr(property, [&](const sema::Expr& e) {
-    const auto room = room_at(e, z);
-    low = low || (room && *room < gap);
-  });
-  return !low;
+bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap) {
+  const auto room = room_at(property, value, z);
+  return !room || *room >= gap;
 }
 
 Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::ZoneId> zone,
@@ -362,7 +381,7 @@ Found Claims::height(const Values& v) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
   for (const sema::MonitorId id : d->priority) {
-    if (keeps_heights(*spec_[id].always, milli(*z), milli(*gap))) continue;
+    if (keeps_heights(*spec_[id].always, true, milli(*z), milli(*gap))) continue;
     return wrong("`" + spec_[id].name + "` needs another height");
   }
   return std::nullopt;
@@ -405,10 +424,9 @@ Found Claims::landing(const Values& v) {
   if (milli(*gap) < return_clearance(*d, std::nullopt, micro(*extra))) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
-  bool high = false, elsewhere = !all_zones(*m->always).empty();
+  const bool high = !keeps_heights(*m->always, true, milli(*end), milli(*gap));
+  bool elsewhere = !all_zones(*m->always).empty();
   sema::for_each_expr(*m->always, [&](const sema::Expr& e) {
-    const auto room = room_at(e, milli(*end));
-    high = high || (room && *room < milli(*gap));
     elsewhere = elsewhere || std::holds_alternative<sema::Distance>(e.node) ||
                 std::holds_alternative<sema::AgentDistance>(e.node);
   });

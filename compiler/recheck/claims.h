@@ -70,7 +70,7 @@ std::string text(const Values& v, const std::string& key);
 std::vector<sema::ZoneId> kept_in(const sema::Expr& property);
 std::vector<sema::ZoneId> all_zones(const sema::Expr& property);
 // Whether a property allows a height, with `gap` to spare of each of its limits.
-bool keeps_heights(const sema::Expr& property, const Rational& z, const Rational& gap);
+bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap);
 // The zones that a recovery moves within, of all of its steps.
 std::vector<sema::ZoneId> moves_within(const sema::Controller& controller);
 

@@ -116,18 +116,9 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
 // A side that asks for no more than to be as slow as the recovery is, from when it stands on; or
 // sides of which one holds a disc wherever another one lies in the zone of the recovery.
 bool Sides::keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts) {
-  std::optional<Rational> speed = Rational(0);
-  for (const sema::Template& what : sema::templates_of(recovery)) {
-    if (const auto of = sema::speed_of(what)) speed = std::max(*speed, *of);
-  }
-  if (sema::claim_of(recovery)) speed = std::nullopt;
-  if (speed) {
-    // a point mass measures how fast it is
-    const Rational strays =
-        numbers_.unicycle || *speed == 0 ? Rational(0) : numbers_.velocity_error;
-    const Rational at_most = std::min(numbers_.speed, Rational(*speed + pushed(numbers_) + strays));
+  if (const auto speed = speed_of(recovery)) {
     for (const Part& each : parts.parts) {
-      if (slow(each, at_most)) return true;
+      if (slow(each, *speed)) return true;
     }
   }
   std::vector<sema::ZoneId> zones;
@@ -135,6 +126,45 @@ bool Sides::keeps_a_side(const sema::Controller& recovery, const Part& part, con
   const auto within = moves_within(recovery);
   return std::all_of(within.begin(), within.end(),
                      [&](sema::ZoneId own) { return one_holds(own, zones, numbers_.radius); });
+}
+
+std::optional<Rational> Sides::speed_of(const sema::Controller& recovery) const {
+  if (sema::claim_of(recovery)) return std::nullopt;
+  Rational speed = 0;
+  for (const sema::Template& what : sema::templates_of(recovery)) {
+    if (const auto of = sema::speed_of(what)) speed = std::max(speed, *of);
+  }
+  // a point mass measures how fast it is
+  const Rational strays = numbers_.unicycle || speed == 0 ? Rational(0) : numbers_.velocity_error;
+  return std::min(numbers_.speed, Rational(speed + pushed(numbers_) + strays));
+}
+
+bool Sides::keeps_while_told(const sema::Controller& recovery, const sema::Monitor& m,
+                             const Rational& extra) {
+  const auto speed = speed_of(recovery);
+  return speed &&
+         slow_while_told(plain({m.always.get(), true}), *speed, rests_of(m, extra).from_rest);
+}
+
+bool Sides::slow_while_told(const Part& part, const Rational& speed, const Rational& from_rest) {
+  if (!sema::speaks_of_robot(*part.expr)) return true;
+  const Split parts = split(part);
+  const auto is = [&](const Part& each) { return slow_while_told(each, speed, from_rest); };
+  if (parts.all) return std::all_of(parts.parts.begin(), parts.parts.end(), is);
+  if (!parts.any || !speaks_of_inputs(part)) return slow_side(part, speed);
+  return std::all_of(parts.parts.begin(), parts.parts.end(),
+                     [&](const Part& each) { return is(each) || waits(each, from_rest); });
+}
+
+// A limit of speed that a robot at rest might exceed.
+bool Sides::waits(const Part& part, const Rational& from_rest) {
+  const Split parts = split(part);
+  const auto is = [&](const Part& each) { return waits(each, from_rest); };
+  if (parts.all) return std::any_of(parts.parts.begin(), parts.parts.end(), is);
+  if (parts.any) return std::all_of(parts.parts.begin(), parts.parts.end(), is);
+  bool strict = false;
+  const auto most = most_speed(*part.expr, part.value, strict);
+  return most && from_rest > *most;
 }
 
 bool Sides::slow(const Part& part, const Rational& speed) {
@@ -204,7 +234,8 @@ bool Sides::gives_back(const sema::Monitor& m, const Rational& extra) {
               std::holds_alternative<sema::WhileOpen>(e.node);
   });
   if (windows) return true;
-  return back(rests_of(m, extra), plain({m.always.get(), true}), false) != Back::no;
+  const Back found = back(rests_of(m, extra), plain({m.always.get(), true}), false);
+  return found != Back::no && found != Back::slow;
 }
 
 bool Sides::holds_at_rest(const sema::Monitor& m, const Rational& extra) {
@@ -235,15 +266,24 @@ Sides::Back Sides::back(const Rests& rests, const Part& part, bool either) {
   if (!sema::speaks_of_robot(*part.expr)) return Back::told;
   const Split parts = split(part);
   if (!parts.all && !parts.any) return back_of_leaf(rests, part, either);
-  bool yes = false, no = false;
-  for (const Part& each : parts.parts) {
-    const Back one = back(rests, each, either || parts.any);
-    yes = yes || one == Back::yes;
-    no = no || one == Back::no;
+  std::vector<Back> found;
+  for (const Part& each : parts.parts) found.push_back(back(rests, each, either || parts.any));
+  const auto some = [&](Back one) {
+    return std::find(found.begin(), found.end(), one) != found.end();
+  };
+  if (parts.all) {
+    for (const Back worst : {Back::no, Back::slow, Back::until_told}) {
+      if (some(worst)) return worst;
+    }
+    return Back::yes;
   }
-  if (parts.all) return no ? Back::no : Back::yes;
   // what is told may keep its own side from holding for ever
-  if (speaks_of_inputs(part) ? !no : yes) return Back::yes;
+  if (speaks_of_inputs(part) ? !some(Back::no) : some(Back::yes)) {
+    const bool waits = some(Back::slow) || some(Back::until_told);
+    const bool goes_on = some(Back::yes) || some(Back::told) || some(Back::until_told);
+    if (!waits || !speaks_of_inputs(part)) return Back::yes;
+    return goes_on ? Back::until_told : Back::slow;
+  }
   std::vector<sema::ZoneId> zones;
   const bool covered =
       rests.own && zones_of(part, zones) && one_holds(*rests.own, zones, rests.clearance);
@@ -261,7 +301,7 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
   if (counts && robots_ > 1) return Back::no;
   bool strict = false;
   if (const auto most = most_speed(*part.expr, part.value, strict)) {
-    return rests.from_rest <= *most ? Back::yes : Back::no;
+    return rests.from_rest <= *most ? Back::yes : Back::slow;
   }
   bool high = false;
   sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
@@ -273,11 +313,11 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
   if (!rests.own) return Back::no;               // it stands, wherever that is
   if (high) {
     const auto solid = claims_.zones().solid(*rests.own);
-    if (!part.value || !solid || solid->slabs().empty()) return Back::no;
+    if (!solid || solid->slabs().empty()) return Back::no;
     const Rational low = solid->slabs().front().floor + rests.clearance;
     const Rational top = solid->slabs().back().ceiling - rests.clearance;
-    return keeps_heights(*part.expr, low, rests.clearance) &&
-                   keeps_heights(*part.expr, top, rests.clearance)
+    return keeps_heights(*part.expr, part.value, low, rests.clearance) &&
+                   keeps_heights(*part.expr, part.value, top, rests.clearance)
                ? Back::yes
                : Back::no;
   }

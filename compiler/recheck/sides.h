@@ -25,6 +25,10 @@ class Sides {
   bool gives_back(const sema::Monitor& m, const Rational& extra);
   // The same wherever it has come to rest, and whatever others do.
   bool holds_at_rest(const sema::Monitor& m, const Rational& extra);
+  // That a recovery is slow enough for a property of speeds and inputs alone, but where inputs ask
+  // for so little speed that a robot at rest stays there until they change.
+  bool keeps_while_told(const sema::Controller& recovery, const sema::Monitor& m,
+                        const Rational& extra);
 
  private:
   struct Part {
@@ -40,12 +44,18 @@ class Sides {
   static bool speaks_of_inputs(const Part& part);
   void collect(const sema::Controller& recovery, const Part& part, bool either, Keeping& asked);
   bool keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts);
+  // How fast a recovery truly drives; nullopt: that is an external one's own.
+  [[nodiscard]] std::optional<Rational> speed_of(const sema::Controller& recovery) const;
   bool slow(const Part& part, const Rational& speed);
+  bool slow_while_told(const Part& part, const Rational& speed, const Rational& from_rest);
+  static bool waits(const Part& part, const Rational& from_rest);
   bool slow_side(const Part& part, const Rational& speed);
   bool zones_of(const Part& part, std::vector<sema::ZoneId>& zones);
   // Every disc in the zone lies in one of the zones.
   bool one_holds(sema::ZoneId own, const std::vector<sema::ZoneId>& zones, const Rational& radius);
-  enum class Back { yes, no, told };
+  // `slow`: it holds at rest, and may not as soon as the robot speeds up; `until_told`: that is so
+  // as long as inputs say so
+  enum class Back { yes, no, told, slow, until_told };
   struct Rests {
     const sema::Monitor& monitor;
     std::optional<sema::ZoneId> own;

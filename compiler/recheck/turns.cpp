@@ -26,9 +26,12 @@ class Turns {
   Turns(const sema::Spec& spec, const sema::Decision& d, const Part& part, Claims& claims)
       : spec_(spec), d_(d), part_(part), claims_(claims) {}
 
-  // Recovery i is proved to keep monitor j, and not only because j ranks higher.
+  // Recovery i is proved to keep monitor j, and not only because j ranks higher; or j ranks higher,
+  // and fails by its inputs alone.
   [[nodiscard]] bool keeps(std::size_t i, std::size_t j) const {
-    return shown_to_keep(spec_, d_, part_, monitor(i), monitor(j));
+    if (shown_to_keep(spec_, d_, part_, monitor(i), monitor(j))) return true;
+    return !d_.coordinated && j < i &&
+           Sides(spec_, d_, claims_).keeps_while_told(recovery(i), monitor(j), extra(j));
   }
 
   // Where recovery i may return, nothing keeps monitor j from giving control back.
@@ -113,8 +116,8 @@ class Turns {
     const Rational left = Rational(*left_mm) / 1000;
     const Rational gap =
         claims_.return_clearance(d_, std::nullopt, Rational(*extra_us) / 1'000'000);
-    return keeps_heights(*monitor(j).always, solid->slabs().front().floor + left, gap) &&
-           keeps_heights(*monitor(j).always, solid->slabs().back().ceiling - left, gap);
+    return keeps_heights(*monitor(j).always, true, solid->slabs().front().floor + left, gap) &&
+           keeps_heights(*monitor(j).always, true, solid->slabs().back().ceiling - left, gap);
   }
   // Of zones, one side of it may be what rest settles, and another one what holds. Without any,
   // rest settles every side that is not about inputs alone.

@@ -12,8 +12,13 @@ struct Atoms {
   bool clearance = false, distance = false, charge = false, speed = false, altitude = false;
   bool agent = false, energy = false, others = false;
   // Nothing of the above: no robot can change what it says.
-  [[nodiscard]] bool only_facts() const {
-    return !clearance && !distance && !charge && !speed && !altitude && !agent && !others;
+  [[nodiscard]] bool only_facts() const { return !speed && !of_places(); }
+  // Beside what depends on inputs.
+  [[nodiscard]] bool only_speed() const { return speed && !of_places(); }
+
+ private:
+  [[nodiscard]] bool of_places() const {
+    return clearance || distance || charge || altitude || agent || others;
   }
 };
 Atoms atoms_of(const ir::Block& property);

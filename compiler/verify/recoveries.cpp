@@ -309,7 +309,7 @@ Obligation control_returns(const Subject& s, std::size_t k) {
                     : "at rest the robot is as slow as every limit of " + quoted(m.name);
     o.claims.push_back(limits_claim(s));
     o.claims.push_back(recovery_claim(s, k));
-    return o;
+    return atoms.only_speed() ? returned_at_rest(s, k, std::move(o)) : o;
   }
   if (ir::moves(last) && last != ir::RecoveryKind::yield) {
     Obligation ways = s.decision.body.in_space ? legs_back(s, k) : ways_back(s, k, std::move(o));

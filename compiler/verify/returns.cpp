@@ -14,8 +14,9 @@ namespace rtac::verify {
 namespace {
 
 // Of a robot at rest with the clearance of return: whether a part of its property gives it back.
-// `told`: that depends on inputs alone, whatever the robot does.
-enum class AtRest { given_back, kept, told };
+// `told`: that depends on inputs alone, whatever the robot does. `slow`: it holds, and would not as
+// soon as the robot speeds up; `until_told`: that is so as long as inputs say so.
+enum class AtRest { given_back, kept, told, slow, until_told };
 
 class Rest {
  public:
@@ -44,7 +45,9 @@ class Rest {
     const ir::Op& op = block[id].op;
     if (const auto* v = std::get_if<ir::And>(&op)) {
       const AtRest a = judge(block, v->a, of_choice), b = judge(block, v->b, of_choice);
-      if (a == AtRest::kept || b == AtRest::kept) return AtRest::kept;
+      for (const AtRest worst : {AtRest::kept, AtRest::slow, AtRest::until_told}) {
+        if (a == worst || b == worst) return worst;
+      }
       return a == AtRest::told && b == AtRest::told ? AtRest::told : AtRest::given_back;
     }
     if (const auto* v = std::get_if<ir::Or>(&op)) return choice(block, id, *v);
@@ -66,10 +69,15 @@ class Rest {
     const AtRest a = judge(block, v.a, true), b = judge(block, v.b, true);
     const bool told = a == AtRest::told || b == AtRest::told;
     if (a == AtRest::told && b == AtRest::told) return AtRest::told;
+    const bool inputs = speaks_of_inputs(block, v.a) || speaks_of_inputs(block, v.b);
+    const auto waits = [](AtRest one) { return one == AtRest::slow || one == AtRest::until_told; };
+    if (inputs && (waits(a) || waits(b)) && a != AtRest::kept && b != AtRest::kept) {
+      others_ = others;
+      return a == AtRest::slow && b == AtRest::slow ? AtRest::slow : AtRest::until_told;
+    }
     // an input may keep its own side from holding for ever: both have to do
-    const bool back = speaks_of_inputs(block, v.a) || speaks_of_inputs(block, v.b)
-                          ? a != AtRest::kept && b != AtRest::kept
-                          : a == AtRest::given_back || b == AtRest::given_back;
+    const bool back = inputs ? a != AtRest::kept && b != AtRest::kept
+                             : a == AtRest::given_back || b == AtRest::given_back;
     if (back || (!told && somewhere(block, id))) {
       others_ = others;
       return AtRest::given_back;
@@ -92,7 +100,7 @@ class Rest {
     }
     const auto most = ir::upper_bound(block, compare);
     if (most && most->leaf.kind == ir::Leaf::Kind::speed && from_rest_mmps_ > most->most) {
-      return AtRest::kept;
+      return AtRest::slow;
     }
     return all;
   }
@@ -164,7 +172,12 @@ constexpr std::int64_t overlap_spare_mm = 14;
 Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) {
   const ir::Monitor& m = s.decision.monitors[k];
   Rest rest(s, k);
-  if (rest.judge() != AtRest::kept) return proved;
+  const AtRest found = rest.judge();
+  if (found == AtRest::until_told) {
+    proved.because += "; it waits at rest while inputs ask it to be slow";
+    return proved;
+  }
+  if (found != AtRest::kept && found != AtRest::slow) return proved;
   Obligation o;
   o.kind = proved.kind;
   o.monitor = proved.monitor;

@@ -140,6 +140,18 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
 
 }  // namespace
 
+namespace {
+
+// Whether it is proved, or fails by what inputs say alone: as little as a monitor of inputs fails
+// because of who drives. Its recovery holds the robot until they let it go on.
+bool keeps(const Subject& s, const analysis::Entry& entry, std::size_t i, std::size_t j) {
+  if (entry.while_told && atoms_of(s.decision.monitors[j].property).only_speed()) return true;
+  return entry.keeping == analysis::Keeping::kept &&
+         keeps_others(s, entry, i, j).status == Status::proved;
+}
+
+}  // namespace
+
 protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration& matrix) {
   const std::vector<Need> needs = needs_of(s);
   protocol::Arbitration known;
@@ -148,9 +160,7 @@ protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration&
     known.settles.emplace_back();
     const bool leads = leads_back(s, i);
     for (std::size_t j = 0; j < matrix.size(); ++j) {
-      known.keeps.back().push_back(i == j ||
-                                   (matrix[i][j].keeping == analysis::Keeping::kept &&
-                                    keeps_others(s, matrix[i][j], i, j).status == Status::proved));
+      known.keeps.back().push_back(i == j || keeps(s, matrix[i][j], i, j));
       known.settles.back().push_back(settles(s, needs, leads, i, j));
     }
   }

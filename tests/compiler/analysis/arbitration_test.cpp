@@ -57,7 +57,7 @@ std::vector<std::string> broken(const std::string& text) {
 using Messages = std::vector<std::string>;
 
 // The recovery that is offered has been thought through: with it nothing is broken. Where the zone
-// of the other monitor is none for this one, none is offered.
+// of the other monitor is none for this one, it is not offered, but what is left of its own.
 TEST(Arbitration, OffersARecoveryThatWouldDo) {
   const std::string two = two_zones("", "priority in_yard > in_west;");
   EXPECT_NE(reports(*compiled(two)).find("a recovery within `west` works"), std::string::npos);
@@ -68,9 +68,14 @@ TEST(Arbitration, OffersARecoveryThatWouldDo) {
       "zone off_pit = yard - grow(pit, 50 cm);\n"
       "controller off : safe for Rover = retreat within off_pit speed 0.2 m/s;\n"
       "monitor no_pit for r : Rover { \"SR-5\" always distance(r, pit) >= 20 cm; recover off; }\n";
-  const std::string said = reports(*compiled(two_zones(away, "priority in_yard > no_pit;")));
-  EXPECT_NE(said.find("may become false"), std::string::npos) << said;
-  EXPECT_EQ(said.find("a recovery within"), std::string::npos) << said;
+  const std::string text = two_zones(away, "priority in_yard > no_pit;");
+  const std::string said = reports(*compiled(text));
+  EXPECT_EQ(said.find("within `complement(pit)`"), std::string::npos) << said;
+  EXPECT_NE(said.find("within a zone that is `yard - pit` works"), std::string::npos) << said;
+  const std::string rest = edited(text, "zone off_pit", "zone rest = yard - pit;\nzone off_pit");
+  const std::string inwards = "retreat within yard speed 0.2 m/s;\ncontroller go_west";
+  const auto left = compiled(edited(rest, inwards, edited(inwards, "yard", "rest")));
+  EXPECT_FALSE(left->diagnostics.has_errors()) << reports(*left);
 }
 
 // What leads out of a zone is stopped by the monitor of that zone, if that ranks higher.
@@ -243,6 +248,48 @@ TEST(Arbitration, WhereNoOrderKeepsBothWhatTheyShareIsOffered) {
   EXPECT_NE(help.find("a recovery within a zone that is `low & west` works"), std::string::npos)
       << help;
   EXPECT_EQ(broken(text("shared")), Messages{});
+}
+
+// Keeping out of a part of one's own zone: the rest of it is offered, and what would lead out of a
+// third zone is not.
+TEST(Arbitration, WhatIsLeftOfAZoneIsOffered) {
+  const auto text = [](const std::string& within) {
+    return two_zones(
+        "zone pit = rectangle (5 m, 5 m) to (6 m, 6 m);\nzone rest = yard - pit;\n"
+        "controller off : safe for Rover = retreat within rest speed 0.2 m/s;\n"
+        "controller aside : safe for Rover = yield within " +
+            within +
+            " speed 0.1 m/s order id;\n"
+            "monitor gap for r : Rover { \"SR-6\" always forall q : Rover, q != r : "
+            "distance(r, q) >= 10 cm; recover aside; }\n"
+            "monitor no_pit for r : Rover { \"SR-7\" always distance(r, pit) >= 0 m; recover off; "
+            "}\n",
+        "priority in_yard > gap > no_pit; acknowledge inwards may break no_pit \"a test\";");
+  };
+  const std::string help = help_of_6005(text("yard"));
+  EXPECT_NE(help.find("a recovery within a zone that is `yard - pit` works"), std::string::npos)
+      << help;
+  EXPECT_EQ(help.find("complement"), std::string::npos) << help;
+  EXPECT_EQ(broken(text("rest")), Messages{});
+}
+
+// Of two pairs each has to be accepted, and what mends one of them alone is not offered.
+TEST(Arbitration, TwoPairsAreMendedAtOnce) {
+  const std::string held = "held <= 1 s; detour <= 10 m";
+  const std::string text = two_zones("",
+                                     "priority in_yard > in_west > charged; acknowledge go_west "
+                                     "may break charged \"a test\";",
+                                     held);
+  const std::string help = help_of_6005(text);
+  EXPECT_NE(help.find("`acknowledge inwards may break in_west \"why\";` and `acknowledge inwards "
+                      "may break charged \"why\";`"),
+            std::string::npos)
+      << help;
+  EXPECT_EQ(help.find("a recovery within"), std::string::npos) << help;
+  EXPECT_EQ(broken(edited(text, "acknowledge go_west",
+                          "acknowledge inwards may break in_west \"a test\"; acknowledge inwards "
+                          "may break charged \"a test\"; acknowledge go_west")),
+            Messages{});
 }
 
 // A way home that leaves a zone is not mended by the rank of that: whoever takes the robot from its

@@ -221,6 +221,18 @@ TEST(Recoveries, LeadOutOfAViolationOrAreAccepted) {
   EXPECT_EQ(codes(moves), Codes{2022});
 }
 
+// Nothing to be led out of is another matter, and what cannot be looked ahead is reported alone.
+TEST(Recoveries, AReasonToStandIsOfUseWhereThereIsAPlaceToLeave) {
+  Text slow{"brake_and_hold"};
+  slow.property = "d.speed <= 0.9 m/s";
+  slow.clauses = "hold when violated \"why\";";
+  const auto c = compiled(text_of(slow));
+  EXPECT_NE(reports(*c).find("there is no place to be led out of"), std::string::npos)
+      << reports(*c);
+  slow.property = "not (d inside room)";
+  EXPECT_EQ(codes(slow), Codes{5006});
+}
+
 TEST(Recoveries, ActBeforeTheLookAheadEnds) {
   Text late;
   late.latency = "100 ms";

@@ -190,6 +190,12 @@ TEST_F(Heights, ARecoveryBetweenThemGivesBackToAll) {
   expect_proved(flight("prism (plot) from 3 m to 50 m"));
   expect_proved(flight("prism (plot) from 5 m to 45 m"));
 }
+// What is negated is a limit like the other one.
+TEST_F(Heights, ANegatedLimitIsOne) {
+  const std::string band = flight("prism (plot) from 3 m to 50 m");
+  expect_proved(edited(band, "r.position.z >= 3 m", "not r.position.z < 3 m"));
+  expect_proved(edited(band, "r.position.z >= 3 m", "r.position.z < 3 m implies r.speed <= 2 m/s"));
+}
 // In a zone of the plane it keeps its height, and so leads down from nowhere.
 TEST_F(Heights, ARecoveryThatKeepsItsHeightDoesNotLeadDown) {
   expect_proved(flight("prism (plot) from 3 m to 50 m"));

@@ -1,0 +1,88 @@
+// What a robot is told decides which limits of speed count: its recoveries are as slow as any that
+// may, or the monitor takes over that holds it until the inputs let it go on.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+std::string yard_with(const std::string& property, const std::string& recovery,
+                      const std::string& order) {
+  return R"(spec yard;
+zone yard = rectangle (0 m, 0 m) to (10 m, 8 m);
+input estop : bool max_age 200 ms;
+input load : real [kg] in 0 .. 50 kg error 0.5 kg max_age 1 s;
+robot Cart {
+  body radius 0.25 m;
+  motion unicycle { speed <= 1 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; turn_accel <= 8 rad/s^2; }
+  sense position : point error 2 cm max_age 100 ms;
+  sense velocity : vector error 2 cm/s max_age 100 ms;
+  sense heading : angle error 2 deg max_age 100 ms;
+  output drive : twist;
+  latency 30 ms;
+}
+fleet c : Cart;
+controller policy : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+controller back : safe for Cart = retreat within yard speed )" +
+         recovery + R"(;
+monitor fence for r : Cart { "R1: in the yard" always r inside yard; recover back; }
+monitor told for r : Cart { "R2: as slow as it is told" always )" +
+         property + R"(; recover stop; }
+decision gate for Cart { advanced policy; period 50 ms; priority )" +
+         order + "; }\n";
+}
+const char* const halts = "estop implies r.speed <= 0.05 m/s";
+const char* const by_load = "if load >= 30 kg then r.speed <= 0.4 m/s else r.speed <= 0.8 m/s";
+
+class Told : public Verify {
+ protected:
+  static void expect_proved(const std::string& text) {
+    const Outcome o = verified(text, {"-o", "certificates"});
+    EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+    const Outcome again = rtac({"verify", "--recheck", "certificates"});
+    EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+  }
+};
+
+// No robot can be so slow at once, whoever drives: the brake of the monitor is the answer to it.
+TEST_F(Told, AnEmergencyStopTakesOverFromWhatItOutranks) {
+  expect_proved(yard_with(halts, "0.3 m/s", "told > fence"));
+}
+TEST_F(Told, NobodyLooksAfterAnEmergencyStopThatRanksLower) {
+  const Outcome o = verified(yard_with(halts, "0.3 m/s", "fence > told"));
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  EXPECT_NE(o.err.find("`back` drives at up to 0.3 m/s, and the inputs of `told` may allow less"),
+            std::string::npos)
+      << o.err;
+  EXPECT_NE(o.err.find("`priority told > fence;` works"), std::string::npos) << o.err;
+}
+
+// Slow enough for either limit, in whatever order.
+TEST_F(Told, EitherSideOfAChoiceIsKeptByARecoveryThatIsSlowEnough) {
+  expect_proved(yard_with(by_load, "0.4 m/s", "fence > told"));
+  expect_proved(yard_with(by_load, "0.4 m/s", "told > fence"));
+  const Outcome o = verified(yard_with(by_load, "0.41 m/s", "fence > told"));
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+}
+
+// A limit that a robot at rest does not exceed gives control back to a recovery that is faster, and
+// so on for ever: no rank mends that.
+TEST_F(Told, ALimitThatLetsGoIsKeptByEverybody) {
+  const std::string lets_go = "estop implies r.speed <= 0.85 m/s";
+  const Outcome o = verified(yard_with(lets_go, "0.9 m/s", "told > fence"));
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  EXPECT_NE(o.err.find("error[5033]"), std::string::npos) << o.err;
+  expect_proved(yard_with(lets_go, "0.85 m/s", "told > fence"));
+}
+
+// Nothing of what it may be told gives control back: not proved, and not taken for a proof.
+TEST_F(Told, WhatNoInputLetsGoIsNotProved) {
+  const Outcome o =
+      verified(yard_with("(estop and r.speed <= 0.05 m/s) or (not estop and r.speed <= 0.06 m/s)",
+                         "0.3 m/s", "told > fence"));
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  EXPECT_NE(o.err.find("can never hand control back"), std::string::npos) << o.err;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
