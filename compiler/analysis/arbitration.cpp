@@ -292,6 +292,12 @@ class Pair {
     if (!seconds) {
       entry_.why =
           "nothing bounds how long " + quoted(recovery_.name) + " lasts, and it takes charge";
+      for (const ir::Monitor& m : decision_.monitors) {
+        if (m.recovery.name != recovery_.name || m.returns.how == ir::Returns::How::itself)
+          continue;
+        entry_.why += ": `return when` of " + quoted(m.name) + " may never hold where it leads";
+        break;
+      }
       return false;
     }
     const Ways ways = ways_of(module_, decision_, last);

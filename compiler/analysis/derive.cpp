@@ -9,6 +9,7 @@
 #include "compiler/analysis/recoveries.h"
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
+#include "compiler/analysis/return_met.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/timing.h"
 #include "compiler/analysis/travel.h"
@@ -79,6 +80,7 @@ class Deriver {
       const EvaluatedZone& of = zone_of(zone);
       return of.solid ? of.solid->exact : without_end(of.exact);
     };
+    judge_return_conditions(spec_, out_.module, exact, solid);
     check_recoveries(spec_, out_.module, exact, solid, lies_, diagnostics_);
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
     // Whatever it says, the module can be built, and passes look at the rest.

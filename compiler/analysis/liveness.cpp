@@ -312,8 +312,14 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
   for (const ir::Recovery& step : recovery.steps) {
     seconds += Rational(static_cast<long>(step.lasts_us), 1'000'000);
   }
+  std::int64_t after_us = 0;
+  for (const ir::Monitor& m : decision.monitors) {
+    if (m.recovery.name != recovery.name) continue;
+    if (m.returns.how != ir::Returns::How::itself) return std::nullopt;
+    after_us = std::max(after_us, m.returns.after_us);
+  }
   const std::int64_t dwell_us = (decision.dwell_ticks + 2) * decision.period_us;
-  return seconds + Rational(static_cast<long>(dwell_us), 1'000'000);
+  return seconds + Rational(static_cast<long>(dwell_us + after_us), 1'000'000);
 }
 
 }  // namespace rtac::analysis

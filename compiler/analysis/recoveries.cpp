@@ -66,9 +66,10 @@ class Recoveries {
     const bool holds = stays || waits || braked;
     // Whether there is room to pass each other is not shown, nor that what leads away from
     // boundaries leads away from others: it may be accepted that robots wait for each other. Nor is
-    // what becomes of a robot on the ground.
-    const bool may_wait =
-        (asks.distance && ir::moves(last)) || (asks.only_lower && last == ir::RecoveryKind::land);
+    // what becomes of a robot on the ground, or of one that its return condition keeps.
+    const bool may_wait = (asks.distance && ir::moves(last)) ||
+                          (asks.only_lower && last == ir::RecoveryKind::land) ||
+                          monitor_.returns.how == ir::Returns::How::open;
     // what cannot be looked ahead is reported by itself (5006)
     if (written_.hold_reason && !holds && !may_wait) return asks.other ? void() : unneeded();
     if (written_.hold_reason || !holds) return;

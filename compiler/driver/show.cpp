@@ -46,6 +46,18 @@ Json aimed_at_turns(const std::string& charge) {
   return drained;
 }
 
+// A recovery that lasts for ever takes its time: until it has spent what robots had at a fence, of
+// batteries neither full nor empty.
+Json aimed_at_rest(const std::vector<std::string>& robots, const std::string& charge) {
+  Json rests = Json::object();
+  rests["about"] = charge;
+  rests["adversary"] = "push-at-fence";
+  rests["duration_s"] = 3600;
+  rests["runs"] = 6;
+  for (const std::string& robot : robots) rests["starts"][robot]["battery"] = 0.4;
+  return rests;
+}
+
 // Scenarios in which it would be seen, the likeliest first.
 std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& robots,
                            const std::string& charge) {
@@ -80,6 +92,7 @@ std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& 
   deaf["deaf_from_s"] = 5;
   deaf["runs"] = 4;
   all = {std::move(anywhere), std::move(tight)};
+  if (o.kind == Kind::keeps && o.monitor == charge) all.push_back(aimed_at_rest(robots, charge));
   if (robots.size() > 1) all.push_back(std::move(deaf));
   if (o.kind != Kind::p1a) return all;
   // its errors may be hidden by what other bounds have to spare
@@ -143,7 +156,8 @@ class Showing {
     const std::string place = options_.output.empty()
                                   ? stem_of(options_.spec) + number + ".trace"
                                   : options_.output + "/violation" + number + ".trace";
-    if (!write_all({{place, read_file(trace).value_or("")}}).empty()) return false;
+    const auto run = read_file(trace);  // nullopt: of hours, longer than what is read again
+    if (!run || !write_all({{place, *run}}).empty()) return false;
     ++kept_;
     o.trace = place;
     return true;

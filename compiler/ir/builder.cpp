@@ -391,7 +391,8 @@ class BlockBuilder {
     // behind those that it has parts in
     auto& facts = decision_.facts.monitors;
     facts.push_back(std::move(to));
-    return add(Fact{static_cast<std::uint32_t>(facts.size() - 1)}, std::nullopt, e.range);
+    return add(Fact{static_cast<std::uint32_t>(facts.size() - 1), sema::speaks_of_robot(e)},
+               std::nullopt, e.range);
   }
   Block others(const sema::Expr& body) {
     const bool outer = in_others_;

@@ -276,6 +276,7 @@ struct AltitudeReach {  // its centre is never above the limit, or never below i
 };
 struct Fact {  // a margin: what Decision::facts judges under this index, once a tick
   std::uint32_t index;
+  bool of_robot = false;  // it speaks of what robots sense, now or in the past
 };
 
 // ---- of monitors without a robot: inputs, arithmetic, the past
@@ -592,6 +593,15 @@ inline std::vector<const Recovery*> steps_of(const Recovery& r) {
 inline const Recovery& last_step(const Recovery& r) {
   return r.kind == RecoveryKind::sequence ? r.steps.back() : r;
 }
+// What becomes of a return condition where the recovery has led: it holds there, it is up to inputs
+// alone, or neither is shown.
+struct Returns {
+  enum class How { itself, told, open };  // from the best to the worst
+  How how = How::itself;
+  std::int64_t after_us = 0;  // for how long it has to hold, at most
+  // Where a robot is left by its recovery, and not given back.
+  std::optional<std::pair<std::int64_t, std::int64_t>> stuck_mm{};
+};
 struct Monitor {
   std::string name, requirement_id, requirement_text;
   std::string file;  // base name of the source file
@@ -604,6 +614,7 @@ struct Monitor {
   Block property;
   std::optional<Block> ahead;        // made by expand_lookahead
   std::optional<Block> return_when;  // none: only the derived condition
+  Returns returns;
   Recovery recovery;
   // Largest standoff that a separation atom of the property asks for; none: no such atom.
   std::optional<std::int64_t> separation_mm;

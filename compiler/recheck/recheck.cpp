@@ -6,6 +6,7 @@
 
 #include "compiler/recheck/claims.h"
 #include "compiler/recheck/coordination.h"
+#include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/turns.h"
 #include "compiler/sema/visit.h"
@@ -241,6 +242,17 @@ class Check {
       need(d, e, "lemma", {{"name", lemma}}, false);
     }
   }
+  // How clear of its zone a recovery leads to, as it claims; 0: it leads nowhere.
+  static Rational left_by(const Entry& e) {
+    const std::pair<const char*, const char*> kinds[] = {{"ways", "return_mm"},
+                                                         {"legs", "clearance_mm"}};
+    for (const auto& [what, key] : kinds) {
+      const Claim* const claim = claim_of(e, what);
+      const auto mm = claim != nullptr ? number(claim->values, key) : std::nullopt;
+      if (mm) return Rational(static_cast<long>(*mm)) / 1000;
+    }
+    return 0;
+  }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m, const Part& part) {
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
     if (has(e, "landing", {{"decision", d.name}, {"monitor", m.name}})) return;
@@ -252,6 +264,9 @@ class Check {
     const Claim* const claimed = ahead != nullptr ? claim_of(*ahead, "return") : nullptr;
     const auto extra_us = claimed != nullptr ? number(claimed->values, "extra_us") : std::nullopt;
     const Rational extra = Rational(static_cast<long>(extra_us.value_or(0))) / 1'000'000;
+    if (!lets_go(spec_, d, claims_, m, left_by(e))) {
+      fail(whom(d, e) + ": its `return when` may not hold where the recovery has led to");
+    }
     if (Sides(spec_, d, claims_).gives_back(m, extra)) return;
     fail(whom(d, e) + ": where the recovery has led to, nothing gives control back");
   }

@@ -292,6 +292,38 @@ Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
 
 }  // namespace
 
+namespace {
+
+// A monitor that asks for more than its property, to let go.
+Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  if (o.status != Status::proved || !m.return_when) return o;
+  if (m.returns.how == ir::Returns::How::itself) return o;
+  if (m.returns.how == ir::Returns::How::told) {
+    o.because += "; its return condition waits for inputs";
+    return o;
+  }
+  Obligation open = start(s, k, Kind::p2b);
+  open.method = "no proof";
+  open.because = "that `return when` of " + quoted(m.name) + " holds where " +
+                 quoted(m.recovery.name) + " leads is not shown";
+  open.repair = "a condition on what it leads to works, or `hold when violated \"why\"`";
+  if (m.returns.stuck_mm) {
+    open.status = Status::refuted;
+    open.method = "geometry";
+    open.place_mm = m.returns.stuck_mm;
+    open.because = "at rest at (" + metres(open.place_mm->first) + ", " +
+                   metres(open.place_mm->second) + ") " + quoted(m.recovery.name) +
+                   " leads no further, and `return when` of " + quoted(m.name) +
+                   " does not hold there";
+    open.repair = "a recovery within what it asks for works";
+  }
+  return open;
+}
+Obligation led_back(const Subject& s, std::size_t k, Obligation o);
+
+}  // namespace
+
 Obligation control_returns(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   Obligation o = start(s, k, Kind::p2b);
@@ -299,6 +331,13 @@ Obligation control_returns(const Subject& s, std::size_t k) {
   if (const std::string why = reason(s.decision, m.recovery.name, m.name); !why.empty()) {
     return acknowledged(std::move(o), why);
   }
+  return by_its_condition(s, k, led_back(s, k, std::move(o)));
+}
+
+namespace {
+
+Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
   const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
   const Atoms atoms = atoms_of(m.property);
   if (atoms.only_facts() || last == ir::RecoveryKind::brake) {
@@ -326,6 +365,8 @@ Obligation control_returns(const Subject& s, std::size_t k) {
   }
   return o;
 }
+
+}  // namespace
 
 Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::size_t driving,
                         std::size_t judged) {
