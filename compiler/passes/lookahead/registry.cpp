@@ -67,6 +67,24 @@ std::string at_full_speed(const Expansion& expansion, const Atom& atom) {
          " m/s, the declared speed; ";
 }
 
+// Of a speed or a height that is at most what a parameter says: the strictest limit that it may
+// become, in words; "": it is none of these.
+std::string at_the_strictest(const Expansion& expansion, const Atom& atom) {
+  const Linear form = linear_form(atom.from, atom.compare);
+  if (form.terms.size() != 1 || form.rest.params.empty()) return "";
+  const auto& [leaf, coefficient] = *form.terms.begin();
+  const bool speed = leaf.kind == Kind::speed;
+  if (coefficient > 0 || (!speed && leaf.kind != Kind::altitude)) return "";
+  Rational least = form.rest.constant;
+  for (const auto& [param, k] : form.rest.params) {
+    const Range& range = expansion.decision().facts.params[param].range;
+    least += k * static_cast<long>(k > 0 ? range.lo : range.hi);
+  }
+  const Rational most_mm = floor_to_int(Rational(least / -coefficient));
+  return (speed ? "`r.speed <= " : "`r.position.z <= ") + to_decimal(Rational(most_mm / 1000)) +
+         (speed ? " m/s`" : " m`") + " works, the strictest that it may become; ";
+}
+
 }  // namespace
 
 ValueId transform(Expansion& expansion, const Atom& atom) {
@@ -86,6 +104,12 @@ ValueId transform(Expansion& expansion, const Atom& atom) {
                             "`distance(r, " + zone +
                                 ") >= 0 m` works, which says that all of the "
                                 "robot is outside of it; ");
+  }
+  if (const std::string strictest = at_the_strictest(expansion, atom); !strictest.empty()) {
+    return expansion.refuse(atom.source,
+                            "a limit of speed or height cannot be looked ahead as a parameter: it "
+                            "has to be a constant",
+                            atom.to, strictest);
   }
   return expansion.refuse(atom.source,
                           "this comparison cannot be looked ahead: no bound is known for how it "

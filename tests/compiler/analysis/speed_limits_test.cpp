@@ -95,6 +95,16 @@ TEST(SpeedLimits, AreWrittenWithImpliesAndNot) {
   EXPECT_NE(reports(*c).find("`distance(r, slow) >= 0 m` works"), std::string::npos) << reports(*c);
 }
 
+// No parameter: the strictest limit that it may become is offered, and works.
+TEST(SpeedLimits, AreConstants) {
+  const std::string param = "param cap : speed in 0.5 m/s .. 0.9 m/s = 0.9 m/s;\nrobot Drone {";
+  const auto c = compiled(edited(text_of("cap", "0.48 m/s"), "robot Drone {", param));
+  EXPECT_TRUE(has(*c, Code::atom_without_transformer)) << reports(*c);
+  EXPECT_NE(reports(*c).find("`r.speed <= 0.5 m/s` works, the strictest"), std::string::npos)
+      << reports(*c);
+  expect_works(text_of("0.5 m/s", "0.48 m/s"));
+}
+
 // Nothing is faster than the declared speed.
 TEST(SpeedLimits, TheDeclaredSpeedIsNeverExceeded) {
   const auto c = compiled(text_of("1 m/s", "1 m/s"));
