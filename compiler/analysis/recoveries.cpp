@@ -74,6 +74,7 @@ class Recoveries {
     if (written_.hold_reason && !holds && !may_wait) return asks.other ? void() : unneeded();
     if (written_.hold_reason || !holds) return;
     if (braked) return breaks_its_claim();
+    if (stays && last == ir::RecoveryKind::brake && holds_standing(monitor_)) return waits_slow();
     const ir::Motion& any = decision_.motions[0];
     const std::int64_t farther_mm =
         disc_mm(decision_.body, any, any.speed_mmps,
@@ -96,6 +97,21 @@ class Recoveries {
                                   : "`yield within Z speed " + speed_to_name() + " order id`";
     d.help = (leads.empty() ? "" : leads + " works, or ") +
              "`hold when violated \"why\";` in the monitor" + (leads.empty() ? " works" : "");
+    diagnostics_.report(std::move(d));
+  }
+  // It is slow enough there, and would not be as soon as it was given back.
+  void waits_slow() {
+    const std::string mmps =
+        to_decimal(Rational(fastest_from_rest(decision_, monitor_.lookahead.duration_us), 1000));
+    diag::Diagnostic d = finding(Code::recovery_stands,
+                                 "`" + controller_.name + "` only stands: where `" + monitor_.name +
+                                     "` asks it to be slow, it is never given back");
+    d.label = "does not lead to where it may be faster";
+    d.notes.push_back(
+        {std::nullopt, "from rest the robot may reach " + mmps + " m/s before a recovery acts"});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = "limits of at least " + mmps + " m/s work, or `retreat within Z speed " +
+             speed_to_name() + "`, or `hold when violated \"why\";` in the monitor";
     diagnostics_.report(std::move(d));
   }
   // Outside of what it claims an external recovery is braked, in every tick.

@@ -214,6 +214,10 @@ bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor) {
   return asks_for_no_more_than(mmps, monitor.property, monitor.property.result);
 }
 
+bool holds_standing(const ir::Monitor& monitor) {
+  return asks_for_no_more_than(0, monitor.property, monitor.property.result);
+}
+
 std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of) {
   std::vector<diag::Diagnostic> all;
   for (std::size_t k = 0; k < of.decision.monitors.size(); ++k) {

@@ -20,6 +20,9 @@ std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k);
 // given back: as it asks for no more than to be slow, or one side of its `or` does.
 bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor);
 
+// Whether it fulfils the property there, though it may not be given back.
+bool holds_standing(const ir::Monitor& monitor);
+
 // 5033, of each comparison that asks for at most some speed.
 std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of);
 

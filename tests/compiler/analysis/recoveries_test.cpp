@@ -233,6 +233,23 @@ TEST(Recoveries, AReasonToStandIsOfUseWhereThereIsAPlaceToLeave) {
   EXPECT_EQ(codes(slow), Codes{5006});
 }
 
+// Where it is enough to be slow, but so slow that nobody at rest is given back: what is told is
+// that, and the limit that is offered is the least that works.
+TEST(Recoveries, WhoStandsIsSlowEnoughAndNotGivenBack) {
+  Text slow{"brake_and_hold"};
+  slow.zones = "zone plants = rectangle (1 m, 1 m) to (2 m, 2 m);";
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.2 m/s";
+  EXPECT_EQ(codes(slow), Codes{5017});
+  const auto c = compiled(text_of(slow));
+  const std::string said = reports(*c);
+  EXPECT_NE(said.find("asks it to be slow, it is never given back"), std::string::npos) << said;
+  EXPECT_NE(said.find("limits of at least 0.269 m/s work"), std::string::npos) << said;
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.269 m/s";
+  EXPECT_EQ(codes(slow), Codes{});
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.268 m/s";
+  EXPECT_EQ(codes(slow), Codes{5017});
+}
+
 TEST(Recoveries, ActBeforeTheLookAheadEnds) {
   Text late;
   late.latency = "100 ms";
