@@ -37,18 +37,19 @@ class InSpace {
  public:
   InSpace(const sema::Monitor& written, const ir::Module& module, const ir::Decision& decision,
           const ir::Monitor& monitor, const ExactSolid& exact)
-      : written_(written),
-        module_(module),
-        decision_(decision),
-        monitor_(monitor),
-        exact_(exact),
-        recovery_(monitor.recovery) {
+      : written_(written), module_(module), decision_(decision), monitor_(monitor), exact_(exact) {
     collect_heights();
   }
 
+  // The first step that leads out of what it should keep.
   Found run() const {
-    if (recovery_.kind == ir::RecoveryKind::retreat) return retreat();
-    return recovery_.kind == ir::RecoveryKind::land ? landing() : std::nullopt;
+    for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
+      Found found;
+      if (step->kind == ir::RecoveryKind::retreat) found = retreat(*step);
+      if (step->kind == ir::RecoveryKind::land) found = landing(*step);
+      if (found) return found;
+    }
+    return std::nullopt;
   }
 
  private:
@@ -69,40 +70,40 @@ class InSpace {
     return fences_of(monitor_.property, decision_.facts.params);
   }
 
-  Found retreat() const {
-    const ir::ZoneTable& zone = module_[recovery_.zone];
+  Found retreat(const ir::Recovery& step) const {
+    const ir::ZoneTable& zone = module_[step.zone];
     for (const ir::ZoneIndex fence : fences()) {
-      if (fence == recovery_.zone) continue;
-      const geometry::Solid beyond = exact_(recovery_.zone).subtract(exact_(fence));
+      if (fence == step.zone) continue;
+      const geometry::Solid beyond = exact_(step.zone).subtract(exact_(fence));
       if (beyond.empty()) continue;
       const geometry::Slab& slab = beyond.slabs().front();
       const bool flat = !zone.has_height() && module_[fence].has_height();
       return elsewhere(
-          "`" + module_[fence].name + "`",
+          step, "`" + module_[fence].name + "`",
           flat ? "`" + zone.name + "` reaches up and down without an end"
                : "from " + metres(slab.floor) + " to " + metres(slab.ceiling) + " a part of `" +
                      zone.name + "` lies outside `" + module_[fence].name + "`, such as " +
                      some_corner(slab.region),
           "a zone that lies in `" + module_[fence].name + "` works, such as that one itself");
     }
-    if (Found found = across()) return found;
+    if (Found found = across(step)) return found;
     if (!zone.has_height()) return std::nullopt;  // it keeps its height
     const std::int64_t top_mm = zone.slabs.back().ceiling_mm;
     const std::int64_t bottom_mm = zone.slabs.front().floor_mm;
     if (most_mm_ && top_mm > *most_mm_) {
-      return elsewhere("the heights up to " + metres(*most_mm_),
+      return elsewhere(step, "the heights up to " + metres(*most_mm_),
                        "`" + zone.name + "` reaches up to " + metres(top_mm),
                        "a zone with a ceiling of at most " + metres(*most_mm_) + " works");
     }
     if (least_mm_ && bottom_mm < *least_mm_) {
-      return elsewhere("the heights from " + metres(*least_mm_) + " on",
+      return elsewhere(step, "the heights from " + metres(*least_mm_) + " on",
                        "`" + zone.name + "` reaches down to " + metres(bottom_mm),
                        "a zone with a floor of at least " + metres(*least_mm_) + " works");
     }
     return std::nullopt;
   }
   // From outside its zone it makes straight for it, as in the plane: what is convex is not left.
-  Found across() const {
+  Found across(const ir::Recovery& step) const {
     geometry::Solid starts = geometry::Solid::everywhere();
     for (const ir::Monitor& m : decision_.monitors) {
       for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
@@ -112,14 +113,14 @@ class InSpace {
     for (const ir::ZoneIndex fence : fences()) {
       const geometry::Solid allowed = exact_(fence);
       const bool convex = allowed.slabs().size() == 1 && is_convex(allowed.slabs()[0].region);
-      if (fence == recovery_.zone || convex) continue;
-      const geometry::Solid from = starts.subtract(exact_(recovery_.zone));
+      if (fence == step.zone || convex) continue;
+      const geometry::Solid from = starts.subtract(exact_(step.zone));
       if (from.empty()) continue;
       const std::string name = "`" + module_[fence].name + "`";
-      diag::Diagnostic d = finding(
-          Code::no_way_back, "`" + recovery_.name + "` knows a part of what `" + monitor_.name +
-                                 "` allows, and may lead across what lies "
-                                 "between, or find no way in");
+      diag::Diagnostic d =
+          finding(Code::no_way_back, "`" + step.name + "` knows a part of what `" + monitor_.name +
+                                         "` allows, and may lead across what lies "
+                                         "between, or find no way in");
       d.label = "makes straight for its zone";
       d.notes.push_back({std::nullopt, "from the rest of " + name + ", such as at a height of " +
                                            metres(from.slabs().front().floor) + " over " +
@@ -129,11 +130,11 @@ class InSpace {
     }
     return std::nullopt;
   }
-  Found elsewhere(const std::string& of, std::string note, std::string help) const {
-    diag::Diagnostic d =
-        finding(Code::recovery_elsewhere, "`" + recovery_.name + "` moves within `" +
-                                              module_[recovery_.zone].name + "`, and `" +
-                                              monitor_.name + "` needs it to stay in " + of);
+  Found elsewhere(const ir::Recovery& step, const std::string& of, std::string note,
+                  std::string help) const {
+    diag::Diagnostic d = finding(Code::recovery_elsewhere,
+                                 "`" + step.name + "` moves within `" + module_[step.zone].name +
+                                     "`, and `" + monitor_.name + "` needs it to stay in " + of);
     d.label = "leads out of it";
     d.notes.push_back({std::nullopt, std::move(note)});
     d.help = std::move(help);
@@ -141,73 +142,74 @@ class InSpace {
   }
 
   // Over a floor it keeps what it keeps of any boundary on its way.
-  Found landing() const {
+  Found landing(const ir::Recovery& step) const {
     const std::int64_t body_mm = decision_.body.radius_mm;
     if (least_mm_) {
-      const std::int64_t lowest_mm = *least_mm_ + recovery_.route_clearance_mm - body_mm;
-      if (recovery_.land_mm < lowest_mm) {
-        return too_low("`" + monitor_.name + "` needs the centre above " + metres(*least_mm_),
+      const std::int64_t lowest_mm = *least_mm_ + step.route_clearance_mm - body_mm;
+      if (step.land_mm < lowest_mm) {
+        return too_low(step, "`" + monitor_.name + "` needs the centre above " + metres(*least_mm_),
                        lowest_mm);
       }
     }
     for (const ir::ZoneIndex fence : fences()) {
       if (!module_[fence].has_height()) continue;
-      if (Found found = column(module_[fence].name, exact_(fence))) return found;
+      if (Found found = column(step, module_[fence].name, exact_(fence))) return found;
     }
     return std::nullopt;
   }
   // Every place above has all of the way down below it.
-  Found column(const std::string& zone, const geometry::Solid& solid) const {
-    const Rational end = thousandths(recovery_.land_mm);
+  Found column(const ir::Recovery& step, const std::string& zone,
+               const geometry::Solid& solid) const {
+    const Rational end = thousandths(step.land_mm);
     const std::vector<geometry::Slab>& slabs = solid.slabs();
     const auto in = std::ranges::find_if(
         slabs, [&](const geometry::Slab& s) { return s.floor <= end && end < s.ceiling; });
-    const std::int64_t need_mm = recovery_.route_clearance_mm;
+    const std::int64_t need_mm = step.route_clearance_mm;
     if (in == slabs.end()) {
       const std::int64_t floor_mm = ceil_to_int(Rational(slabs.front().floor * 1000));
-      return too_low("`" + zone + "` has no place at that height", floor_mm + need_mm);
+      return too_low(step, "`" + zone + "` has no place at that height", floor_mm + need_mm);
     }
     auto lowest = in;
     while (lowest != slabs.begin() && std::prev(lowest)->ceiling == lowest->floor) --lowest;
     const std::int64_t floor_mm = ceil_to_int(Rational(lowest->floor * 1000));
-    if (recovery_.land_mm < floor_mm + need_mm) {
-      return too_low("the floor of `" + zone + "` is at " + metres(floor_mm) + ", and `" +
-                         recovery_.name + "` keeps " + metres(need_mm) + " on its way",
+    if (step.land_mm < floor_mm + need_mm) {
+      return too_low(step,
+                     "the floor of `" + zone + "` is at " + metres(floor_mm) + ", and `" +
+                         step.name + "` keeps " + metres(need_mm) + " on its way",
                      floor_mm + need_mm);
     }
     // what it reaches below its end belongs to the column, too
-    const Rational reach = thousandths(recovery_.land_mm - need_mm);
+    const Rational reach = thousandths(step.land_mm - need_mm);
     for (auto upper = std::next(slabs.begin()); upper != slabs.end(); ++upper) {
       if (upper->floor <= reach) continue;
       const auto lower = std::prev(upper);
       if (lower->ceiling == upper->floor && lower->region.contains(upper->region)) continue;
       const geometry::Region beyond =
           lower->ceiling == upper->floor ? upper->region.subtract(lower->region) : upper->region;
-      return obstructed(zone, upper->floor, beyond);
+      return obstructed(step, zone, upper->floor, beyond);
     }
     return std::nullopt;
   }
-  Found too_low(std::string note, std::int64_t works_mm) const {
-    diag::Diagnostic d = finding(Code::landing_outside,
-                                 "`" + recovery_.name + "` lands at " + metres(recovery_.land_mm) +
-                                     ", where `" + monitor_.name + "` may be false");
+  Found too_low(const ir::Recovery& step, std::string note, std::int64_t works_mm) const {
+    diag::Diagnostic d =
+        finding(Code::landing_outside, "`" + step.name + "` lands at " + metres(step.land_mm) +
+                                           ", where `" + monitor_.name + "` may be false");
     d.label = "leads out of it";
     d.notes.push_back({std::nullopt, std::move(note)});
     d.help = "`land to " + metres(works_mm) + "` works, where the zone is as high";
     return d;
   }
-  Found obstructed(const std::string& zone, const Rational& height,
+  Found obstructed(const ir::Recovery& step, const std::string& zone, const Rational& height,
                    const geometry::Region& beyond) const {
     diag::Diagnostic d =
-        finding(Code::landing_outside, "straight down `" + recovery_.name + "` leaves `" + zone +
-                                           "` at " + metres(height));
+        finding(Code::landing_outside,
+                "straight down `" + step.name + "` leaves `" + zone + "` at " + metres(height));
     d.label = "the way down is not all in it";
     d.notes.push_back({std::nullopt,
                        "what is above that height is not all above what is below it, "
                        "such as at " +
                            some_corner(beyond)});
-    const std::int64_t works_mm =
-        ceil_to_int(Rational(height * 1000)) + recovery_.route_clearance_mm;
+    const std::int64_t works_mm = ceil_to_int(Rational(height * 1000)) + step.route_clearance_mm;
     d.help = "`land to " + metres(works_mm) +
              "` works, or a zone that gets no narrower downwards, or a `retreat`";
     return d;
@@ -226,7 +228,6 @@ class InSpace {
   const ir::Decision& decision_;
   const ir::Monitor& monitor_;
   const ExactSolid& exact_;
-  const ir::Recovery& recovery_;
   std::optional<std::int64_t> most_mm_, least_mm_;
 };
 

@@ -308,9 +308,7 @@ class SystemPrinter {
     if (r.kind == RecoveryKind::sequence) {
       std::string steps;
       for (const Recovery& step : r.steps) {
-        steps += (steps.empty() ? "\n            " : ",\n            ") +
-                 std::string("rtac::safe::step<rtac::safe::") + class_of(step.kind) + ", " +
-                 output_ + ">(" + std::to_string(step.lasts_us) + ", " + arguments_of(step) + ")";
+        steps += (steps.empty() ? "\n            " : ",\n            ") + step_of(step);
       }
       return steps;
     }
@@ -320,6 +318,15 @@ class SystemPrinter {
                        real_metres(r.return_clearance_mm) + ", " + real_metres(r.pass_gap_mm) + ")";
     if (r.kind == RecoveryKind::route) text += ", " + names_(module_[r.site].name) + "(self)";
     return text;
+  }
+  std::string step_of(const Recovery& r) const {
+    const std::string lasts = std::to_string(r.lasts_us);
+    if (flies(r, d().body)) {
+      return "rtac::safe::Step<" + output_ + ">{std::make_unique<" + type_of(r) + ">(" +
+             arguments_of(r) + "), " + lasts + "}";
+    }
+    return std::string("rtac::safe::step<rtac::safe::") + class_of(r.kind) + ", " + output_ + ">(" +
+           lasts + ", " + arguments_of(r) + ")";
   }
   // rtac::safe::Claim: zone, speed, time until the next command acts, and what braking takes.
   std::string claim_of(const Recovery& r) const {
@@ -345,19 +352,22 @@ class SystemPrinter {
     });
   }
   bool any_stands() const {
-    const auto stands = [](const Recovery* step) {
-      return step->kind == RecoveryKind::brake || step->claims;
-    };
+    return any_step(
+        [](const Recovery& step) { return step.kind == RecoveryKind::brake || step.claims; });
+  }
+  template <class Is>
+  bool any_step(const Is& is) const {
     return std::any_of(recoveries_.begin(), recoveries_.end(), [&](const Recovery* r) {
       const auto steps = steps_of(*r);
-      return std::any_of(steps.begin(), steps.end(), stands);
+      return std::any_of(steps.begin(), steps.end(),
+                         [&](const Recovery* step) { return is(*step); });
     });
   }
   // In a zone with height; and down to a height.
   void settings_in_space(Code& body) {
     const auto is = [&](RecoveryKind kind, bool high) {
-      return std::any_of(recoveries_.begin(), recoveries_.end(), [&](const Recovery* r) {
-        return r->kind == kind && (!high || module_[r->zone].has_height());
+      return any_step([&](const Recovery& step) {
+        return step.kind == kind && (!high || module_[step.zone].has_height());
       });
     };
     if (is(RecoveryKind::retreat, true)) {

@@ -36,7 +36,6 @@ class ControllerChecker {
   }
   void implementation(const syntax::SequenceTemplate& sequence) {
     range_ = written_.implementation_range;
-    if (kind_known_) knows_space("sequence");
     Sequence all;
     for (const syntax::SequenceStep& step : sequence.steps) {
       range_ = step.range;
@@ -151,7 +150,7 @@ class ControllerChecker {
             .label("`" + kind.name + "` has a height")
             .note(kind.name_range, "the robot is declared here")
             .help("`brake_and_hold`, `retreat within Z speed 0.3 m/s` and `land to 0.5 m speed 0.3 "
-                  "m/s` work"));
+                  "m/s` work, also as steps of a `sequence`"));
   }
 
   Quantity speed(const syntax::ExprPtr& expr, const std::string& name) {

@@ -1098,7 +1098,8 @@ static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
   {300, 1000, 1}, /* back */
   {200, 1000, 1}, /* aside */
-  {300, 1000, 1} /* down */
+  {300, 1000, 1}, /* down */
+  {300, 1000, 1} /* home */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t fly_horizons_us[] = {75000};
@@ -1120,7 +1121,7 @@ typedef struct fly_view {
   place at_plot; /* of the robot itself */
 } fly_view;
 
-/* SR-1: in the hall (spec.rta:24). q inside hall */
+/* SR-1: in the hall (spec.rta:25). q inside hall */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_hall, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1134,7 +1135,7 @@ static margin fly_walls_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-2: over the plot (spec.rta:25). q inside plot */
+/* SR-2: over the plot (spec.rta:26). q inside plot */
 static margin fly_lot_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_plot, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1148,7 +1149,7 @@ static margin fly_lot_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-3: low (spec.rta:26). q.position.z <= 9 m */
+/* SR-3: low (spec.rta:27). q.position.z <= 9 m */
 static margin fly_calm_now(const fly_view *v) {
   const span v0 = altitude_now(&v->self, &BODY, v->m);
   const span v1 = span_of(9000, 9000);
@@ -1159,6 +1160,20 @@ static margin fly_calm_now(const fly_view *v) {
 /* Everything within reach; recovery: down */
 static margin fly_calm_ahead(const fly_view *v) {
   const margin v0 = altitude_reach(&v->within, &BODY, 9000, 0);
+  return v0;
+}
+
+/* SR-4: not higher than the rules allow (spec.rta:28). q.position.z <= 10 m */
+static margin fly_rules_now(const fly_view *v) {
+  const span v0 = altitude_now(&v->self, &BODY, v->m);
+  const span v1 = span_of(10000, 10000);
+  const margin v2 = margin_at_least(v1, v0, WEIGHT_MM, 0);
+  return v2;
+}
+
+/* Everything within reach; recovery: home */
+static margin fly_rules_ahead(const fly_view *v) {
+  const margin v0 = altitude_reach(&v->within, &BODY, 10000, 0);
   return v0;
 }
 
@@ -1228,10 +1243,12 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
     checks[0].safer = fly_walls_ahead(v);
     checks[1].safer = fly_lot_ahead(v);
     checks[2].safer = fly_calm_ahead(v);
+    checks[3].safer = fly_rules_ahead(v);
   } else {
     checks[0].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
     checks[1].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
     checks[2].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
+    checks[3].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
   }
   v->legs = mode == 0;
   fly_look(v, &MOTIONS[v->driver], fly_horizons_us[0]);
@@ -1244,6 +1261,9 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[2].now = fly_calm_now(v);
   checks[2].ahead = fly_calm_ahead(v);
   checks[2].gives_back = margin_true();
+  checks[3].now = fly_rules_now(v);
+  checks[3].ahead = fly_rules_ahead(v);
+  checks[3].gives_back = margin_true();
 }
 
 /* The record of the tick. `back`: control might have been given back. */
@@ -1261,6 +1281,7 @@ static void fly_report(const fly_view *v, const space_recoveries_fly_state *s,
   out->violation_us = sooner(out->violation_us, checks[0].now, 1000);
   out->violation_us = sooner(out->violation_us, checks[1].now, 1000);
   out->violation_us = sooner(out->violation_us, checks[2].now, 1000);
+  out->violation_us = sooner(out->violation_us, checks[3].now, 1000);
   for (k = 0; k < MONITORS; ++k) {
     out->monitors[k].now = verdict_of(checks[k].now);
     out->monitors[k].ahead = verdict_of(checks[k].ahead);

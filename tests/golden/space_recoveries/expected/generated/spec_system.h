@@ -59,11 +59,14 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), aside(setting(0.2, plot_zone(), 0.533, 0.494, 1.641)), down(landing(0.3, 1.0)) {}
+        : fly(self), back(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), aside(setting(0.2, plot_zone(), 0.533, 0.494, 1.641)), down(landing(0.3, 1.0)), home(
+            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RetreatInSpace>(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), 20000000},
+            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::Land>(landing(0.3, 1.0)), 0}) {}
     Fly fly;
     rtac::safe::RetreatInSpace back;
     rtac::safe::RetreatInSpace aside;
     rtac::safe::Land down;
+    rtac::safe::Sequence<rtac::Acceleration> home;
   };
   static rtac::safe::Setting setting(double speed_mps, const rtac::SolidView& zone,
                                      double route_clearance_m, double give_back_m,
@@ -105,6 +108,7 @@ class System {
     (void)p.recoveries.push(&robot.back);
     (void)p.recoveries.push(&robot.aside);
     (void)p.recoveries.push(&robot.down);
+    (void)p.recoveries.push(&robot.home);
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;
