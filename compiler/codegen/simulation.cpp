@@ -228,7 +228,9 @@ class Decisions {
     Json j{{"name", m.name}, {"requirement", m.requirement_id}, {"text", m.text}};
     j["unit"] = ir::mixes_units(m) ? "" : ir::decision_unit_text(m);
     j["recovery"] = recovery(m.recovery, robot);
-    if (m.lookahead.duration && !m.lookahead.command) j["horizon_us"] = ir::horizon_us(d, m);
+    if (m.lookahead.duration) {
+      j[m.lookahead.command ? "command_us" : "horizon_us"] = ir::horizon_us(d, m);
+    }
     const auto written = std::find_if(
         spec_.monitors.begin(), spec_.monitors.end(),
         [&](const sema::Monitor& each) { return each.name == m.name && each.kind == kind; });

@@ -185,7 +185,8 @@ DecisionCase decision(const Json& j, const Case& all) {
   for (const Json& m : j.at("monitors")) {
     d.monitors.push_back({m.at("name").get<std::string>(), m.at("requirement").get<std::string>(),
                           m.at("text").get<std::string>(), m.at("unit").get<std::string>(),
-                          recovery(m.at("recovery")), m.value("horizon_us", TimeUs{0})});
+                          recovery(m.at("recovery")), m.value("horizon_us", TimeUs{0}),
+                          m.value("command_us", TimeUs{0})});
     d.properties.push_back(property(m.at("property")));
   }
   for (const Zone& zone : all.zones) {

@@ -48,6 +48,7 @@ struct MonitorCase {
   // From a decision until the brake acts that the look-ahead covers, under any control; 0: it does
   // not look ahead so.
   TimeUs horizon_us = 0;
+  TimeUs command_us = 0;  // the same under the commanded input (`ahead command`)
 };
 
 struct DecisionCase {

@@ -34,6 +34,21 @@ struct Wall {
   Vec3 normal;  // unit vector, to where it is false
 };
 
+const Property* first_of(const Property& p, sim::PropertyOp op) {
+  if (p.op == op) return &p;
+  for (const Property& each : p.of) {
+    if (const Property* const found = first_of(each, op)) return found;
+  }
+  return nullptr;
+}
+
+// The gap to an agent changes with a way as that to a robot does.
+Property agents_as_robots(Property p) {
+  if (p.op == sim::PropertyOp::agent_distance) p.op = sim::PropertyOp::distance;
+  for (Property& each : p.of) each = agents_as_robots(each);
+  return p;
+}
+
 class Search {
  public:
   Search(const DecisionCase& decision, const Kernel::Functions& kernel, std::size_t monitor,
@@ -43,9 +58,16 @@ class Search {
         property_(decision.properties[monitor]),
         oracle_(decision, kernel, 0),
         until_s_(until_s),
-        metres_(1 / sim::steepness_per_m(property_)) {
+        metres_(1 / sim::steepness_per_m(agents_as_robots(property_))),
+        agents_(decision.agents.size(), far_away),
+        surroundings_(decision.surroundings) {
+    surroundings_.agents = &agents_;
+    for (const sim::AgentSetup& agent : decision.agents) {
+      surroundings_.agent_radius_m.push_back(agent.radius_m);
+      surroundings_.agent_in_space.push_back(agent.in_space);
+    }
     out_.monitor = decision.monitors[monitor].name;
-    out_.ahead_s = static_cast<double>(oracle_.position_age_us() + case_of().horizon_us) / us_per_s;
+    out_.ahead_s = static_cast<double>(oracle_.position_age_us() + horizon_us()) / us_per_s;
   }
 
   Tightness run() {
@@ -54,6 +76,7 @@ class Search {
       out_.why_not = "no place was found where the advanced controller drives";
     }
     if (!out_.why_not.empty()) return out_;
+    place_agent();
     const std::vector<Wall> walls = find_walls();
     for (const Wall& wall : walls) {
       for (const double speed : speeds) {
@@ -70,15 +93,39 @@ class Search {
 
  private:
   [[nodiscard]] const MonitorCase& case_of() const { return d_.monitors[monitor_]; }
+  // Under any control, or under the command that is judged.
+  [[nodiscard]] TimeUs horizon_us() const {
+    return commanded() ? case_of().command_us : case_of().horizon_us;
+  }
+  [[nodiscard]] bool commanded() const { return case_of().command_us > 0; }
   [[nodiscard]] std::string unfit() const {
-    if (case_of().horizon_us == 0) return "it does not look ahead by a duration alone";
+    if (horizon_us() == 0) return "it does not look ahead by a duration alone";
     if (!std::isfinite(metres_)) return "it speaks of more than lengths";
-    if (sim::speaks_of(property_, sim::PropertyOp::agent_distance)) return "it speaks of agents";
     if (sim::speaks_of(property_, sim::PropertyOp::count)) return "it counts robots";
     return not_searched(d_.limits);
   }
   [[nodiscard]] bool of_others() const {
     return sim::speaks_of(property_, sim::PropertyOp::distance);
+  }
+
+  // The agent that it speaks of first, beside the robot; all others stay far away.
+  void place_agent() {
+    const Property* const distance = first_of(property_, sim::PropertyOp::agent_distance);
+    if (distance == nullptr) return;
+    agent_ = distance->index;
+    Vec3& place = agents_[static_cast<std::size_t>(agent_)];
+    for (double away_m = 1; away_m < farthest_m / 2; away_m *= 1.2) {
+      place = base_.front().position + Vec3{away_m, 0, 0};
+      if (!agent().in_space) place.z = 0;
+      if (margin_m(base_.front().position) > 0) break;
+    }
+    oracle_.place_agents(agents_);
+  }
+  [[nodiscard]] const sim::AgentSetup& agent() const {
+    return d_.agents[static_cast<std::size_t>(agent_)];
+  }
+  [[nodiscard]] double agent_age_s() const {
+    return static_cast<double>(agent().age_us) / us_per_s;
   }
 
   // ---- the property, on true places
@@ -89,7 +136,7 @@ class Search {
       truths[i].position = {places[i].x, places[i].y};
       truths[i].height_m = places[i].z;
     }
-    return metres_ * margin_of(property_, scene_of(d_.surroundings, truths, 0));
+    return metres_ * margin_of(property_, scene_of(surroundings_, truths, 0));
   }
   // The first robot elsewhere, the others where they are.
   [[nodiscard]] double margin_m(Vec3 place) const {
@@ -132,7 +179,7 @@ class Search {
     }
     double least = std::numeric_limits<double>::infinity();
     for (const Property& p : d_.properties) {
-      least = std::min(least, margin_of(p, scene_of(d_.surroundings, truths, 0)));
+      least = std::min(least, margin_of(p, scene_of(surroundings_, truths, 0)));
     }
     return least;
   }
@@ -223,6 +270,7 @@ class Search {
   // The nearest state to the wall, of those that are looked at, that passes; none: nothing does.
   std::optional<std::vector<Moving>> just_passing(const Wall& wall, double speed, double angle) {
     const double speed_mps = speed * d_.limits.speed_mps;
+    oracle_.propose(proposed(wall));
     const auto passes = [&](double away_m) {
       return oracle_.passes(asked(wall, away_m, speed_mps, angle), monitor_);
     };
@@ -239,6 +287,10 @@ class Search {
     }
     return asked(wall, good, speed_mps, angle);
   }
+  // As hard towards the wall as it follows; a little less, for the grid.
+  [[nodiscard]] Vec3 proposed(const Wall& wall) const {
+    return (1 - 1e-3) * d_.limits.accel_mps2 * wall.normal;
+  }
   // What no look-ahead asks for more than.
   [[nodiscard]] double generous_m() const {
     const RobotLimits& l = d_.limits;
@@ -247,6 +299,10 @@ class Search {
     const double one_m =
         l.position_error_m + fastest * (out_.ahead_s + fastest / (2 * brake)) * 1.5 + 0.5;
     const double heard_s = static_cast<double>(l.hears_age_us) / us_per_s;
+    if (agent_ >= 0) {
+      const double still_s = agent_age_s() + out_.ahead_s + fastest / brake;
+      return one_m + agent().error_m + agent().radius_m + 1.5 * agent().speed_mps * still_s;
+    }
     return of_others() ? 2 * (one_m + 1.5 * fastest * heard_s) : one_m;
   }
 
@@ -254,29 +310,47 @@ class Search {
 
   // Of the robot that asks; of another one, whose message is as old as it may be.
   [[nodiscard]] WorstPaths paths_of(const Moving& robot, Vec3 normal, bool heard) const {
-    const double ahead_s = static_cast<double>(case_of().horizon_us) / us_per_s;
+    const double ahead_s = static_cast<double>(horizon_us()) / us_per_s;
     const TimeUs age_us = heard ? d_.limits.hears_age_us : oracle_.position_age_us();
     const TimeUs apart_us = heard ? 0 : oracle_.velocity_age_us() - oracle_.position_age_us();
     const double age_s = static_cast<double>(age_us) / us_per_s;
     return worst_paths(d_.limits, {robot, normal, -age_s, age_s + ahead_s,
                                    static_cast<double>(apart_us) / us_per_s});
   }
-  // The least margin along a motion of the first robot, and of the one that it meets.
-  [[nodiscard]] double least_along(const std::vector<Moving>& robots, const WorstPath& path,
-                                   const WorstPath* others) const {
+  // Nothing was sent before, and the proposal acts from the decision on.
+  [[nodiscard]] WorstPaths told(const Moving& robot, const Wall& wall) const {
+    const auto seconds = [](TimeUs us) { return static_cast<double>(us) / us_per_s; };
+    const double age_s = seconds(oracle_.position_age_us());
+    return worst_paths_told(d_.limits,
+                            {robot, wall.normal, -age_s, age_s + seconds(horizon_us()),
+                             seconds(oracle_.velocity_age_us() - oracle_.position_age_us())},
+                            proposed(wall));
+  }
+  // The least margin along a motion of the first robot, and of the one that it meets. An agent
+  // comes against the normal, from as near as it may have been, until the robot stands.
+  [[nodiscard]] double least_along(const std::vector<Moving>& robots, Vec3 normal,
+                                   const WorstPath& path, const WorstPath* others) {
     constexpr int looks = 96;
     std::vector<Vec3> places;
     for (const Moving& robot : robots) places.push_back(robot.position);
     const double begin_s = -static_cast<double>(oracle_.position_age_us()) / us_per_s;
     const double end_s = others == nullptr ? path.end_s : std::max(path.end_s, others->end_s);
+    const std::vector<Vec3> seen = agents_;
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= looks; ++k) {
       const double time_s = begin_s + (end_s - begin_s) * k / looks;
       places.front() = path.at(time_s);
       if (others != nullptr) places[met()] = others->at(time_s);
+      if (agent_ >= 0) come(seen, normal, time_s);
       least = std::min(least, margin_m(places));
     }
+    agents_ = seen;
     return least;
+  }
+  void come(const std::vector<Vec3>& seen, Vec3 normal, double time_s) {
+    const auto k = static_cast<std::size_t>(agent_);
+    const double far_m = agent().error_m + agent().speed_mps * (agent_age_s() + time_s);
+    agents_[k] = seen[k] - std::max(0.0, far_m) * normal;
   }
   void look(const Wall& wall, double speed, double angle) {
     if (core_seconds() > until_s_) {
@@ -293,13 +367,14 @@ class Search {
     state.bound_m = margin_m(seen);
     if (!(state.bound_m > 0)) return;
     state.found_m = -std::numeric_limits<double>::infinity();
-    const WorstPaths own = paths_of(robots->front(), wall.normal, false);
+    const WorstPaths own =
+        commanded() ? told(robots->front(), wall) : paths_of(robots->front(), wall.normal, false);
     WorstPaths other;
     if (met() != 0) other = paths_of((*robots)[met()], -1 * wall.normal, true);
     out_.searches += own.searches + other.searches;
     out_.failures += own.failures + other.failures;
     const auto take = [&](const WorstPath& path, const WorstPath* others) {
-      const double used = state.bound_m - least_along(*robots, path, others);
+      const double used = state.bound_m - least_along(*robots, wall.normal, path, others);
       if (!(used > state.found_m)) return;
       state.found_m = used;
       state.by = path.by;
@@ -316,6 +391,9 @@ class Search {
   const Property& property_;
   Oracle oracle_;
   double until_s_, metres_;
+  std::vector<Vec3> agents_;  // where they are seen, or are
+  sim::Surroundings surroundings_;
+  int agent_ = -1;  // that the property speaks of
   std::vector<Moving> base_;
   Tightness out_;
 };

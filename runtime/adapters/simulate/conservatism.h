@@ -16,7 +16,7 @@ struct Tightness {
     double angle_rad = 0;  // between the velocity and the shortest way to where it fails
     double bound_m = 0;    // the margin that the decision wants there
     double found_m = 0;    // how much of it is used up; more than all of it: unsound
-    const char* by = "";   // "Ipopt" or "restarts"
+    const char* by = "";   // see WorstPath
     [[nodiscard]] double share() const { return found_m / bound_m; }
   };
   std::string monitor;

@@ -110,11 +110,11 @@ Problem Kernel::find(const DecisionCase& decision, Functions& to) const {
 }
 
 KernelDecision::KernelDecision(const Kernel::Functions& functions, const DecisionCase& decision,
-                               int self, sim::Crowd& crowd)
+                               int self, SeesAgent sees)
     : functions_(functions),
       capacity_(decision.plan_capacity),
       agents_(decision.agents.size()),
-      crowd_(crowd),
+      sees_(std::move(sees)),
       info_(),
       state_(functions.state_bytes / sizeof(std::int64_t) + 1),
       in_(functions.in_words),
@@ -168,7 +168,7 @@ const DecisionRecord& KernelDecision::step(const Observation& seen, bool holding
     put(heard.plan, capacity_, other + words::other_plan);
   }
   for (std::size_t k = 0; k < agents_; ++k, other += words::agent_size) {
-    put_agent(crowd_.see(seen.self, static_cast<int>(k), seen.now_us), seen.now_us, other);
+    put_agent(sees_(seen.self, static_cast<int>(k), seen.now_us), seen.now_us, other);
   }
   functions_.step(state_.data(), in_.data(), seen.now_us, out_.data());
   take(seen.now_us);

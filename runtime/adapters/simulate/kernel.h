@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,12 +35,14 @@ class Kernel {
   void* handle_ = nullptr;
 };
 
+// The newest sample that a robot has of an agent.
+using SeesAgent = std::function<Sample<Vec3>(int robot, int agent, TimeUs now_us)>;
+
 // One decision for one robot. Everything that it is made with outlives it.
 class KernelDecision final : public DecisionModule {
  public:
-  // `crowd`: what the robot sees of agents.
   KernelDecision(const Kernel::Functions& functions, const DecisionCase& decision, int self,
-                 sim::Crowd& crowd);
+                 SeesAgent sees);
   [[nodiscard]] const DecisionInfo& info() const override { return info_; }
   const DecisionRecord& step(const Observation& observation, bool holding, bool surrender) override;
   void reset() override;
@@ -49,7 +52,7 @@ class KernelDecision final : public DecisionModule {
 
   const Kernel::Functions& functions_;
   std::size_t capacity_, agents_;
-  sim::Crowd& crowd_;
+  SeesAgent sees_;
   std::vector<MonitorInfo> monitors_;
   DecisionInfo info_;
   std::vector<std::int64_t> state_, in_, out_;

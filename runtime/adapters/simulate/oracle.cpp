@@ -22,12 +22,13 @@ Oracle::Oracle(const DecisionCase& decision, const Kernel::Functions& kernel, in
       self_(self),
       position_age_us_(std::min(decision.limits.position_age_us, decision.limits.velocity_age_us)),
       velocity_age_us_(decision.limits.velocity_age_us),
-      surroundings_(decision.surroundings),
-      truths_(decision.robots.size()),
-      crowd_(decision.agents, decision.properties, surroundings_, truths_, {}, 1, tape_),
-      kernel_(kernel, decision, self, crowd_) {}
+      agents_(decision.agents.size(), far_away),
+      kernel_(kernel, decision, self, [this](int, int agent, TimeUs now_us) {
+        const auto k = static_cast<std::size_t>(agent);
+        return Sample<Vec3>{agents_[k], now_us - decision_.agents[k].age_us};
+      }) {}
 
-Observation Oracle::seen(const std::vector<Moving>& robots, TimeUs now_us) const {
+Observation Oracle::seen(const std::vector<Moving>& robots, TimeUs now_us, Vec3 proposed) const {
   const RobotLimits& l = decision_.limits;
   Observation o;
   o.now_us = now_us;
@@ -40,6 +41,9 @@ Observation Oracle::seen(const std::vector<Moving>& robots, TimeUs now_us) const
   o.climb_mps = self.velocity.z;
   o.heading = {self.heading_rad, now_us - std::min(l.heading_age_us, position_age_us_)};
   o.battery = {self.battery, now_us};
+  o.sent = measured({}, now_us - decision_.period_us);
+  o.proposed = measured(proposed, now_us);
+  o.proposed_up_mps2 = proposed.z;
   o.plan.stamp_us = now_us;  // none to follow: the duration alone decides
   for (std::size_t j = 0; j < robots.size(); ++j) {
     if (static_cast<int>(j) == self_) continue;
@@ -57,7 +61,7 @@ Observation Oracle::seen(const std::vector<Moving>& robots, TimeUs now_us) const
 int Oracle::ticks_until_advanced(const std::vector<Moving>& robots) {
   kernel_.reset();
   for (int k = 1; k <= ticks_max; ++k) {
-    if (kernel_.step(seen(robots, begin_us + k * decision_.period_us), false, false).mode == 0)
+    if (kernel_.step(seen(robots, begin_us + k * decision_.period_us, {}), false, false).mode == 0)
       return k;
   }
   return 0;
@@ -74,10 +78,10 @@ bool Oracle::settle(const std::vector<Moving>& robots) {
 bool Oracle::passes(const std::vector<Moving>& robots, std::size_t monitor) {
   kernel_.reset();
   for (int k = 1; k <= ticks_; ++k) {
-    kernel_.step(seen(settled_, begin_us + k * decision_.period_us), false, false);
+    kernel_.step(seen(settled_, begin_us + k * decision_.period_us, {}), false, false);
   }
-  const DecisionRecord& record =
-      kernel_.step(seen(robots, begin_us + (ticks_ + 1) * decision_.period_us), false, false);
+  const DecisionRecord& record = kernel_.step(
+      seen(robots, begin_us + (ticks_ + 1) * decision_.period_us, proposed_), false, false);
   return record.monitors[monitor].ahead == Verdict::is_true;
 }
 

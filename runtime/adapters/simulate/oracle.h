@@ -7,6 +7,9 @@
 
 namespace rtac::simulate {
 
+// From any robot, m.
+inline constexpr Vec3 far_away{4e4, 4e4, 4e4};
+
 // A robot as it is measured, or as it is.
 struct Moving {
   Vec3 position, velocity;  // m, m/s
@@ -23,6 +26,10 @@ class Oracle {
   // From where it asks from now on: a state of all robots in which control is with the advanced
   // controller after a while. False: it never is, and the one before stays.
   bool settle(const std::vector<Moving>& robots);
+  // Where agents are seen from now on, by agent; at first all of them are far away.
+  void place_agents(const std::vector<Vec3>& places) { agents_ = places; }
+  // What is proposed to be sent from now on, m/s^2; until then it was nothing.
+  void propose(Vec3 acceleration) { proposed_ = acceleration; }
   // The look-ahead of a monitor passes in the tick after, with samples as old as they may be.
   bool passes(const std::vector<Moving>& robots, std::size_t monitor);
 
@@ -31,16 +38,15 @@ class Oracle {
   [[nodiscard]] TimeUs velocity_age_us() const { return velocity_age_us_; }
 
  private:
-  [[nodiscard]] Observation seen(const std::vector<Moving>& robots, TimeUs now_us) const;
+  [[nodiscard]] Observation seen(const std::vector<Moving>& robots, TimeUs now_us,
+                                 Vec3 proposed) const;
   int ticks_until_advanced(const std::vector<Moving>& robots);
 
   const DecisionCase& decision_;
   int self_;
   TimeUs position_age_us_, velocity_age_us_;
-  sim::Surroundings surroundings_;  // of a crowd that nobody asks
-  std::vector<sim::TruthState> truths_;
-  sim::Tape tape_;
-  sim::Crowd crowd_;
+  std::vector<Vec3> agents_;
+  Vec3 proposed_;
   KernelDecision kernel_;
   std::vector<Moving> settled_;
   int ticks_ = 0;

@@ -174,7 +174,10 @@ class Fleet {
         const Arena& arena, sim::Crowd& crowd, Tape& tape)
       : decision_(decision), setup_(setup), arena_(arena) {
     for (int i = 0; i < static_cast<int>(decision.robots.size()); ++i) {
-      decisions_.push_back(std::make_unique<KernelDecision>(kernel, decision, i, crowd));
+      decisions_.push_back(std::make_unique<KernelDecision>(
+          kernel, decision, i, [&crowd](int robot, int agent, TimeUs now_us) {
+            return crowd.see(robot, agent, now_us);
+          }));
       attacks_.push_back(std::make_unique<Taped<Output>>(attack(setup, i, arena), i, tape));
       parts_.push_back(parts(i));
     }

@@ -113,4 +113,41 @@ WorstPaths worst_paths(const RobotLimits& limits, const Push& push) {
   return limits.unicycle ? of_unicycle(limits, push) : of_point(limits, push);
 }
 
+// A speed that saturates is projected onto what is allowed. Each piece is straight, at the mean of
+// its velocities, so that no more than the acceleration changes them.
+WorstPaths worst_paths_told(const RobotLimits& l, const Push& push, Vec3 command_mps2) {
+  constexpr int pieces = 1000;
+  const auto capped = [&](Vec3 v) {
+    const double size = norm(v);
+    return size > l.speed_mps ? (l.speed_mps / size) * v : v;
+  };
+  const Vec3 error = l.disturbance_mps2 * push.normal;
+  const double step_s = push.free_s / pieces, brake_mps2 = l.brake_mps2 - l.disturbance_mps2;
+  std::vector<Vec3> places{push.robot.position + l.position_error_m * push.normal};
+  Vec3 v = capped(push.robot.velocity + l.velocity_error_mps * push.normal + push.apart_s * error);
+  for (int k = 0; k < pieces; ++k) {
+    const bool told = push.begin_s + k * step_s >= 0;
+    const Vec3 next = capped(v + step_s * (told ? command_mps2 + error : error));
+    places.push_back(places.back() + (step_s / 2) * (v + next));
+    v = next;
+  }
+  const double begin_s = push.begin_s, brake_s = begin_s + push.free_s;
+  const double speed = norm(v), stop_s = speed / brake_mps2;
+  WorstPath path;
+  path.end_s = brake_s + stop_s;
+  path.by = "errors along the normal";
+  path.at = [places = std::move(places), v, begin_s, brake_s, step_s, stop_s](double time_s) {
+    if (time_s >= brake_s) {
+      const double s = std::min(time_s - brake_s, stop_s);
+      return stop_s > 0 ? places.back() + s * (1 - s / (2 * stop_s)) * v : places.back();
+    }
+    const double at = std::max(0.0, time_s - begin_s) / step_s;
+    const auto k = std::min(static_cast<std::size_t>(at), places.size() - 2);
+    return places[k] + (at - static_cast<double>(k)) * (places[k + 1] - places[k]);
+  };
+  WorstPaths found;
+  found.paths.push_back(std::move(path));
+  return found;
+}
+
 }  // namespace rtac::simulate

@@ -23,7 +23,7 @@ struct Push {
 struct WorstPath {
   std::function<Vec3(double time_s)> at;
   double end_s = 0;
-  const char* by = "";  // "Ipopt" or "restarts"
+  const char* by = "";  // "Ipopt", "restarts" or "errors along the normal"
 };
 
 struct WorstPaths {
@@ -36,5 +36,9 @@ struct WorstPaths {
 std::string not_searched(const RobotLimits& limits);
 
 WorstPaths worst_paths(const RobotLimits& limits, const Push& push);
+
+// The same of a point mass that does what it is told: nothing until time 0, and the command from
+// then on. Not searched: all errors push it along the normal, as far as they reach.
+WorstPaths worst_paths_told(const RobotLimits& limits, const Push& push, Vec3 command_mps2);
 
 }  // namespace rtac::simulate

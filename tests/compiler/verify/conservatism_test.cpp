@@ -1,6 +1,6 @@
 // `rtac verify --conservatism`: how much of what monitors keep free is needed. The targets are
 // those that a look-ahead has to meet to be worth something; more than all of it is a refutation.
-#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -102,12 +102,17 @@ TEST_F(ConservatismTest, WithoutASimulatorItIsNotMeasured) {
   EXPECT_FALSE(of.contains("share")) << of;
 }
 
-// Turning, and another robot that comes to meet it; both studies' kind of robot.
+// Turning, another robot that comes to meet it, agents, and robots that do what they are told; both
+// studies' kind of robot.
 class ConservatismOf : public ConservatismTest, public testing::WithParamInterface<const char*> {};
 INSTANTIATE_TEST_SUITE_P(All, ConservatismOf,
                          testing::Values("tests/campaign/specs/templates/brake_unicycle.rta",
                                          "tests/campaign/specs/templates/pair_space.rta",
                                          "tests/campaign/specs/pair.rta",
+                                         "tests/campaign/specs/templates/agents_space.rta",
+                                         "tests/kernel/agents/strollers.rta",
+                                         "tests/golden/ahead_command/spec.rta",
+                                         "tests/golden/space_command/spec.rta",
                                          "specs/robot_delivery/robot_delivery.rta"));
 TEST_P(ConservatismOf, EveryMonitorThatSpeaksOfLengths) {
   const std::string path = std::string(RTAC_SOURCE_DIR) + "/" + GetParam();
@@ -135,17 +140,30 @@ TEST_F(ConservatismTest, UnsoundVariantsOfUnicyclesAndPairsAreRefuted) {
   EXPECT_GT(all[1]["share"].get<double>(), 1) << all;
 }
 
-// What agents do nobody has searched, and charge is no length: no number is better than a wrong
-// one.
-TEST_F(ConservatismTest, AgentsAndChargeAreNotMeasured) {
-  for (const char* name : {"tests/campaign/specs/templates/agents_space.rta",
-                           "specs/robot_delivery/robot_delivery.rta"}) {
+// Agents that were thought to stand, and commands whose brake was forgotten.
+TEST_F(ConservatismTest, UnsoundVariantsOfAgentsAndCommandsAreRefuted) {
+  const std::array<std::pair<const char*, const char*>, 2> all = {
+      {{"tests/campaign/specs/templates/agents_space.rta", "agents-stand"},
+       {"tests/golden/space_command/spec.rta", "no-stopping-distance"}}};
+  for (const auto& [name, mutant] : all) {
     const std::string path = std::string(RTAC_SOURCE_DIR) + "/" + name;
-    const Outcome o = rtac({"verify", path, "--conservatism", "--format", "json"});
-    const Json all = Json::parse(o.out)["decisions"][0]["conservatism"];
-    const auto not_measured = [](const Json& of) { return !of["measured"].get<bool>(); };
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), not_measured)) << name << o.out;
-    for (const Json& of : all) EXPECT_EQ(of.contains("share"), !not_measured(of)) << of;
+    const Outcome o =
+        rtac({"verify", path, "--conservatism", "--mutate", mutant, "--format", "json"});
+    EXPECT_EQ(o.status, exit_violation) << name << o.err;
+    for (const Json& of : Json::parse(o.out)["decisions"][0]["conservatism"]) {
+      EXPECT_GT(of["share"].get<double>(), 1) << of;
+    }
+  }
+}
+
+// Charge is no length: no number is better than a wrong one.
+TEST_F(ConservatismTest, ChargeIsNotMeasured) {
+  const std::string path =
+      std::string(RTAC_SOURCE_DIR) + "/specs/robot_delivery/robot_delivery.rta";
+  const Outcome o = rtac({"verify", path, "--conservatism", "--format", "json"});
+  for (const Json& of : Json::parse(o.out)["decisions"][0]["conservatism"]) {
+    EXPECT_EQ(of["measured"].get<bool>(), of["monitor"] != "battery") << of;
+    EXPECT_EQ(of.contains("share"), of["measured"].get<bool>()) << of;
   }
 }
 
