@@ -367,8 +367,28 @@ Found Claims::legs(const Values& v) {
   if (m == nullptr || !m->recover || !zone) return wrong("no such zone or monitor");
   const auto within = moves_within(spec_[*m->recover]);
   if (within.empty() || within.back() != *zone) return wrong("the recovery moves elsewhere");
-  if (!zones_.convex(*zone)) return wrong("the zone is not convex");
-  return place(v);
+  const auto gap = number(v, "clearance_mm");
+  const std::size_t slabs = zones_.slabs(*zone);
+  if (!gap || *gap < 0 || slabs == 0) return wrong("no such clearance, or an unknown zone");
+  for (std::size_t from = 0; from < slabs; ++from) {
+    const std::string of = "_" + std::to_string(from);
+    const auto to = number(v, "to" + of), z = number(v, "z_mm" + of);
+    if (!to || *to < 0) return wrong("one of its slabs leads nowhere");
+    const auto target = static_cast<std::size_t>(*to);
+    if (!zones_.leads_straight(*zone, from, target, milli(*gap))) {
+      return wrong("a slab does not lead straight to a convex one");
+    }
+    if (z && !zones_.within_slab(*zone, target, milli(*z), milli(*gap))) {
+      return wrong("the place does not lie in that slab");
+    }
+    if (!z && slabs > 1) return wrong("the place has no height");
+    Values there = v;
+    for (const char* const axis : {"x_mm", "y_mm", "z_mm"}) {
+      if (const auto found = v.find(axis + of); found != v.end()) there[axis] = found->second;
+    }
+    if (const Found found = place(there)) return found;
+  }
+  return std::nullopt;
 }
 
 Found Claims::height(const Values& v) {

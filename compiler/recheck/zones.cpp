@@ -35,6 +35,19 @@ double square_to(const Segment& s, double x, double y) {
   const double ex = s.ax + along * dx - x, ey = s.ay + along * dy - y;
   return ex * ex + ey * ey;
 }
+// One ring, and no corner lies to the right of an edge.
+bool is_convex(const std::vector<geometry::Ring>& rings) {
+  if (rings.size() != 1) return false;
+  const geometry::Ring& ring = rings.front();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const geometry::Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    for (const geometry::Point& p : ring) {
+      if ((b.x - a.x) * (p.y - a.y) < (b.y - a.y) * (p.x - a.x)) return false;
+    }
+  }
+  return true;
+}
+
 struct Box {
   double x, y, right, top;
 };
@@ -235,20 +248,36 @@ bool NamedZones::clear_in_space(sema::ZoneId zone, const geometry::Point& place,
          surface.clearance({place.x, place.y}, z).below >= clearance;
 }
 
-bool NamedZones::convex(sema::ZoneId zone) {
+std::size_t NamedZones::slabs(sema::ZoneId zone) {
   const auto known = solid(zone);
-  if (!known || known->slabs().size() != 1) return false;
-  const auto rings = known->slabs().front().region.rings();
-  if (rings.size() != 1) return false;
-  const std::size_t count = rings.front().size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const geometry::Point &a = rings[0][i], &b = rings[0][(i + 1) % count];
-    // no corner lies to the right of an edge
-    for (const geometry::Point& p : rings[0]) {
-      if ((b.x - a.x) * (p.y - a.y) < (b.y - a.y) * (p.x - a.x)) return false;
-    }
+  return known ? known->slabs().size() : 0;
+}
+
+bool NamedZones::leads_straight(sema::ZoneId zone, std::size_t from, std::size_t to,
+                                const Rational& clearance) {
+  const auto known = solid(zone);
+  if (!known || std::max(from, to) >= known->slabs().size()) return false;
+  const std::vector<geometry::Slab>& all = known->slabs();
+  if (all[to].ceiling - all[to].floor < 2 * clearance || !is_convex(all[to].region.rings())) {
+    return false;
+  }
+  for (std::size_t k = from; k < to; ++k) {
+    const bool joined = all[k].ceiling == all[k + 1].floor;
+    if (!joined || !all[k].region.subtract(all[k + 1].region).empty()) return false;
+  }
+  for (std::size_t k = from; k > to; --k) {
+    const bool joined = all[k].floor == all[k - 1].ceiling;
+    if (!joined || !all[k].region.subtract(all[k - 1].region).empty()) return false;
   }
   return true;
+}
+
+bool NamedZones::within_slab(sema::ZoneId zone, std::size_t slab, const Rational& z,
+                             const Rational& clearance) {
+  const auto known = solid(zone);
+  if (!known || slab >= known->slabs().size()) return false;
+  const geometry::Slab& of = known->slabs()[slab];
+  return of.floor + clearance <= z && z + clearance <= of.ceiling;
 }
 
 std::variant<std::monostate, geometry::Point, BadCells> without_way(

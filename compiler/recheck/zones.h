@@ -29,8 +29,15 @@ class NamedZones {
   // The same of a place in space.
   bool clear_in_space(sema::ZoneId zone, const geometry::Point& place, const Rational& z,
                       const Rational& clearance);
-  // Whether the zone is one convex prism, or convex in the plane.
-  bool convex(sema::ZoneId zone);
+  // How many slabs it has, one in the plane; 0: it is not known.
+  std::size_t slabs(sema::ZoneId zone);
+  // Whether slab `to` is convex, 2 `clearance` high, and gets no narrower on the way there,
+  // straight up or down, from any place of slab `from`.
+  bool leads_straight(sema::ZoneId zone, std::size_t from, std::size_t to,
+                      const Rational& clearance);
+  // Whether the height is that of a place of the slab, `clearance` from its ends.
+  bool within_slab(sema::ZoneId zone, std::size_t slab, const Rational& z,
+                   const Rational& clearance);
 
  private:
   const sema::Spec& spec_;

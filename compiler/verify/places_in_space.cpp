@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -191,43 +192,111 @@ bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t ga
          (!least || low_mm - gap_mm >= least->need.strictest);
 }
 
-// The look of a retreat in space (rtac/safe/space.h) goes to the nearest cell that is clear enough,
-// straight, on a height that is. In a convex zone the clearance along a leg is no less than at its
-// ends, so that every such cell is in sight from everywhere.
+namespace {
+
+// The slabs of the zone that a retreat moves within; of one in the plane a single one without end.
+// nullopt: the tables of the module have others.
+std::optional<std::vector<geometry::Slab>> slabs_of(const Subject& s, ir::ZoneIndex index) {
+  const ir::ZoneTable& zone = s.module[index];
+  if (!zone.has_height()) return analysis::without_end(s.exact(index)).slabs();
+  const std::vector<geometry::Slab> slabs = s.solid(index).slabs();
+  const bool same =
+      std::equal(slabs.begin(), slabs.end(), zone.slabs.begin(), zone.slabs.end(),
+                 [](const geometry::Slab& a, const ir::ZoneTable::Slab& b) {
+                   return a.floor == in_m(b.floor_mm) && a.ceiling == in_m(b.ceiling_mm);
+                 });
+  if (!same) return std::nullopt;
+  return slabs;
+}
+
+// A place of a slab with as much clearance, if the slab is convex and high enough.
+std::optional<Spot> place_in(const Subject& s, const ir::ZoneTable& zone, std::size_t k,
+                             const geometry::Region& region, std::int64_t clearance_mm) {
+  const bool high = zone.has_height();
+  const ir::Cells& cells = (high ? s.module[zone.slabs[k].base] : zone).cells;
+  const auto widest = std::max_element(cells.clearance_mm_lo.begin(), cells.clearance_mm_lo.end());
+  if (widest == cells.clearance_mm_lo.end() || *widest < clearance_mm) return std::nullopt;
+  if (!analysis::is_convex(region)) return std::nullopt;
+  const auto at = static_cast<std::int64_t>(widest - cells.clearance_mm_lo.begin());
+  Spot spot;
+  spot.x_mm = cells.origin_x_mm + at % cells.columns * cells.cell_mm + cells.cell_mm / 2;
+  spot.y_mm = cells.origin_y_mm + at / cells.columns * cells.cell_mm + cells.cell_mm / 2;
+  if (!high) return spot;
+  const ir::ZoneTable::Slab& slab = zone.slabs[k];
+  // 1 mm: doubles at run time
+  if (slab.ceiling_mm - slab.floor_mm < 2 * clearance_mm + 1) return std::nullopt;
+  spot.z_mm = (std::int64_t{slab.floor_mm} + slab.ceiling_mm) / 2;
+  return spot;
+}
+
+// From any place of slab `from` straight up or down to slab `to`: through slabs that join, and get
+// no narrower on the way, so that the clearance does not fall.
+bool leads_straight(const std::vector<geometry::Slab>& slabs, std::size_t from, std::size_t to) {
+  for (std::size_t k = from; k != to; k = to > k ? k + 1 : k - 1) {
+    const std::size_t next = to > k ? k + 1 : k - 1;
+    const auto& [below, above] = std::minmax(k, next);
+    if (slabs[below].ceiling != slabs[above].floor) return false;
+    if (!slabs[next].region.contains(slabs[k].region)) return false;
+  }
+  return true;
+}
+
+Obligation not_in_sight(const Subject& s, const ir::Recovery& last, Obligation o) {
+  o.status = Status::unknown;
+  o.because = "that from everywhere in " + quoted(s.module[last.zone].name) +
+              " a leg leads up or down, through what gets no narrower, to a convex prism with a "
+              "place to return, " +
+              metres(last.return_clearance_mm) + " from its boundary, is not shown";
+  return o;
+}
+
+}  // namespace
+
+// RetreatInSpace tries legs up or down, and then level ones to the nearest cells, at a glance
+// first. Where a slab is convex, the clearance along a level leg is no less than at its ends, so
+// that every cell is in sight. The heights that it tries include the one of that slab that is next
+// to where it comes from; and up to this number of slabs its looks are enough for all of them.
 Obligation legs_back(const Subject& s, std::size_t k) {
+  constexpr std::size_t slabs_max = 6;  // runtime/core/space.cpp, looks_max
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::Recovery& last = ir::last_step(m.recovery);
-  const ir::ZoneTable& zone = s.module[last.zone];
   Obligation o;
   o.kind = Kind::p2b;
   o.monitor = m.name;
   o.method = "straight legs";
-  const bool one = zone.slabs.size() <= 1;
-  const ir::ZoneTable& flat = zone.has_height() ? s.module[zone.slabs.front().base] : zone;
-  const auto& cells = flat.cells.clearance_mm_lo;
-  const bool has_cell = std::any_of(cells.begin(), cells.end(),
-                                    [&](auto mm) { return mm >= last.return_clearance_mm; });
-  const bool convex =
-      one && analysis::is_convex(zone.has_height() ? s.solid(last.zone).slabs().front().region
-                                                   : s.exact(last.zone));
-  if (!convex || !has_cell || last.kind != ir::RecoveryKind::retreat ||
-      zone.widest_mm < last.return_clearance_mm) {
-    o.status = Status::unknown;
-    o.because = quoted(zone.name) +
-                " is not one convex prism: that a place to return is in sight from everywhere in "
-                "it is not shown";
-    return o;
+  const auto slabs = slabs_of(s, last.zone);
+  if (last.kind != ir::RecoveryKind::retreat || !slabs || slabs->size() > slabs_max) {
+    return not_in_sight(s, last, std::move(o));
   }
-  o.status = Status::proved;
-  o.because = quoted(zone.name) +
-              " is convex: from everywhere in it a leg leads straight to a "
-              "clearance of " +
-              metres(last.return_clearance_mm);
-  Claim claim =
-      place_claim(s, last.zone, zone.widest_x_mm, zone.widest_y_mm, last.return_clearance_mm);
+  const ir::ZoneTable& zone = s.module[last.zone];
+  Claim claim = place_claim(s, last.zone, 0, 0, last.return_clearance_mm);
   claim.what = "legs";
   claim.values["monitor"] = m.name;
-  if (zone.has_height()) claim.values["z_mm"] = std::to_string(zone.widest_z_mm);
+  for (std::size_t from = 0; from < slabs->size(); ++from) {
+    std::optional<Spot> place;
+    for (std::size_t to = 0; to < slabs->size() && !place; ++to) {
+      if (!leads_straight(*slabs, from, to)) continue;
+      place = place_in(s, zone, to, (*slabs)[to].region, last.return_clearance_mm);
+      claim.values["to_" + std::to_string(from)] = std::to_string(to);
+    }
+    if (!place) return not_in_sight(s, last, std::move(o));
+    const std::string of = "_" + std::to_string(from);
+    claim.values["x_mm" + of] = std::to_string(place->x_mm);
+    claim.values["y_mm" + of] = std::to_string(place->y_mm);
+    if (zone.has_height()) claim.values["z_mm" + of] = std::to_string(place->z_mm);
+  }
+  claim.values.erase("x_mm");
+  claim.values.erase("y_mm");
+  o.status = Status::proved;
+  o.because =
+      slabs->size() == 1
+          ? quoted(zone.name) +
+                " is convex: from everywhere in it a leg leads straight to a "
+                "clearance of "
+          : "from everywhere in " + quoted(zone.name) +
+                " a leg leads up or down, through what gets no narrower, to a convex prism, "
+                "and another one to a clearance of ";
+  o.because += metres(last.return_clearance_mm);
   o.claims.push_back(std::move(claim));
   return o;
 }

@@ -14,8 +14,15 @@ constexpr double s_per_us = 1e-6;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // As of other retreats: the clearance "does not fall" up to the resolution of the grid.
 constexpr double loss_m = 2e-3;
-// Looks at clearances, and cells that are tried, in one search.
-constexpr int looks_max = 4000, cells_tried_max = 24;
+// Looks at clearances in one search, and cells that are tried on one height. At a glance a leg
+// takes one look per slab, so that of up to six slabs all heights are looked at (verify:
+// legs_back).
+constexpr int looks_max = 8000, cells_tried_max = 24;
+// Of doubles: a place that is as clear as is wanted counts as such.
+constexpr double rounding_m = 1e-6;
+
+// How the legs of a way are looked at.
+enum class How { at_a_glance, piece_by_piece };
 
 double squared(double x) {
   return x * x;
@@ -33,11 +40,11 @@ class Sight {
     if (looks_-- <= 0) return -infinite;
     return solid_ != nullptr ? signed_clearance(*solid_, p) : signed_clearance(*flat_, {p.x, p.y});
   }
-  // No place of a leg, which is level or upright, is closer to the boundary: by the zones of the
-  // plane at all heights so near, which is one look however long the leg is, or else piece by
-  // piece.
-  bool leg_is_clear(Vec3 a, Vec3 b, double least_m) {
-    return slabs_are_clear(a, b, least_m) || pieces_are_clear(a, b, least_m);
+  // No place of a leg, which is level or upright, is closer to the boundary. At a glance: by the
+  // zones of the plane at all heights so near.
+  bool leg_is_clear(Vec3 a, Vec3 b, double least_m, How how) {
+    return how == How::at_a_glance ? slabs_are_clear(a, b, least_m)
+                                   : pieces_are_clear(a, b, least_m);
   }
   // Heights where a place may be `wanted_m` away from floors and ceilings, each as near to `z` as
   // it gets.
@@ -67,15 +74,18 @@ class Sight {
   bool slabs_are_clear(Vec3 a, Vec3 b, double least_m) {
     if (!(least_m > 0)) return false;
     if (solid_ == nullptr) return wall_is_clear(*flat_, a, b, least_m);
-    const double low_m = std::min(a.z, b.z) - least_m, high_m = std::max(a.z, b.z) + least_m;
-    double up_to_m = low_m;
+    const double low_m = std::min(a.z, b.z), high_m = std::max(a.z, b.z);
+    double up_to_m = low_m - least_m;
     for (std::size_t i = 0; i < solid_->slab_count; ++i) {
       const SlabView& slab = solid_->slabs[i];
-      if (slab.ceiling_m <= low_m || slab.floor_m >= high_m) continue;
-      if (slab.floor_m > up_to_m || !wall_is_clear(*slab.base, a, b, least_m)) return false;
+      const double apart_m = std::max({slab.floor_m - high_m, low_m - slab.ceiling_m, 0.0});
+      if (apart_m >= least_m) continue;
+      // what a ball around the leg is wide there
+      const double beside_m = std::sqrt(least_m * least_m - apart_m * apart_m);
+      if (slab.floor_m > up_to_m || !wall_is_clear(*slab.base, a, b, beside_m)) return false;
       up_to_m = slab.ceiling_m;
     }
-    return up_to_m >= high_m;
+    return up_to_m >= high_m + least_m;
   }
   bool wall_is_clear(const ZoneView& zone, Vec3 a, Vec3 b, double least_m) {
     if (looks_-- <= 0) return false;
@@ -122,6 +132,36 @@ bool nearest_cell(const ZoneView& zone, Vec3 from, double wanted_m, const Accept
     beyond = nearest;
   }
   return false;
+}
+
+// Up or down, and then level, on the height with the shortest way.
+template <class Legs>
+void find_place(Sight& sight, Vec3 from, double wanted_m, double least_m, How how, Legs& legs) {
+  double best_m = infinite;
+  const auto is_place = [&](Vec3 p) { return sight.clearance_m(p) >= wanted_m - rounding_m; };
+  sight.heights(from.z, wanted_m, [&](double z) {
+    const Vec3 level{from.x, from.y, z};
+    const double up_m = std::abs(z - from.z);
+    if (up_m >= best_m || (up_m > 0 && !sight.leg_is_clear(from, level, least_m, how))) return;
+    if (is_place(level)) {
+      best_m = up_m;
+      legs.clear();
+      (void)legs.push(level);
+      return;
+    }
+    const ZoneView* const zone = sight.at_height(z);
+    if (zone == nullptr) return;
+    (void)nearest_cell(*zone, level, wanted_m, [&](Vec3 aim) {
+      const double way_m = up_m + norm(aim - level);
+      if (way_m >= best_m) return true;  // whatever comes after it is no nearer
+      if (!is_place(aim) || !sight.leg_is_clear(level, aim, least_m, how)) return false;
+      best_m = way_m;
+      legs.clear();
+      if (up_m > 0) (void)legs.push(level);
+      (void)legs.push(aim);
+      return true;
+    });
+  });
 }
 
 }  // namespace
@@ -190,34 +230,12 @@ void RetreatInSpace::look(Vec3 from, Legs& legs) {
     (void)wishes.push(setting_.route_clearance_m);
     (void)wishes.push(setting_.limits.radius_m + slack_m);
   }
-  for (const double wanted_m : wishes) {
-    double best_m = infinite;
-    sight.heights(from.z, wanted_m, [&](double z) {
-      const Vec3 level{from.x, from.y, z};
-      const double up_m = std::abs(z - from.z);
-      if (up_m >= best_m || (up_m > 0 && !sight.leg_is_clear(from, level, least_m))) return;
-      if (sight.clearance_m(level) >= wanted_m) {
-        best_m = up_m;
-        legs.clear();
-        (void)legs.push(level);
-        return;
-      }
-      const ZoneView* const zone = sight.at_height(z);
-      if (zone == nullptr) return;
-      (void)nearest_cell(*zone, level, wanted_m, [&](Vec3 aim) {
-        const double way_m = up_m + norm(aim - level);
-        if (way_m >= best_m) return true;  // whatever comes after it is no nearer
-        if (!(sight.clearance_m(aim) >= wanted_m) || !sight.leg_is_clear(level, aim, least_m)) {
-          return false;
-        }
-        best_m = way_m;
-        legs.clear();
-        if (up_m > 0) (void)legs.push(level);
-        (void)legs.push(aim);
-        return true;
-      });
-    });
-    if (!legs.empty()) return;
+  // At a glance first: that cannot take all looks away from a wish that would be fulfilled so.
+  for (const How how : {How::at_a_glance, How::piece_by_piece}) {
+    for (const double wanted_m : wishes) {
+      find_place(sight, from, wanted_m, least_m, how, legs);
+      if (!legs.empty()) return;
+    }
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/runtime/core/test_plants.h"
 #include "tests/runtime/core/test_zone.h"
 
@@ -80,6 +82,37 @@ TEST(RetreatInSpace, SeesAPlaceAtTheEndOfALongCorridor) {
   EXPECT_TRUE(sets_out(setting, {1, 0.4}, 2));
   setting.return_clearance_m = 0.6;  // nowhere
   EXPECT_FALSE(sets_out(setting, {1, 0.4}, 2));
+}
+
+// Over a crane, under a ledge, between the two: whatever is nested upwards or downwards towards a
+// convex slab leads there at a glance, from wherever a robot has come to rest.
+TEST(RetreatInSpace, FindsAWayOutOfNestedSlabs) {
+  const test::TestZone beside_crane(
+      {{{0, 0}, {9'000, 0}, {9'000, 9'000}, {0, 9'000}},
+       {{6'000, 6'000}, {6'000, 7'000}, {7'000, 7'000}, {7'000, 6'000}}});
+  const test::TestZone hall(test::square_rings(9'000));
+  const test::TestZone loft({{{0, 0}, {5'000, 0}, {5'000, 9'000}, {0, 9'000}}});
+  const std::array<SlabView, 3> slabs{
+      {{&beside_crane.view(), 0, 4}, {&hall.view(), 4, 6}, {&loft.view(), 6, 10}}};
+  const SolidView solid{"shed", slabs.data(), slabs.size()};
+  Setting setting;
+  setting.limits = test::drone_limits();
+  setting.limits.in_space = true;
+  setting.period_us = 50'000;
+  setting.speed_mps = 0.5;
+  setting.route_clearance_m = 0.5;
+  setting.return_clearance_m = 0.9;
+  setting.solid = &solid;
+  test::Noise noise;
+  int starts = 0;
+  while (starts < 400) {
+    const Vec2 at{4.5 + noise.scalar(4.5), 4.5 + noise.scalar(4.5)};
+    const double height_m = 5 + noise.scalar(5);
+    const double clear_m = signed_clearance(solid, {at.x, at.y, height_m});
+    if (clear_m < setting.limits.radius_m || clear_m >= setting.return_clearance_m) continue;
+    ++starts;
+    EXPECT_TRUE(sets_out(setting, at, height_m)) << at.x << ", " << at.y << ", " << height_m;
+  }
 }
 
 }  // namespace
