@@ -326,12 +326,8 @@ class Recoveries {
     diagnostics_.report(std::move(d));
   }
 
-  diag::Diagnostic finding(Code code, std::string message) const {
-    diag::Diagnostic d{};
-    d.code = code;
-    d.range = written_.recover_range;
-    d.message = std::move(message);
-    return d;
+  [[nodiscard]] diag::Diagnostic finding(Code code, std::string message) const {
+    return about_recovery(written_, code, std::move(message));
   }
 
   const sema::Spec& spec_;

@@ -215,12 +215,8 @@ class InSpace {
     return d;
   }
 
-  diag::Diagnostic finding(Code code, std::string message) const {
-    diag::Diagnostic d{};
-    d.code = code;
-    d.range = written_.recover_range;
-    d.message = std::move(message);
-    return d;
+  [[nodiscard]] diag::Diagnostic finding(Code code, std::string message) const {
+    return about_recovery(written_, code, std::move(message));
   }
 
   const sema::Monitor& written_;

@@ -299,12 +299,8 @@ class Places {
   static std::string text(const PlaceMm& p) {
     return "(" + metres(p.x_mm) + ", " + metres(p.y_mm) + ")";
   }
-  diag::Diagnostic finding(diag::Code code, std::string message) const {
-    diag::Diagnostic d{};
-    d.code = code;
-    d.range = written_.recover_range;
-    d.message = std::move(message);
-    return d;
+  [[nodiscard]] diag::Diagnostic finding(diag::Code code, std::string message) const {
+    return about_recovery(written_, code, std::move(message));
   }
 
   const sema::Monitor& written_;
@@ -320,6 +316,15 @@ class Places {
 };
 
 }  // namespace
+
+diag::Diagnostic about_recovery(const sema::Monitor& written, diag::Code code,
+                                std::string message) {
+  diag::Diagnostic d{};
+  d.code = code;
+  d.range = written.recover_range;
+  d.message = std::move(message);
+  return d;
+}
 
 std::string name_as_written(const ir::ZoneTable& zone) {
   for (const auto& [prefix, text] :

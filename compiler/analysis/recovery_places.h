@@ -25,6 +25,9 @@ bool is_convex(const geometry::Region& region);
 // With back-ticks; a zone within a property has no name of its own.
 std::string name_as_written(const ir::ZoneTable& zone);
 
+// About the recovery of a monitor, where it names that.
+diag::Diagnostic about_recovery(const sema::Monitor& written, diag::Code code, std::string message);
+
 // 5016 of a recovery that moves, or claims to stay in a zone, or 5020 where it finds no way into
 // its zone; the first finding of each step.
 std::vector<diag::Diagnostic> misplaced(const sema::Monitor& written,
