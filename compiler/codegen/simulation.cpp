@@ -7,6 +7,7 @@
 
 #include "compiler/codegen/simulation_property.h"
 #include "compiler/ir/margin_unit.h"
+#include "compiler/ir/words.h"
 
 namespace rtac::codegen {
 namespace {
@@ -94,30 +95,8 @@ Json site(const ir::SiteTable& s) {
           {"places", std::move(places)}};
 }
 
-const char* name_of(ir::RecoveryKind kind) {
-  switch (kind) {
-    case ir::RecoveryKind::external:
-      return "external";
-    case ir::RecoveryKind::retreat:
-      return "retreat";
-    case ir::RecoveryKind::route:
-      return "route";
-    case ir::RecoveryKind::yield:
-      return "yield";
-    case ir::RecoveryKind::brake:
-      return "brake";
-    case ir::RecoveryKind::loiter:
-      return "loiter";
-    case ir::RecoveryKind::land:
-      return "land";
-    case ir::RecoveryKind::sequence:
-      return "sequence";
-  }
-  return "";
-}
-
 Json recovery(const ir::Recovery& r, const sema::RobotKind& kind) {
-  Json j{{"name", r.name}, {"kind", name_of(r.kind)}};
+  Json j{{"name", r.name}, {"kind", ir::word_of(r.kind)}};
   j["lasts_us"] = r.lasts_us;
   for (const ir::Recovery& step : r.steps) j["steps"].push_back(recovery(step, kind));
   j["pass_gap_m"] = metres(r.pass_gap_mm);

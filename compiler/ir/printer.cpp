@@ -1,5 +1,7 @@
 #include "compiler/ir/printer.h"
 
+#include "compiler/ir/words.h"
+
 namespace rtac::ir {
 namespace {
 
@@ -242,27 +244,6 @@ class Printer {
            num(e.by) + ")");
     }
   }
-  static std::string kind_text(RecoveryKind kind) {
-    switch (kind) {
-      case RecoveryKind::external:
-        return "external";
-      case RecoveryKind::retreat:
-        return "retreat";
-      case RecoveryKind::route:
-        return "route";
-      case RecoveryKind::yield:
-        return "yield";
-      case RecoveryKind::brake:
-        return "brake";
-      case RecoveryKind::loiter:
-        return "loiter";
-      case RecoveryKind::sequence:
-        return "sequence";
-      case RecoveryKind::land:
-        return "land";
-    }
-    return "";
-  }
   void monitor(const Monitor& m) {
     line("  monitor " + m.name + " \"" + m.requirement_id + "\" at " + m.file + ":" + num(m.line));
     if (m.lookahead.duration) line("    horizon " + num(m.lookahead.duration_us) + " us");
@@ -279,7 +260,7 @@ class Printer {
     line("    recovery " + m.recovery.name + " route " + num(m.recovery.route_clearance_mm) +
          " return " + num(m.recovery.return_clearance_mm) + " pass " + num(m.recovery.pass_gap_mm));
     for (const Recovery& step : m.recovery.steps) {
-      line("      step " + kind_text(step.kind) + " speed " + num(step.speed_mmps) +
+      line(std::string("      step ") + word_of(step.kind) + " speed " + num(step.speed_mmps) +
            (step.lasts_us > 0 ? " for " + num(step.lasts_us) + " us" : ""));
     }
   }

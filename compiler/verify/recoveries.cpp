@@ -6,34 +6,13 @@
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/words.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
 namespace {
-
-const char* words_of(ir::RecoveryKind kind) {
-  switch (kind) {
-    case ir::RecoveryKind::external:
-      return "extern";
-    case ir::RecoveryKind::retreat:
-      return "retreat";
-    case ir::RecoveryKind::route:
-      return "route";
-    case ir::RecoveryKind::yield:
-      return "yield";
-    case ir::RecoveryKind::brake:
-      return "brake_and_hold";
-    case ir::RecoveryKind::loiter:
-      return "loiter";
-    case ir::RecoveryKind::sequence:
-      return "sequence";
-    case ir::RecoveryKind::land:
-      return "land";
-  }
-  return "";
-}
 
 // "" : it is not acknowledged.
 std::string reason(const ir::Decision& decision, const std::string& recovery,
@@ -133,7 +112,7 @@ Claim recovery_claim(const Subject& s, std::size_t k) {
           {{"decision", s.decision.name},
            {"monitor", s.decision.monitors[k].name},
            {"controller", r.name},
-           {"template", words_of(r.kind)}}};
+           {"template", ir::word_of(r.kind)}}};
 }
 
 // Why it is not shown that a recovery keeps a property; "": it is.
@@ -206,7 +185,7 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
   }
   const Atoms atoms = atoms_of(m.property);
   o.status = Status::proved;
-  o.method = std::string("template ") + words_of(m.recovery.kind);
+  o.method = std::string("template ") + ir::word_of(m.recovery.kind);
   if (m.recovery.kind == ir::RecoveryKind::external) {
     o.method = "claim, checked in every tick";
     o.because = quoted(m.recovery.name) + " is braked as soon as it might leave " +

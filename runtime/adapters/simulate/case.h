@@ -32,7 +32,7 @@ struct Zone {
 };
 
 struct Recovery {
-  std::string name, kind;  // "retreat", "route", "yield", "loiter", "brake", "sequence"
+  std::string name, kind;  // a template, as the language calls it
   int zone = 0, site = 0;
   double speed_mps = 0, route_clearance_m = 0, return_clearance_m = 0, pass_gap_m = 0;
   double detour_m = 0;

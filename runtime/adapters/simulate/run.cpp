@@ -112,7 +112,7 @@ class Watcher final : public SystemObserver {
     standing_[static_cast<std::size_t>(record.robot)] =
         record.mode != 0 &&
         (record.gate == Gate::hold ||
-         decision_.monitors[static_cast<std::size_t>(record.mode - 1)].recovery.kind == "brake");
+         decision_.monitors[static_cast<std::size_t>(record.mode - 1)].recovery.kind == "brake_and_hold");
     ++outcome_.ticks[static_cast<std::size_t>(record.mode)];
     if (record.mode != 0 && record.previous_mode == 0) ++outcome_.engagements;
     if (setup_.return_within_us > 0) keep(record);
@@ -255,7 +255,7 @@ class Fleet {
     safe::Setting s;
     s.limits = decision_.limits;
     s.period_us = decision_.period_us;
-    if (r.kind == "brake") return std::make_unique<safe::BrakeAndHold<Output>>(s);
+    if (r.kind == "brake_and_hold") return std::make_unique<safe::BrakeAndHold<Output>>(s);
     if (r.kind == "sequence") return sequence(r, robot);
     s.speed_mps = r.speed_mps;
     s.zone = &decision_.surroundings.zones[static_cast<std::size_t>(r.zone)];
