@@ -112,7 +112,8 @@ class Watcher final : public SystemObserver {
     standing_[static_cast<std::size_t>(record.robot)] =
         record.mode != 0 &&
         (record.gate == Gate::hold ||
-         decision_.monitors[static_cast<std::size_t>(record.mode - 1)].recovery.kind == "brake_and_hold");
+         decision_.monitors[static_cast<std::size_t>(record.mode - 1)].recovery.kind ==
+             "brake_and_hold");
     ++outcome_.ticks[static_cast<std::size_t>(record.mode)];
     if (record.mode != 0 && record.previous_mode == 0) ++outcome_.engagements;
     if (setup_.return_within_us > 0) keep(record);
