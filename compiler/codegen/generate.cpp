@@ -27,10 +27,14 @@ std::vector<GeneratedFile> generate(ir::Module module, const sema::Spec& spec, N
   if (const Mutant* const mutant = find_mutant(naming.mutant); mutant != nullptr) {
     // Every file says where it comes from.
     naming.source += " with " + mark_of(*mutant);
-    const std::string sound = kernel_source(module, names, stem, naming.source);
+    const auto decides = [&] {
+      return kernel_source(module, names, stem, naming.source) +
+             system_header(module, spec, names, naming);
+    };
+    const std::string sound = decides();
     mutate(*mutant, module);
+    if (mutate(*mutant, decides()) == sound) return {};
     kernel = mutate(*mutant, kernel_source(module, names, stem, naming.source));
-    if (kernel == sound) return {};
   }
   return {
       {stem + "_kernel.h", kernel_header(module, names, guard, naming.source)},

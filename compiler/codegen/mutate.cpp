@@ -70,6 +70,10 @@ void or_for_and(Decision& d) {
   }
 }
 
+void unchecked(Recovery& r) {
+  r.claims = false;
+}
+
 const TextEdit no_age{"t_us = s->age_us + horizon_us;", "t_us = horizon_us;"};
 
 }  // namespace
@@ -150,6 +154,7 @@ const std::vector<Mutant>& mutants() {
         {"max_of(p_z, e_z) + need_mm", "p_z"},
         {"spot_of(r->e, r->z_end)", "spot_of(r->e, r->z)"},
         {"spot_of(o->r.e, o->r.z_end)", "spot_of(o->r.e, o->r.z)"}}},
+      {"unchecked-claim", "an external recovery does what it claims", nullptr, {}, unchecked},
       {"stale-charge",
        "a measured charge does not fall",
        nullptr,
@@ -173,10 +178,17 @@ std::string mutant_names() {
   return names;
 }
 
+void mutate(const Mutant& mutant, Recovery& recovery) {
+  if (mutant.of_recovery == nullptr) return;
+  mutant.of_recovery(recovery);
+  for (Recovery& step : recovery.steps) mutate(mutant, step);
+}
+
 void mutate(const Mutant& mutant, Module& module) {
-  if (mutant.edit == nullptr) return;
   for (Decision& d : module.decisions) {
-    if (!d.on_plan) mutant.edit(d);
+    if (d.on_plan) continue;
+    if (mutant.edit != nullptr) mutant.edit(d);
+    for (Monitor& m : d.monitors) mutate(mutant, m.recovery);
   }
 }
 

@@ -18,6 +18,7 @@ struct Mutant {
   const char* about;            // what it believes
   void (*edit)(ir::Decision&);  // may be null
   std::vector<TextEdit> text;
+  void (*of_recovery)(ir::Recovery&) = nullptr;
 };
 
 const std::vector<Mutant>& mutants();
@@ -27,6 +28,7 @@ std::string mutant_names();
 
 // Of all decisions.
 void mutate(const Mutant& mutant, ir::Module& module);
+void mutate(const Mutant& mutant, ir::Recovery& recovery);
 std::string mutate(const Mutant& mutant, std::string kernel_source);
 
 // What every generated file of it says about itself.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "compiler/codegen/simulation_property.h"
@@ -95,19 +96,31 @@ Json site(const ir::SiteTable& s) {
           {"places", std::move(places)}};
 }
 
-Json recovery(const ir::Recovery& r, const sema::RobotKind& kind) {
+// Members of rtac::safe::Claim, but for zone and speed.
+Json claim(const ir::Decision& d, const ir::Recovery& r) {
+  return {{"reaction_us", ir::reaction_us(d, r)},
+          {"accel_mps2", metres(d.body.accel_mmps2)},
+          {"brake_lag_s", metres(d.body.brake_lag_ms)},
+          {"brake_bend", metres(d.body.brake_lag_permille)},
+          {"hold_m", metres(d.body.hold_mm)}};
+}
+
+Json recovery(const ir::Decision& d, const ir::Recovery& r, const sema::RobotKind& kind) {
   Json j{{"name", r.name}, {"kind", ir::word_of(r.kind)}};
   j["lasts_us"] = r.lasts_us;
-  for (const ir::Recovery& step : r.steps) j["steps"].push_back(recovery(step, kind));
+  for (const ir::Recovery& step : r.steps) j["steps"].push_back(recovery(d, step, kind));
   j["pass_gap_m"] = metres(r.pass_gap_mm);
   if (r.kind == ir::RecoveryKind::land) {
     j["speed_mps"] = metres(r.speed_mmps);
     j["land_at_m"] = metres(r.land_mm);
   }
-  if (!ir::moves(r.kind)) return j;
+  if (r.claims) j["claim"] = claim(d, r);
+  const bool external = r.kind == ir::RecoveryKind::external;
+  if (!ir::moves(r.kind) && !external) return j;
   j["zone"] = static_cast<std::uint32_t>(r.zone);
   if (r.kind == ir::RecoveryKind::route) j["site"] = static_cast<std::uint32_t>(r.site);
   j["speed_mps"] = metres(r.speed_mmps);
+  if (external) return j;
   j["route_clearance_m"] = metres(r.route_clearance_mm);
   j["return_clearance_m"] = metres(r.return_clearance_mm);
   if (kind.energy) j["detour_m"] = nearest_double(kind.energy->detour.value);
@@ -116,8 +129,9 @@ Json recovery(const ir::Recovery& r, const sema::RobotKind& kind) {
 
 class Decisions {
  public:
-  Decisions(const ir::Module& module, const sema::Spec& spec, const ir::TableMap& tables)
-      : module_(module), spec_(spec), tables_(tables) {}
+  Decisions(const ir::Module& module, const sema::Spec& spec, const ir::TableMap& tables,
+            const Mutant* mutant)
+      : module_(module), spec_(spec), tables_(tables), mutant_(mutant) {}
 
   std::vector<std::string> problems;
 
@@ -152,9 +166,13 @@ class Decisions {
     j["limits"] = limits(*at);
     j["robots"] = robots;
     if (at->energy) j["dock"] = dock(kind, *at->energy);
-    if (const ir::Channel* plain = plain_input(d)) {
-      problem(d.name,
-              "says something of the plain input `" + plain->name + "`, which nothing simulates");
+    inputs_.clear();
+    for (const ir::Channel* c : plain_inputs(d)) {
+      if (c->kind == ir::ChannelKind::zone) {
+        problem(d.name, "asks for the zone `" + c->name + "`, which is received while it runs");
+      }
+      j["inputs"].push_back(input(*c));
+      inputs_.insert(c->name);
     }
     if (!d.agents.empty()) {
       j["rest_mps"] = metres(ir::rest_mmps(d.body));
@@ -164,15 +182,40 @@ class Decisions {
     for (const ir::Monitor& m : d.monitors) j["monitors"].push_back(monitor(d, m, kind, *at));
     return j;
   }
-  // One that is not what is seen of an agent; nullptr: there is none.
-  static const ir::Channel* plain_input(const ir::Decision& d) {
+  // Those that are not what is seen of agents.
+  static std::vector<const ir::Channel*> plain_inputs(const ir::Decision& d) {
+    std::vector<const ir::Channel*> plain;
     for (std::uint32_t c = 0; c < d.facts.inputs.size(); ++c) {
       const bool of_agent = std::any_of(d.agents.begin(), d.agents.end(), [&](const ir::Agent& a) {
         return a.seen == c || a.present == c;
       });
-      if (!of_agent) return &d.facts.inputs[c];
+      if (!of_agent) plain.push_back(&d.facts.inputs[c]);
     }
-    return nullptr;
+    return plain;
+  }
+  // SI; a number without a range is drawn from as many units as anybody is likely to mean.
+  static Json input(const ir::Channel& c) {
+    static const char* const kinds[] = {"truth", "number", "choice", "zone"};
+    Json j{{"name", c.name}, {"kind", kinds[static_cast<std::size_t>(c.kind)]}};
+    if (c.kind == ir::ChannelKind::choice) j["values"] = c.values;
+    j["components"] = Json::array();
+    for (std::uint32_t k = 0; k < c.components.size(); ++k) {
+      constexpr long anything = 100;
+      const ir::ChannelGrid& g = c.grid(k);
+      const bool number = c.kind == ir::ChannelKind::number;
+      const Rational step = number ? g.unit.step : Rational(1);
+      const auto si = [&](std::int64_t steps) {
+        return nearest_double(Rational(step * static_cast<long>(steps)));
+      };
+      const double most = number ? (g.range.declared ? si(g.range.hi) : anything)
+                                 : std::max(1.0, static_cast<double>(c.values.size()) - 1);
+      const double least = number ? (g.range.declared ? si(g.range.lo) : -anything) : 0;
+      j["components"].push_back({{"least", least},
+                                 {"most", most},
+                                 {"error", number ? si(g.error_steps) : 0},
+                                 {"steps_per_unit", nearest_double(Rational(1 / step))}});
+    }
+    return j;
   }
   static Json agent(const sema::Agent& a) {
     Json j = {{"name", a.name},
@@ -201,12 +244,11 @@ class Decisions {
   }
   Json monitor(const ir::Decision& d, const ir::Monitor& m, sema::KindId kind,
                const sema::RobotKind& robot) {
-    if (m.recovery.kind == ir::RecoveryKind::external) {
-      problem(d.name, "recovers by `" + m.recovery.name + "`, which is code of the application");
-    }
     Json j{{"name", m.name}, {"requirement", m.requirement_id}, {"text", m.text}};
     j["unit"] = ir::mixes_units(m) ? "" : ir::decision_unit_text(m);
-    j["recovery"] = recovery(m.recovery, robot);
+    ir::Recovery drives = m.recovery;
+    if (mutant_ != nullptr) mutate(*mutant_, drives);
+    j["recovery"] = recovery(d, drives, robot);
     if (m.lookahead.duration) {
       j[m.lookahead.command ? "command_us" : "horizon_us"] = ir::horizon_us(d, m);
     }
@@ -214,7 +256,7 @@ class Decisions {
         spec_.monitors.begin(), spec_.monitors.end(),
         [&](const sema::Monitor& each) { return each.name == m.name && each.kind == kind; });
     std::string why;
-    auto tree = property_tree(spec_, kind, tables_, *written->always, why);
+    auto tree = property_tree(spec_, kind, tables_, *written->always, inputs_, why);
     if (!tree) problem(d.name, "has a monitor `" + m.name + "` that speaks of " + why);
     if (tree) j["property"] = std::move(*tree);
     return j;
@@ -223,19 +265,21 @@ class Decisions {
   const ir::Module& module_;
   const sema::Spec& spec_;
   const ir::TableMap& tables_;
+  const Mutant* mutant_;
+  std::set<std::string> inputs_;  // of the decision that is told of
 };
 
 }  // namespace
 
 Simulation simulation(const ir::Module& module, const sema::Spec& spec, const ir::TableMap& tables,
-                      const std::string& source) {
+                      const std::string& source, const Mutant* mutant) {
   Json j{{"generator", "rtac " RTAC_VERSION}, {"abi", RTAC_ABI}, {"specification", spec.name}};
   j["source"] = source;
   j["zones"] = Json::array();
   for (const ir::ZoneTable& z : module.zones) j["zones"].push_back(zone(z));
   j["sites"] = Json::array();
   for (const ir::SiteTable& s : module.sites) j["sites"].push_back(site(s));
-  Decisions decisions(module, spec, tables);
+  Decisions decisions(module, spec, tables, mutant);
   j["decisions"] = decisions.all();
   Simulation result{j.dump() + "\n", std::move(decisions.problems)};
   if (j["decisions"].empty()) {

@@ -16,8 +16,9 @@ using sema::Expr;
 
 class Tree {
  public:
-  Tree(const sema::Spec& spec, sema::KindId kind, const ir::TableMap& tables)
-      : spec_(spec), kind_(kind), tables_(tables) {}
+  Tree(const sema::Spec& spec, sema::KindId kind, const ir::TableMap& tables,
+       const std::set<std::string>& inputs)
+      : spec_(spec), kind_(kind), tables_(tables), inputs_(inputs) {}
 
   Json of(const Expr& e) {
     return std::visit([&](const auto& node) { return this->node(e, node); }, e.node);
@@ -116,10 +117,22 @@ class Tree {
   }
   Json node(const Expr&, const sema::CountOthers& c) { return with("count", of(*c.body)); }
   Json node(const Expr&, const sema::InputRef& i) {
-    return refuse("the plain input `" + spec_[i.input].name + "`, which nothing simulates");
+    if (spec_[i.input].type == sema::InputType::boolean) return told(i.input, i.component, 1);
+    return input("input", i.input, i.component);
   }
-  Json node(const Expr&, const sema::IsValue& i) {
-    return refuse("the plain input `" + spec_[i.input].name + "`, which nothing simulates");
+  Json node(const Expr&, const sema::IsValue& i) { return told(i.input, i.component, i.value); }
+  // A number, or a truth that holds where the input is `value`.
+  Json input(const char* op, sema::InputId id, std::uint32_t component) {
+    const std::string& name = spec_[id].name;
+    if (inputs_.count(name) == 0) {
+      return refuse("the plain input `" + name + "`, which nothing simulates");
+    }
+    return {{"op", op}, {"input", name}, {"component", component}};
+  }
+  Json told(sema::InputId id, std::uint32_t component, std::uint32_t value) {
+    Json j = input("told", id, component);
+    if (!j.is_null()) j["is"] = value;
+    return j;
   }
   // Plans, the past, windows of time, numbers that are computed of inputs.
   template <class Other>
@@ -130,6 +143,7 @@ class Tree {
   const sema::Spec& spec_;
   const sema::KindId kind_;
   const ir::TableMap& tables_;
+  const std::set<std::string>& inputs_;
   std::string why_;
 };
 
@@ -137,8 +151,8 @@ class Tree {
 
 std::optional<Json> property_tree(const sema::Spec& spec, sema::KindId kind,
                                   const ir::TableMap& tables, const Expr& property,
-                                  std::string& why) {
-  Tree tree(spec, kind, tables);
+                                  const std::set<std::string>& inputs, std::string& why) {
+  Tree tree(spec, kind, tables, inputs);
   Json json = tree.of(property);
   why = tree.why();
   if (!why.empty()) return std::nullopt;

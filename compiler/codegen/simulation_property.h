@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "compiler/ir/table_map.h"
@@ -11,11 +12,13 @@
 namespace rtac::codegen {
 
 // `{"op": "and", "of": [...]}`; lengths in m, charge 1 = full, zones and sites by their number in
-// the module. nullopt: it says something that the true state of robots does not tell; `why` says
-// what.
+// the module, plain inputs by name, those of `inputs`. nullopt: it says something that the true
+// state of robots does not tell; `why` says what.
 std::optional<nlohmann::ordered_json> property_tree(const sema::Spec& spec, sema::KindId kind,
                                                     const ir::TableMap& tables,
-                                                    const sema::Expr& property, std::string& why);
+                                                    const sema::Expr& property,
+                                                    const std::set<std::string>& inputs,
+                                                    std::string& why);
 
 // The double nearest to the number.
 double nearest_double(const Rational& value);

@@ -330,15 +330,10 @@ class SystemPrinter {
   }
   // rtac::safe::Claim: zone, speed, time until the next command acts, and what braking takes.
   std::string claim_of(const Recovery& r) const {
-    std::int64_t lookahead_us = 0;
-    for (const Monitor& m : d().monitors) {
-      if (m.recovery.name != r.name) continue;
-      lookahead_us = std::max(lookahead_us, m.lookahead.duration_us);
-    }
     const Body& b = d().body;
     const auto part = [](std::int64_t thousandths) { return real_metres(thousandths); };
     return "{&" + names_(module_[r.zone].name) + "_zone(), " + real_metres(r.speed_mmps) + ", " +
-           std::to_string(lookahead_us + b.latency_us) + ", " + part(b.accel_mmps2) + ", " +
+           std::to_string(reaction_us(d(), r)) + ", " + part(b.accel_mmps2) + ", " +
            part(b.brake_lag_ms) + ", " + part(b.brake_lag_permille) + ", " +
            real_metres(b.hold_mm) + "}";
   }

@@ -117,12 +117,12 @@ int report_refusal(Compilation& c, const std::string& said, int status) {
 }  // namespace
 
 int Simulator::build(const Options& options, Compilation& c) {
-  const codegen::Simulation told =
-      codegen::simulation(*c.module, *c.spec, c.tables, base_name(options.spec));
+  const codegen::Simulation told = codegen::simulation(
+      *c.module, *c.spec, c.tables, base_name(options.spec), codegen::find_mutant(options.mutant));
   if (!told.problems.empty()) {
     return refuse(c, diag::Code::cannot_simulate, told.problems.front(),
                   "decisions with a period of a fleet can be simulated, whose monitors speak of "
-                  "zones, distances and charge and recover by templates",
+                  "zones, distances and charge",
                   exit_inconclusive);
   }
   predicted_ = predictions(*c.module);

@@ -1,5 +1,7 @@
 #include "compiler/driver/sim_glue.h"
 
+#include <algorithm>
+
 #include "compiler/driver/glue_readers.h"
 
 namespace rtac::driver {
@@ -21,9 +23,27 @@ std::size_t other_words(const DecisionInterface& d) {
 constexpr std::size_t own_words = 43;
 // { x, y, between, valid, stamp, present, valid, stamp, z }
 constexpr std::size_t agent_words = 9;
+// Agents are seen as inputs; their words are their own.
+std::vector<const DecisionInterface::Input*> plain_inputs(const DecisionInterface& d) {
+  std::vector<const DecisionInterface::Input*> plain;
+  for (const DecisionInterface::Input& input : d.inputs) {
+    const bool of_agent = std::any_of(d.agents.begin(), d.agents.end(), [&](const auto& agent) {
+      return agent.seen == input.sample || agent.present == input.sample;
+    });
+    if (!of_agent) plain.push_back(&input);
+  }
+  return plain;
+}
+// { lo, hi, valid } of each component
+constexpr std::size_t component_words = 3;
+std::size_t input_words(const DecisionInterface& d) {
+  std::size_t words = 0;
+  for (const auto* input : plain_inputs(d)) words += component_words * input->members.size();
+  return words;
+}
 std::size_t in_words(const DecisionInterface& d) {
   return own_words + plan_words(d) + d.robots.size() * other_words(d) +
-         d.agents.size() * agent_words;
+         d.agents.size() * agent_words + input_words(d);
 }
 constexpr std::size_t out_words = 12, monitor_words = 7;
 // Runs are played at once, and these are too large for the stack of a thread with large fleets. C99
@@ -70,6 +90,28 @@ std::string take_agents(const DecisionInterface& d) {
   return out;
 }
 
+// Measured now.
+std::string take_inputs(const DecisionInterface& d) {
+  std::string out;
+  constexpr std::size_t bits = 32;  // of a word of `between`
+  std::size_t at = in_words(d) - input_words(d);
+  for (const DecisionInterface::Input* input : plain_inputs(d)) {
+    const std::string sample = "  in.facts." + input->sample + ".";
+    const auto between = [&](std::size_t word) {
+      return sample + "between" + (input->between_words > 1 ? "[" + num(word) + "]" : "");
+    };
+    out +=
+        sample + "stamp_us = now_us;\n" + sample + "valid = (int32_t)own[" + num(at + 2) + "];\n";
+    for (std::size_t w = 0; w < input->between_words; ++w) out += between(w) + " = 0;\n";
+    for (std::size_t k = 0; k < input->members.size(); ++k, at += component_words) {
+      const std::string lo = "own[" + num(at) + "]";
+      out += "  in.facts." + input->members[k] + " = " + lo + ";\n" + between(k / bits) +
+             " |= (uint32_t)(own[" + num(at + 1) + "] > " + lo + ") << " + num(k % bits) + ";\n";
+    }
+  }
+  return out;
+}
+
 std::string take_in(const DecisionInterface& d) {
   const std::string capacity = std::to_string(d.plan_capacity);
   std::string out =
@@ -94,7 +136,7 @@ std::string take_in(const DecisionInterface& d) {
         "    in.others[j].present = (int32_t)from[19];\n";
   }
   out += "    rtac_plan(&in.others[j].plan, from + 20, " + capacity + ");\n  }\n";
-  out += take_agents(d);
+  out += take_agents(d) + take_inputs(d);
   for (const auto& [member, value] : d.params) {
     out += "  in.facts." + member + " = " + std::to_string(value) + ";\n";
   }

@@ -11,7 +11,7 @@
 namespace rtac::driver {
 
 // Raised whenever the words change their meaning; `rtac-sim` refuses another one.
-inline constexpr int sim_words_version = 5;
+inline constexpr int sim_words_version = 6;
 
 // Of decision K: `rtac_sim_state_bytes_K`, `rtac_sim_in_words_K`, `rtac_sim_out_words_K`,
 // `rtac_sim_init_K(state)` and `rtac_sim_step_K(state, in, now_us, out)`. `source`: name of the

@@ -672,6 +672,15 @@ struct Decision {
 inline std::int64_t horizon_us(const Decision& d, const Monitor& m) {
   return m.lookahead.duration_us + d.body.latency_us + d.body.jitter_us;
 }
+// From a decision until the next one acts, at most, while an external recovery drives: its claim is
+// checked under what the robot can do in that time.
+inline std::int64_t reaction_us(const Decision& d, const Recovery& external) {
+  std::int64_t most_us = 0;
+  for (const Monitor& m : d.monitors) {
+    if (m.recovery.name == external.name) most_us = std::max(most_us, horizon_us(d, m));
+  }
+  return most_us;
+}
 // The mode that the robot takes when the advanced side gives control up by itself: a recovery that
 // makes way for others if there is one, else that of the highest priority.
 inline std::int64_t surrender_mode(const Decision& d) {

@@ -58,6 +58,7 @@ const std::vector<Row>& kill_table() {
       {"open-gate", "gate", "drop-outs", 60},
       {"level-flight", "attic", "chase-fence", 20, "templates/space.json"},
       {"level-flight", "starlings", "chase-robot", 20, "above.json"},
+      {"unchecked-claim", "templates/extern_point", "chase-fence", 20},
       {"stale-charge", "fuel", "drain", 20},
   };
   return all;

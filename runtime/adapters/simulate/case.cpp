@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace rtac::simulate {
@@ -15,6 +16,8 @@ using sim::PropertyOp;
 const std::map<std::string, PropertyOp>& ops() {
   static const std::map<std::string, PropertyOp> all = {
       {"const", PropertyOp::constant},
+      {"input", PropertyOp::constant},
+      {"told", PropertyOp::truth},
       {"battery", PropertyOp::battery},
       {"speed", PropertyOp::speed},
       {"clearance", PropertyOp::clearance},
@@ -44,10 +47,10 @@ Property property(const Json& j) {
   p.op = ops().at(j.at("op").get<std::string>());
   switch (p.op) {
     case PropertyOp::constant:
-      p.value = j.at("value").get<double>();
+      p.value = j.value("value", 0.0);
       break;
     case PropertyOp::truth:
-      p.value = j.at("value").get<bool>() ? 1 : 0;
+      p.value = j.value("value", false) ? 1 : 0;
       break;
     case PropertyOp::battery:
     case PropertyOp::speed:
@@ -152,10 +155,54 @@ Recovery recovery(const Json& j) {
   r.detour_m = j.value("detour_m", 0.0);
   r.land_at_m = j.value("land_at_m", 0.0);
   r.lasts_us = j.value("lasts_us", TimeUs{0});
+  if (j.contains("claim")) {
+    const Json& c = j.at("claim");
+    r.claim.emplace();
+    r.claim->reaction_us = c.at("reaction_us").get<TimeUs>();
+    r.claim->accel_mps2 = c.at("accel_mps2").get<double>();
+    r.claim->brake_lag_s = c.at("brake_lag_s").get<double>();
+    r.claim->brake_bend = c.at("brake_bend").get<double>();
+    r.claim->hold_m = c.at("hold_m").get<double>();
+  }
   if (j.contains("steps")) {
     for (const Json& step : j.at("steps")) r.steps.push_back(recovery(step));
   }
   return r;
+}
+
+Input input(const Json& j) {
+  static const std::map<std::string, Input::Kind> kinds = {{"truth", Input::Kind::truth},
+                                                           {"number", Input::Kind::number},
+                                                           {"choice", Input::Kind::choice}};
+  Input i;
+  i.name = j.at("name").get<std::string>();
+  i.kind = kinds.at(j.at("kind").get<std::string>());
+  if (j.contains("values")) i.values = j.at("values").get<std::vector<std::string>>();
+  for (const Json& c : j.at("components")) {
+    i.components.push_back({c.at("least").get<double>(), c.at("most").get<double>(),
+                            c.at("error").get<double>(), c.at("steps_per_unit").get<double>()});
+  }
+  return i;
+}
+
+// Where the property of a monitor speaks of inputs.
+void read_mentions(const Json& j, Mention at, DecisionCase& to) {
+  if (j.contains("input")) {
+    std::size_t before = 0;
+    const auto name = j.at("input").get<std::string>();
+    auto i = to.inputs.begin();
+    for (; i != to.inputs.end() && i->name != name; ++i) before += i->components.size();
+    if (i == to.inputs.end()) throw std::out_of_range("input " + name);
+    at.component = before + j.at("component").get<std::size_t>();
+    if (j.contains("is")) at.wanted = j.at("is").get<double>();
+    to.mentions.push_back(at);
+  }
+  if (!j.contains("of")) return;
+  at.path.push_back(0);
+  for (const Json& each : j.at("of")) {
+    read_mentions(each, at, to);
+    ++at.path.back();
+  }
 }
 
 DecisionCase decision(const Json& j, const Case& all) {
@@ -182,11 +229,17 @@ DecisionCase decision(const Json& j, const Case& all) {
                           a.at("age_us").get<TimeUs>(), a.value("in_space", false)});
     }
   }
+  if (j.contains("inputs")) {
+    for (const Json& i : j.at("inputs")) d.inputs.push_back(input(i));
+  }
   for (const Json& m : j.at("monitors")) {
     d.monitors.push_back({m.at("name").get<std::string>(), m.at("requirement").get<std::string>(),
                           m.at("text").get<std::string>(), m.at("unit").get<std::string>(),
                           recovery(m.at("recovery")), m.value("horizon_us", TimeUs{0}),
                           m.value("command_us", TimeUs{0})});
+    Mention at;
+    at.monitor = d.properties.size();
+    read_mentions(m.at("property"), at, d);
     d.properties.push_back(property(m.at("property")));
   }
   for (const Zone& zone : all.zones) {

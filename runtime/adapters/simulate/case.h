@@ -2,10 +2,12 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rtac/decision.h"
+#include "rtac/safe/claim.h"
 #include "rtac/sim/crowd.h"
 #include "rtac/sim/property.h"
 #include "rtac/types.h"
@@ -40,6 +42,8 @@ struct Recovery {
   TimeUs lasts_us = 0;  // as a step
   std::vector<Recovery> steps;
   double land_at_m = 0;  // of "land"
+  // Of "extern", but for zone and speed; nothing: it is not checked.
+  std::optional<safe::Claim> claim;
 };
 
 struct MonitorCase {
@@ -49,6 +53,26 @@ struct MonitorCase {
   // not look ahead so.
   TimeUs horizon_us = 0;
   TimeUs command_us = 0;  // the same under the commanded input (`ahead command`)
+};
+
+// A plain input that its monitors speak of.
+struct Input {
+  enum class Kind { truth, number, choice };
+  struct Component {  // SI; of a truth 0 or 1, of a choice its number
+    double least = 0, most = 1, error = 0;
+    double steps_per_unit = 1;  // of the grid of the kernel
+  };
+  std::string name;
+  Kind kind = Kind::truth;
+  std::vector<Component> components;
+  std::vector<std::string> values;  // of a choice
+};
+// Where a property speaks of an input: a constant there is what it is, or whether it is `wanted`.
+struct Mention {
+  std::size_t monitor = 0;
+  std::vector<std::size_t> path;  // from the root of its property
+  std::size_t component = 0;      // among those of all inputs
+  std::optional<double> wanted;
 };
 
 struct DecisionCase {
@@ -67,6 +91,9 @@ struct DecisionCase {
   std::vector<sim::Property> properties;  // by monitor
   sim::Surroundings surroundings;
   std::vector<sim::AgentSetup> agents;
+  std::vector<Input> inputs;
+  std::vector<Mention> mentions;
+  std::vector<double> measured;  // of inputs, by component; empty: nothing is
 };
 
 struct Case {

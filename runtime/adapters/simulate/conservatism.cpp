@@ -100,6 +100,10 @@ class Search {
   [[nodiscard]] bool commanded() const { return case_of().command_us > 0; }
   [[nodiscard]] std::string unfit() const {
     if (horizon_us() == 0) return "it does not look ahead by a duration alone";
+    const auto speaks = [&](const Mention& m) { return m.monitor == monitor_; };
+    if (std::any_of(d_.mentions.begin(), d_.mentions.end(), speaks)) {
+      return "it depends on what inputs say";
+    }
     if (!std::isfinite(metres_)) return "it speaks of more than lengths";
     if (sim::speaks_of(property_, sim::PropertyOp::count)) return "it counts robots";
     return not_searched(d_.limits);

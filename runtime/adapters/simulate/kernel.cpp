@@ -66,6 +66,24 @@ void put_agent(const Sample<Vec3>& sample, TimeUs now_us, std::int64_t* to) {
   to[words::agent_present + 2] = now_us;
 }
 
+std::size_t components_of(const DecisionCase& decision) {
+  std::size_t count = 0;
+  for (const Input& input : decision.inputs) count += input.components.size();
+  return count;
+}
+
+// They are measured again in every tick, and always the same.
+void put_inputs(const DecisionCase& decision, std::int64_t* to) {
+  if (decision.measured.empty()) return;
+  std::size_t k = 0;
+  for (const Input& input : decision.inputs) {
+    for (const Input::Component& c : input.components) {
+      to[2] = bridge::grid_pair(decision.measured[k++], c.steps_per_unit, to[0], to[1]) ? 1 : 0;
+      to += words::input_size;
+    }
+  }
+}
+
 constexpr double battery_steps = 1e6, heading_steps = 1e3;  // ppm, mrad
 
 }  // namespace
@@ -101,7 +119,8 @@ Problem Kernel::find(const DecisionCase& decision, Functions& to) const {
   to.step = function_of<Step>(symbol("rtac_sim_step" + number));
   const std::size_t in = words::plan + words::plan_size(decision.plan_capacity) +
                          decision.robots.size() * words::other_size(decision.plan_capacity) +
-                         decision.agents.size() * words::agent_size;
+                         decision.agents.size() * words::agent_size +
+                         components_of(decision) * words::input_size;
   const std::size_t out = words::monitors + decision.monitors.size() * words::per_monitor;
   if (to.init != nullptr && to.step != nullptr && to.in_words == in && to.out_words == out) {
     return {};
@@ -135,6 +154,7 @@ KernelDecision::KernelDecision(const Kernel::Functions& functions, const Decisio
   info_.surrender_mode = decision.surrender_mode;
   info_.judges_commands = decision.judges_commands;
   in_[words::self] = self;
+  put_inputs(decision, &in_[in_.size() - components_of(decision) * words::input_size]);
   reset();
 }
 

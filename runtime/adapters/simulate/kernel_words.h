@@ -6,13 +6,14 @@
 
 namespace rtac::simulate::words {
 
-inline constexpr int version = 5;
+inline constexpr int version = 6;
 
 // In: { self, holding, surrender }, position and velocity { x_lo, x_hi, y_lo, y_hi, stamp_us,
 // valid, z_lo, z_hi }, battery and heading { lo, hi, stamp_us, valid }, the commands sent and
 // proposed as points, then the plan { valid, count, index, x[], y[] } and the others: { position,
-// velocity, lease end, goes first, presence stamp, present, plan } each; at last the agents, { x,
-// y, between, valid, stamp_us, present, valid, stamp_us, z } each, in steps of 1 mm.
+// velocity, lease end, goes first, presence stamp, present, plan } each; the agents, { x,
+// y, between, valid, stamp_us, present, valid, stamp_us, z } each, in steps of 1 mm; at last the
+// components of plain inputs, { lo, hi, valid } each, in steps of their grids.
 inline constexpr std::size_t self = 0, holding = 1, surrender = 2;
 inline constexpr std::size_t position = 3, velocity = 11, battery = 19, heading = 23;
 inline constexpr std::size_t sent = 27, proposed = 35, plan = 43;
@@ -25,6 +26,7 @@ constexpr std::size_t other_size(std::size_t capacity) {
   return other_plan + plan_size(capacity);
 }
 inline constexpr std::size_t agent_size = 9, agent_present = 5, agent_z = 8;
+inline constexpr std::size_t input_size = 3;
 
 // Out, and of each monitor { now, ahead, safer, engaged, margin, now_margin, unit }.
 inline constexpr std::size_t mode = 0, previous_mode = 1, deciding = 2, reason = 3;

@@ -107,6 +107,7 @@ class Program {
     for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
       if (Problem problem = check_jitter(case_.decisions[d], functions_[d])) return problem;
     }
+    if (Problem problem = check_inputs(scenario_, case_)) return problem;
     return check_names(scenario_, case_);
   }
   // What comes later than is declared is no attack: no look-ahead covers it.
@@ -125,7 +126,8 @@ class Program {
   Problem measure() {
     constexpr double core_s = 20;
     for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
-      const DecisionCase& decision = case_.decisions[d];
+      const DecisionCase& all = case_.decisions[d];
+      const DecisionCase decision = with_inputs(all, draw_inputs(all, scenario_, scenario_.seed));
       const double share_s = core_s / static_cast<double>(case_.decisions.size());
       out_ << tightness_json(decision, measure_tightness(decision, functions_[d], share_s));
     }
@@ -146,7 +148,8 @@ class Program {
                        [&](const MonitorCase& m) { return m.name == scenario_.about; });
   }
   Problem prepared(std::size_t index, std::uint64_t seed, Setup& setup) {
-    const DecisionCase& decision = case_.decisions[index];
+    setup.told = draw_inputs(case_.decisions[index], scenario_, seed);
+    const DecisionCase decision = with_inputs(case_.decisions[index], setup.told);
     if (Problem p = make_setup(decision, scenario_, seed, setup)) return p;
     if (scenario_.tight) tighten(decision, functions_[index], setup);
     return {};
@@ -161,8 +164,8 @@ class Program {
     Tape none;
     to.problem = prepared(index, seed, to.setup);
     if (to.problem) return;
-    to.problem =
-        run(case_.decisions[index], functions_[index], to.setup, none, to.outcome, until_s_);
+    to.problem = run(with_inputs(case_.decisions[index], to.setup.told), functions_[index],
+                     to.setup, none, to.outcome, until_s_);
   }
   // Runs know nothing of each other: as many at once as there are jobs. What one of them throws is
   // thrown here, when all have ended.
@@ -236,7 +239,7 @@ class Program {
 
   // The same run once more, with a tape.
   Problem record(std::size_t index, const Setup& setup) {
-    const DecisionCase& decision = case_.decisions[index];
+    const DecisionCase decision = with_inputs(case_.decisions[index], setup.told);
     Tape tape = Tape::recorder();
     Outcome outcome;
     if (Problem p = run(decision, functions_[index], setup, tape, outcome)) return p;
@@ -262,8 +265,12 @@ class Program {
          << static_cast<double>(v.time_us) / us_per_s << " s, down to "
          << margin_text(m, outcome.least[monitor].value) << "\n  --seed " << setup.seed
          << " --runs 1 --adversary " << setup.adversary->name << "\n";
+    tell_inputs(decision, setup);
   }
 
+  void tell_inputs(const DecisionCase& decision, const Setup& setup) {
+    if (!decision.inputs.empty()) out_ << "  with " << text_of(decision, setup.told) << "\n";
+  }
   void tell(const DecisionCase& decision, const Setup& setup, const Kept& kept) {
     constexpr double us_per_s = 1e6;
     if (kept.robot < 0) return;
@@ -274,12 +281,14 @@ class Program {
            << " was driven from " << static_cast<double>(kept.from_us) / us_per_s << " s to "
            << static_cast<double>(kept.until_us) / us_per_s << " s by a command that " << m.name
            << " had not looked so far ahead for\n";
+      tell_inputs(decision, setup);
       return;
     }
     out_ << "\nnot given back: " << decision.robots[static_cast<std::size_t>(kept.robot)] << " by "
          << m.name << ", from " << static_cast<double>(kept.from_us) / us_per_s << " s to "
          << static_cast<double>(kept.until_us) / us_per_s << " s, while " << m.recovery.name
          << " drove\n";
+    tell_inputs(decision, setup);
   }
 
   Problem replay(int& status) {
@@ -293,7 +302,7 @@ class Program {
     if (Problem problem = read_trace(text, case_, trace)) return problem;
     std::size_t index = 0;
     while (case_.decisions[index].name != trace.decision) ++index;
-    const DecisionCase& decision = case_.decisions[index];
+    const DecisionCase decision = with_inputs(case_.decisions[index], trace.setup.told);
     Tape tape = Tape::player(trace.tape);
     Outcome outcome;
     if (Problem p = run(decision, functions_[index], trace.setup, tape, outcome)) return p;

@@ -4,12 +4,10 @@
 #include <ctime>
 #include <functional>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
-#include "rtac/safe/controllers.h"
-#include "rtac/safe/space.h"
+#include "recoveries.h"
 #include "rtac/sim/arena.h"
 #include "rtac/sim/attacker.h"
 #include "rtac/sim/controllers.h"
@@ -60,36 +58,6 @@ class Errands final : public stack::RobotMachine {
   int robot_;
   sim::Random random_;
   stack::ExecutorMachine* executor_ = nullptr;
-};
-
-// Puts the commands of an attack on the tape, or takes them from there.
-template <class Output>
-class Taped final : public Controller<Output> {
- public:
-  Taped(std::unique_ptr<Controller<Output>> attack, int robot, Tape& tape)
-      : attack_(std::move(attack)), robot_(robot), tape_(tape) {}
-  Output command(const Observation& observation) override {
-    Output output = attack_->command(observation);
-    std::vector<std::int64_t> whole{robot_};
-    std::vector<double> real = numbers(output);
-    if (tape_.playing() && tape_.read("command", whole, real, 1)) give(real, output);
-    tape_.write("command", whole, real);
-    return output;
-  }
-
- private:
-  static std::vector<double> numbers(const Acceleration& a) {
-    return {a.value_mps2.x, a.value_mps2.y, a.up_mps2};
-  }
-  static std::vector<double> numbers(const Twist& t) { return {t.speed_mps, t.turn_radps}; }
-  static void give(const std::vector<double>& from, Acceleration& to) {
-    to = {{from[0], from[1]}, from[2]};
-  }
-  static void give(const std::vector<double>& from, Twist& to) { to = {from[0], from[1]}; }
-
-  std::unique_ptr<Controller<Output>> attack_;
-  int robot_;
-  Tape& tape_;
 };
 
 class Watcher final : public SystemObserver {
@@ -173,13 +141,17 @@ class Fleet {
  public:
   Fleet(const DecisionCase& decision, const Kernel::Functions& kernel, const Setup& setup,
         const Arena& arena, sim::Crowd& crowd, Tape& tape)
-      : decision_(decision), setup_(setup), arena_(arena) {
+      : decision_(decision),
+        setup_(setup),
+        arena_(arena),
+        makes_(decision, setup, kernel.jitter_us, arena, tape) {
     for (int i = 0; i < static_cast<int>(decision.robots.size()); ++i) {
       decisions_.push_back(std::make_unique<KernelDecision>(
           kernel, decision, i, [&crowd](int robot, int agent, TimeUs now_us) {
             return crowd.see(robot, agent, now_us);
           }));
-      attacks_.push_back(std::make_unique<Taped<Output>>(attack(setup, i, arena), i, tape));
+      attacks_.push_back(
+          std::make_unique<Taped<Output>>(attack(setup, i, arena), "command", i, tape));
       parts_.push_back(parts(i));
     }
   }
@@ -243,7 +215,7 @@ class Fleet {
       while (k < names.size() && names[k] != m.recovery.name) ++k;
       if (k == names.size()) {
         names.push_back(m.recovery.name);
-        recoveries_.push_back(recovery(m.recovery, robot));
+        recoveries_.push_back(makes_.make(m.recovery, robot));
       }
       (void)p.recoveries.push(recoveries_[first + k].get());
     }
@@ -252,55 +224,11 @@ class Fleet {
     p.limits = decision_.limits;
     return p;
   }
-  std::unique_ptr<SafeController<Output>> recovery(const Recovery& r, int robot) const {
-    safe::Setting s;
-    s.limits = decision_.limits;
-    s.period_us = decision_.period_us;
-    if (r.kind == "brake_and_hold") return std::make_unique<safe::BrakeAndHold<Output>>(s);
-    if (r.kind == "sequence") return sequence(r, robot);
-    s.speed_mps = r.speed_mps;
-    s.zone = &decision_.surroundings.zones[static_cast<std::size_t>(r.zone)];
-    s.route_clearance_m = r.route_clearance_m;
-    s.return_clearance_m = r.return_clearance_m;
-    s.pass_gap_m = r.pass_gap_m;
-    if (r.has_detour) s.detour_m = r.detour_m;
-    if (s.limits.in_space) {
-      s.land_at_m = r.land_at_m;
-      const SolidView& solid = decision_.surroundings.solids[static_cast<std::size_t>(r.zone)];
-      if (solid.slab_count > 0) s.solid = &solid;
-      return in_space<Output>(r, s);
-    }
-    if (r.kind == "retreat") return std::make_unique<safe::Retreat<Output>>(s);
-    if (r.kind == "loiter") return std::make_unique<safe::Loiter<Output>>(s);
-    if (r.kind == "yield") return std::make_unique<safe::Yield<Output>>(s);
-    if (r.kind != "route") return nullptr;
-    const auto& places = decision_.surroundings.sites[static_cast<std::size_t>(r.site)];
-    return std::make_unique<safe::Route<Output>>(s, places[static_cast<std::size_t>(robot)]);
-  }
-
-  // Recoveries that move up and down command accelerations.
-  template <class Command>
-  static std::unique_ptr<SafeController<Command>> in_space(const Recovery& r,
-                                                           const safe::Setting& s) {
-    if constexpr (std::is_same_v<Command, Acceleration>) {
-      if (r.kind == "retreat") return std::make_unique<safe::RetreatInSpace>(s);
-      if (r.kind == "land") return std::make_unique<safe::Land>(s);
-    }
-    return nullptr;
-  }
-  std::unique_ptr<SafeController<Output>> sequence(const Recovery& r, int robot) const {
-    std::vector<safe::Step<Output>> steps;
-    for (const Recovery& each : r.steps) {
-      steps.push_back({recovery(each, robot), each.lasts_us});
-      if (steps.back().controller == nullptr) return nullptr;
-    }
-    if (steps.empty()) return nullptr;
-    return std::make_unique<safe::Sequence<Output>>(std::move(steps));
-  }
 
   const DecisionCase& decision_;
   const Setup& setup_;
   const Arena& arena_;
+  Recoveries<Output> makes_;
   std::vector<std::unique_ptr<KernelDecision>> decisions_;
   std::vector<std::unique_ptr<Taped<Output>>> attacks_;
   std::vector<std::unique_ptr<SafeController<Output>>> recoveries_;

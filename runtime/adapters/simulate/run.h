@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case.h"
+#include "inputs.h"
 #include "kernel.h"
 #include "rtac/sim/random.h"
 #include "rtac/sim/referee.h"
@@ -21,6 +22,7 @@ struct RobotStart {
 };
 // Everything that a run depends on, apart from the kernel.
 struct Setup {
+  Told told;  // of inputs
   std::uint64_t seed = 1;
   TimeUs duration_us = 0;
   const Adversary* adversary = nullptr;

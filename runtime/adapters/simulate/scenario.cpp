@@ -91,6 +91,21 @@ Start start(const Json& j) {
   return s;
 }
 
+// Of one component; in SI units.
+Scenario::Value input(const Json& j, const std::string& name) {
+  if (j.is_boolean()) return j.get<bool>();
+  if (j.is_number()) return j.get<double>();
+  if (j.is_string()) return j.get<std::string>();
+  throw Unfit{"the input `" + name + "` of the scenario is " + j.dump(),
+              "`true`, a number in SI units, the name of a value, or a list of these works"};
+}
+Scenario::Given input_values(const Json& j, const std::string& name) {
+  Scenario::Given values;
+  if (!j.is_array()) return {input(j, name)};
+  for (const Json& each : j) values.push_back(input(each, name));
+  return values;
+}
+
 void take(const std::string& key, const Json& value, Scenario& to) {
   if (key == "duration_s") {
     to.duration_us = time(value, key, us_per_s, duration_s_min);
@@ -108,6 +123,10 @@ void take(const std::string& key, const Json& value, Scenario& to) {
     to.tight = true;
   } else if (key == "starts" && value.is_object()) {
     for (const auto& [robot, each] : value.items()) to.starts.emplace_back(robot, start(each));
+  } else if (key == "inputs" && value.is_object()) {
+    for (const auto& [name, each] : value.items()) {
+      to.inputs.emplace_back(name, input_values(each, name));
+    }
   } else if (key == "noise") {
     to.noise = chosen(value, key, noises);
   } else if (key == "ages") {
@@ -127,10 +146,11 @@ void take(const std::string& key, const Json& value, Scenario& to) {
   } else if (key == "return_within_s") {
     to.return_within_us = time(value, key, us_per_s, duration_s_min);
   } else {
-    throw Unfit{"the scenario has `" + key + "`: " + value.dump(),
-                "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `noise`, `ages`, "
-                "`fault_every_s`, `fault_ms`, `jitter_ms`, `about`, "
-                "`return_within_s`, `undecided` and `deaf_from_s`"};
+    throw Unfit{
+        "the scenario has `" + key + "`: " + value.dump(),
+        "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `inputs`, `noise`, `ages`, "
+        "`fault_every_s`, `fault_ms`, `jitter_ms`, `about`, "
+        "`return_within_s`, `undecided` and `deaf_from_s`"};
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "case.h"
@@ -32,6 +33,8 @@ struct Start {
   double height_m = 0;  // of the place, in space
 };
 struct Scenario {
+  using Value = std::variant<bool, double, std::string>;
+  using Given = std::vector<Value>;  // by component
   TimeUs duration_us = 30'000'000;
   std::uint64_t seed = 1, runs = 100;
   std::string adversary;                                          // empty: all in turn
@@ -44,8 +47,9 @@ struct Scenario {
   std::string about;            // the only monitor whose violation counts; empty: all
   TimeUs return_within_us = 0;  // a robot that is kept so long is a finding; 0: none
   bool undecided = false;       // a command that acts longer than `about` looks ahead is a finding
-  std::optional<TimeUs> deaf_from_us;  // from then on no robot hears another one
-  bool tight = false;                  // robots start where control is only just given
+  std::optional<TimeUs> deaf_from_us;                 // from then on no robot hears another one
+  std::vector<std::pair<std::string, Given>> inputs;  // what they are; the others are drawn
+  bool tight = false;  // robots start where control is only just given
 };
 // Those that take turns: they have something to aim at, and stay within what is declared unless the
 // scenario says for how long samples are lost.

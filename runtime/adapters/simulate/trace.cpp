@@ -24,6 +24,13 @@ std::string start_line(const std::string& robot, const RobotStart& s) {
          hex(s.height_m) + "\n";
 }
 
+// Of each component what is so, and what is measured.
+std::string inputs_line(const Told& told) {
+  std::string line = "inputs";
+  for (std::size_t k = 0; k < told.is.size(); ++k) line += hex(told.is[k]) + hex(told.measured[k]);
+  return line + "\n";
+}
+
 double real(std::istream& in) {
   std::string word;
   in >> word;
@@ -31,6 +38,20 @@ double real(std::istream& in) {
   const double value = std::strtod(word.c_str(), &end);
   if (word.empty() || *end != '\0' || !std::isfinite(value)) in.setstate(std::ios::failbit);
   return value;
+}
+
+bool says_all(const DecisionCase& decision, const Told& told) {
+  std::size_t k = 0;
+  const auto within = [&](const Input::Component& c, const std::vector<double>& values) {
+    return k < values.size() && values[k] >= c.least && values[k] <= c.most;
+  };
+  for (const Input& input : decision.inputs) {
+    for (const Input::Component& c : input.components) {
+      if (!within(c, told.is) || !within(c, told.measured)) return false;
+      ++k;
+    }
+  }
+  return k == told.is.size() && k == told.measured.size();
 }
 
 // The lines before the tape.
@@ -59,6 +80,13 @@ bool read_head(const std::string& word, std::istream& in, Trace& to) {
     in >> name;
     to.setup.adversary = find_adversary(name);
     if (to.setup.adversary == nullptr) return false;
+  } else if (word == "inputs") {
+    while (in >> std::ws && !in.eof()) {
+      to.setup.told.is.push_back(real(in));
+      to.setup.told.measured.push_back(real(in));
+      if (in.fail()) return false;
+    }
+    in.clear();
   } else if (word == "start") {
     std::string robot;
     in >> robot;
@@ -106,6 +134,7 @@ std::string trace_text(const Case& all, const DecisionCase& decision, const Setu
   if (setup.return_within_us > 0) {
     text += "return_within_us " + std::to_string(setup.return_within_us) + "\n";
   }
+  if (!setup.told.is.empty()) text += inputs_line(setup.told);
   for (std::size_t i = 0; i < setup.starts.size(); ++i) {
     text += start_line(decision.robots[i], setup.starts[i]);
   }
@@ -140,7 +169,8 @@ Problem read_trace(const std::string& text, const Case& all, Trace& to) {
   const auto d = std::find_if(all.decisions.begin(), all.decisions.end(),
                               [&](const DecisionCase& each) { return each.name == to.decision; });
   if (to.manifest_hash != all.hash || d == all.decisions.end() ||
-      to.setup.starts.size() != d->robots.size() || to.setup.adversary == nullptr) {
+      to.setup.starts.size() != d->robots.size() || !says_all(*d, to.setup.told) ||
+      to.setup.adversary == nullptr) {
     return unreadable("it is of another specification, or of another version of this one");
   }
   to.setup.of_robot.assign(d->robots.size(), to.setup.adversary);

@@ -408,16 +408,71 @@ TEST_F(Simulations, ExplainSimulatesNoDiagnostic) {
   EXPECT_NE(o.err.find("give FILE:LINE"), std::string::npos) << o.err;
 }
 
+// The check of the claim is what keeps the robot in; played again, the attack is the same.
+TEST_F(Simulations, ExternalRecoveriesAreAttackedBehindTheirClaim) {
+  write("own.rta", edited(edited(yard("100 ms"), "= retreat within yard speed 0.3 m/s",
+                                 "extern keeps inside yard speed <= 0.3 m/s"),
+                          "recover turn_back;",
+                          "recover turn_back; hold when violated \"somebody carries it back\";"));
+  const Outcome sound = rtac({"sim", "own.rta", "--runs", "16"});
+  EXPECT_EQ(sound.status, 0) << sound.out << sound.err;
+  const Outcome blind = rtac({"sim", "own.rta", "--runs", "4", "--adversary", "chase-fence",
+                              "--mutate", "unchecked-claim", "--trace", "out.trace"});
+  EXPECT_EQ(blind.status, 3) << blind.out << blind.err;
+  EXPECT_NE(read("out.trace").find("\nrecover "), std::string::npos);
+  const Outcome again =
+      rtac({"sim", "own.rta", "--mutate", "unchecked-claim", "--replay", "out.trace"});
+  EXPECT_EQ(again.status, 3) << again.out << again.err;
+  EXPECT_NE(again.out.find("the same to the last bit"), std::string::npos) << again.out;
+}
+
+// Drawn by the seed, or as the scenario says; a run that is played again is told the same.
+TEST_F(Simulations, InputsAreDrawnForEachRun) {
+  const std::string inputs =
+      "enum Mode { easy, careful }\n"
+      "input open : bool max_age inf;\n"
+      "input mode : Mode max_age 1 s;\n"
+      "input load : real [kg] in 0 .. 9 kg error 100 g max_age 1 s;\n"
+      "zone yard";
+  write("told.rta", edited(with_pillar("r inside yard and (not open and mode == careful and load > "
+                                       "4 kg implies r inside free)"),
+                           "zone yard", inputs));
+  const Outcome sound = rtac({"sim", "told.rta", "--runs", "20"});
+  EXPECT_EQ(sound.status, 0) << sound.out << sound.err;
+  write("said.json", R"({"inputs": {"open": false, "mode": "careful", "load": 5}})");
+  const Outcome careful = rtac({"sim", "told.rta", "--runs", "4", "--adversary", "aimed-noise",
+                                "--mutate", "no-stopping-distance", "--scenario", "said.json"});
+  EXPECT_EQ(careful.status, 3) << careful.out << careful.err;
+  EXPECT_NE(careful.out.find("with open = false, mode = careful, load = 5\n"), std::string::npos)
+      << careful.out;
+  const Outcome again = rtac(
+      {"sim", "told.rta", "--mutate", "no-stopping-distance", "--replay", "yard_patrol.trace"});
+  EXPECT_EQ(again.status, 3) << again.out << again.err;
+}
+
+TEST_F(Simulations, WhatScenariosSayOfInputsIsChecked) {
+  write("told.rta", edited(yard("50 ms", "r inside yard or open"), "zone yard",
+                           "input open : bool max_age inf;\nzone yard"));
+  const auto refused = [&](const std::string& inputs) {
+    write("said.json", R"({"inputs": )" + inputs + "}");
+    const Outcome o = rtac({"sim", "told.rta", "--runs", "1", "--scenario", "said.json"});
+    EXPECT_EQ(o.status, 2) << inputs << o.out;
+    return o.err;
+  };
+  EXPECT_NE(refused(R"({"open": 1})").find("`true` and `false` work"), std::string::npos);
+  EXPECT_NE(refused(R"({"open": [true, true]})").find("2 values of `open`"), std::string::npos);
+  EXPECT_NE(refused(R"({"shut": true})").find("no decision speaks"), std::string::npos);
+  EXPECT_NE(refused(R"({"open": null})").find("a number in SI units"), std::string::npos);
+}
+
 // Nothing is known then: that is not the same as no violation.
 TEST_F(Simulations, WhatCannotBeSimulatedIsInconclusive) {
   write("door.rta",
         "spec door; period 10 ms; input open : bool;\n"
         "monitor shut { \"R1: closed\" always not open; }\n");
-  write("own.rta", edited(yard("100 ms"), "= retreat within yard speed 0.3 m/s",
-                          "extern keeps inside yard speed <= 0.3 m/s"));
-  write("facts.rta", edited(yard("50 ms", "r inside yard or open"), "zone yard",
+  write("facts.rta", edited(yard("50 ms", "r inside yard or once[0 s, 1 s] open"), "zone yard",
                             "input open : bool;\nzone yard"));
-  for (const std::string name : {"door.rta", "own.rta", "facts.rta"}) {
+  for (const std::string name : {"door.rta", "facts.rta"}) {
     const Outcome o = rtac({"sim", name});
     EXPECT_EQ(o.status, 4) << name << o.err;
     EXPECT_NE(o.err.find("error[9008]"), std::string::npos) << o.err;
