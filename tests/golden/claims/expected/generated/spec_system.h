@@ -60,7 +60,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), escape(standing(), {&room_zone(), 0.5, 170000, 1.0, 0.145, 0.0, 0.143}), stop(standing()) {}
+        : fly(self), escape(standing(), {&room_zone(), 0.5, 175000, 1.0, 0.145, 0.0, 0.143}), stop(standing()) {}
     Fly fly;
     rtac::safe::Claimed<rtac::Acceleration> escape;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;

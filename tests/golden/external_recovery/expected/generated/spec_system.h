@@ -60,7 +60,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), land_now(standing(), {&room_zone(), 0.5, 120000, 1.0, 0.145, 0.0, 0.143}) {}
+        : fly(self), land_now(standing(), {&room_zone(), 0.5, 125000, 1.0, 0.145, 0.0, 0.143}) {}
     Fly fly;
     rtac::safe::Claimed<rtac::Acceleration> land_now;
   };

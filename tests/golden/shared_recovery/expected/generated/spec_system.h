@@ -60,7 +60,7 @@ class System {
   private:
   struct Robot {
     explicit Robot(int self)
-        : fly(self), inwards(setting(0.3, inner_zone(), 0.491, 0.425, 1.47)), land_now(standing(), {&room_zone(), 0.5, 140000, 1.0, 0.145, 0.0, 0.143}) {}
+        : fly(self), inwards(setting(0.3, inner_zone(), 0.491, 0.425, 1.47)), land_now(standing(), {&room_zone(), 0.5, 145000, 1.0, 0.145, 0.0, 0.143}) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> inwards;
     rtac::safe::Claimed<rtac::Acceleration> land_now;
