@@ -33,16 +33,8 @@ Clauses untouched(const DecisionFacts& f) {
     all.push_back("motion_ok(" + at + ")");
     all.push_back(at + " == \\at(" + at + ", Pre)");
   }
-  const std::string plan = "v->in->plan";
-  if (!f.kind->plan) return all;
-  for (const char* member : {".valid", ".count", ".index"}) {
-    all.push_back(plan + member + " == \\at(" + plan + member + ", Pre)");
-  }
-  for (const char* member : {".x[j]", ".y[j]"}) {
-    all.push_back("\\forall integer j; 0 <= j < PLAN_CAPACITY ==> " + plan + member + " == \\at(" +
-                  plan + member + ", Pre)");
-  }
-  all.push_back("same_plan{Pre, Here}(&" + plan + ")");
+  const Clauses plan = plan_kept(f, "v->in->plan");
+  all.insert(all.end(), plan.begin(), plan.end());
   return all;
 }
 
@@ -83,13 +75,17 @@ std::string check_steps(const DecisionFacts& f) {
 }  // namespace
 
 std::string check_contract(const DecisionFacts& f) {
+  // One more motion than monitors and advanced control with company: of a robot that holds.
+  const std::string last = f.has_company ? "$N + 1" : "$N";
   std::string out = "== $D_check\n" + granted(f) +
                     "requires \\valid(v) && \\valid_read(v->in) && \\valid(checks + (0 .. $L)) && "
                     "\\separated(v, checks + (0 .. $L));\n"
-                    "requires \\separated(checks + (0 .. $L), &$D_motions[0 .. $N], &$D_body);\n"
+                    "requires \\separated(checks + (0 .. $L), &$D_motions[0 .. " +
+                    last +
+                    "], &$D_body);\n"
                     "requires \\separated(v, v->in) && \\separated(checks + (0 .. $L), v->in);\n"
-                    "requires 0 <= v->driver <= $N && 0 <= v->me < $R;\n" +
-                    joined("requires", measured(f)) +
+                    "requires 0 <= v->driver <= " +
+                    last + " && 0 <= v->me < $R;\n" + joined("requires", measured(f)) +
                     "assigns v->legs, v->m, v->horizon_us, v->within, checks[0 .. $L]" +
                     (f.has_company ? ", v->others[0 .. $Q]" : "") +
                     (f.runs > 0 ? ", v->runs[0 .. " + number(2 * f.runs) + " - 1]" : "") + ";\n" +

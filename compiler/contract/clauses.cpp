@@ -75,6 +75,20 @@ Clauses checks(const DecisionFacts& f) {
   return all;
 }
 
+Clauses plan_kept(const DecisionFacts& f, const std::string& plan) {
+  if (!f.kind->plan) return {};
+  Clauses all;
+  for (const char* member : {".valid", ".count", ".index"}) {
+    all.push_back(plan + member + " == \\at(" + plan + member + ", Pre)");
+  }
+  for (const char* member : {".x[j]", ".y[j]"}) {
+    all.push_back("\\forall integer j; 0 <= j < PLAN_CAPACITY ==> " + plan + member + " == \\at(" +
+                  plan + member + ", Pre)");
+  }
+  all.push_back("same_plan{Pre, Here}(&" + plan + ")");
+  return all;
+}
+
 std::int64_t horizon_of(const DecisionFacts& f, std::size_t i) {
   const Ahead& ahead = (*f.spec)[f.decision->priority[i]].ahead;
   const std::int64_t us =

@@ -27,10 +27,18 @@ Clauses measured(const DecisionFacts& f);  // what `measure` leaves in a view
 Clauses looked(const DecisionFacts& f);    // and `look`
 Clauses state(const DecisionFacts& f);     // what every step leaves in `s`
 Clauses checks(const DecisionFacts& f);    // what `check` leaves in `checks`
+// That `plan` is as it was when the function began, if there is one.
+Clauses plan_kept(const DecisionFacts& f, const std::string& plan);
 
 // Look-ahead and latency of a monitor, us.
 std::int64_t horizon_of(const DecisionFacts& f, std::size_t i);
 
 std::string check_contract(const DecisionFacts& f);
+
+// That the look-ahead of monitor `k`, or its return condition, was found true.
+std::string looked_well(std::size_t k);
+
+// Of `mode_step` for so many monitors.
+std::string switching_contract(std::size_t count);
 
 }  // namespace rtac::contract

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/sema/spec.h"
+#include "compiler/support/source.h"
 
 namespace rtac::contract {
 
@@ -16,8 +17,10 @@ struct Contracts {
   // What no contract says yet: a property, and why; the proof is none without it.
   std::vector<std::string> gaps;
 };
-// `prefix`: of what the kernel declares, the name of the specification.
-Contracts contracts_of(const sema::Spec& spec, const std::string& prefix);
+// `prefix`: of what the kernel declares, the name of the specification. `sources`: a zone without a
+// name is called by its line.
+Contracts contracts_of(const sema::Spec& spec, const SourceManager& sources,
+                       const std::string& prefix);
 
 struct Annotated {
   std::string text;                  // the kernel with its contracts

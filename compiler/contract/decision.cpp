@@ -200,13 +200,20 @@ std::string measure_contract(const DecisionFacts& f) {
 }
 
 std::string report_contract(const DecisionFacts& f) {
+  // Each check by itself, too: provers lose their time over parts of an array.
+  Clauses each;
+  std::string which;
+  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
+    each.push_back("\\valid_read(checks + " + number(k) + ")");
+    which += (k == 0 ? "k == " : " || k == ") + number(k);
+  }
   std::string out =
-      "== $D_report\n" + granted(f) +
+      "== $D_report\n"
       "requires \\valid_read(v) && \\valid_read(v->in) && \\valid_read(s) && "
       "\\valid_read(checks + (0 .. $L)) && \\valid(out);\n"
       "requires \\separated(out, v) && \\separated(out, v->in) && \\separated(out, s) && "
       "\\separated(out, checks + (0 .. $L));\n" +
-      joined("requires", state(f)) + joined("requires", checks(f)) +
+      joined("requires", each) + joined("requires", state(f)) + joined("requires", checks(f)) +
       "assigns out->tick, out->time_us, out->lease_end_us, out->position_age_us, "
       "out->velocity_age_us, out->battery_age_us,\n  " +
       (f.has_heading ? "out->heading_age_us, " : "") +
@@ -219,7 +226,10 @@ std::string report_contract(const DecisionFacts& f) {
   for (std::size_t k = 0; k < f.monitors.size(); ++k) {
     out += "loop invariant k > " + number(k) + " ==> " + recorded(k) + ";\n";
   }
-  return out + "loop assigns k, out->monitors[0 .. $L];\nloop variant $N - k;\n";
+  return out +
+         "loop assigns k, out->monitors[0 .. $L];\nloop variant $N - k;\n"
+         "-- before out->monitors[k].now\nassert " +
+         which + ";\nassert \\valid_read(checks + k);\n";
 }
 
 std::string step_contract(const DecisionFacts& f) {
@@ -230,7 +240,7 @@ std::string step_contract(const DecisionFacts& f) {
                     joined("ensures", state(f)) +
                     "ensures out->mode == s->mode && out->monitor == out->mode - 1;\n"
                     "ensures surrendered: in->surrender != 0 ==> out->mode != 0;\n";
-  std::string claims = "-- before out->previous_mode\n";
+  Clauses found, rules;
   for (std::size_t k = 0; k < f.monitors.size(); ++k) {
     const std::string at = "out->monitors[" + number(k) + "]", far = number(horizon_of(f, k));
     const std::string driver = "$D_motions[v.driver]", longer = far + " + " + number(f.period_us);
@@ -240,10 +250,18 @@ std::string step_contract(const DecisionFacts& f) {
     out += "ensures advanced: out->mode == 0 ==> " + at +
            ".engaged == 0 &&\n  (\\old(s->clock.started) != 0 ==> " + at +
            ".now != VERDICT_FALSE);\n";
-    claims += "assert rule_5_" + f.monitors[k].name + ": s->mode == 0 ==>\n  (" +
-              claimed_ahead(f, k, {driver, far, "\\true"}) + ") ||\n  (" +
-              claimed_ahead(f, k, {"$D_motions[0]", longer, "\\true", false}) + ");\n";
+    found.push_back("s->mode == 0 ==> " + looked_well(k));
+    rules.push_back("rule_5_" + f.monitors[k].name + ": s->mode == 0 ==>\n  (" +
+                    claimed_ahead(f, k, {driver, far, "\\true"}) + ") ||\n  (" +
+                    claimed_ahead(f, k, {"$D_motions[0]", longer, "\\true", false}) + ")");
   }
+  // What is claimed of a plan is led past each write by saying that it is the same one.
+  const Clauses kept = plan_kept(f, "in->plan");
+  const std::string same = kept.empty() ? "" : joined("assert", {kept.back()});
+  std::string claims = "-- before s->mode = mode_step(\n" + joined("assert", kept) +
+                       "-- before if (first ||\n" + same + joined("assert", found) +
+                       "-- before out->previous_mode\n" + same + joined("assert", found) +
+                       joined("assert", rules);
   // There `v` is the structure itself.
   for (std::size_t at = claims.find("v->"); at != std::string::npos; at = claims.find("v->", at)) {
     claims.replace(at, 3, "v.");
@@ -251,34 +269,55 @@ std::string step_contract(const DecisionFacts& f) {
   return out + claims;
 }
 
-// Of a decision on plans: what each monitor finds, and who decides.
-std::string plan_contracts(const DecisionFacts& f) {
-  std::string out;
-  for (const MonitorClaims& m : f.monitors) {
-    out += "== $D_" + m.name + "_now\n!! plans\nrequires \\valid_read(v);\nassigns \\nothing;\n" +
-           "ensures margin_ok(\\result);\n";
+// Table of the zone that a plan has to lie in; empty: the monitor says something else, or that of a
+// zone whose table is not named by its line.
+std::string zone_of_plan(const Spec& spec, const SourceManager& sources, const Monitor& monitor) {
+  const auto* const inside = std::get_if<PlanInside>(&monitor.always->node);
+  if (inside == nullptr) return "";
+  const Zone& zone = spec[inside->zone];
+  if (!zone.name.empty()) return zone.name;
+  if (std::holds_alternative<ZoneComplement>(zone.value->node)) return "";
+  const SourceRange& range = zone.value->range;
+  return "zone_of_line_" + number(std::size_t{sources.position(range.file, range.begin).line});
+}
+
+// Of a decision on plans: what each monitor finds, and who decides. 1 mm is for rounded way-points.
+std::string plan_contracts(const DecisionFacts& f, const SourceManager& sources) {
+  std::string out, ensured, carried;
+  for (std::size_t i = 0; i < f.monitors.size(); ++i) {
+    const std::string& name = f.monitors[i].name;
+    const std::string zone = zone_of_plan(*f.spec, sources, (*f.spec)[f.decision->priority[i]]);
+    out += "== $D_" + name + "_now\n" + (zone.empty() ? "!! plans\n" : "") +
+           "requires \\valid_read(v);\nassigns \\nothing;\nensures margin_ok(\\result);\n";
+    if (zone.empty()) continue;
+    out += "ensures \\result.lo >= 0 ==> plan_keeps(&zone_" + zone + ", v, 1);\n";
+    ensured +=
+        "ensures " + name + ": out->mode == 0 ==> plan_keeps(&zone_" + zone + ", plan, 1);\n";
+    carried += "loop invariant out->mode == 0 && k < " + number(i) + " ==> found[" + number(i) +
+               "].lo >= 0;\n";
   }
   return out +
          "== $P_$D_judge\nrequires \\valid_read(plan) && \\valid(out) && \\separated(plan, out);\n"
          "assigns *out;\nensures 0 <= out->mode <= $N && out->monitor == out->mode - 1;\n"
          "ensures advanced: out->mode == 0 ==> \\forall integer j; 0 <= j < $N ==>\n"
-         "  out->monitors[j].engaged == 0 && out->monitors[j].now == VERDICT_TRUE;\n"
+         "  out->monitors[j].engaged == 0 && out->monitors[j].now == VERDICT_TRUE;\n" +
+         ensured +
          "-- loop 1\nloop invariant -1 <= k <= $L;\n"
          "loop invariant 0 <= out->mode <= $N && out->monitor == out->mode - 1;\n"
          "loop invariant out->mode == 0 ==> \\forall integer j; k < j < $N ==>\n"
-         "  out->monitors[j].engaged == 0 && out->monitors[j].now == VERDICT_TRUE;\n"
-         "loop assigns k, *out;\nloop variant k + 1;\n";
+         "  out->monitors[j].engaged == 0 && out->monitors[j].now == VERDICT_TRUE;\n" +
+         carried + "loop assigns k, *out;\nloop variant k + 1;\n";
 }
 
 }  // namespace
 
-Contracts contracts_of(const Spec& spec, const std::string& prefix) {
+Contracts contracts_of(const Spec& spec, const SourceManager& sources, const std::string& prefix) {
   Contracts contracts;
   std::set<std::size_t> counts;
   for (const Decision& decision : spec.decisions) {
     const DecisionFacts f = facts_of(spec, decision, prefix);
     if (decision.on_plan) {
-      contracts.text += filled(f, plan_contracts(f));
+      contracts.text += filled(f, plan_contracts(f, sources));
       continue;
     }
     for (const MonitorClaims& m : f.monitors) {
@@ -293,12 +332,10 @@ Contracts contracts_of(const Spec& spec, const std::string& prefix) {
                                     step_contract(f));
     counts.insert(f.monitors.size());
   }
-  // A loop over as many monitors as are known is easier to prove; over several the provers leave
-  // goals open.
-  if (counts.size() == 1) {
-    contracts.text += "== mode_step\nrequires count == " + number(*counts.begin()) + ";\n";
-  }
-  if (!counts.empty() && *counts.rbegin() > 1) contracts.text += "== mode_step\n!! several\n";
+  // Each monitor is named, which takes one number of them.
+  contracts.text += counts.size() == 1
+                        ? switching_contract(*counts.begin())
+                        : std::string(counts.empty() ? "" : "== mode_step\n!! several\n");
   return contracts;
 }
 

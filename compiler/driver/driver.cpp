@@ -111,11 +111,12 @@ bool is_overwritten(const Options& options, const Compilation& c,
 }
 
 // The kernel again, with contracts; what they leave out stands in its first lines.
-OutputFile with_contracts(const Options& options, const std::string& stem, const sema::Spec& spec,
+OutputFile with_contracts(const Options& options, const std::string& stem, const Compilation& c,
                           const std::string& kernel) {
+  const sema::Spec& spec = *c.spec;
   const std::string prefix =
       options.name_space.empty() ? codegen::legal_namespace(spec.name) : options.name_space;
-  const contract::Contracts contracts = contract::contracts_of(spec, prefix);
+  const contract::Contracts contracts = contract::contracts_of(spec, c.sources, prefix);
   const contract::Annotated annotated = contract::annotate(kernel, prefix, contracts.text);
   std::string head;
   for (const std::string& gap : contracts.gaps) head += "/* gap: " + gap + " */\n";
@@ -133,7 +134,7 @@ int build(const Options& options, Compilation& c) {
   std::vector<OutputFile> files;
   for (auto& file : codegen::generate(std::move(*c.module), *c.spec, naming)) {
     if (options.contracts && file.name == naming.stem + "_kernel.c") {
-      files.push_back(with_contracts(options, naming.stem, *c.spec, file.text));
+      files.push_back(with_contracts(options, naming.stem, c, file.text));
     }
     files.push_back({options.output + "/" + file.name, std::move(file.text)});
   }
