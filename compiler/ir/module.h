@@ -672,8 +672,8 @@ struct Decision {
 inline std::int64_t horizon_us(const Decision& d, const Monitor& m) {
   return m.lookahead.duration_us + d.body.latency_us + d.body.jitter_us;
 }
-// From a decision until the next one acts, jitter included, at most, while an external recovery drives: its claim is
-// checked under what the robot can do in that time.
+// From a decision until the next one acts, jitter included, at most, while an external recovery
+// drives: its claim is checked under what the robot can do in that time.
 inline std::int64_t reaction_us(const Decision& d, const Recovery& external) {
   std::int64_t most_us = 0;
   for (const Monitor& m : d.monitors) {
