@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/outline.h"
+
 namespace rtac::analysis {
 namespace {
 
@@ -20,134 +22,27 @@ constexpr int cell_tests_most = 2000;
 constexpr double strays_mm = 12;
 // Looked at: so many places, times edges of the zones, at most; and as many places at least.
 constexpr double effort = 60'000, places_least = 200, places_most = 3000;
+// Ways out that are told of start so far apart: nearer ones show the same.
+constexpr double apart_mm = 300;
 
-struct P {
-  double x = 0, y = 0;
-};
-P operator+(P a, P b) {
-  return {a.x + b.x, a.y + b.y};
-}
-P operator-(P a, P b) {
-  return {a.x - b.x, a.y - b.y};
-}
-P operator*(double k, P a) {
-  return {k * a.x, k * a.y};
-}
-double norm(P a) {
-  return std::hypot(a.x, a.y);
-}
+using outline::norm;
+using outline::Outline;
+using outline::P;
 
-struct Segment {
-  P a, b;
-};
-P closest_on(const Segment& s, P p) {
-  const P d = s.b - s.a, ap = p - s.a;
-  const double length2 = d.x * d.x + d.y * d.y;
-  const double t = length2 > 0 ? std::clamp((ap.x * d.x + ap.y * d.y) / length2, 0.0, 1.0) : 0.0;
-  return s.a + t * d;
-}
-
-// The boundary of a zone, and on which side of it a place lies.
-class Outline {
- public:
-  explicit Outline(std::vector<Segment> edges) : edges_(std::move(edges)) {}
-  static Outline of(const geometry::Region& region) {
-    std::vector<Segment> edges;
-    for (const geometry::Ring& ring : region.rings()) {
-      const auto mm = [](const geometry::Point& p) {
-        return P{1000 * p.x.get_d(), 1000 * p.y.get_d()};
-      };
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        edges.push_back({mm(ring[i]), mm(ring[(i + 1) % ring.size()])});
-      }
-    }
-    return Outline(std::move(edges));
-  }
-  static Outline of(const ir::ZoneTable& zone) {
-    std::vector<Segment> edges;
-    for (const ir::Edge& e : zone.edges) {
-      edges.push_back({{double(e.ax), double(e.ay)}, {double(e.bx), double(e.by)}});
-    }
-    return Outline(std::move(edges));
-  }
-
-  [[nodiscard]] const std::vector<Segment>& edges() const { return edges_; }
-  [[nodiscard]] bool contains(P p) const {
-    bool inside = false;
-    for (const auto& [a, b] : edges_) {
-      if ((a.y > p.y) == (b.y > p.y)) continue;
-      if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-    }
-    return inside;
-  }
-  [[nodiscard]] P nearest(P p) const {
-    P best = p;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Segment& e : edges_) {
-      const P q = closest_on(e, p);
-      if (const double away = norm(q - p); away < least) {
-        least = away;
-        best = q;
-      }
-    }
-    return best;
-  }
-  [[nodiscard]] double clearance(P p) const {
-    const double away = norm(nearest(p) - p);
-    return contains(p) ? away : -away;
-  }
-  // Clearance changes no faster than the place.
-  [[nodiscard]] bool keeps(P a, P b, double least) const {
-    const P middle = 0.5 * (a + b);
-    const double half = norm(b - a) / 2, here = clearance(middle);
-    if (here < least) return false;
-    if (here - half >= least || half <= resolution_mm) return true;
-    return keeps(a, middle, least) && keeps(middle, b, least);
-  }
-  // Where a segment is farthest outside, and how far; none: it stays within, give or take what a
-  // hold strays.
-  struct Outside {
-    P at;
-    double deep;
-  };
-  [[nodiscard]] std::optional<Outside> left_on(P a, P b) const {
-    std::vector<double> cuts = {0, 1};
-    const P d = b - a;
-    for (const auto& [c, e] : edges_) {
-      const P f = e - c, ac = c - a;
-      const double cross = d.x * f.y - d.y * f.x;
-      if (cross == 0) continue;
-      const double t = (ac.x * f.y - ac.y * f.x) / cross, s = (ac.x * d.y - ac.y * d.x) / cross;
-      if (t > 0 && t < 1 && s >= 0 && s <= 1) cuts.push_back(t);
-    }
-    std::sort(cuts.begin(), cuts.end());
-    std::optional<Outside> found;
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      constexpr int looks = 4;
-      for (int k = 1; k < looks; ++k) {
-        const P at = a + (cuts[i] + (cuts[i + 1] - cuts[i]) * k / looks) * d;
-        const double deep = -clearance(at);
-        if (deep > (found ? found->deep : strays_mm)) found = {at, deep};
-      }
-    }
-    return found;
-  }
-
- private:
-  std::vector<Segment> edges_;
-};
-
-// The ways of the runtime from a place outside of the zone of a recovery.
+// The ways of the runtime from a place outside of the zone of a recovery, or within.
 class Entry {
  public:
-  Entry(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& step)
+  Entry(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& step,
+        std::int64_t run_out_mm = 0)
       : decision_(decision),
         step_(step),
+        run_out_mm_(double(run_out_mm)),
         zone_(Outline::of(module[step.zone])),
         cells_(module[step.zone].cells) {
-    if (step.kind != ir::RecoveryKind::route) return;
-    for (const ir::SiteTable::Place& place : module[step.site].places) {
-      ways_.push_back(ways_to({double(place.x_mm), double(place.y_mm)}));
+    if (step.kind == ir::RecoveryKind::route) {
+      for (const ir::SiteTable::Place& place : module[step.site].places) {
+        ways_.push_back(ways_to({double(place.x_mm), double(place.y_mm)}));
+      }
     }
   }
 
@@ -158,8 +53,43 @@ class Entry {
     if (step_.kind == ir::RecoveryKind::yield) return joins(p);
     return inwards(p);
   }
+  // The places that ways lead over from one in the zone, where control is not given back: each of
+  // them begins with a leg to the first of these. Others that stand in the way are not known here.
+  [[nodiscard]] std::vector<std::vector<P>> ways(P p) const {
+    std::vector<std::vector<P>> all;
+    if (step_.kind == ir::RecoveryKind::route) {
+      const std::vector<P> firsts = towards_sites(p);
+      for (std::size_t i = 0; i < firsts.size() && i < ways_.size(); ++i) {
+        all.push_back(followed(ways_[i], firsts[i]));
+      }
+      return all;
+    }
+    const double now = zone_.clearance(p), error = double(decision_.body.position_error_mm);
+    const double wanted = double(step_.return_clearance_mm) + std::max(end_reach_mm, error) + error;
+    if (now >= double(step_.return_clearance_mm)) return all;
+    if (const auto q = straight_in(p, wanted)) return {run_out({*q}, p)};
+    const auto cell = nearest_cell(p, [&](std::size_t at) {
+      return double(clear_mm(at)) >= wanted && zone_.keeps(p, centre(at), now - loss_mm);
+    });
+    if (cell && norm(centre(*cell) - p) <= 2 * wanted) return {run_out({centre(*cell)}, p)};
+    const std::vector<std::size_t> starts = joined(p);
+    if (deep_.empty()) {
+      deep_ = ways_over([&](std::size_t at) { return double(clear_mm(at)) >= wanted; });
+    }
+    if (!starts.empty()) all.push_back(run_out(followed(deep_, centre(starts.front())), p));
+    return all;
+  }
 
  private:
+  // RetreatManoeuvre::run_out: where there is room the last leg goes on.
+  [[nodiscard]] std::vector<P> run_out(std::vector<P> way, P from) const {
+    const P end = way.back(), before = way.size() > 1 ? way[way.size() - 2] : from;
+    const double leg = norm(end - before);
+    if (leg < resolution_mm) return way;
+    const P beyond = end + (run_out_mm_ / leg) * (end - before);
+    if (zone_.keeps(end, beyond, zone_.clearance(end) - loss_mm)) way.back() = beyond;
+    return way;
+  }
   using Accept = std::function<bool(std::size_t)>;
 
   [[nodiscard]] P centre(std::size_t cell) const {
@@ -199,7 +129,8 @@ class Entry {
     const P border = zone_.nearest(p);
     const double away = norm(p - border);
     if (away < 1e-3) return std::nullopt;
-    const P q = border + (wanted / away) * (border - p);
+    const double inward = zone_.contains(p) ? -1 : 1;
+    const P q = border + (inward * wanted / away) * (border - p);
     if (zone_.clearance(q) < wanted - 1e-3) return std::nullopt;
     return q;
   }
@@ -292,30 +223,29 @@ class Entry {
     }
     return all;
   }
-  // From every cell that is clear enough, over its eight neighbours.
   [[nodiscard]] std::vector<double> ways_to(P goal) const {
-    const auto clear = [&](std::optional<std::size_t> at) {
-      return at && clear_mm(*at) >= std::max<std::int64_t>(step_.route_clearance_mm, 0);
-    };
+    const auto first = nearest_cell(goal, [&](std::size_t at) { return on_way(at); });
+    return ways_over([&](std::size_t at) { return at == first; });
+  }
+  [[nodiscard]] bool on_way(std::optional<std::size_t> at) const {
+    return at && clear_mm(*at) >= std::max<std::int64_t>(step_.route_clearance_mm, 0);
+  }
+  // To a goal from every cell that is clear enough, over its eight neighbours.
+  [[nodiscard]] std::vector<double> ways_over(const Accept& is_goal) const {
     std::vector<double> length(cells_.clearance_mm_lo.size(),
                                std::numeric_limits<double>::infinity());
     using Open = std::pair<double, std::size_t>;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-    const auto first = nearest_cell(goal, [&](std::size_t at) { return clear(std::optional(at)); });
-    if (!first) return length;
-    length[*first] = 0;
-    open.emplace(0.0, *first);
+    for (std::size_t at = 0; at < length.size(); ++at) {
+      if (!on_way(at) || !is_goal(at)) continue;
+      length[at] = 0;
+      open.emplace(0.0, at);
+    }
     while (!open.empty()) {
       const auto [so_far, at] = open.top();
       open.pop();
       if (so_far > length[at]) continue;
-      const int column = static_cast<int>(at % static_cast<std::size_t>(cells_.columns));
-      const int row = static_cast<int>(at / static_cast<std::size_t>(cells_.columns));
-      for (int i = 0; i < 9; ++i) {
-        const int x = column + i % 3 - 1, y = row + i / 3 - 1;
-        if (!clear(cell_at(x, y)) || !clear(cell_at(x, row)) || !clear(cell_at(column, y)))
-          continue;
-        const std::size_t to = *cell_at(x, y);
+      for (const std::size_t to : beside(at)) {
         const double way = so_far + norm(centre(to) - centre(at));
         if (way >= length[to]) continue;
         length[to] = way;
@@ -324,12 +254,41 @@ class Entry {
     }
     return length;
   }
+  [[nodiscard]] std::vector<std::size_t> beside(std::size_t at) const {
+    const int column = static_cast<int>(at % static_cast<std::size_t>(cells_.columns));
+    const int row = static_cast<int>(at / static_cast<std::size_t>(cells_.columns));
+    std::vector<std::size_t> all;
+    for (int i = 0; i < 9; ++i) {
+      const int x = column + i % 3 - 1, y = row + i / 3 - 1;
+      if (!on_way(cell_at(x, y)) || !on_way(cell_at(x, row)) || !on_way(cell_at(column, y))) {
+        continue;
+      }
+      all.push_back(*cell_at(x, y));
+    }
+    return all;
+  }
+  // Downwards over lengths that `ways_over` has found.
+  [[nodiscard]] std::vector<P> followed(const std::vector<double>& length, P first) const {
+    std::vector<P> way{first};
+    const auto start = nearest_cell(first, [](std::size_t) { return true; });
+    for (std::optional<std::size_t> at = start; at && length[*at] > 0;) {
+      std::optional<std::size_t> next;
+      for (const std::size_t to : beside(*at)) {
+        if (length[to] < length[next.value_or(*at)]) next = to;
+      }
+      at = next;
+      if (at) way.push_back(centre(*at));
+    }
+    return way;
+  }
 
   const ir::Decision& decision_;
   const ir::Recovery& step_;
+  const double run_out_mm_;
   Outline zone_;
   const ir::Cells& cells_;
   std::vector<std::vector<double>> ways_;  // by robot
+  mutable std::vector<double> deep_;       // to where control is given back; once asked for
 };
 
 // Half of them along the boundary, half on a grid.
@@ -372,7 +331,7 @@ WaysIn ways_in(const ir::Module& module, const ir::Decision& decision, const ir:
     if (entry.zone().clearance(p) > -loss_mm) continue;  // on its boundary: as good as inside
     const std::vector<P> aims = entry.aims(p);
     for (const P q : aims) {
-      const auto left = may_be.left_on(p, q);
+      const auto left = may_be.left_on(p, q, strays_mm);
       if (!left || left->deep <= deepest) continue;
       deepest = left->deep;
       found.leaves = {rounded(p), rounded(left->at)};
@@ -385,6 +344,41 @@ WaysIn ways_in(const ir::Module& module, const ir::Decision& decision, const ir:
   return found;
 }
 
+std::vector<WaysIn::Leaves> ways_out(const ir::Module& module, const ir::Decision& decision,
+                                     const ir::Recovery& step, std::int64_t run_out_mm,
+                                     const geometry::Region& from, const geometry::Region& allowed,
+                                     std::size_t most) {
+  const Entry entry(module, decision, step, run_out_mm);
+  const Outline may_start = Outline::of(from), may_be = Outline::of(allowed);
+  using Way = std::pair<double, WaysIn::Leaves>;
+  std::vector<Way> all;
+  for (const P p : places_of(may_start, entry.zone().edges().size() + may_be.edges().size())) {
+    if (entry.zone().clearance(p) < 0) continue;
+    for (const std::vector<P>& way : entry.ways(p)) {
+      std::optional<Outline::Outside> deepest;
+      P before = p;
+      for (const P next : way) {
+        const auto left = may_be.left_on(before, next, deepest ? deepest->deep : strays_mm);
+        if (left) deepest = left;
+        before = next;
+      }
+      if (deepest) all.push_back({deepest->deep, {rounded(p), rounded(deepest->at)}});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Way& a, const Way& b) { return a.first > b.first; });
+  std::vector<WaysIn::Leaves> found;
+  for (const auto& [deep, way] : all) {
+    const auto near = [&way = way](const WaysIn::Leaves& other) {
+      return std::hypot(double(other.from.x_mm - way.from.x_mm),
+                        double(other.from.y_mm - way.from.y_mm)) < apart_mm;
+    };
+    if (std::none_of(found.begin(), found.end(), near)) found.push_back(way);
+    if (found.size() == most) break;
+  }
+  return found;
+}
+
 std::optional<WaysIn::Leaves> straight_across(const ir::Module& module, const ir::Recovery& step,
                                               const geometry::Region& from,
                                               const geometry::Region& allowed) {
@@ -393,7 +387,7 @@ std::optional<WaysIn::Leaves> straight_across(const ir::Module& module, const ir
   double deepest = 0;
   for (const P p : places_of(may_start, may_start.edges().size() + may_be.edges().size())) {
     for (const ir::SiteTable::Place& site : module[step.site].places) {
-      const auto left = may_be.left_on(p, {double(site.x_mm), double(site.y_mm)});
+      const auto left = may_be.left_on(p, {double(site.x_mm), double(site.y_mm)}, strays_mm);
       if (!left || left->deep <= deepest) continue;
       deepest = left->deep;
       found = {rounded(p), rounded(left->at)};

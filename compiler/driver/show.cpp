@@ -1,5 +1,6 @@
 #include "compiler/driver/show.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -58,6 +59,31 @@ Json aimed_at_rest(const std::vector<std::string>& robots, const std::string& ch
   return rests;
 }
 
+// From where the recovery of one monitor leads to where another one is false.
+Json aimed_at_start(const Obligation& o, const verify::Start& start,
+                    const std::vector<std::string>& robots) {
+  const auto place = [](const std::vector<std::int64_t>& mm) {
+    constexpr double mm_per_m = 1000;
+    Json at = Json::array();
+    for (const std::int64_t each : mm) at.push_back(static_cast<double>(each) / mm_per_m);
+    return at;
+  };
+  constexpr double full_ppm = 1e6;
+  Json there = Json::object();
+  there["about"] = o.monitor;
+  there["runs"] = 11;  // as many as there are adversaries
+  there["duration_s"] = 60;
+  Json& first = there["starts"][robots.front()];
+  first["at"] = place(start.place_mm);
+  if (start.battery_ppm) {
+    first["battery"] = std::min(1.0, static_cast<double>(*start.battery_ppm) / full_ppm);
+  }
+  if (robots.size() > 1 && !start.other_mm.empty()) {
+    there["starts"][robots[1]]["at"] = place(start.other_mm);
+  }
+  return there;
+}
+
 // Scenarios in which it would be seen, the likeliest first.
 std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& robots,
                            const std::string& charge) {
@@ -91,7 +117,9 @@ std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& 
   deaf["duration_s"] = 3600;  // until a recovery that waits for others has spent the charge
   deaf["deaf_from_s"] = 5;
   deaf["runs"] = 4;
-  all = {std::move(anywhere), std::move(tight)};
+  for (const verify::Start& start : o.starts) all.push_back(aimed_at_start(o, start, robots));
+  all.push_back(std::move(anywhere));
+  all.push_back(std::move(tight));
   if (o.kind == Kind::keeps && o.monitor == charge) all.push_back(aimed_at_rest(robots, charge));
   if (robots.size() > 1) all.push_back(std::move(deaf));
   if (o.kind != Kind::p1a) return all;
@@ -170,6 +198,23 @@ class Showing {
 };
 
 }  // namespace
+
+void leave_open(verify::Report& report) {
+  for (verify::Decision& d : report.decisions) {
+    for (Obligation& o : d.obligations) {
+      const bool refuted = o.by_a_run && o.status == verify::Status::refuted;
+      if (refuted && o.trace.empty()) o.status = verify::Status::unknown;
+    }
+  }
+}
+
+void leave_unshown(verify::Report& report, const std::string& why) {
+  for (verify::Decision& d : report.decisions) {
+    for (Obligation& o : d.obligations) {
+      if (in_motion(o) && o.not_shown.empty()) o.not_shown = why;
+    }
+  }
+}
 
 void show(const Options& options, Simulator& simulator, Compilation& c, verify::Report& report) {
   Showing showing(options, simulator, c);

@@ -13,4 +13,11 @@ namespace rtac::driver {
 // written for `rtac sim SPEC --replay`, and named in the report. It ends in bounded time.
 void show(const Options& options, Simulator& simulator, Compilation& c, verify::Report& report);
 
+// The same, where nothing can be simulated: why there is no run.
+void leave_unshown(verify::Report& report, const std::string& why);
+
+// What only a run can refute, and none has, is unknown: that a recovery is not shown to keep what
+// another monitor says may be the fault of the bounds.
+void leave_open(verify::Report& report);
+
 }  // namespace rtac::driver

@@ -55,8 +55,9 @@ int simulate_findings(const Options& options, Compilation& c, verify::Report& re
       leave_unmeasured(report, aside.diagnostics.all().front().message);
     }
   }
-  if (built == exit_clean &&
-      (verify::worst(report) == verify::Status::refuted || in_turns(report))) {
+  if (built != exit_clean) {
+    leave_unshown(report, aside.diagnostics.all().front().message);
+  } else if (verify::worst(report) == verify::Status::refuted || in_turns(report)) {
     show(options, simulator, aside, report);
   }
   c.spec = std::move(aside.spec);
@@ -76,6 +77,7 @@ int verify(const Options& options, Compilation& c, std::ostream& out) {
       return refused;
     }
   }
+  leave_open(report);
   worst = verify::worst(report);
   if (!options.output.empty()) {
     std::string problem = write_certificates(c, report, options.output);

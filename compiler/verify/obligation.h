@@ -39,6 +39,13 @@ struct Claim {
   std::map<std::string, std::string> values;
 };
 
+// Where a robot stands at the start of a run that may show something, and a second one beside it.
+struct Start {
+  std::vector<std::int64_t> place_mm;         // two coordinates, or three in space
+  std::vector<std::int64_t> other_mm{};       // empty: anywhere
+  std::optional<std::int64_t> battery_ppm{};  // of a full one
+};
+
 struct Obligation {
   Kind kind{};
   std::string monitor;   // empty: of the decision
@@ -57,6 +64,11 @@ struct Obligation {
   bool in_turns = false;
   // Of what is refuted: where a robot would be in trouble, in mm.
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
+  // Of what is refuted: nothing but a run shows it, and without one it is unknown.
+  bool by_a_run = false;
+  // Of `keeps`, refuted: from where the recovery may lead out of what the property says, the
+  // likeliest first.
+  std::vector<Start> starts{};
 };
 // How much of what a monitor keeps free the worst motion needs that a search has found, from states
 // that just pass its look-ahead. It refutes, and proves nothing.

@@ -49,6 +49,12 @@ Obligation control_returns(const Subject& s, std::size_t k);
 Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::size_t driving,
                         std::size_t judged);
 
+// From where the recovery of one monitor may lead to where another one is false, both of them
+// holding at the start: for runs that show it.
+std::vector<Start> starts_of_damage(const Subject& s, std::size_t driving, std::size_t judged);
+std::vector<Start> starts_of_damage_in_space(const Subject& s, std::size_t driving,
+                                             std::size_t judged);
+
 // P2b of a recovery that is proved to lead to its clearance of return: whether a robot that has
 // come to rest there is given back, as far as its own monitor is concerned.
 Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved);

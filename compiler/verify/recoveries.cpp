@@ -361,6 +361,9 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     if (!why.empty()) return acknowledged(std::move(o), why);
     o.status = Status::refuted;
     o.method = "geometry and bounds";
+    // what inputs may ask for, nobody has to drive to
+    o.by_a_run = !entry.while_told;
+    o.starts = starts_of_damage(s, driving, judged);
     return o;
   }
   o.claims.push_back(recovery_claim(s, driving));

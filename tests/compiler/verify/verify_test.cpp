@@ -25,6 +25,7 @@ TEST_F(Verify, WithoutItsAcknowledgementTheDeliveryIsRefuted) {
       spec_text("specs/robot_delivery/robot_delivery.rta"),
       "  acknowledge give_way may break battery \"held at most 60 s; the reserve covers it\";\n",
       "");
+  ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
   const Outcome o = verified(text, {"--format", "json"});
   EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "C", "battery"), (Statuses{"refuted", "proved"})) << o.out;
@@ -46,17 +47,20 @@ TEST_F(Verify, TheStartTellsWithinWhatARobotIsHeld) {
             calm_m + 0.1 / 4);
 }
 
-// What no choice avoids stays refuted, and the report names the recoveries.
-TEST_F(Verify, CoordinatedRecoveriesThatDoNotKeepEachOtherAreRefuted) {
+// What no choice avoids, and no run shows, is unknown: these retreats end long before the boundary
+// of the other zone. The report names the recoveries.
+TEST_F(Verify, CoordinatedRecoveriesThatAreNotShownToKeepEachOtherAreUnknown) {
   std::string text = edited(drone_spec(), "decision fly", R"(
 zone north = rectangle (0 m, 1 m) to (5 m, 9 m);
 controller go_north : safe for Drone = retreat within north speed 0.3 m/s;
 monitor up for d : Drone { "SR-2: in the north" always d inside north; recover go_north; }
 decision fly)");
   text = edited(text, "priority walls;", "coordinate walls > up;");
+  ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
   const Outcome o = verified(text, {"--format", "json"});
-  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
-  EXPECT_EQ(statuses(o.out, "C", "up"), Statuses{"refuted"}) << o.out;
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "C", "up"), Statuses{"unknown"}) << o.out;
+  EXPECT_NE(o.out.find("no run under attack has shown it"), std::string::npos) << o.out;
   EXPECT_EQ(statuses(o.out, "C", "walls"), Statuses{"proved"}) << o.out;
   EXPECT_NE(o.out.find("`go_north` is not shown to keep `walls`"), std::string::npos) << o.out;
 }

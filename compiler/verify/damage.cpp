@@ -1,0 +1,154 @@
+// Where a robot has to start so that a run shows what a recovery does to the property of another
+// monitor. Nothing is claimed of these places: what is refuted is what a run shows.
+#include <algorithm>
+
+#include "compiler/analysis/fences.h"
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/outline.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/travel.h"
+#include "compiler/analysis/ways_in.h"
+#include "compiler/ir/linear.h"
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+namespace {
+
+using analysis::outline::Outline;
+using analysis::outline::P;
+using geometry::Region;
+
+constexpr std::size_t starts_most = 4;
+// By which a property holds at the start: what a robot at rest may give way, measured badly.
+constexpr std::int64_t spare_mm = 15;
+// By which a battery is more than the charge of the way from there.
+constexpr std::int64_t spare_ppm = 2'000;
+
+class Damage {
+ public:
+  Damage(const Subject& s, std::size_t driving, std::size_t judged)
+      : s_(s), driving_(s.decision.monitors[driving]), judged_(s.decision.monitors[judged]) {}
+
+  std::vector<Start> run() {
+    const Region allowed = centres_of(judged_, 0);
+    Region from = Region::everywhere();
+    for (const ir::Monitor& m : s_.decision.monitors) {
+      from = from.intersect(centres_of(m, spare_mm));
+    }
+    std::vector<Start> all;
+    for (const ir::Recovery* step : ir::steps_of(driving_.recovery)) {
+      if (!ir::moves(step->kind) || s_.module[step->zone].has_height()) continue;
+      if (from.empty()) continue;
+      if (step->kind == ir::RecoveryKind::yield) {
+        beside_each_other(from, allowed, all);
+        continue;
+      }
+      const bool routes = step->kind == ir::RecoveryKind::route;
+      const Region own = from.intersect(s_.exact(step->zone));
+      const Region begins = routes ? own : own.subtract(given_back());
+      if (begins.empty()) continue;
+      const Rational speed(static_cast<long>(step->speed_mmps), 1000);
+      const std::int64_t on_mm = analysis::run_out_mm(s_.kind, speed, s_.decision.period_us);
+      const auto ways =
+          analysis::ways_out(s_.module, s_.decision, *step, on_mm, begins, allowed, starts_most);
+      for (const auto& way : ways) {
+        Start start{{way.from.x_mm, way.from.y_mm}};
+        if (routes) start.battery_ppm = just_enough(*step, way.from);
+        all.push_back(std::move(start));
+      }
+    }
+    if (all.size() > starts_most) all.resize(starts_most);
+    return all;
+  }
+
+ private:
+  // Where the centre of a body is while the property holds, as far as zones are concerned.
+  [[nodiscard]] Region centres_of(const ir::Monitor& m, std::int64_t more_mm) const {
+    const auto& params = s_.decision.facts.params;
+    Region all = Region::everywhere();
+    const auto shrunk = [&](ir::ZoneIndex zone) {
+      std::int64_t mm = s_.decision.body.radius_mm + more_mm;
+      for (const analysis::Standoff& each : analysis::fence_standoffs(m.property, params)) {
+        if (each.zone == zone) mm = std::max(mm, s_.decision.body.radius_mm + more_mm + each.mm);
+      }
+      return analysis::within(s_.exact(zone), mm).value_or(s_.exact(zone));
+    };
+    for (const ir::ZoneIndex fence : analysis::fences_of(m.property, params)) {
+      if (!s_.module[fence].has_height()) all = all.intersect(shrunk(fence));
+    }
+    for (const analysis::Choice& choice : analysis::choices_of(m.property, params)) {
+      Region some;
+      for (const ir::ZoneIndex zone : choice) {
+        if (!s_.module[zone].has_height()) some = some.unite(shrunk(zone));
+      }
+      if (!some.empty()) all = all.intersect(some);
+    }
+    return all;
+  }
+  // Where the driving monitor lets the robot go, so that its recovery does not begin.
+  [[nodiscard]] Region given_back() const {
+    const std::int64_t mm =
+        analysis::return_clearance_mm(s_.decision, driving_.lookahead.duration_us);
+    const auto& params = s_.decision.facts.params;
+    const bool of_places = !analysis::fences_of(driving_.property, params).empty() ||
+                           !analysis::choices_of(driving_.property, params).empty();
+    return of_places ? centres_of(driving_, mm - s_.decision.body.radius_mm) : Region();
+  }
+  // The charge at a place with which its monitor engages there, as that does not look ahead of it.
+  [[nodiscard]] std::optional<std::int64_t> just_enough(const ir::Recovery& route,
+                                                        analysis::PlaceMm at) const {
+    const ir::SiteTable& site = s_.module[route.site];
+    const ir::Cells& cells = s_.module[site.zone].cells;
+    const auto& costs = site.places.front().cost_ppm;
+    const std::int64_t column = (at.x_mm - cells.origin_x_mm) / cells.cell_mm;
+    const std::int64_t row = (at.y_mm - cells.origin_y_mm) / cells.cell_mm;
+    if (costs.empty() || column < 0 || row < 0 || column >= cells.columns || row >= cells.rows) {
+      return std::nullopt;
+    }
+    const std::int64_t cost = costs[static_cast<std::size_t>(row * cells.columns + column)];
+    if (cost < 0 || cost == ir::no_way) return std::nullopt;
+    std::optional<std::int64_t> least;
+    const auto& params = s_.decision.facts.params;
+    ir::for_each_comparison(driving_.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+      if (const auto way = ir::charge_for_way(block, c, params)) {
+        least = std::max(least.value_or(0), cost + way->reserve.strictest);
+      }
+      const auto floor = ir::lower_bound(block, c, params);
+      if (floor && floor->leaf.kind == ir::Leaf::Kind::battery) {
+        least = std::max(least.value_or(0), floor->need.strictest);
+      }
+    });
+    return least ? std::optional(*least + spare_ppm) : std::nullopt;
+  }
+  // The one that goes first backs off from the other one, out of what it is near the boundary of.
+  void beside_each_other(const Region& from, const Region& allowed, std::vector<Start>& all) const {
+    if (s_.decision.robots < 2) return;
+    const std::int64_t gap_mm = analysis::standoffs_of(s_.decision).separation_mm +
+                                2 * s_.decision.body.radius_mm + spare_mm;
+    const Outline inside = Outline::of(from), out = Outline::of(allowed);
+    for (const auto& [a, b] : inside.edges()) {
+      const P middle = 0.5 * (a + b), border = out.nearest(middle);
+      const double away = analysis::outline::norm(middle - border);
+      if (away < 1 || away > 2 * double(spare_mm)) continue;  // on the edge of another zone
+      const P other = middle + (double(gap_mm) / away) * (middle - border);
+      if (!inside.contains(other)) continue;
+      all.push_back({in_mm(middle), in_mm(other)});
+    }
+  }
+  [[nodiscard]] static std::vector<std::int64_t> in_mm(P p) {
+    return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y)};
+  }
+
+  const Subject& s_;
+  const ir::Monitor& driving_;
+  const ir::Monitor& judged_;
+};
+
+}  // namespace
+
+std::vector<Start> starts_of_damage(const Subject& s, std::size_t driving, std::size_t judged) {
+  if (s.decision.body.in_space) return starts_of_damage_in_space(s, driving, judged);
+  return Damage(s, driving, judged).run();
+}
+
+}  // namespace rtac::verify
