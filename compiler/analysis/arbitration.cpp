@@ -8,7 +8,6 @@
 #include "compiler/analysis/paces.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
-#include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
@@ -114,7 +113,7 @@ class Pair {
         case ir::Leaf::Kind::clearance:
           // at most so clear: cannot be looked ahead (5006)
           if (sgn(coefficient) < 0) break;
-          kept = kept && keeps_clearance(ir::ZoneIndex{leaf.table});
+          kept = kept && keeps_clearance(ir::ZoneIndex{leaf.table}, beyond_mm(block, compare));
           break;
         case ir::Leaf::Kind::battery:
           kept = kept && keeps_charge();
@@ -141,9 +140,19 @@ class Pair {
     if (ir::moves(step.kind) || step.claims) return step.zone;
     return std::nullopt;
   }
-  bool keeps_clearance(ir::ZoneIndex fence) {
+  // What is asked of a clearance beyond touching, whatever parameters become; none: it is compared
+  // with more than that.
+  [[nodiscard]] std::optional<std::int64_t> beyond_mm(const ir::Block& block,
+                                                      const ir::AtLeast& compare) const {
+    const auto least = ir::lower_bound(block, compare, decision_.facts.params);
+    if (!least) return std::nullopt;
+    return std::max<std::int64_t>(least->need.strictest, 0);
+  }
+  bool keeps_clearance(ir::ZoneIndex fence, std::optional<std::int64_t> beyond_mm) {
     for (const ir::Recovery* step : ir::steps_of(recovery_)) {
-      if (step->kind == ir::RecoveryKind::land && !reaches_down(fence, step->land_mm)) return false;
+      if (step->kind == ir::RecoveryKind::land && !reaches_down(fence, beyond_mm, step->land_mm)) {
+        return false;
+      }
       const auto zone = moves_within(*step);
       if (!zone || *zone == fence) continue;
       if (module_[fence].has_height() || module_[*zone].has_height()) {
@@ -235,13 +244,22 @@ class Pair {
     if (a.starts_with(outside)) return "";
     return b.starts_with(outside) ? a + " - " + b.substr(outside.size()) : a + " & " + b;
   }
-  // Straight down from anywhere in it: shown of one slab, and of zones of the plane.
-  bool reaches_down(ir::ZoneIndex fence, std::int64_t land_mm) {
-    const auto& slabs = module_[fence].slabs;
+  // Straight down from anywhere in it: what is in a slab is in the one below, down to where a
+  // landing ends. Whatever else is not shown.
+  bool reaches_down(ir::ZoneIndex fence, std::optional<std::int64_t> beyond_mm,
+                    std::int64_t land_mm) {
+    if (!module_[fence].has_height()) return true;
     const ir::Body& body = decision_.body;
-    const std::int64_t low_mm =
-        land_mm - body.radius_mm - 2 * body.position_error_mm - body.hold_mm;
-    if (slabs.empty() || (slabs.size() == 1 && slabs[0].floor_mm <= low_mm)) return true;
+    const Rational low(static_cast<long>(land_mm - beyond_mm.value_or(0) - body.radius_mm -
+                                         2 * body.position_error_mm - body.hold_mm));
+    const geometry::Solid solid = solid_(fence);
+    const auto& slabs = solid.slabs();
+    bool down = beyond_mm && !slabs.empty() && slabs.front().floor * 1000 <= low;
+    for (std::size_t k = 0; k + 1 < slabs.size(); ++k) {
+      down = down && slabs[k].ceiling == slabs[k + 1].floor &&
+             slabs[k].region.contains(slabs[k + 1].region);
+    }
+    if (down) return true;
     entry_.why = "whether the way down of " + quoted(recovery_.name) + " lies in " +
                  quoted(module_[fence].name) + " is not shown";
     entry_.help = "`brake_and_hold` works";
@@ -292,32 +310,52 @@ class Pair {
     if (!seconds) {
       entry_.why =
           "nothing bounds how long " + quoted(recovery_.name) + " lasts, and it takes charge";
-      for (const ir::Monitor& m : decision_.monitors) {
-        if (m.recovery.name != recovery_.name || m.returns.how == ir::Returns::How::itself)
+      Change change;
+      std::string waiting;
+      for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
+        const ir::Monitor& m = decision_.monitors[k];
+        if (m.recovery.name != recovery_.name || m.returns.how == ir::Returns::How::itself) {
           continue;
-        entry_.why += ": `return when` of " + quoted(m.name) + " may never hold where it leads";
-        break;
+        }
+        change.without_return.push_back(k);
+        waiting += (waiting.empty() ? "" : " and ") + quoted(m.name);
       }
+      if (waiting.empty()) return false;
+      entry_.why += ": `return when` of " + waiting + " may never hold where it leads";
+      entry_.help = waiting + " without `return when` works";
+      entry_.change = change;
       return false;
     }
     const Ways ways = ways_of(module_, decision_, last);
-    const Rational metres_most(ways.longest_mm ? *ways.longest_mm : 0, 1000);
-    if (*seconds > kind_.energy->held.value) {
-      entry_.why =
-          quoted(recovery_.name) + " may last " + seconds_text(*seconds) +
-          ", and the charge reckons with `held <= " + seconds_text(kind_.energy->held.value) + "`";
-      entry_.help = "`held <= " + seconds_text(*seconds) + "` works";
-      return false;
+    return lies_within(*seconds, Rational(ways.longest_mm ? *ways.longest_mm : 0, 1000));
+  }
+  bool lies_within(const Rational& seconds, const Rational& metres_most) {
+    const bool longer = seconds > kind_.energy->held.value;
+    const bool farther = metres_most > kind_.energy->detour.value;
+    if (!longer && !farther) return true;
+    const auto reckons = [](const std::string& most) {
+      return ", and the charge reckons with `" + most + "`";
+    };
+    Change change;
+    if (longer) {
+      entry_.why = quoted(recovery_.name) + " may last " + seconds_text(seconds) +
+                   reckons("held <= " + seconds_text(kind_.energy->held.value));
+      change.held = Rational(ceil_to_int(Rational(seconds * 10)), 10);
+      change.held->canonicalize();
+      entry_.help = "`held <= " + seconds_text(seconds) + "`";
+    } else {
+      entry_.why = quoted(recovery_.name) + " may drive " + about_metres(metres_most) +
+                   reckons("detour <= " + about_metres(kind_.energy->detour.value));
     }
-    if (metres_most > kind_.energy->detour.value) {
-      entry_.why =
-          quoted(recovery_.name) + " may drive " + about_metres(metres_most) +
-          ", and the charge reckons with `detour <= " + about_metres(kind_.energy->detour.value) +
-          "`";
-      entry_.help = "`detour <= " + about_metres(metres_most) + "` works";
-      return false;
+    if (farther) {
+      change.detour = Rational(ceil_to_int(Rational(metres_most * 100)), 100);
+      change.detour->canonicalize();
+      entry_.help +=
+          std::string(longer ? " with " : "") + "`detour <= " + about_metres(metres_most) + "`";
     }
-    return true;
+    entry_.help += " works";
+    entry_.change = change;
+    return false;
   }
 
   const sema::RobotKind& kind_;
@@ -413,114 +451,6 @@ std::string conflict_text(const ir::Decision& decision, const Entry& entry) {
             " is not shown to keep " + quoted(decision.monitors[entry.conflict[k + 1]].name);
   }
   return text;
-}
-
-namespace {
-
-// An order, the one that is declared as far as may be, in which everybody ranks above the
-// recoveries that may break it, but where that is acknowledged; empty: there is none.
-std::vector<std::size_t> order_that_keeps(const ir::Decision& decision, const Arbitration& all) {
-  const std::size_t count = all.size();
-  const auto breaks = [&](std::size_t i, std::size_t j) {
-    const Keeping k = all[i][j].keeping;
-    return (k == Keeping::broken || k == Keeping::guarded) &&
-           !ir::acknowledged(decision, decision.monitors[i].recovery.name,
-                             decision.monitors[j].name);
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (ir::last_step(decision.monitors[i].recovery).kind != ir::RecoveryKind::route) continue;
-    for (std::size_t j = 0; j < count; ++j) {
-      if (breaks(i, j)) return {};
-    }
-  }
-  std::vector<std::size_t> order;
-  std::vector<bool> placed(count, false);
-  for (std::size_t i = 0; i < count;) {
-    bool free = !placed[i];
-    for (std::size_t j = 0; j < count; ++j) free = free && (placed[j] || !breaks(i, j));
-    if (!free) {
-      ++i;
-      continue;
-    }
-    placed[i] = true;
-    order.push_back(i);
-    i = 0;
-  }
-  return order.size() == count ? order : std::vector<std::size_t>();
-}
-
-std::string priority_of(const ir::Decision& decision, const std::vector<std::size_t>& order) {
-  std::string text;
-  for (const std::size_t k : order) {
-    text += (text.empty() ? "`priority " : " > ") + decision.monitors[k].name;
-  }
-  return text.empty() ? "" : text + ";` works";
-}
-
-// One report for each recovery, whatever number of monitors it may break.
-diag::Diagnostic finding(const sema::Spec& spec, const sema::Decision& from,
-                         const ir::Decision& decision, const Arbitration& all, std::size_t i,
-                         const std::vector<std::size_t>& broken) {
-  const std::vector<Entry>& row = all[i];
-  const std::string& recovery = decision.monitors[i].recovery.name;
-  const auto name = [&](std::size_t j) { return decision.monitors[j].name; };
-  std::string names;
-  for (std::size_t k = 0; k < broken.size(); ++k) {
-    names += (k == 0 ? "" : k + 1 == broken.size() ? " and " : ", ") + quoted(name(broken[k]));
-  }
-  diag::Diagnostic d{};
-  d.code = diag::Code::recovery_breaks;
-  d.range = spec[from.priority[i]].recover_range;
-  d.message =
-      "while " + quoted(recovery) + " drives, " + names + " may become false, and " +
-      (decision.coordinated ? "no recovery keeps it with what ranks above"
-                            : "rank" + std::string(broken.size() == 1 ? "s" : "") + " lower");
-  d.label = "may break " + names;
-  for (const std::size_t j : broken) {
-    d.notes.push_back({std::nullopt, row[j].why});
-    d.notes.push_back({spec[from.priority[j]].name_range, quoted(name(j)) + " is declared here"});
-    if (!row[j].conflict.empty())
-      d.notes.push_back({std::nullopt, conflict_text(decision, row[j])});
-  }
-  const auto help = [&d](const std::string& way) {
-    if (!way.empty()) d.help += (d.help.empty() ? "" : ", or ") + way;
-  };
-  if (!decision.coordinated) help(priority_of(decision, order_that_keeps(decision, all)));
-  // what mends one pair alone mends nothing while there is another one
-  const std::string& first = row[broken.front()].help;
-  if (std::ranges::all_of(broken, [&](std::size_t j) { return row[j].help == first; })) help(first);
-  std::string accepted;
-  for (const std::size_t j : broken) {
-    accepted += (accepted.empty() ? "" : " and ") + std::string("`acknowledge ") + recovery +
-                " may break " + name(j) + " \"why\";`";
-  }
-  help(accepted);
-  return d;
-}
-
-}  // namespace
-
-void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                       const ExactSolid& solid, diag::Engine& diagnostics) {
-  for (std::size_t n = 0; n < module.decisions.size(); ++n) {
-    const ir::Decision& decision = module.decisions[n];
-    const sema::Decision& from = spec.decisions[n];
-    if (decision.on_plan) continue;
-    const Arbitration all = arbitration_of(spec[from.kind], module, decision, exact, solid);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      std::vector<std::size_t> broken;
-      for (std::size_t j = 0; j < all.size(); ++j) {
-        if (all[i][j].keeping != Keeping::broken) continue;
-        if (ir::acknowledged(decision, decision.monitors[i].recovery.name,
-                             decision.monitors[j].name)) {
-          continue;
-        }
-        broken.push_back(j);
-      }
-      if (broken.empty()) continue;
-      diagnostics.report(finding(spec, from, decision, all, i, broken));
-    }
-  }
 }
 
 }  // namespace rtac::analysis

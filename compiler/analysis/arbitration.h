@@ -3,6 +3,8 @@
 // all of them.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +23,17 @@ enum class Keeping {
   broken,   // the recovery may lead to where it is false, and nobody takes over in time
   coordinated,  // the same, but for a recovery that does, by `coordinate`
 };
+// What a report may offer: another order of the monitors, by their ranks as they are declared,
+// monitors that let go without more, or larger numbers of the energy clause, in s and m.
+struct Change {
+  std::vector<std::size_t> order{}, without_return{};
+  std::optional<Rational> held{}, detour{};
+};
 struct Entry {
   Keeping keeping = Keeping::kept;
-  std::string why;   // in words, with numbers
-  std::string help;  // of what is broken: what would work
+  std::string why;                 // in words, with numbers
+  std::string help;                // of what is broken: what would work
+  std::optional<Change> change{};  // what that is, to be tried before it is offered
   // Of what is broken under `coordinate`: monitors, the first of them this one, the last one for
   // the second time. The recovery of each does not keep the next.
   std::vector<std::size_t> conflict{};
@@ -55,9 +64,17 @@ std::string conflict_text(const ir::Decision& decision, const Entry& entry);
 void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
                 const ExactSolid& solid);
 
+// The errors of the specification with a change of one of its decisions, and whether a monitor
+// waits there for a return condition that may never come about.
+struct Tried {
+  std::vector<diag::Diagnostic> errors;
+  bool waits = false;
+};
+using Try = std::function<Tried(std::size_t decision, const Change&)>;
+
 // 6005: a recovery that breaks what a monitor says and that nobody else keeps, unless that is
 // acknowledged.
 void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                       const ExactSolid& solid, diag::Engine& diagnostics);
+                       const ExactSolid& solid, const Try& attempt, diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

@@ -11,11 +11,13 @@
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_met.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/superfluous.h"
 #include "compiler/analysis/timing.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/well_formed.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/ir/acknowledged.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/signals.h"
 #include "compiler/ir/source_text.h"
@@ -46,8 +48,10 @@ std::uint32_t index(auto id) {
 
 class Deriver {
  public:
-  Deriver(const sema::Spec& spec, const SourceManager& sources, diag::Engine& diagnostics)
-      : spec_(spec), sources_(sources), diagnostics_(diagnostics) {}
+  // `spec` is changed while offers are tried, and then as it was.
+  Deriver(sema::Spec& spec, const SourceManager& sources, diag::Engine& diagnostics,
+          bool offers = true)
+      : spec_(spec), sources_(sources), diagnostics_(diagnostics), offers_(offers) {}
 
   std::optional<Derived> run(Finding finding) {
     out_.module.name = spec_.name;
@@ -85,11 +89,52 @@ class Deriver {
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
     // Whatever it says, the module can be built, and passes look at the rest.
     coordinate(spec_, out_.module, exact, solid);
-    check_arbitration(spec_, out_.module, exact, solid, diagnostics_);
+    const Try attempt = [this](std::size_t n, const Change& change) { return tried(n, change); };
+    check_arbitration(spec_, out_.module, exact, solid, attempt, diagnostics_);
+    check_acknowledgements(spec_, out_.module, exact, solid, lies_, diagnostics_);
     return std::move(out_);
   }
 
  private:
+  // The whole specification once more, with all that may come of it.
+  Tried tried(std::size_t n, const Change& change) {
+    Tried found;
+    if (!offers_) return found;
+    sema::Decision& decision = spec_.decisions[n];
+    sema::RobotKind& kind = spec_.kinds[index(decision.kind)];
+    const auto order = decision.priority;
+    const auto energy = kind.energy;
+    std::vector<sema::ExprPtr> returns;
+    for (const std::size_t k : change.without_return) {
+      returns.push_back(std::move(spec_.monitors[index(order[k])].return_when));
+      spec_.monitors[index(order[k])].return_when = nullptr;
+    }
+    for (std::size_t k = 0; k < change.order.size(); ++k) {
+      decision.priority[k] = order[change.order[k]];
+    }
+    if (change.held) kind.energy->held.value = *change.held;
+    if (change.detour) kind.energy->detour.value = *change.detour;
+    diag::Engine aside;
+    const auto derived = Deriver(spec_, sources_, aside, false).run(Finding::is_told);
+    decision.priority = order;
+    kind.energy = energy;
+    for (std::size_t k = 0; k < returns.size(); ++k) {
+      spec_.monitors[index(order[change.without_return[k]])].return_when = std::move(returns[k]);
+    }
+    for (const diag::Diagnostic& d : aside.all()) {
+      if (diag::info(d.code).severity == diag::Severity::error) found.errors.push_back(d);
+    }
+    found.waits = !derived || waits(derived->module.decisions[n]);
+    return found;
+  }
+  // A monitor asks for what may never come about, nobody has accepted that, and others rank lower.
+  static bool waits(const ir::Decision& decision) {
+    return std::any_of(
+        decision.monitors.begin(), decision.monitors.end(), [&](const ir::Monitor& m) {
+          return m.return_when && m.returns.how == ir::Returns::How::open &&
+                 m.hold_reason.empty() && !ir::acknowledged(decision, m.recovery.name, m.name);
+        });
+  }
   // A look-ahead that is too short is built as if its author had accepted that.
   bool could_be_built() const {
     const auto& all = diagnostics_.all();
@@ -699,9 +744,10 @@ class Deriver {
     }
   }
 
-  const sema::Spec& spec_;
+  sema::Spec& spec_;
   const SourceManager& sources_;
   diag::Engine& diagnostics_;
+  const bool offers_;  // false: this one is tried itself
   std::vector<std::optional<EvaluatedZone>> zones_;
   Derived out_;
   const HowItLies lies_ = [this](ir::ZoneIndex inner, const Standoff& outer) {
@@ -711,7 +757,7 @@ class Deriver {
 
 }  // namespace
 
-std::optional<Derived> derive(const sema::Spec& spec, const SourceManager& sources,
+std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
                               diag::Engine& diagnostics, Finding finding) {
   return Deriver(spec, sources, diagnostics).run(finding);
 }

@@ -19,9 +19,10 @@ struct Derived {
 
 // What becomes of a module that could be built and is not well formed.
 enum class Finding { refuses, is_told };
+// `spec` is left as it is; in between, numbers and orders that reports offer are tried in it.
 // nullopt when an error was reported, unless it is about arbitration (6005); `is_told`: not of one
 // that says that it is not well formed either.
-std::optional<Derived> derive(const sema::Spec& spec, const SourceManager& sources,
+std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
                               diag::Engine& diagnostics, Finding finding = Finding::refuses);
 
 // What `rtac check` tells about one monitor, in mm and us.

@@ -42,6 +42,13 @@ class Limits {
     look(block_.result);
     return std::move(found_);
   }
+  [[nodiscard]] bool kept_by(std::size_t k, ir::ValueId id) const {
+    if (const auto* v = std::get_if<ir::And>(&block_[id].op)) {
+      return kept_by(k, v->a) && kept_by(k, v->b);
+    }
+    return !first(id) || keeps(k, id);
+  }
+  [[nodiscard]] bool kept_by(std::size_t k) const { return kept_by(k, block_.result); }
 
  private:
   struct Limit {
@@ -172,6 +179,10 @@ class Limits {
 };
 
 }  // namespace
+
+bool keeps_speed_limits(const Decided& of, std::size_t driving, std::size_t judged) {
+  return Limits(of, judged).kept_by(driving);
+}
 
 // It is measured to have the error of the velocity, which counts once more, and each component lies
 // on the grid.

@@ -23,6 +23,10 @@ bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor);
 // Whether it fulfils the property there, though it may not be given back.
 bool holds_standing(const ir::Monitor& monitor);
 
+// Whether the recovery of one monitor keeps the limits of speed of another one, acknowledged or
+// not.
+bool keeps_speed_limits(const Decided& of, std::size_t driving, std::size_t judged);
+
 // 5033, of each comparison that asks for at most some speed.
 std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of);
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "compiler/geometry/region.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/printer.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -56,38 +59,51 @@ Shape shape_of(const ir::ZoneTable& zone) {
 }
 
 // A state of the world in which a formula has the value that is asked for, as far as each signal by
-// itself tells: which way each of them goes.
+// itself tells: which way each of them goes, and what is told from outside.
 using Ways = std::map<std::pair<const ir::Block*, Leaf>, int>;
 struct State {
   CanFail can = CanFail::yes;
   Ways ways{};
+  std::map<std::string, bool> told{};
 };
+// One of them; of more than so many the rest is open. None: there is no such state.
+using Any = std::vector<State>;
+constexpr std::size_t states_most = 64;
+
+// What is told as a truth is told by itself; whatever else two facts say may exclude each other.
+const char* const by_itself = "truth ";
 
 class Finder {
  public:
   Finder(const ir::Module& module, const ir::Decision& decision)
       : module_(module), decision_(decision) {}
 
-  State find(const ir::Block& block, ir::ValueId id, bool value) {
+  Any find(const ir::Block& block, ir::ValueId id, bool value) {
     const ir::Op& op = block[id].op;
-    if (const auto* v = std::get_if<ir::Truth>(&op)) return {v->value == value ? yes : no};
+    if (const auto* v = std::get_if<ir::Truth>(&op)) return v->value == value ? Any{{}} : Any{};
     if (const auto* v = std::get_if<ir::Not>(&op)) return find(block, v->a, !value);
     if (const auto* v = std::get_if<ir::And>(&op)) return pair(block, v->a, v->b, value, value);
     if (const auto* v = std::get_if<ir::Or>(&op)) return pair(block, v->a, v->b, value, !value);
-    if (const auto* v = std::get_if<ir::AtLeast>(&op)) return compare(block, *v, value);
+    if (const auto* v = std::get_if<ir::AtLeast>(&op)) {
+      State state = compare(block, *v, value);
+      return state.can == no ? Any{} : Any{std::move(state)};
+    }
     // it takes a while to be true, and is false before
     if (const auto* v = std::get_if<ir::HeldFor>(&op)) {
-      return value ? find(block, v->a, true) : State{};
+      return value ? find(block, v->a, true) : Any{{}};
     }
     if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
-      if (decision_.robots < 2) return {v->universal == value ? yes : no};
+      if (decision_.robots < 2) return v->universal == value ? Any{{}} : Any{};
       return find(*v->body, v->body->result, value);
     }
-    // Plans lead anywhere, zones come and go, and what is told from outside may be either.
-    const bool either = std::holds_alternative<ir::PlanInZone>(op) ||
-                        std::holds_alternative<ir::ZoneThere>(op) ||
-                        std::holds_alternative<ir::Fact>(op);
-    return {either ? yes : CanFail::open};
+    if (const auto* v = std::get_if<ir::Fact>(&op)) {
+      const ir::Block& judged = decision_.facts.monitors[v->index].property;
+      return told(judged, judged.result, value);
+    }
+    // Plans lead anywhere, and zones come and go.
+    const bool either =
+        std::holds_alternative<ir::PlanInZone>(op) || std::holds_alternative<ir::ZoneThere>(op);
+    return {{either ? yes : CanFail::open}};
   }
 
   [[nodiscard]] std::string text_of(const Leaf& leaf, int way) const {
@@ -184,14 +200,68 @@ class Finder {
   }
   static constexpr CanFail yes = CanFail::yes, no = CanFail::no;
 
-  // Both of them, or either.
-  State pair(const ir::Block& block, ir::ValueId a, ir::ValueId b, bool value, bool needs_both) {
-    State first = find(block, a, value), second = find(block, b, value);
-    if (!needs_both) {
-      if (first.can == yes || second.can == no) return first;
-      return second.can == yes || first.can == no ? second : first;
+  // What is told from outside may be either, and is the same wherever it is asked for.
+  Any told(const ir::Block& block, ir::ValueId id, bool value) {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::Truth>(&op)) return v->value == value ? Any{{}} : Any{};
+    if (const auto* v = std::get_if<ir::Not>(&op)) return told(block, v->a, !value);
+    const auto* both = std::get_if<ir::And>(&op);
+    const auto* either = std::get_if<ir::Or>(&op);
+    if (both != nullptr || either != nullptr) {
+      const ir::ValueId a = both != nullptr ? both->a : either->a;
+      const ir::ValueId b = both != nullptr ? both->b : either->b;
+      return joined(told(block, a, value), told(block, b, value), (both != nullptr) == value);
     }
-    if (first.can == no || second.can == no) return {no};
+    State state;
+    if (const auto* v = std::get_if<ir::InputTruth>(&op)) {
+      state.told[by_itself + std::to_string(v->channel) + "." + std::to_string(v->component)] =
+          value;
+    } else {
+      state.told[text_up_to(block, id)] = value;
+    }
+    return {std::move(state)};
+  }
+  // The same text is the same condition: that of a block up to the value.
+  [[nodiscard]] std::string text_up_to(const ir::Block& block, ir::ValueId id) const {
+    const ir::Watch* const facts = &decision_.facts;
+    const std::string all = ir::print(module_, facts, block, "");
+    const std::string next = "%" + std::to_string(static_cast<std::size_t>(id) + 1) + " =";
+    return all.substr(0, all.find(next));
+  }
+
+  // Both of them, or either.
+  Any pair(const ir::Block& block, ir::ValueId a, ir::ValueId b, bool value, bool needs_both) {
+    return joined(find(block, a, value), find(block, b, value), needs_both);
+  }
+  [[nodiscard]] Any joined(Any first, const Any& second, bool needs_both) const {
+    if (!needs_both) {
+      first.insert(first.end(), second.begin(), second.end());
+      return first.size() > states_most ? cut(std::move(first)) : first;
+    }
+    Any all;
+    for (const State& a : first) {
+      for (const State& b : second) {
+        if (auto state = both_of(a, b)) all.push_back(std::move(*state));
+        if (all.size() > states_most) return cut(std::move(all));
+      }
+    }
+    return all;
+  }
+  static Any cut(Any all) {
+    all.resize(states_most);
+    all.push_back({CanFail::open});
+    return all;
+  }
+  // nullopt: what is told would have to be two things at once.
+  [[nodiscard]] std::optional<State> both_of(State first, const State& second) const {
+    for (const auto& [fact, holds] : second.told) {
+      const auto [at, is_new] = first.told.try_emplace(fact, holds);
+      if (!is_new && at->second != holds) return std::nullopt;
+    }
+    const bool apart = std::all_of(first.told.begin(), first.told.end(), [](const auto& fact) {
+      return fact.first.starts_with(by_itself);
+    });
+    if (first.told.size() > 1 && !apart) first.can = CanFail::open;
     for (const auto& [leaf, way] : second.ways) {
       const auto [at, is_new] = first.ways.try_emplace(leaf, way);
       if (!is_new && at->second != way) first.can = CanFail::open;
@@ -268,11 +338,17 @@ class Finder {
 Vacuity vacuity_of(const ir::Module& module, const ir::Decision& decision,
                    const ir::Block& property) {
   Finder finder(module, decision);
-  const State state = finder.find(property, property.result, false);
-  Vacuity out{state.can, {}};
-  if (state.can == CanFail::yes) {
-    for (const auto& [of, way] : state.ways) out.because.push_back(finder.text_of(of.second, way));
-  } else if (state.can == CanFail::no) {
+  const Any states = finder.find(property, property.result, false);
+  const auto found = std::find_if(states.begin(), states.end(),
+                                  [](const State& s) { return s.can == CanFail::yes; });
+  Vacuity out;
+  if (found != states.end()) {
+    out.can_fail = CanFail::yes;
+    for (const auto& [of, way] : found->ways) {
+      out.because.push_back(finder.text_of(of.second, way));
+    }
+  } else if (states.empty()) {
+    out.can_fail = CanFail::no;
     out.because = finder.limits_of(property);
   }
   return out;

@@ -30,10 +30,10 @@ using outline::Outline;
 using outline::P;
 
 // The ways of the runtime from a place outside of the zone of a recovery, or within.
-class Entry {
+class RuntimeWays {
  public:
-  Entry(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& step,
-        std::int64_t run_out_mm = 0)
+  RuntimeWays(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& step,
+              std::int64_t run_out_mm = 0)
       : decision_(decision),
         step_(step),
         run_out_mm_(double(run_out_mm)),
@@ -322,7 +322,7 @@ PlaceMm rounded(P p) {
 
 WaysIn ways_in(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& step,
                const geometry::Region& from, const geometry::Region& allowed) {
-  const Entry entry(module, decision, step);
+  const RuntimeWays entry(module, decision, step);
   const Outline may_start = Outline::of(from), may_be = Outline::of(allowed);
   const std::size_t edges = entry.zone().edges().size() + may_be.edges().size();
   WaysIn found;
@@ -348,7 +348,7 @@ std::vector<WaysIn::Leaves> ways_out(const ir::Module& module, const ir::Decisio
                                      const ir::Recovery& step, std::int64_t run_out_mm,
                                      const geometry::Region& from, const geometry::Region& allowed,
                                      std::size_t most) {
-  const Entry entry(module, decision, step, run_out_mm);
+  const RuntimeWays entry(module, decision, step, run_out_mm);
   const Outline may_start = Outline::of(from), may_be = Outline::of(allowed);
   using Way = std::pair<double, WaysIn::Leaves>;
   std::vector<Way> all;

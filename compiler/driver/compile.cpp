@@ -14,6 +14,7 @@
 #include "compiler/sema/spec_printer.h"
 #include "compiler/syntax/parse.h"
 #include "compiler/syntax/printer.h"
+#include "compiler/verify/obligations.h"
 
 namespace rtac::driver {
 namespace {
@@ -114,6 +115,11 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   if (now > errors || !c.internal_error.empty()) {
     c.module.reset();
     return;
+  }
+  if (options.command == Command::check || options.command == Command::build) {
+    for (diag::Diagnostic& d : verify::never_given_back(*c.spec, *c.module, c.tables)) {
+      c.diagnostics.report(std::move(d));
+    }
   }
   if (options.dump_ir) out << ir::print(*c.module);
 }

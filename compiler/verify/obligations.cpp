@@ -226,6 +226,38 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
   return report;
 }
 
+std::vector<diag::Diagnostic> never_given_back(const sema::Spec& spec, const ir::Module& module,
+                                               const ir::TableMap& tables) {
+  std::vector<diag::Diagnostic> all;
+  // of other monitors the ways back are all there is to say (5020, 5021)
+  const auto asks_for_more = [](const ir::Monitor& m) {
+    const auto& values = m.property.values;
+    return m.return_when || std::any_of(values.begin(), values.end(), [](const ir::Value& v) {
+             return std::holds_alternative<ir::Or>(v.op);
+           });
+  };
+  const bool any =
+      std::any_of(module.decisions.begin(), module.decisions.end(), [&](const ir::Decision& d) {
+        return !d.on_plan && std::any_of(d.monitors.begin(), d.monitors.end(), asks_for_more);
+      });
+  if (!any) return all;
+  for_each_subject(spec, module, tables, [&](const Subject& s) {
+    for (std::size_t k = 0; k < s.decision.monitors.size() && !s.decision.on_plan; ++k) {
+      if (!asks_for_more(s.decision.monitors[k])) continue;
+      const Obligation back = control_returns(s, k);
+      if (back.status != Status::refuted || back.method != by_geometry) continue;
+      all.push_back({Code::no_way_back,
+                     s.monitor(k).recover_range,
+                     back.because,
+                     "ends there once the robot is there",
+                     {},
+                     back.repair,
+                     {}});
+    }
+  });
+  return all;
+}
+
 std::vector<protocol::Arbitration> turns_of(const sema::Spec& spec, const ir::Module& module,
                                             const ir::TableMap& tables) {
   std::vector<protocol::Arbitration> all;

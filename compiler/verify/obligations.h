@@ -17,4 +17,10 @@ namespace rtac::verify {
 Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
               const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check);
 
+// 5020: the monitors whose recovery leads to a place where they do not let go, by what they ask for
+// beside being clear of a boundary: P2b is refuted there, by geometry alone. Of a module without
+// errors.
+std::vector<diag::Diagnostic> never_given_back(const sema::Spec& spec, const ir::Module& module,
+                                               const ir::TableMap& tables);
+
 }  // namespace rtac::verify

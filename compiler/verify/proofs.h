@@ -33,13 +33,16 @@ struct Subject {
   }
 };
 
+// How P2b is refuted at a place where a robot is stuck.
+inline constexpr const char* by_geometry = "geometry";
+
 // ---- the rules of switching
 Obligation decided_in_time(const Subject& s, std::size_t k);
 Obligation same_output(const Subject& s);
 Obligation drives_until_next(const Subject& s, std::size_t k);
 Obligation starts_well(const Subject& s);
 protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration& matrix);
-// `check`: none while something else is refuted.
+// `check`: none while the specification has errors.
 Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
                          const protocol::CheckModel& check);
 

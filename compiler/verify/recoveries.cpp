@@ -289,7 +289,7 @@ Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
   open.repair = "a condition on what it leads to works, or `hold when violated \"why\"`";
   if (m.returns.stuck_mm) {
     open.status = Status::refuted;
-    open.method = "geometry";
+    open.method = by_geometry;
     open.place_mm = m.returns.stuck_mm;
     open.because = "at rest at (" + metres(open.place_mm->first) + ", " +
                    metres(open.place_mm->second) + ") " + quoted(m.recovery.name) +

@@ -191,7 +191,7 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
   }
   if (rest.stuck() && last.kind == ir::RecoveryKind::retreat) {
     o.status = Status::refuted;
-    o.method = "geometry";
+    o.method = by_geometry;
     o.place_mm = {floor_to_int(Rational(rest.stuck()->x * 1000)),
                   floor_to_int(Rational(rest.stuck()->y * 1000))};
     o.because = "at rest at (" + metres(o.place_mm->first) + ", " + metres(o.place_mm->second) +

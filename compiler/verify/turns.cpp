@@ -200,7 +200,7 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   o.kind = Kind::switching;
   o.method = "model checker";
   if (!check) {
-    o.because = "not asked, while something else is refuted";
+    o.because = "not asked, while the specification has errors";
     return o;
   }
   const protocol::Subject subject = protocol_subject(s.decision);

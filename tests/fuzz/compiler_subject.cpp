@@ -52,7 +52,7 @@ std::string run_compiler(std::string_view text) {
   syntax::Program program;
   program.files.push_back(syntax::parse_file(id, sources, engine));
   if (engine.has_errors()) return {};
-  const auto spec = sema::check(program, engine);
+  auto spec = sema::check(program, engine);
   if (!spec) return {};
   interpret(*spec);
   auto derived = analysis::derive(*spec, sources, engine);

@@ -75,6 +75,27 @@ TEST_F(Told, ALimitThatLetsGoIsKeptByEverybody) {
   expect_proved(yard_with(lets_go, "0.85 m/s", "told > fence"));
 }
 
+// What is told is the same on both sides of a choice: a limit that no robot exceeds, whatever it is
+// told, is never false, and one that it may exceed on either side is not.
+TEST_F(Told, AChoiceCanFailWhereOneOfItsSidesCan) {
+  const auto checked = [](const std::string& property) {
+    write("spec.rta", yard_with(property, "0.3 m/s", "told > fence"));
+    return rtac({"check", "spec.rta"});
+  };
+  const std::string never = "warning[7004]: the monitor `told` is never false";
+  for (const std::string condition : {"estop", "load >= 30 kg", "not (load >= 30 kg)"}) {
+    const Outcome o = checked("if " + condition + " then r.speed <= 4 m/s else r.speed <= 5 m/s");
+    EXPECT_NE(o.err.find(never), std::string::npos) << condition << o.err;
+    for (const std::string sides :
+         {"r.speed <= 0.4 m/s else r.speed <= 5 m/s", "r.speed <= 4 m/s else r.speed <= 0.4 m/s"}) {
+      const Outcome one = checked("if " + condition + " then " + sides);
+      EXPECT_EQ(one.status, exit_clean) << one.err;
+      EXPECT_EQ(one.err.find("7004"), std::string::npos) << condition << sides << one.err;
+    }
+  }
+  expect_proved(yard_with("if estop then r.speed <= 0.4 m/s else true", "0.3 m/s", "told > fence"));
+}
+
 // Nothing of what it may be told gives control back: not proved, and not taken for a proof.
 TEST_F(Told, WhatNoInputLetsGoIsNotProved) {
   const Outcome o =

@@ -148,6 +148,40 @@ decision fly)";
   EXPECT_EQ(statuses(o.out, "C", "side"), Statuses{"unknown"}) << o.out;  // the same recovery
 }
 
+// Where it takes no search, `rtac check` says so, too: between zones of an `or` that overlap too
+// little, and where a return condition does not hold.
+TEST_F(Verify, TheCheckWarnsOfPlacesWhereARobotIsStuck) {
+  const auto checked = [](const std::string& text) {
+    write("spec.rta", text);
+    return rtac({"check", "spec.rta"});
+  };
+  const auto halves = [](const std::string& end, const std::string& begin) {
+    return edited(edited(drone_spec(), "monitor walls",
+                         "zone west = rectangle (0 m, 0 m) to (" + end +
+                             ", 5 m);\nzone east = rectangle (" + begin +
+                             ", 0 m) to (5 m, 5 m);\nmonitor side for d : Drone { \"SR-2: on a "
+                             "side\" always d inside west or d inside east; recover back_off; "
+                             "}\nmonitor walls"),
+                  "priority walls;", "priority side > walls;");
+  };
+  const Outcome seam = checked(halves("2.7 m", "2.3 m"));
+  EXPECT_EQ(seam.status, exit_clean) << seam.err;
+  EXPECT_NE(seam.err.find("warning[5020]: at rest at ("), std::string::npos) << seam.err;
+  EXPECT_NE(seam.err.find("zones that overlap by"), std::string::npos) << seam.err;
+  const Outcome wide = checked(halves("4 m", "1 m"));
+  EXPECT_EQ(wide.status, exit_clean) << wide.err;
+  EXPECT_EQ(wide.err.find("5020"), std::string::npos) << wide.err;
+  const std::string gate =
+      edited(edited(drone_spec(), "monitor walls",
+                    "zone gate = rectangle (0 m, 0 m) to (1 m, 1 m);\nmonitor walls"),
+             "recover back_off;", "recover back_off; return when d inside gate;");
+  const Outcome stuck = checked(gate);
+  EXPECT_EQ(stuck.status, exit_clean) << stuck.err;
+  EXPECT_NE(stuck.err.find("warning[5020]: at rest at ("), std::string::npos) << stuck.err;
+  EXPECT_NE(stuck.err.find("`return when` of `walls` does not hold there"), std::string::npos)
+      << stuck.err;
+}
+
 // Each of two monitors could be satisfied, and never both.
 // `back_off` may leave the inner zone, whose own recovery leads back to where `walls` still waits
 // for its `return when`.

@@ -1,0 +1,181 @@
+// What is refused of pairs that are not kept, and what would work: an order or a number is offered
+// after the specification has been derived once more with it.
+#include <algorithm>
+
+#include "compiler/analysis/arbitration.h"
+#include "compiler/ir/acknowledged.h"
+#include "compiler/support/words.h"
+
+namespace rtac::analysis {
+namespace {
+
+// An order, the one that is declared as far as may be, in which everybody ranks above the
+// recoveries that may break it, but where that is acknowledged; empty: there is none.
+std::vector<std::size_t> order_that_keeps(const ir::Decision& decision, const Arbitration& all) {
+  const std::size_t count = all.size();
+  const auto breaks = [&](std::size_t i, std::size_t j) {
+    const Keeping k = all[i][j].keeping;
+    return (k == Keeping::broken || k == Keeping::guarded) &&
+           !ir::acknowledged(decision, decision.monitors[i].recovery.name,
+                             decision.monitors[j].name);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (ir::last_step(decision.monitors[i].recovery).kind != ir::RecoveryKind::route) continue;
+    for (std::size_t j = 0; j < count; ++j) {
+      if (breaks(i, j)) return {};
+    }
+  }
+  std::vector<std::size_t> order;
+  std::vector<bool> placed(count, false);
+  for (std::size_t i = 0; i < count;) {
+    bool free = !placed[i];
+    for (std::size_t j = 0; j < count; ++j) free = free && (placed[j] || !breaks(i, j));
+    if (!free) {
+      ++i;
+      continue;
+    }
+    placed[i] = true;
+    order.push_back(i);
+    i = 0;
+  }
+  return order.size() == count ? order : std::vector<std::size_t>();
+}
+
+std::string priority_of(const ir::Decision& decision, const std::vector<std::size_t>& order) {
+  std::string text;
+  for (const std::size_t k : order) {
+    text += (text.empty() ? "`priority " : " > ") + decision.monitors[k].name;
+  }
+  return text.empty() ? "" : text + ";` works";
+}
+
+// A recovery, and the monitors that it may break.
+struct Breach {
+  std::size_t recovery;
+  std::vector<std::size_t> monitors;
+};
+
+class Report {
+ public:
+  Report(const sema::Spec& spec, std::size_t n, const ir::Decision& decision, Arbitration all,
+         const Try& attempt, diag::Engine& diagnostics)
+      : spec_(spec),
+        n_(n),
+        from_(spec.decisions[n]),
+        decision_(decision),
+        all_(std::move(all)),
+        attempt_(attempt),
+        diagnostics_(diagnostics) {
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      Breach breach{i, {}};
+      for (std::size_t j = 0; j < all_.size(); ++j) {
+        const bool accepted = ir::acknowledged(decision, decision.monitors[i].recovery.name,
+                                               decision.monitors[j].name);
+        if (all_[i][j].keeping == Keeping::broken && !accepted) breach.monitors.push_back(j);
+      }
+      if (!breach.monitors.empty()) breaches_.push_back(std::move(breach));
+    }
+  }
+
+  // One report for each recovery, whatever number of monitors it may break.
+  void run() {
+    std::vector<diag::Diagnostic> found;
+    for (const Breach& breach : breaches_) found.push_back(finding(breach));
+    for (std::size_t k = 0; k < found.size(); ++k) help(breaches_[k], found, k);
+    for (diag::Diagnostic& d : found) diagnostics_.report(std::move(d));
+  }
+
+ private:
+  [[nodiscard]] const std::string& name(std::size_t j) const { return decision_.monitors[j].name; }
+
+  [[nodiscard]] diag::Diagnostic finding(const Breach& breach) const {
+    const std::vector<Entry>& row = all_[breach.recovery];
+    const auto& broken = breach.monitors;
+    std::string names;
+    for (std::size_t k = 0; k < broken.size(); ++k) {
+      names += (k == 0 ? "" : k + 1 == broken.size() ? " and " : ", ") + quoted(name(broken[k]));
+    }
+    diag::Diagnostic d{};
+    d.code = diag::Code::recovery_breaks;
+    d.range = spec_[from_.priority[breach.recovery]].recover_range;
+    d.message =
+        "while " + quoted(decision_.monitors[breach.recovery].recovery.name) + " drives, " + names +
+        " may become false, and " +
+        (decision_.coordinated ? "no recovery keeps it with what ranks above"
+                               : "rank" + std::string(broken.size() == 1 ? "s" : "") + " lower");
+    d.label = "may break " + names;
+    for (const std::size_t j : broken) {
+      d.notes.push_back({std::nullopt, row[j].why});
+      d.notes.push_back(
+          {spec_[from_.priority[j]].name_range, quoted(name(j)) + " is declared here"});
+      if (!row[j].conflict.empty()) {
+        d.notes.push_back({std::nullopt, conflict_text(decision_, row[j])});
+      }
+    }
+    return d;
+  }
+  void help(const Breach& breach, std::vector<diag::Diagnostic>& found, std::size_t at) const {
+    const std::vector<Entry>& row = all_[breach.recovery];
+    std::string& text = found[at].help;
+    const auto offer = [&text](const std::string& way) {
+      if (!way.empty()) text += (text.empty() ? "" : ", or ") + way;
+    };
+    if (!decision_.coordinated) {
+      const std::vector<std::size_t> order = order_that_keeps(decision_, all_);
+      if (!order.empty() && works({order}, found, at)) offer(priority_of(decision_, order));
+    }
+    // what mends one pair alone mends nothing while there is another one
+    const Entry& first = row[breach.monitors.front()];
+    const bool all = std::ranges::all_of(breach.monitors,
+                                         [&](std::size_t j) { return row[j].help == first.help; });
+    if (all && (!first.change || works(*first.change, found, at))) offer(first.help);
+    std::string accepted;
+    for (const std::size_t j : breach.monitors) {
+      accepted += (accepted.empty() ? "" : " and ") + std::string("`acknowledge ") +
+                  decision_.monitors[breach.recovery].recovery.name + " may break " + name(j) +
+                  " \"why\";`";
+    }
+    offer(accepted);
+  }
+  // Nothing is wrong with it then that is not wrong now, this is not, and of another order nobody
+  // waits above others for what may never come about.
+  [[nodiscard]] bool works(const Change& change, const std::vector<diag::Diagnostic>& found,
+                           std::size_t at) const {
+    const Tried tried = attempt_(n_, change);
+    if (!change.order.empty() && tried.waits) return false;
+    const auto same = [](const diag::Diagnostic& a, const diag::Diagnostic& b) {
+      return a.code == b.code && a.range && b.range && a.range->file == b.range->file &&
+             a.range->begin == b.range->begin;
+    };
+    return std::ranges::all_of(tried.errors, [&](const diag::Diagnostic& d) {
+      if (same(d, found[at])) return false;
+      const auto is_it = [&](const diag::Diagnostic& known) { return same(d, known); };
+      return std::ranges::any_of(found, is_it) || std::ranges::any_of(diagnostics_.all(), is_it);
+    });
+  }
+
+  const sema::Spec& spec_;
+  const std::size_t n_;
+  const sema::Decision& from_;
+  const ir::Decision& decision_;
+  const Arbitration all_;
+  const Try& attempt_;
+  diag::Engine& diagnostics_;
+  std::vector<Breach> breaches_;
+};
+
+}  // namespace
+
+void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
+                       const ExactSolid& solid, const Try& attempt, diag::Engine& diagnostics) {
+  for (std::size_t n = 0; n < module.decisions.size(); ++n) {
+    const ir::Decision& decision = module.decisions[n];
+    if (decision.on_plan) continue;
+    const sema::RobotKind& kind = spec[spec.decisions[n].kind];
+    Report(spec, n, decision, arbitration_of(kind, module, decision, exact, solid), attempt,
+           diagnostics)
+        .run();
+  }
+}
+
+}  // namespace rtac::analysis

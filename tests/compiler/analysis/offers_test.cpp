@@ -1,0 +1,174 @@
+// What is offered where recoveries break each other has been tried, and what is acknowledged
+// without need is said.
+#include "tests/compiler/analysis/testing.h"
+
+namespace rtac::analysis::test {
+namespace {
+
+using diag::Code;
+
+std::string yard_with(const std::string& monitors, const std::string& clauses,
+                      const std::string& energy = "idle <= 0.01 %/s",
+                      const std::string& held = "held <= 60 s; detour <= 10 m") {
+  return R"(spec yard;
+zone yard = rectangle (0 m, 0 m) to (8 m, 8 m);
+zone west = rectangle (0 m, 0 m) to (4 m, 8 m);
+zone gate = rectangle (0 m, 0 m) to (1 m, 1 m);
+robot Rover {
+  body     radius 10 cm;
+  motion   unicycle { speed <= 0.3 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 10 rad/s^2; }
+  sense    position : point   error 1 cm    max_age 100 ms;
+  sense    heading  : angle   error 2 deg   max_age 100 ms;
+  sense    velocity : vector  error 1 cm/s  max_age 100 ms;
+  sense    battery  : ratio   error 1 %     max_age 2 s;
+  output   drive    : twist;
+  latency  20 ms;
+  energy   { drive <= 0.5 %/m; )" +
+         energy + R"(; drain <= 2 %/s; charge >= 1 %/s at home; )" + held + R"(; }
+}
+fleet one : Rover;
+site  home = (1.5 m, 1.5 m);
+controller explore : advanced for Rover extern;
+controller stop    : safe for Rover = brake_and_hold;
+controller inwards : safe for Rover = retreat within yard speed 0.2 m/s;
+controller go_west : safe for Rover = retreat within west speed 0.2 m/s;
+controller go_home : safe for Rover = route to home within west speed 0.2 m/s;
+monitor charged for r : Rover { "SR-1: home again" always r.battery >= energy_to(home) + 5 %; recover go_home; }
+)" + monitors +
+         "decision drive for Rover { advanced explore; period 100 ms; " + clauses + " }\n";
+}
+std::string fence(const std::string& more) {
+  return "monitor fence for r : Rover { \"SR-2: in the yard\" always r inside yard; recover "
+         "inwards; " +
+         more + "}\n";
+}
+const char* const side =
+    "monitor side for r : Rover { \"SR-3: in the west\" always r inside west; recover go_west; }\n";
+
+const diag::Diagnostic* first(const driver::Compilation& c, Code code) {
+  for (const auto& d : c.diagnostics.all()) {
+    if (d.code == code) return &d;
+  }
+  return nullptr;
+}
+std::string help_of(const std::string& text) {
+  const auto c = compiled(text);
+  const auto* found = first(*c, Code::recovery_breaks);
+  EXPECT_NE(found, nullptr) << reports(*c);
+  return found == nullptr ? "" : found->help;
+}
+bool faulty(const std::string& text) {
+  return compiled(text)->diagnostics.has_errors();
+}
+bool offers(const std::string& help, const std::string& what) {
+  return help.find(what) != std::string::npos;
+}
+
+// A rank is no way out while the fence waits for a place that nothing leads to: whoever takes over
+// gives it back to wait on. To let go without more is one.
+TEST(Offers, NoRankHelpsWhereAMonitorWaitsForWhatNeverComes) {
+  const std::string waits = fence("return when r inside gate; ");
+  const std::string help = help_of(yard_with(waits, "priority fence > charged;"));
+  EXPECT_FALSE(offers(help, "priority")) << help;
+  EXPECT_TRUE(offers(help, "`fence` without `return when` works")) << help;
+  EXPECT_FALSE(faulty(yard_with(fence(""), "priority fence > charged;")));
+  // accepted, the rank is one again
+  const std::string accepted = fence("return when r inside gate; hold when violated \"staff\"; ");
+  EXPECT_TRUE(offers(help_of(yard_with(accepted, "priority fence > charged;")),
+                     "`priority charged > fence;` works"));
+}
+
+// Both numbers at once, if both are too small; and they work.
+TEST(Offers, NumbersOfTheEnergyClauseAreTriedTogether) {
+  const auto text = [](const std::string& held) {
+    return yard_with(fence(""), "priority fence > charged;", "idle <= 0.01 %/s", held);
+  };
+  const std::string help = help_of(text("held <= 1 s; detour <= 1 cm"));
+  const std::size_t held = help.find("`held <= "), detour = help.find("` with `detour <= ");
+  ASSERT_TRUE(held != std::string::npos && detour != std::string::npos) << help;
+  const std::size_t end = help.find("` works", detour);
+  ASSERT_NE(end, std::string::npos) << help;
+  const std::string longer = help.substr(held + 1, detour - held - 1);
+  const std::size_t begin = help.find("detour", detour);
+  const std::string farther = help.substr(begin, end - begin);
+  EXPECT_FALSE(faulty(text(longer + "; " + farther))) << longer << farther;
+  EXPECT_TRUE(faulty(text(longer + "; detour <= 1 cm")));
+  EXPECT_TRUE(faulty(text("held <= 1 s; " + farther)));
+}
+
+// A reserve that no battery has is none that works.
+TEST(Offers, AReserveThatNoBatteryHasIsNotOffered) {
+  const auto text = [](const std::string& idle) {
+    return yard_with(fence(""), "priority fence > charged;", "idle <= " + idle + " %/s",
+                     "held <= 1 s; detour <= 10 m");
+  };
+  EXPECT_TRUE(offers(help_of(text("0.01")), "`held <= "));
+  const std::string help = help_of(text("1"));
+  EXPECT_FALSE(offers(help, "`held <= ")) << help;
+  EXPECT_TRUE(offers(help, "`priority charged > fence;` works")) << help;
+}
+
+int superfluous(const std::string& clauses) {
+  const auto c = compiled(yard_with(fence("") + side, clauses));
+  EXPECT_FALSE(c->diagnostics.has_errors()) << reports(*c);
+  int count = 0;
+  for (const auto& d : c->diagnostics.all()) count += d.code == Code::acknowledge_superfluous;
+  return count;
+}
+// The west lies in the yard.
+TEST(Acknowledgements, WhatIsKeptNeedsNone) {
+  EXPECT_EQ(superfluous("priority side > fence; acknowledge go_west may break fence \"slow\";"), 1);
+  EXPECT_EQ(superfluous("priority side > fence;"), 0);
+}
+// What is broken; what another monitor takes over from; who stands where nobody lets go; and what
+// takes charge, which is bounded and not given back where a retreat ends.
+TEST(Acknowledgements, WhatAcceptsSomethingIsLeft) {
+  EXPECT_EQ(superfluous("priority fence > side; acknowledge inwards may break side \"why\";"), 0);
+  EXPECT_EQ(superfluous("priority side > fence; acknowledge inwards may break side \"why\";"), 0);
+  EXPECT_EQ(superfluous("priority side > fence; acknowledge go_west may break side \"why\";"), 0);
+  EXPECT_EQ(superfluous("priority side > charged; acknowledge go_west may break charged \"why\";"),
+            0);
+}
+
+// ---- straight down
+
+std::string landing(const std::string& zone, const std::string& property) {
+  return R"(spec hall;
+zone all  = prism (rectangle (0 m, 0 m) to (9 m, 9 m)) from 0 m to 12 m;
+zone area = )" +
+         zone + R"(;
+robot Quad {
+  body     radius 20 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point3   error 2 cm    max_age 50 ms;
+  sense    velocity : vector3  error 2 cm/s  max_age 50 ms;
+  output   thrust : acceleration;
+  latency  20 ms;
+}
+fleet quad : Quad;
+controller pilot : advanced for Quad extern;
+controller back  : safe for Quad = retreat within area speed 0.3 m/s;
+controller down  : safe for Quad = land to 1 m speed 0.3 m/s;
+monitor walls for q : Quad { "SR-1: in the hall" always q inside all; recover down; hold when violated "it lands"; }
+monitor part  for q : Quad { "SR-2: in the area" always )" +
+         property + R"(; recover back; }
+decision fly for Quad { advanced pilot; period 50 ms; priority walls > part; }
+)";
+}
+std::string stack(const std::string& below, const std::string& above) {
+  return "prism (rectangle (0 m, 0 m) to (" + below +
+         " m, 9 m)) from 0 m to 4 m | prism (rectangle (0 m, 0 m) to (" + above +
+         " m, 9 m)) from 4 m to 12 m";
+}
+
+// Down through what gets no narrower, and no farther than the property lets it.
+TEST(Landing, KeepsAZoneThatGetsNoNarrowerDownwards) {
+  EXPECT_FALSE(faulty(landing(stack("9", "5"), "q inside area")));
+  EXPECT_TRUE(faulty(landing(stack("5", "9"), "q inside area")));
+  const std::string whole = "prism (rectangle (0 m, 0 m) to (9 m, 9 m)) from 0 m to 12 m";
+  EXPECT_FALSE(faulty(landing(whole, "clearance(q, area) >= 30 cm")));
+  EXPECT_TRUE(faulty(landing(whole, "clearance(q, area) >= 80 cm")));
+}
+
+}  // namespace
+}  // namespace rtac::analysis::test
