@@ -83,7 +83,7 @@ TEST_F(Told, AChoiceCanFailWhereOneOfItsSidesCan) {
     return rtac({"check", "spec.rta"});
   };
   const std::string never = "warning[7004]: the monitor `told` is never false";
-  for (const std::string condition : {"estop", "load >= 30 kg", "not (load >= 30 kg)"}) {
+  for (const std::string condition : {"estop", "not estop"}) {
     const Outcome o = checked("if " + condition + " then r.speed <= 4 m/s else r.speed <= 5 m/s");
     EXPECT_NE(o.err.find(never), std::string::npos) << condition << o.err;
     for (const std::string sides :
