@@ -20,7 +20,7 @@ using geometry::Region;
 
 constexpr std::size_t starts_most = 4;
 // By which a property holds at the start: what a robot at rest may give way, measured badly.
-constexpr std::int64_t spare_mm = 15;
+constexpr std::int64_t start_spare_mm = 15;
 // By which a battery is more than the charge of the way from there.
 constexpr std::int64_t spare_ppm = 2'000;
 
@@ -33,7 +33,7 @@ class Damage {
     const Region allowed = centres_of(judged_, 0);
     Region from = Region::everywhere();
     for (const ir::Monitor& m : s_.decision.monitors) {
-      from = from.intersect(centres_of(m, spare_mm));
+      from = from.intersect(centres_of(m, start_spare_mm));
     }
     std::vector<Start> all;
     for (const ir::Recovery* step : ir::steps_of(driving_.recovery)) {
@@ -124,12 +124,12 @@ class Damage {
   void beside_each_other(const Region& from, const Region& allowed, std::vector<Start>& all) const {
     if (s_.decision.robots < 2) return;
     const std::int64_t gap_mm = analysis::standoffs_of(s_.decision).separation_mm +
-                                2 * s_.decision.body.radius_mm + spare_mm;
+                                2 * s_.decision.body.radius_mm + start_spare_mm;
     const Outline inside = Outline::of(from), out = Outline::of(allowed);
     for (const auto& [a, b] : inside.edges()) {
       const P middle = 0.5 * (a + b), border = out.nearest(middle);
       const double away = analysis::outline::norm(middle - border);
-      if (away < 1 || away > 2 * double(spare_mm)) continue;  // on the edge of another zone
+      if (away < 1 || away > 2 * double(start_spare_mm)) continue;  // on the edge of another zone
       const P other = middle + (double(gap_mm) / away) * (middle - border);
       if (!inside.contains(other)) continue;
       all.push_back({in_mm(middle), in_mm(other)});
