@@ -193,28 +193,40 @@ class Decisions {
     }
     return plain;
   }
-  // SI; a number without a range is drawn from as many units as anybody is likely to mean.
-  static Json input(const ir::Channel& c) {
+  // SI.
+  Json input(const ir::Channel& c) const {
     static const char* const kinds[] = {"truth", "number", "choice", "zone"};
-    Json j{{"name", c.name}, {"kind", kinds[static_cast<std::size_t>(c.kind)]}};
+    const bool whole = spec_.inputs[c.declared].type == sema::InputType::integer;
+    Json j{{"name", c.name}, {"kind", whole ? "whole" : kinds[static_cast<std::size_t>(c.kind)]}};
     if (c.kind == ir::ChannelKind::choice) j["values"] = c.values;
     j["components"] = Json::array();
     for (std::uint32_t k = 0; k < c.components.size(); ++k) {
-      constexpr long anything = 100;
-      const ir::ChannelGrid& g = c.grid(k);
-      const bool number = c.kind == ir::ChannelKind::number;
-      const Rational step = number ? g.unit.step : Rational(1);
-      const auto si = [&](std::int64_t steps) {
-        return nearest_double(Rational(step * static_cast<long>(steps)));
-      };
-      const double most = number ? (g.range.declared ? si(g.range.hi) : anything)
-                                 : std::max(1.0, static_cast<double>(c.values.size()) - 1);
-      const double least = number ? (g.range.declared ? si(g.range.lo) : -anything) : 0;
-      j["components"].push_back({{"least", least},
-                                 {"most", most},
-                                 {"error", number ? si(g.error_steps) : 0},
-                                 {"steps_per_unit", nearest_double(Rational(1 / step))}});
+      j["components"].push_back(
+          c.kind == ir::ChannelKind::number
+              ? number(c.grid(k))
+              : named(c.kind == ir::ChannelKind::choice ? c.values.size() : 2));
     }
+    return j;
+  }
+  static Json component(double least, double most, double error, double steps_per_unit) {
+    return {{"least", least},       {"most", most},
+            {"error", error},       {"steps_per_unit", steps_per_unit},
+            {"drawn_least", least}, {"drawn_most", most}};
+  }
+  static Json named(std::size_t count) {
+    return component(0, static_cast<double>(count) - 1, 0, 1);
+  }
+  // Without a range it may be whatever the grid of the kernel has, and is drawn around 0.
+  static Json number(const ir::ChannelGrid& g) {
+    constexpr double around = 100;
+    const auto si = [&](std::int64_t steps) {
+      return nearest_double(Rational(g.unit.step * static_cast<long>(steps)));
+    };
+    Json j = component(si(g.range.lo), si(g.range.hi), si(g.error_steps),
+                       nearest_double(Rational(1 / g.unit.step)));
+    if (g.range.declared) return j;
+    j["drawn_least"] = std::max(-around, si(g.range.lo));
+    j["drawn_most"] = std::min(around, si(g.range.hi));
     return j;
   }
   static Json agent(const sema::Agent& a) {

@@ -172,6 +172,7 @@ Recovery recovery(const Json& j) {
 
 Input input(const Json& j) {
   static const std::map<std::string, Input::Kind> kinds = {{"truth", Input::Kind::truth},
+                                                           {"whole", Input::Kind::whole},
                                                            {"number", Input::Kind::number},
                                                            {"choice", Input::Kind::choice}};
   Input i;
@@ -180,7 +181,8 @@ Input input(const Json& j) {
   if (j.contains("values")) i.values = j.at("values").get<std::vector<std::string>>();
   for (const Json& c : j.at("components")) {
     i.components.push_back({c.at("least").get<double>(), c.at("most").get<double>(),
-                            c.at("error").get<double>(), c.at("steps_per_unit").get<double>()});
+                            c.at("error").get<double>(), c.at("steps_per_unit").get<double>(),
+                            c.at("drawn_least").get<double>(), c.at("drawn_most").get<double>()});
   }
   return i;
 }

@@ -57,10 +57,11 @@ struct MonitorCase {
 
 // A plain input that its monitors speak of.
 struct Input {
-  enum class Kind { truth, number, choice };
+  enum class Kind { truth, whole, number, choice };
   struct Component {  // SI; of a truth 0 or 1, of a choice its number
     double least = 0, most = 1, error = 0;
-    double steps_per_unit = 1;  // of the grid of the kernel
+    double steps_per_unit = 1;               // of the grid of the kernel
+    double drawn_least = 0, drawn_most = 1;  // where a seed draws it
   };
   std::string name;
   Kind kind = Kind::truth;

@@ -27,6 +27,14 @@ const Scenario::Given* given(const Scenario& scenario, const std::string& input)
   return nullptr;
 }
 
+bool is_real(const Input& input) {
+  return input.kind == Input::Kind::number;
+}
+bool can_be(const Input& input, std::size_t component, double value) {
+  const Input::Component& c = input.components[component];
+  return value >= c.least && value <= c.most && (is_real(input) || value == std::floor(value));
+}
+
 // What one component is; nothing: no such thing can be.
 std::optional<double> value_of(const Input& input, std::size_t component,
                                const Scenario::Value& value) {
@@ -41,22 +49,16 @@ std::optional<double> value_of(const Input& input, std::size_t component,
     if (found == input.values.end()) return std::nullopt;
     return static_cast<double>(found - input.values.begin());
   }
-  const Input::Component& c = input.components[component];
   const auto* const real = std::get_if<double>(&value);
-  if (real == nullptr || *real < c.least || *real > c.most) return std::nullopt;
+  if (real == nullptr || !can_be(input, component, *real)) return std::nullopt;
   return *real;
 }
 
 double drawn(const Input& input, const Input::Component& c, sim::Random& random) {
-  switch (input.kind) {
-    case Input::Kind::truth:
-      return random.uniform() < 0.5 ? 0 : 1;
-    case Input::Kind::choice:
-      return static_cast<double>(random.below(static_cast<std::int64_t>(input.values.size())));
-    case Input::Kind::number:
-      break;
-  }
-  return random.uniform(c.least, c.most);
+  if (is_real(input)) return random.uniform(c.drawn_least, c.drawn_most);
+  const double count = std::floor(c.drawn_most) - std::ceil(c.drawn_least) + 1;
+  return std::ceil(c.drawn_least) +
+         static_cast<double>(random.below(static_cast<std::int64_t>(count)));
 }
 
 std::string what_works(const Input& input, std::size_t component) {
@@ -69,7 +71,8 @@ std::string what_works(const Input& input, std::size_t component) {
     return "there are " + names;
   }
   const Input::Component& c = input.components[component];
-  return "a number from " + number(c.least) + " to " + number(c.most) + " works, in SI units";
+  return (is_real(input) ? "a number from " : "a whole number from ") + number(c.least) + " to " +
+         number(c.most) + " works, in SI units";
 }
 
 Problem unfit(const Input& input, const Scenario::Given& values) {
@@ -92,11 +95,56 @@ sim::Property& at(sim::Property& root, const std::vector<std::size_t>& path) {
   return *p;
 }
 
-}  // namespace
+// Of constants alone; nothing: something else decides, too.
+std::optional<double> constant(const sim::Property& p) {
+  if (p.op == sim::PropertyOp::constant) return p.value;
+  std::vector<double> of;
+  for (const sim::Property& each : p.of) {
+    const std::optional<double> value = constant(each);
+    if (!value) return std::nullopt;
+    of.push_back(*value);
+  }
+  switch (p.op) {
+    case sim::PropertyOp::add:
+      return of[0] + of[1];
+    case sim::PropertyOp::subtract:
+      return of[0] - of[1];
+    case sim::PropertyOp::multiply:
+      return of[0] * of[1];
+    case sim::PropertyOp::divide:
+      return of[0] / of[1];
+    case sim::PropertyOp::negate:
+      return -of[0];
+    default:
+      return std::nullopt;
+  }
+}
 
-Told draw_inputs(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed) {
+// Whether it may be so, wherever robots are.
+bool may_be(const sim::Property& p, bool so) {
+  const auto each_may = [&](const sim::Property& operand) { return may_be(operand, so); };
+  switch (p.op) {
+    case sim::PropertyOp::truth:
+      return (p.value != 0) == so;
+    case sim::PropertyOp::at_least: {
+      const auto a = constant(p.of[0]), b = constant(p.of[1]);
+      return !a || !b || (p.flag ? *a > *b : *a >= *b) == so;
+    }
+    case sim::PropertyOp::logical_not:
+      return may_be(p.of[0], !so);
+    case sim::PropertyOp::logical_and:
+      return so ? std::all_of(p.of.begin(), p.of.end(), each_may)
+                : std::any_of(p.of.begin(), p.of.end(), each_may);
+    case sim::PropertyOp::logical_or:
+      return so ? std::any_of(p.of.begin(), p.of.end(), each_may)
+                : std::all_of(p.of.begin(), p.of.end(), each_may);
+    default:
+      return true;
+  }
+}
+
+Told draw(const DecisionCase& decision, const Scenario& scenario, sim::Random& random) {
   Told told;
-  sim::Random random = sim::Random::stream(seed, input_stream, 0);
   for (const Input& input : decision.inputs) {
     const Scenario::Given* const values = given(scenario, input.name);
     for (std::size_t k = 0; k < input.components.size(); ++k) {
@@ -110,6 +158,45 @@ Told draw_inputs(const DecisionCase& decision, const Scenario& scenario, std::ui
     }
   }
   return told;
+}
+
+}  // namespace
+
+Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed,
+                    std::uint64_t draw_number, Told& told) {
+  constexpr int draws = 1000;
+  sim::Random random = sim::Random::stream(seed, input_stream, draw_number);
+  for (int n = 0; n < draws; ++n) {
+    told = draw(decision, scenario, random);
+    const DecisionCase d = with_inputs(decision, told);
+    if (std::all_of(d.properties.begin(), d.properties.end(),
+                    [](const sim::Property& p) { return may_be(p, true); })) {
+      return {};
+    }
+    if (decision.mentions.empty()) break;
+  }
+  return {"no inputs were found with which every property of `" + decision.name +
+              "` holds anywhere; the last ones were " + text_of(decision, told),
+          R"(a scenario says what they are, so that it can hold: `"inputs": {")" +
+              (decision.inputs.empty() ? std::string("name") : decision.inputs.front().name) +
+              R"(": ...}`)",
+          true};
+}
+
+bool can_be(const DecisionCase& decision, const Told& told) {
+  std::size_t k = 0;
+  for (const Input& input : decision.inputs) {
+    for (std::size_t c = 0; c < input.components.size(); ++c, ++k) {
+      if (k >= told.is.size() || k >= told.measured.size()) return false;
+      constexpr double rounding = 1e-9;  // of what was clamped, and of the sum
+      const double most = input.components[c].error * (1 + rounding) + rounding;
+      if (!can_be(input, c, told.is[k]) || !can_be(input, c, told.measured[k]) ||
+          std::abs(told.measured[k] - told.is[k]) > (is_real(input) ? most : 0)) {
+        return false;
+      }
+    }
+  }
+  return k == told.is.size() && k == told.measured.size();
 }
 
 DecisionCase with_inputs(const DecisionCase& decision, const Told& told) {

@@ -16,7 +16,13 @@ struct Told {
   std::vector<double> is, measured;
 };
 
-Told draw_inputs(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed);
+// Such that no property is false whatever the robots do. `draw_number`: of several draws for one
+// seed.
+Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed,
+                    std::uint64_t draw_number, Told& told);
+
+// They are in range, and measured within the error.
+bool can_be(const DecisionCase& decision, const Told& told);
 
 // The same decision where that is so.
 DecisionCase with_inputs(const DecisionCase& decision, const Told& told);

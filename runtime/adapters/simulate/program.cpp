@@ -126,8 +126,9 @@ class Program {
   Problem measure() {
     constexpr double core_s = 20;
     for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
-      const DecisionCase& all = case_.decisions[d];
-      const DecisionCase decision = with_inputs(all, draw_inputs(all, scenario_, scenario_.seed));
+      Told told;
+      if (Problem p = draw_inputs(case_.decisions[d], scenario_, scenario_.seed, 0, told)) return p;
+      const DecisionCase decision = with_inputs(case_.decisions[d], told);
       const double share_s = core_s / static_cast<double>(case_.decisions.size());
       out_ << tightness_json(decision, measure_tightness(decision, functions_[d], share_s));
     }
@@ -148,11 +149,19 @@ class Program {
                        [&](const MonitorCase& m) { return m.name == scenario_.about; });
   }
   Problem prepared(std::size_t index, std::uint64_t seed, Setup& setup) {
-    setup.told = draw_inputs(case_.decisions[index], scenario_, seed);
-    const DecisionCase decision = with_inputs(case_.decisions[index], setup.told);
-    if (Problem p = make_setup(decision, scenario_, seed, setup)) return p;
-    if (scenario_.tight) tighten(decision, functions_[index], setup);
-    return {};
+    constexpr std::uint64_t draws = 8;  // of inputs for which there are places
+    const DecisionCase& open = case_.decisions[index];
+    Problem problem;
+    for (std::uint64_t n = 0; n < (open.inputs.empty() ? 1 : draws); ++n) {
+      problem = draw_inputs(open, scenario_, seed, n, setup.told);
+      if (problem) return problem;
+      const DecisionCase decision = with_inputs(open, setup.told);
+      problem = make_setup(decision, scenario_, seed, setup);
+      if (problem) continue;
+      if (scenario_.tight) tighten(decision, functions_[index], setup);
+      return {};
+    }
+    return problem;
   }
   // What one seed came to.
   struct Attempt {

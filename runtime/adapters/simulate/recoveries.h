@@ -79,13 +79,13 @@ class Recoveries {
   // An attack in the place of what the application brings along, behind the check of its claim.
   std::unique_ptr<Safe> external(const Recovery& r, const safe::Setting& s, int robot) {
     constexpr std::uint64_t stream = 3004;
-    const auto number = static_cast<std::uint64_t>(robot) + (externals_.size() << 16);
+    const auto number = static_cast<std::uint64_t>(robot) + (made_++ << 16);
     const std::uint64_t seed = sim::Random::stream(setup_.seed, stream, number).next();
     const sim::Aim aim = setup_.of_robot[static_cast<std::size_t>(robot)]->aim;
     const TimeUs acts_us = decision_.period_us + decision_.limits.latency_us + jitter_us_;
     auto attack =
         std::make_unique<Unverified<Output>>(arena_, robot, aim, r.speed_mps, acts_us, seed);
-    auto driven = std::make_unique<Driven<Output>>(
+    auto driven = std::make_unique<AsRecovery<Output>>(
         std::make_unique<Taped<Output>>(std::move(attack), "recover", robot, tape_));
     if (!r.claim) return driven;
     safe::Claim claim = *r.claim;
@@ -103,6 +103,7 @@ class Recoveries {
   const sim::Arena& arena_;
   sim::Tape& tape_;
   std::vector<std::unique_ptr<Safe>> externals_;
+  std::uint64_t made_ = 0;  // of external ones
 };
 
 }  // namespace rtac::simulate

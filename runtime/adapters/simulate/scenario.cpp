@@ -256,6 +256,8 @@ Problem read_scenario(const std::string& text, Scenario& to) {
     return {unfit.message, unfit.help};
   } catch (const Json::parse_error& error) {
     return {"the scenario is no JSON: " + place_of(text, error.byte), an_object};
+  } catch (const Json::exception&) {
+    return {"the scenario has a number that is none", "numbers up to 1e308 work"};
   }
   return {};
 }

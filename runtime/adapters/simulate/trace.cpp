@@ -40,20 +40,6 @@ double real(std::istream& in) {
   return value;
 }
 
-bool says_all(const DecisionCase& decision, const Told& told) {
-  std::size_t k = 0;
-  const auto within = [&](const Input::Component& c, const std::vector<double>& values) {
-    return k < values.size() && values[k] >= c.least && values[k] <= c.most;
-  };
-  for (const Input& input : decision.inputs) {
-    for (const Input::Component& c : input.components) {
-      if (!within(c, told.is) || !within(c, told.measured)) return false;
-      ++k;
-    }
-  }
-  return k == told.is.size() && k == told.measured.size();
-}
-
 // The lines before the tape.
 bool read_head(const std::string& word, std::istream& in, Trace& to) {
   if (word == "specification") {
@@ -169,7 +155,7 @@ Problem read_trace(const std::string& text, const Case& all, Trace& to) {
   const auto d = std::find_if(all.decisions.begin(), all.decisions.end(),
                               [&](const DecisionCase& each) { return each.name == to.decision; });
   if (to.manifest_hash != all.hash || d == all.decisions.end() ||
-      to.setup.starts.size() != d->robots.size() || !says_all(*d, to.setup.told) ||
+      to.setup.starts.size() != d->robots.size() || !can_be(*d, to.setup.told) ||
       to.setup.adversary == nullptr) {
     return unreadable("it is of another specification, or of another version of this one");
   }

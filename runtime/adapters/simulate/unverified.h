@@ -38,11 +38,11 @@ class Unverified final : public Controller<Output> {
 extern template class Unverified<Acceleration>;
 extern template class Unverified<Twist>;
 
-// A controller that knows of no recovery: it never holds, and asks for nothing.
+// A controller in the place of a recovery: it never holds, and asks for nothing.
 template <class Output>
-class Driven final : public SafeController<Output> {
+class AsRecovery final : public SafeController<Output> {
  public:
-  explicit Driven(std::unique_ptr<Controller<Output>> driver) : driver_(std::move(driver)) {}
+  explicit AsRecovery(std::unique_ptr<Controller<Output>> driver) : driver_(std::move(driver)) {}
   void engage(const Observation& /*observation*/) override {}
   Output command(const Observation& observation, Gate /*gate*/) override {
     return driver_->command(observation);

@@ -450,9 +450,43 @@ TEST_F(Simulations, InputsAreDrawnForEachRun) {
   EXPECT_EQ(again.status, 3) << again.out << again.err;
 }
 
+// What would make a property false wherever robots are is no attack on anybody.
+TEST_F(Simulations, InputsAreDrawnSoThatPropertiesCanHold) {
+  write("told.rta",
+        edited(yard("50 ms", "r inside yard and permit and not load > 2 kg"), "zone yard",
+               "input permit : bool max_age inf;\n"
+               "input load : real [kg] in 0 .. 9 kg;\nzone yard"));
+  const Outcome o = rtac({"sim", "told.rta", "--runs", "24"});
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  write("said.json", R"({"inputs": {"permit": false}})");
+  const Outcome never = rtac({"sim", "told.rta", "--runs", "1", "--scenario", "said.json"});
+  EXPECT_EQ(never.status, 4) << never.out;
+  EXPECT_NE(never.err.find("permit = false"), std::string::npos) << never.err;
+}
+
+TEST_F(Simulations, RecordedInputsHaveToBePossible) {
+  write("told.rta", edited(yard("50 ms", "r inside yard and (steps <= 3 implies r inside yard)"),
+                           "zone yard", "input steps : int in 0 .. 10;\nzone yard"));
+  ASSERT_EQ(rtac({"sim", "told.rta", "--runs", "8", "--adversary", "aimed-noise", "--mutate",
+                  "no-stopping-distance", "--trace", "out.trace"})
+                .status,
+            3);
+  const std::string trace = read("out.trace");
+  const std::size_t at = trace.find("\ninputs ") + 1, end = trace.find('\n', at);
+  for (const std::string line : {"inputs 0x1.8p+0 0x1.8p+0", "inputs 0x1p+0 0x1p+1",
+                                 "inputs 0x1p+4 0x1p+4", "inputs 0x1p+0", "inputs"}) {
+    write("other.trace", trace.substr(0, at) + line + trace.substr(end));
+    const Outcome o =
+        rtac({"sim", "told.rta", "--mutate", "no-stopping-distance", "--replay", "other.trace"});
+    EXPECT_EQ(o.status, 2) << line << o.out;
+  }
+}
+
 TEST_F(Simulations, WhatScenariosSayOfInputsIsChecked) {
-  write("told.rta", edited(yard("50 ms", "r inside yard or open"), "zone yard",
-                           "input open : bool max_age inf;\nzone yard"));
+  write("told.rta",
+        edited(yard("50 ms", "r inside yard or open or steps > 3 or load > 1 kg"), "zone yard",
+               "input open : bool max_age inf;\ninput steps : int in 0 .. 10;\n"
+               "input load : real [kg];\nzone yard"));
   const auto refused = [&](const std::string& inputs) {
     write("said.json", R"({"inputs": )" + inputs + "}");
     const Outcome o = rtac({"sim", "told.rta", "--runs", "1", "--scenario", "said.json"});
@@ -461,6 +495,10 @@ TEST_F(Simulations, WhatScenariosSayOfInputsIsChecked) {
   };
   EXPECT_NE(refused(R"({"open": 1})").find("`true` and `false` work"), std::string::npos);
   EXPECT_NE(refused(R"({"open": [true, true]})").find("2 values of `open`"), std::string::npos);
+  EXPECT_NE(refused(R"({"steps": 2.5})").find("a whole number from 0 to 10"), std::string::npos);
+  EXPECT_NE(refused(R"({"load": 1e999})").find("a number that is none"), std::string::npos);
+  write("heavy.json", R"({"inputs": {"load": 250}, "duration_s": 1})");
+  EXPECT_EQ(rtac({"sim", "told.rta", "--runs", "1", "--scenario", "heavy.json"}).status, 0);
   EXPECT_NE(refused(R"({"shut": true})").find("no decision speaks"), std::string::npos);
   EXPECT_NE(refused(R"({"open": null})").find("a number in SI units"), std::string::npos);
 }
