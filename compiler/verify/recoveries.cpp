@@ -147,10 +147,12 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   o.method = "ways over cells";
   if (!ways.stranded.empty()) {
     const analysis::Stranded& part = ways.stranded.front();
+    // where cells are too coarse for a way, the recovery may find one
     o.status = Status::refuted;
+    o.by_a_run = true;
     o.place_mm = {part.x_mm, part.y_mm};
     o.because = "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " +
-                quoted(zone.name) + " no way leads to where control is given back";
+                quoted(zone.name) + " no way over its cells leads to where control is given back";
     o.repair = "a width of " + metres(2 * last.return_clearance_mm) +
                " there works, it has about " + metres(2 * part.clearance_mm);
     return o;
