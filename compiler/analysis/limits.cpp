@@ -218,6 +218,26 @@ std::int64_t shown_clearance_mm(const ir::Decision& decision, const ir::Motion& 
          way_mm(b, motion, b.velocity_error_mmps, b.position_age_us);
 }
 
+// As the kernel counts (kernel/motion.c, kernel/speed.c): the measured speed of a robot at rest is
+// its velocity error and 2 mm/s at most, in space, too; the error counts once more, with the width
+// of a sample off the grid on each axis and what the stamps of position and velocity lie apart; and
+// it may have gained speed since the position was measured. Never more than the cap of the
+// recovery, unless it is measured to be faster.
+std::int64_t shown_speed_mmps(const ir::Decision& decision, const ir::Motion& motion) {
+  const ir::Body& b = decision.body;
+  constexpr std::int64_t corner_mmps = 2;
+  const std::int64_t width_mmps = b.in_space ? 3 : 2;
+  const auto gained = [](std::int64_t accel_mmps2, std::int64_t us) {
+    return div_up(accel_mmps2 * div_up(us, 1000), 1000);
+  };
+  // theory, unequal stamps: the one sample may be new while the other is as old as it may be
+  const std::int64_t apart_us = std::max(b.position_age_us, b.velocity_age_us);
+  const std::int64_t seen_mmps =
+      2 * b.velocity_error_mmps + corner_mmps + width_mmps + gained(b.accel_mmps2, apart_us);
+  return std::min(std::max(motion.speed_mmps, seen_mmps),
+                  seen_mmps + gained(motion.accel_mmps2, b.position_age_us));
+}
+
 std::int64_t shown_full_ppm(const ir::Body& body) {
   // 1: a sample off the grid
   return 1'000'000 - 2 * body.battery_error_ppm - 1 -

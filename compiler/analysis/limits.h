@@ -37,6 +37,9 @@ std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us
 // of `least_mm` in spite of noise: what a return condition that asks for it needs.
 std::int64_t shown_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
                                 std::int64_t least_mm);
+// How fast a robot at rest, driven by `motion`, may look: every sample shows it to be no faster, in
+// spite of noise, as old as it may be. What a return condition that asks it to be slow needs.
+std::int64_t shown_speed_mmps(const ir::Decision& decision, const ir::Motion& motion);
 // What a full battery is seen to have left at least, in ppm, its sample being as old as it may.
 std::int64_t shown_full_ppm(const ir::Body& body);
 

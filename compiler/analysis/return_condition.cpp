@@ -360,7 +360,9 @@ class Judge {
                                "`accel`";
     return d;
   }
-  // Measured to stand, this instant, it may still have the error of its velocity.
+  // Measured to stand, this instant, it may still have the error of its velocity: below that no
+  // sample shows it. Up to what every sample shows it is a matter of luck, which P2b does not
+  // trust.
   Finding slow(std::int64_t most_mmps, const SourceRange& source) const {
     const std::int64_t error_mmps = decision_.body.velocity_error_mmps;
     if (most_mmps >= error_mmps) return std::nullopt;
@@ -368,7 +370,8 @@ class Judge {
     const auto text = [](std::int64_t mmps) { return to_decimal(Rational(mmps, 1000)) + " m/s"; };
     d.label = "no robot at rest is seen to be so slow";
     d.notes.push_back({std::nullopt, "its velocity errs by up to " + text(error_mmps)});
-    d.help = "a speed of at least " + text(error_mmps) + " can be seen";
+    d.help = "a speed of at least " + text(shown_speed_mmps(decision_, motion_)) +
+             " works, whatever the sample";
     return d;
   }
   Finding never(const SourceRange& source) const {

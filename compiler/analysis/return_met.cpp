@@ -27,53 +27,85 @@ class Met {
 
   ir::Returns run() {
     const ir::Block& when = *monitor_.return_when;
-    found_.how = of(when, when.result);
+    const Part all = of(when, when.result);
+    found_.how = all.how;
+    found_.shown_mmps = all.shown_mmps;
+    found_.stuck_mm = some_place(all.stuck);
     return found_;
   }
 
  private:
+  // What becomes of a part of the condition, and what is known of one that is open.
+  struct Part {
+    How how = How::open;
+    geometry::Region stuck{};  // where the recovery leaves a robot, and this does not hold
+    // with a limit of this speed, nothing of it were open
+    std::optional<std::int64_t> shown_mmps{};
+  };
+
   static bool charges(const sema::Spec& spec, const sema::Monitor& written) {
     const auto way = sema::route_of(spec[*written.recover]);
     const auto& energy = spec[written.kind].energy;
     return way && energy && energy->charge_at == way->site;
   }
 
-  How of(const ir::Block& block, ir::ValueId id) {
+  Part of(const ir::Block& block, ir::ValueId id) {
     const ir::Op& op = block[id].op;
-    // what holds for a while adds up, and of a choice the side that is asked for may be either
-    if (const auto* v = std::get_if<ir::And>(&op)) {
-      return std::max(of(block, v->a), of(block, v->b));
-    }
-    if (const auto* v = std::get_if<ir::Or>(&op)) return std::min(of(block, v->a), of(block, v->b));
+    if (const auto* v = std::get_if<ir::And>(&op)) return both(of(block, v->a), of(block, v->b));
+    if (const auto* v = std::get_if<ir::Or>(&op)) return either(of(block, v->a), of(block, v->b));
     if (const auto* v = std::get_if<ir::HeldFor>(&op)) {
       found_.after_us += v->ticks * decision_.period_us;
       return of(block, v->a);
     }
-    if (const auto* v = std::get_if<ir::Truth>(&op)) return v->value ? How::itself : How::open;
+    if (const auto* v = std::get_if<ir::Truth>(&op)) {
+      return {v->value ? How::itself : How::open};
+    }
     if (const auto* v = std::get_if<ir::Fact>(&op)) return of_fact(*v);
-    if (const auto* v = std::get_if<ir::Once>(&op)) return of(block, v->a);
+    if (const auto* v = std::get_if<ir::Once>(&op)) {
+      // what does not hold where it stands may have held on the way there
+      found_.after_us += v->window.from * decision_.period_us;
+      return {of(block, v->a).how};
+    }
     if (const auto* v = std::get_if<ir::Historically>(&op)) {
-      if (v->window.to < 0) return How::open;
+      if (v->window.to < 0) return {};
       found_.after_us += v->window.to * decision_.period_us;
       return of(block, v->a);
     }
     if (std::holds_alternative<ir::InputTruth>(op) || std::holds_alternative<ir::InputIs>(op)) {
-      return How::told;
+      return {How::told};
     }
     if (const auto* v = std::get_if<ir::Not>(&op)) {
-      return of(block, v->a) == How::told ? How::told : How::open;
+      return {of(block, v->a).how == How::told ? How::told : How::open};
     }
-    if (ir::body_of(op) != nullptr) return decision_.robots < 2 ? How::itself : How::open;
+    if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
+      // of all others, where there is none; that there is one never comes about then
+      return {v->universal && decision_.robots < 2 ? How::itself : How::open};
+    }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
-    if (compare == nullptr || !plain(block, compare->a) || !plain(block, compare->b)) {
-      return How::open;
-    }
-    return comes_about(block, *compare) ? How::itself : How::open;
+    if (compare == nullptr || !plain(block, compare->a) || !plain(block, compare->b)) return {};
+    return comes_about(block, *compare);
   }
-  How of_fact(const ir::Fact& fact) {
-    if (!fact.of_robot) return How::told;
+  Part of_fact(const ir::Fact& fact) {
+    if (!fact.of_robot) return {How::told};
     const ir::Block& judged = decision_.facts.monitors[fact.index].property;
     return of(judged, judged.result);
+  }
+  static Part both(const Part& a, const Part& b) {
+    Part all{std::max(a.how, b.how), a.stuck.unite(b.stuck)};
+    if (a.how != How::open || b.how != How::open) {
+      all.shown_mmps = a.how == How::open ? a.shown_mmps : b.shown_mmps;
+    } else if (a.shown_mmps && b.shown_mmps) {
+      all.shown_mmps = std::max(a.shown_mmps, b.shown_mmps);
+    }
+    return all;
+  }
+  // Of a choice the side that is asked for may be either; it fails where both sides do.
+  static Part either(const Part& a, const Part& b) {
+    Part any{std::min(a.how, b.how)};
+    if (any.how != How::open) return any;
+    any.stuck = a.stuck.intersect(b.stuck);
+    any.shown_mmps = a.shown_mmps ? a.shown_mmps : b.shown_mmps;
+    return any;
   }
   // What the look-ahead compares, and no other arithmetic.
   static bool plain(const ir::Block& block, ir::ValueId id) {
@@ -89,36 +121,46 @@ class Met {
            std::holds_alternative<ir::CountOthers>(op);
   }
 
-  bool comes_about(const ir::Block& block, const ir::AtLeast& compare) {
+  Part comes_about(const ir::Block& block, const ir::AtLeast& compare) {
+    const auto found = [](bool holds) { return Part{holds ? How::itself : How::open}; };
     const auto& params = decision_.facts.params;
     if (const auto way = ir::charge_for_way(block, compare, params)) {
-      return charges_ && way->site == last_.site;
+      return found(charges_ && way->site == last_.site);
     }
     const auto least = ir::lower_bound(block, compare, params);
     const auto most = ir::upper_bound(block, compare);
-    if (least && least->leaf.kind == ir::Leaf::Kind::battery) return charges_;
-    if (least && least->leaf.kind == ir::Leaf::Kind::clearance) {
-      return leads_ && clear(ir::ZoneIndex{least->leaf.table}, least->need.strictest);
+    if (least && least->leaf.kind == ir::Leaf::Kind::battery) return found(charges_);
+    if (least && least->leaf.kind == ir::Leaf::Kind::clearance && leads_) {
+      return clear(ir::ZoneIndex{least->leaf.table}, least->need.strictest);
     }
-    if (most && most->leaf.kind == ir::Leaf::Kind::speed) {
-      return most->most >= decision_.body.velocity_error_mmps;
-    }
-    return height(least, most);
+    if (most && most->leaf.kind == ir::Leaf::Kind::speed) return slow(most->most);
+    return found(height(least, most));
+  }
+  // At rest, it is seen to be so slow whatever the sample: that some sample would show it is not
+  // enough, as all of them may be as old as they may.
+  [[nodiscard]] Part slow(std::int64_t most_mmps) const {
+    const std::int64_t shown_mmps = shown_speed_mmps(decision_, motion_);
+    if (most_mmps >= shown_mmps) return {How::itself};
+    return {How::open, {}, shown_mmps};
   }
   // As clear of its own zone as it is where it has led, a robot is seen to be so clear of this one.
-  bool clear(ir::ZoneIndex zone, std::int64_t least_mm) {
+  Part clear(ir::ZoneIndex zone, std::int64_t least_mm) {
     const std::int64_t need_mm = shown_clearance_mm(decision_, motion_, least_mm);
     const std::int64_t more_mm = need_mm - last_.return_clearance_mm;
-    if (zone == last_.zone) return more_mm <= 0;
+    if (zone == last_.zone) return {more_mm <= 0 ? How::itself : How::open};
     if (module_[zone].has_height() || module_[last_.zone].has_height()) {
-      return more_mm <= 0 && solid_(last_.zone).subtract(solid_(zone)).empty();
+      const bool holds = more_mm <= 0 && solid_(last_.zone).subtract(solid_(zone)).empty();
+      return {holds ? How::itself : How::open};
     }
     const geometry::Region& own = exact_(last_.zone);
     const auto deep = within(exact_(zone), std::max<std::int64_t>(0, more_mm));
-    if (deep && deep->contains(own)) return true;
-    if (last_.kind == ir::RecoveryKind::route) return sites_clear(zone, need_mm);
-    stuck_outside(own.subtract(exact_(zone)));
-    return false;
+    if (deep && deep->contains(own)) return {How::itself};
+    if (last_.kind == ir::RecoveryKind::route) {
+      return {sites_clear(zone, need_mm) ? How::itself : How::open};
+    }
+    // less than touching it may hold outside
+    if (least_mm < 0 || last_.kind != ir::RecoveryKind::retreat) return {};
+    return {How::open, stuck_outside(own.subtract(exact_(zone)))};
   }
   [[nodiscard]] bool sites_clear(ir::ZoneIndex zone, std::int64_t need_mm) const {
     constexpr std::int64_t parked_mm = 100;  // a robot counts as parked within this of its site
@@ -128,13 +170,14 @@ class Met {
              return deep->contains({Rational(p.x_mm, 1000), Rational(p.y_mm, 1000)});
            });
   }
-  // A place outside that the recovery leads nowhere from, as it is clear enough already.
-  void stuck_outside(const geometry::Region& outside) {
-    if (found_.stuck_mm) return;
+  // The places outside that the recovery leads nowhere from, as they are clear enough already.
+  [[nodiscard]] geometry::Region stuck_outside(const geometry::Region& outside) const {
     const auto rests = within(exact_(last_.zone), last_.return_clearance_mm + 5);
-    if (!rests) return;
-    const geometry::Region left = rests->intersect(outside);
-    if (left.empty()) return;
+    return rests ? rests->intersect(outside) : geometry::Region();
+  }
+  static std::optional<std::pair<std::int64_t, std::int64_t>> some_place(
+      const geometry::Region& left) {
+    if (left.empty()) return std::nullopt;
     const auto parts = left.polygons();
     geometry::Point low = parts.front().outer.front(), high = low;
     for (const geometry::Point& p : parts.front().outer) {
@@ -142,9 +185,8 @@ class Met {
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
     const geometry::Point middle{Rational((low.x + high.x) / 2), Rational((low.y + high.y) / 2)};
-    const geometry::Point at = left.contains(middle) ? middle : low;
-    if (!left.contains(at)) return;
-    found_.stuck_mm = {floor_to_int(Rational(at.x * 1000)), floor_to_int(Rational(at.y * 1000))};
+    const geometry::Point at = left.contains(middle) ? middle : parts.front().outer.front();
+    return {{floor_to_int(Rational(at.x * 1000)), floor_to_int(Rational(at.y * 1000))}};
   }
   [[nodiscard]] bool height(const std::optional<ir::LowerBound>& least,
                             const std::optional<ir::UpperBound>& most) const {

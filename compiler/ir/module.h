@@ -601,6 +601,8 @@ struct Returns {
   std::int64_t after_us = 0;  // for how long it has to hold, at most
   // Where a robot is left by its recovery, and not given back.
   std::optional<std::pair<std::int64_t, std::int64_t>> stuck_mm{};
+  // It asks for less than this speed, at which every sample shows a robot at rest to be.
+  std::optional<std::int64_t> shown_mmps{};
 };
 struct Monitor {
   std::string name, requirement_id, requirement_text;

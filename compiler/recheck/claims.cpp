@@ -370,6 +370,9 @@ Found Claims::legs(const Values& v) {
   const auto gap = number(v, "clearance_mm");
   const std::size_t slabs = zones_.slabs(*zone);
   if (!gap || *gap < 0 || slabs == 0) return wrong("no such clearance, or an unknown zone");
+  // its looks are enough for so many heights (runtime/core/space.cpp, looks_max)
+  constexpr std::size_t slabs_max = 6;
+  if (slabs > slabs_max) return wrong("more slabs than the recovery looks at");
   for (std::size_t from = 0; from < slabs; ++from) {
     const std::string of = "_" + std::to_string(from);
     const auto to = number(v, "to" + of), z = number(v, "z_mm" + of);

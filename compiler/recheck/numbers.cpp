@@ -71,6 +71,11 @@ Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
   return n;
 }
 
+Rational pushed(const Numbers& n) {
+  const Rational delay = n.latency + n.period + n.velocity_age;
+  return 2 * n.disturbance * std::max(Rational(3, 10), Rational(2 * delay));
+}
+
 Rational resting_clearance(const Numbers& n, const Rational& accel, const Rational& ahead) {
   const Rational horizon = ahead + n.position_age + n.latency + n.jitter;
   const Rational apart = accel * std::max(n.position_age, n.velocity_age);

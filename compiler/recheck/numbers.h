@@ -19,6 +19,10 @@ struct Numbers {
 Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
                    const Rational& jitter);
 
+// By how much a robot is faster than its recovery means to be where something pushes it: its
+// velocity follows with a time constant of two delays, 0.3 s at least (docs/templates.md).
+Rational pushed(const Numbers& n);
+
 // How much clearance of the measured centre lets a robot at rest be given back, when the test looks
 // `ahead` s ahead from a sample as old as it may be: the disc, stop and hold included.
 // `accel`: planar, at least.

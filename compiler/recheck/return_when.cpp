@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "compiler/interp/number.h"
 #include "compiler/recheck/numbers.h"
+#include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -22,59 +24,77 @@ class Condition {
     for (const sema::Robot& robot : spec.robots) robots_ += robot.kind == decision.kind ? 1 : 0;
   }
 
-  // Of what is negated nothing but inputs.
-  bool comes_about(const sema::Expr& e) {
-    if (!sema::speaks_of_robot(e)) return true;
-    if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v);
-    if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return comes_about(*v->operand);
-    if (const auto* v = std::get_if<sema::Past>(&e.node)) {
-      return (v->interval.to || v->op == sema::PastOp::once) && comes_about(*v->operand);
-    }
-    if (std::holds_alternative<sema::ForOthers>(e.node)) return robots_ < 2;
-    if (const auto* v = std::get_if<sema::InsideZone>(&e.node)) return clear(v->zone, 0);
-    const auto* compare = std::get_if<sema::Compare>(&e.node);
-    return compare != nullptr && compares(*compare);
-  }
+  bool comes_about(const sema::Expr& e) { return comes_about(e, true); }
 
  private:
-  bool logic(const sema::Logic& v) {
-    const auto is = [&](const sema::ExprPtr& operand) { return comes_about(*operand); };
-    if (v.op == sema::LogicOp::logical_and) return std::ranges::all_of(v.operands, is);
-    if (v.op == sema::LogicOp::logical_or) return std::ranges::any_of(v.operands, is);
-    if (v.op == sema::LogicOp::implies) return is(v.operands[1]);
-    const auto* compare = v.op == sema::LogicOp::logical_not
-                              ? std::get_if<sema::Compare>(&v.operands[0]->node)
-                              : nullptr;
-    return compare != nullptr && compared(*compare->right, *compare->left, *compare);
+  // That `e` becomes true, or false.
+  bool comes_about(const sema::Expr& e, bool value) {
+    if (!sema::speaks_of_robot(e)) return true;
+    if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v, value);
+    if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compares(*v, value);
+    if (!value) return false;
+    if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return comes_about(*v->operand, true);
+    if (const auto* v = std::get_if<sema::Past>(&e.node)) {
+      return (v->interval.to || v->op == sema::PastOp::once) && comes_about(*v->operand, true);
+    }
+    if (const auto* v = std::get_if<sema::ForOthers>(&e.node)) return v->universal && robots_ < 2;
+    const auto* inside = std::get_if<sema::InsideZone>(&e.node);
+    return inside != nullptr && clear(inside->zone, 0);
   }
-  bool compares(const sema::Compare& v) { return compared(*v.left, *v.right, v); }
-  // `left` op `right`, or the other way round of what is negated.
-  bool compared(const sema::Expr& left, const sema::Expr& right, const sema::Compare& v) {
-    const bool at_least =
-        v.op == sema::CompareOp::greater || v.op == sema::CompareOp::greater_equal;
-    const sema::Expr& large = at_least ? left : right;
-    const sema::Expr& small = at_least ? right : left;
-    if (const auto* clearance = std::get_if<sema::Clearance>(&large.node)) {
-      const auto least = most_of(small);
-      return least && clear(clearance->zone, *least);
+  // A negation moves inwards.
+  bool logic(const sema::Logic& v, bool value) {
+    using Op = sema::LogicOp;
+    const auto is = [&](std::size_t k, bool wanted) { return comes_about(*v.operands[k], wanted); };
+    const auto told = [&](std::size_t k) { return !sema::speaks_of_robot(*v.operands[k]); };
+    switch (v.op) {
+      case Op::logical_not:
+        return is(0, !value);
+      case Op::implies:
+        return value ? is(0, false) || is(1, true) : is(0, true) && is(1, false);
+      case Op::logical_and:
+      case Op::logical_or: {
+        const auto each = [&](const sema::ExprPtr& x) { return comes_about(*x, value); };
+        return (v.op == Op::logical_and) == value ? std::ranges::all_of(v.operands, each)
+                                                  : std::ranges::any_of(v.operands, each);
+      }
+      case Op::iff:
+        return value && (told(0) || told(1) || (is(0, true) && is(1, true)));
+      case Op::logical_xor:
+        return value && ((told(0) && is(1, true)) || (told(1) && is(0, true)));
     }
-    const auto is = [](const sema::Expr& x, sema::Signal wanted) {
-      const auto* signal = std::get_if<sema::SignalRef>(&x.node);
-      return signal != nullptr && signal->signal == wanted;
-    };
-    if (is(large, sema::Signal::battery)) return charges();
-    if (is(small, sema::Signal::speed)) {
-      const auto* most = std::get_if<sema::Constant>(&large.node);
-      return most != nullptr && most->value >= numbers_.velocity_error;
-    }
-    if (is(large, sema::Signal::altitude) || is(small, sema::Signal::altitude)) return height();
     return false;
   }
-  // A limit that does not depend on what is measured, whatever its parameter becomes.
-  [[nodiscard]] std::optional<Rational> most_of(const sema::Expr& e) const {
-    if (const auto* v = std::get_if<sema::Constant>(&e.node)) return v->value;
-    if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) return spec_[v->param].most.value;
-    return std::nullopt;
+  // The difference of its sides, of which there is one quantity to be large or small enough.
+  bool compares(const sema::Compare& v, bool value) {
+    using Op = sema::CompareOp;
+    const bool at_least = (v.op == Op::greater || v.op == Op::greater_equal) == value;
+    const bool strict = (v.op == Op::greater || v.op == Op::less) == value;
+    const auto sum =
+        difference(spec_, at_least ? *v.left : *v.right, at_least ? *v.right : *v.left);
+    if (!sum) return false;
+    if (sum->terms.size() == 2) return way_home(*sum);
+    if (sum->terms.size() != 1) return false;
+    const auto& [of, by] = *sum->terms.begin();
+    const Rational limit = -sum->least / by;
+    if (of.kind == Measured::Kind::altitude) return height();
+    if (by < 0) {
+      const Rational shown = shown_speed();
+      return of.kind == Measured::Kind::speed && !sum->params &&
+             (strict ? shown < limit : shown <= limit);
+    }
+    if (of.kind == Measured::Kind::clearance) return clear(sema::ZoneId{of.index}, limit);
+    return of.kind == Measured::Kind::battery && charges();
+  }
+  // battery >= energy_to(site) + ..., of the site at which it is charged.
+  [[nodiscard]] bool way_home(const Sum& sum) const {
+    const auto way = sema::route_of(recovery_);
+    if (!way || !charges()) return false;
+    const Measured to{Measured::Kind::energy_to, static_cast<std::uint32_t>(way->site)};
+    const auto is = [&](const Measured& of, int by) {
+      const auto found = sum.terms.find(of);
+      return found != sum.terms.end() && found->second == by;
+    };
+    return is({Measured::Kind::battery, 0}, 1) && is(to, -1);
   }
   // Where charge is taken up, it is taken up until it is enough; that there is enough is for errors
   // to say (5007).
@@ -92,11 +112,39 @@ class Condition {
     return keeps_heights(*monitor_.return_when, true, solid->slabs().front().floor + rest, 0) &&
            keeps_heights(*monitor_.return_when, true, solid->slabs().back().ceiling - rest, 0);
   }
+  // How fast it may drive, and how much faster it may get; a root from below: what is claimed
+  // rounds it up.
+  [[nodiscard]] Rational drives() const {
+    Rational speed = 0;
+    for (const sema::Template& what : sema::templates_of(recovery_)) {
+      if (const auto own = sema::speed_of(what)) speed = std::max(speed, *own);
+    }
+    if (sema::templates_of(recovery_).empty()) {
+      const auto claim = sema::claim_of(recovery_);
+      speed = claim ? claim->speed.value : numbers_.speed;
+    }
+    return std::min(numbers_.speed, Rational(speed + pushed(numbers_)));
+  }
+  [[nodiscard]] Rational accel() const {
+    return numbers_.unicycle ? interp::square_root(numbers_.accel_square).below : numbers_.accel;
+  }
+  // A body at rest is measured to have the error of its velocity, which counts once more, with what
+  // its stamps lie apart; and it may have gained speed since its position was measured.
+  [[nodiscard]] Rational shown_speed() const {
+    const Numbers& n = numbers_;
+    const Rational seen = 2 * n.velocity_error + accel() * std::max(n.position_age, n.velocity_age);
+    return std::min(std::max(drives(), seen), Rational(seen + accel() * n.position_age));
+  }
   // The clearance of a centre at which every sample shows, as old as it may be, that a body at rest
   // is `gap` from the boundary.
   [[nodiscard]] Rational seen(const Rational& gap) const {
-    return gap + numbers_.radius + 2 * numbers_.position_error +
-           numbers_.velocity_error * numbers_.position_age;
+    const Numbers& n = numbers_;
+    const Rational first = 2 * n.velocity_error, age = n.position_age;
+    const Rational cap = std::max(drives(), first), capped = cap - first;
+    const Rational way = accel() * age <= capped
+                             ? Rational(first * age + accel() * age * age / 2)
+                             : Rational(cap * age - capped * capped / (2 * accel()));
+    return gap + n.radius + 2 * n.position_error + way;
   }
   bool clear(sema::ZoneId zone, const Rational& gap) {
     const auto within = moves_within(recovery_);
@@ -111,8 +159,10 @@ class Condition {
     }
     if (more <= 0 ? out->contains(*own) : out->shrink(more).contains(*own)) return true;
     const auto way = sema::route_of(recovery_);
+    const Rational parked(1, 10);  // it counts as parked within this of its site
     return way && std::ranges::all_of(spec_[way->site].places, [&](const auto& place) {
-             return claims_.zones().clear(zone, {place.position.x, place.position.y}, need);
+             return claims_.zones().clear(zone, {place.position.x, place.position.y},
+                                          Rational(need + parked));
            });
   }
 

@@ -11,13 +11,6 @@ namespace {
 // What is known of offsets from inside and outside (geometry/region.h).
 const Rational offsets_round(3, 1000);
 
-// By how much a robot is faster than its recovery means to be where something pushes it: its
-// velocity follows with a time constant of two delays, 0.3 s at least (docs/templates.md).
-Rational pushed(const Numbers& n) {
-  const Rational delay = n.latency + n.period + n.velocity_age;
-  return 2 * n.disturbance * std::max(Rational(3, 10), Rational(2 * delay));
-}
-
 // The limit of `r.speed <= c`, or of a comparison that is false.
 std::optional<Rational> most_speed(const sema::Expr& e, bool value, bool& strict) {
   const auto* compare = std::get_if<sema::Compare>(&e.node);
@@ -129,11 +122,16 @@ bool Sides::keeps_a_side(const sema::Controller& recovery, const Part& part, con
 }
 
 std::optional<Rational> Sides::speed_of(const sema::Controller& recovery) const {
-  if (sema::claim_of(recovery)) return std::nullopt;
+  const std::vector<sema::Template> steps = sema::templates_of(recovery);
+  if (steps.empty()) return std::nullopt;
   Rational speed = 0;
-  for (const sema::Template& what : sema::templates_of(recovery)) {
+  for (const sema::Template& what : steps) {
     if (const auto of = sema::speed_of(what)) speed = std::max(speed, *of);
   }
+  return while_driving(speed);
+}
+
+Rational Sides::while_driving(const Rational& speed) const {
   // a point mass measures how fast it is
   const Rational strays = numbers_.unicycle || speed == 0 ? Rational(0) : numbers_.velocity_error;
   return std::min(numbers_.speed, Rational(speed + pushed(numbers_) + strays));
@@ -141,7 +139,8 @@ std::optional<Rational> Sides::speed_of(const sema::Controller& recovery) const 
 
 bool Sides::keeps_while_told(const sema::Controller& recovery, const sema::Monitor& m,
                              const Rational& extra) {
-  const auto speed = speed_of(recovery);
+  auto speed = speed_of(recovery);
+  if (const auto claim = sema::claim_of(recovery)) speed = while_driving(claim->speed.value);
   return speed &&
          slow_while_told(plain({m.always.get(), true}), *speed, rests_of(m, extra).from_rest);
 }

@@ -46,6 +46,8 @@ class Sides {
   bool keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts);
   // How fast a recovery truly drives; nullopt: that is an external one's own.
   [[nodiscard]] std::optional<Rational> speed_of(const sema::Controller& recovery) const;
+  // The same of one that means to drive at `speed`.
+  [[nodiscard]] Rational while_driving(const Rational& speed) const;
   bool slow(const Part& part, const Rational& speed);
   bool slow_while_told(const Part& part, const Rational& speed, const Rational& from_rest);
   static bool waits(const Part& part, const Rational& from_rest);

@@ -289,6 +289,11 @@ Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
   open.because = "that `return when` of " + quoted(m.name) + " holds where " +
                  quoted(m.recovery.name) + " leads is not shown";
   open.repair = "a condition on what it leads to works, or `hold when violated \"why\"`";
+  if (m.returns.shown_mmps) {
+    const std::string mmps = to_decimal(Rational(*m.returns.shown_mmps, 1000)) + " m/s";
+    open.because += ": samples may show a robot at rest at up to " + mmps;
+    open.repair = "a limit of " + mmps + " in `return when` works, or `hold when violated \"why\"`";
+  }
   if (m.returns.stuck_mm) {
     open.status = Status::refuted;
     open.method = by_geometry;

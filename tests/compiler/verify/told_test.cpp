@@ -105,5 +105,17 @@ TEST_F(Told, WhatNoInputLetsGoIsNotProved) {
   EXPECT_NE(o.err.find("can never hand control back"), std::string::npos) << o.err;
 }
 
+// One that is not built in is as fast as it claims to be.
+TEST_F(Told, AnExternalRecoveryIsAsSlowAsItClaims) {
+  const auto outside = [](const std::string& speed) {
+    const std::string text = yard_with(by_load, "0.4 m/s", "told > fence");
+    const std::string claimed = edited(text, "= retreat within yard speed 0.4 m/s",
+                                       "extern keeps inside yard speed <= " + speed);
+    return edited(claimed, "recover back;", "recover back; hold when violated \"staff\";");
+  };
+  expect_proved(outside("0.4 m/s"));
+  expect_proved(edited(outside("0.3 m/s"), by_load, halts));
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -1,0 +1,111 @@
+#include "compiler/recheck/sums.h"
+
+namespace rtac::recheck {
+namespace {
+
+// A number as written.
+std::optional<Rational> fixed(const sema::Expr& e) {
+  if (const auto* v = std::get_if<sema::Constant>(&e.node)) return v->value;
+  const auto* v = std::get_if<sema::Arithmetic>(&e.node);
+  if (v == nullptr) return std::nullopt;
+  const auto a = fixed(*v->operands[0]);
+  if (v->op == sema::ArithmeticOp::negate) return a ? std::optional(Rational(-*a)) : std::nullopt;
+  const auto b = fixed(*v->operands[1]);
+  if (!a || !b) return std::nullopt;
+  switch (v->op) {
+    case sema::ArithmeticOp::add:
+      return Rational(*a + *b);
+    case sema::ArithmeticOp::subtract:
+      return Rational(*a - *b);
+    case sema::ArithmeticOp::multiply:
+      return Rational(*a * *b);
+    case sema::ArithmeticOp::divide:
+      return *b == 0 ? std::nullopt : std::optional(Rational(*a / *b));
+    case sema::ArithmeticOp::negate:
+      break;
+  }
+  return std::nullopt;
+}
+
+class Adding {
+ public:
+  explicit Adding(const sema::Spec& spec) : spec_(spec) {}
+
+  // `by` times the expression; false: it is no sum.
+  bool add(const sema::Expr& e, const Rational& by) {
+    if (by == 0) return true;
+    if (const auto value = fixed(e)) {
+      sum_.least += by * *value;
+      return true;
+    }
+    if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
+      const sema::Param& param = spec_[v->param];
+      sum_.least += by * (by > 0 ? param.least.value : param.most.value);
+      sum_.params = true;
+      return true;
+    }
+    if (const auto* v = std::get_if<sema::Arithmetic>(&e.node)) return arithmetic(*v, by);
+    const auto what = measured(e);
+    if (!what) return false;
+    Rational& slot = sum_.terms[*what];
+    slot += by;
+    if (slot == 0) sum_.terms.erase(*what);
+    return true;
+  }
+  [[nodiscard]] const Sum& sum() const { return sum_; }
+
+ private:
+  bool arithmetic(const sema::Arithmetic& v, const Rational& by) {
+    const sema::Expr& a = *v.operands[0];
+    if (v.op == sema::ArithmeticOp::negate) return add(a, Rational(-by));
+    const sema::Expr& b = *v.operands[1];
+    switch (v.op) {
+      case sema::ArithmeticOp::add:
+        return add(a, by) && add(b, by);
+      case sema::ArithmeticOp::subtract:
+        return add(a, by) && add(b, Rational(-by));
+      case sema::ArithmeticOp::multiply: {
+        const auto left = fixed(a), right = fixed(b);
+        if (left) return add(b, Rational(by * *left));
+        return right && add(a, Rational(by * *right));
+      }
+      case sema::ArithmeticOp::divide: {
+        const auto right = fixed(b);
+        return right && *right != 0 && add(a, Rational(by / *right));
+      }
+      case sema::ArithmeticOp::negate:
+        break;
+    }
+    return false;
+  }
+  // Of the robot itself.
+  static std::optional<Measured> measured(const sema::Expr& e) {
+    using Kind = Measured::Kind;
+    if (const auto* v = std::get_if<sema::Clearance>(&e.node)) {
+      return Measured{Kind::clearance, static_cast<std::uint32_t>(v->zone)};
+    }
+    if (const auto* v = std::get_if<sema::EnergyTo>(&e.node)) {
+      return Measured{Kind::energy_to, static_cast<std::uint32_t>(v->site)};
+    }
+    const auto* v = std::get_if<sema::SignalRef>(&e.node);
+    if (v == nullptr || v->subject != sema::Subject::self) return std::nullopt;
+    if (v->signal == sema::Signal::battery) return Measured{Kind::battery, 0};
+    if (v->signal == sema::Signal::speed) return Measured{Kind::speed, 0};
+    if (v->signal == sema::Signal::altitude) return Measured{Kind::altitude, 0};
+    return std::nullopt;
+  }
+
+  const sema::Spec& spec_;
+  Sum sum_;
+};
+
+}  // namespace
+
+std::optional<Sum> difference(const sema::Spec& spec, const sema::Expr& large,
+                              const sema::Expr& small) {
+  Adding adding(spec);
+  if (!adding.add(large, 1) || !adding.add(small, -1)) return std::nullopt;
+  return adding.sum();
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,30 @@
+// Comparisons once more as sums of what is measured, exactly. SI units.
+#pragma once
+
+#include <compare>
+#include <map>
+#include <optional>
+
+#include "compiler/sema/spec.h"
+
+namespace rtac::recheck {
+
+struct Measured {
+  enum class Kind { battery, clearance, energy_to, speed, altitude };
+  Kind kind;
+  std::uint32_t index;  // of the zone or site; else 0
+  auto operator<=>(const Measured&) const = default;
+};
+// What is measured, each times its number, and the least that the rest of it is, whatever its
+// parameters become.
+struct Sum {
+  std::map<Measured, Rational> terms;
+  Rational least;
+  bool params = false;
+};
+
+// `large` - `small`; nullopt: it is no such sum.
+std::optional<Sum> difference(const sema::Spec& spec, const sema::Expr& large,
+                              const sema::Expr& small);
+
+}  // namespace rtac::recheck
