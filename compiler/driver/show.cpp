@@ -31,6 +31,10 @@ std::string stem_of(const std::string& path) {
 bool about_return(const Obligation& o) {
   return o.kind == Kind::p2b || o.kind == Kind::joint_return;
 }
+// A run has shown it, whether or not that could be kept.
+bool has_shown(const Obligation& o) {
+  return !o.trace.empty() || !o.not_recorded.empty();
+}
 // A run can show it.
 bool in_motion(const Obligation& o) {
   return o.status == verify::Status::refuted && (about_return(o) || !o.monitor.empty());
@@ -153,7 +157,7 @@ class Showing {
       const int status = simulator_.run({"--scenario", file, "--trace", trace, "--until", "shown",
                                          "--core-s", std::to_string(attempt_core_s)},
                                         c_, table);
-      if (status == exit_violation && keep(trace, o)) return;
+      if (status == exit_violation) return keep(trace, o);
       cut = cut || table.find("the time was up") != std::string::npos;
     }
     if (o.in_turns) return;  // nothing is claimed: the model may have runs that no robot has
@@ -179,16 +183,24 @@ class Showing {
     }
     return "";
   }
-  bool keep(const std::string& trace, Obligation& o) {
+  // The run is shown, whether or not it can be kept: one of hours may be longer than what is read
+  // again.
+  void keep(const std::string& trace, Obligation& o) {
     const std::string number = kept_ == 0 ? "" : "-" + std::to_string(kept_ + 1);
     const std::string place = options_.output.empty()
                                   ? stem_of(options_.spec) + number + ".trace"
                                   : options_.output + "/violation" + number + ".trace";
-    const auto run = read_file(trace);  // nullopt: of hours, longer than what is read again
-    if (!run || !write_all({{place, *run}}).empty()) return false;
+    const auto run = read_file(trace);
+    if (!run) {
+      o.not_recorded = "the run is too long";
+      return;
+    }
+    if (!write_all({{place, *run}}).empty()) {
+      o.not_recorded = "`" + place + "` cannot be written";
+      return;
+    }
     ++kept_;
     o.trace = place;
-    return true;
   }
 
   const Options& options_;
@@ -203,7 +215,7 @@ void leave_open(verify::Report& report) {
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
       const bool refuted = o.by_a_run && o.status == verify::Status::refuted;
-      if (refuted && o.trace.empty()) o.status = verify::Status::unknown;
+      if (refuted && !has_shown(o)) o.status = verify::Status::unknown;
     }
   }
 }
@@ -221,9 +233,10 @@ void show(const Options& options, Simulator& simulator, Compilation& c, verify::
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
       if (in_motion(o) || o.in_turns) showing.show(d, o);
-      if (!o.in_turns || o.trace.empty()) continue;
+      if (!o.in_turns || !has_shown(o)) continue;
       o.status = verify::Status::refuted;
-      o.because += ", and so do they in a recorded run, until a property fails";
+      o.because += std::string(", and so do they in a ") + (o.trace.empty() ? "" : "recorded ") +
+                   "run, until a property fails";
     }
   }
 }

@@ -51,14 +51,15 @@ struct Obligation {
   std::string monitor;   // empty: of the decision
   std::string recovery;  // of `keeps`: which one drives
   Status status = Status::unknown;
-  std::string method;         // how, in a few words
-  std::string because;        // a sentence, with the numbers
-  std::string repair;         // of what is refuted: what would work; may be empty
-  std::string trace;          // of what is refuted: a run that shows it; may be empty
-  std::vector<Claim> claims;  // of what is proved: all that it rests on
-  std::string model;          // of `switching`, proved: what the claims hold of
-  std::int64_t micros = 0;    // how long it took
-  std::string not_shown{};    // of what is refuted: why there is no run
+  std::string method;          // how, in a few words
+  std::string because;         // a sentence, with the numbers
+  std::string repair;          // of what is refuted: what would work; may be empty
+  std::string trace;           // of what is refuted: a run that shows it; may be empty
+  std::vector<Claim> claims;   // of what is proved: all that it rests on
+  std::string model;           // of `switching`, proved: what the claims hold of
+  std::int64_t micros = 0;     // how long it took
+  std::string not_shown{};     // of what is refuted: why there is no run
+  std::string not_recorded{};  // of what a run shows: why there is no `trace`
   // Of `switching`, unknown: recoveries take over from each other for ever in a run of the model,
   // if not of a robot.
   bool in_turns = false;

@@ -50,6 +50,9 @@ void add_decision(const Decision& d, std::string& out) {
            padded(name(o.status), 14) + o.method + ": " + o.because + "\n";
     if (!o.repair.empty()) out += "  " + padded("", 13) + "what works: " + o.repair + "\n";
     if (!o.trace.empty()) out += "  " + padded("", 13) + "shown by " + o.trace + "\n";
+    if (!o.not_recorded.empty()) {
+      out += "  " + padded("", 13) + "shown, not recorded: " + o.not_recorded + "\n";
+    }
     if (!o.not_shown.empty()) out += "  " + padded("", 13) + "not shown: " + o.not_shown + "\n";
   }
   for (const Conservatism& c : d.conservatism) add_conservatism(c, about + 2, out);
@@ -89,6 +92,7 @@ nlohmann::ordered_json json_of(const Obligation& o, bool with_times) {
   j["because"] = o.because;
   if (!o.repair.empty()) j["repair"] = o.repair;
   if (!o.trace.empty()) j["trace"] = o.trace;
+  if (!o.not_recorded.empty()) j["not_recorded"] = o.not_recorded;
   if (!o.not_shown.empty()) j["not_shown"] = o.not_shown;
   if (with_times) j["milliseconds"] = double(o.micros) / 1000;
   if (o.claims.empty()) return j;

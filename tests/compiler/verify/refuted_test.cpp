@@ -68,6 +68,48 @@ TEST_P(Refuted, IsRefutedAndShown) {
   EXPECT_NE(again.out.find(e.shown()), std::string::npos) << again.out;
 }
 
+// A simulator whose trace is longer than what is read again: what it has shown is shown.
+class Unrecorded : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    write("sim.sh",
+          "#!/bin/sh\n"
+          "for word; do [ \"$before\" = --trace ] && trace=$word; before=$word; done\n"
+          "\"" RTAC_SIM_PROGRAM
+          "\" \"$@\"\n"
+          "status=$?\n"
+          "[ \"$status\" != 3 ] || truncate -s 65M \"$trace\"\n"
+          "exit $status\n");
+    fs::permissions("sim.sh", fs::perms::owner_all);
+    ::setenv("RTAC_SIM", fs::absolute("sim.sh").c_str(), 1);
+  }
+  static Json shown(const std::string& name) {
+    const std::string path =
+        std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/" + name + ".rta";
+    const Outcome o = rtac({"verify", path, "--format", "json"});
+    EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+    const Json report = Json::parse(o.out);
+    for (const Json& obligation : report["decisions"][0]["obligations"]) {
+      if (obligation["status"] == "refuted") return obligation;
+    }
+    ADD_FAILURE() << o.out;
+    return Json::object();
+  }
+};
+TEST_F(Unrecorded, WhatIsShownAndTooLongToKeepIsNotCalledNotShown) {
+  for (const char* const name : {"too_late", "lower_rank", "turns"}) {
+    const Json found = shown(name);
+    EXPECT_EQ(found.value("not_recorded", ""), "the run is too long") << name << found;
+    EXPECT_FALSE(found.contains("not_shown")) << name << found;
+    EXPECT_FALSE(found.contains("trace")) << name << found;
+  }
+  const std::string path =
+      std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/too_late.rta";
+  const Outcome o = rtac({"verify", path});
+  EXPECT_NE(o.out.find("shown, not recorded: the run is too long"), std::string::npos) << o.out;
+}
+
 std::vector<std::string> names() {
   const std::set<std::string> shared = {"battery", "parts", "space_parts"};
   std::vector<std::string> all;
