@@ -137,6 +137,14 @@ TEST_F(ReturnWhen, ASpeedThatOldSamplesDoNotShowIsNotProved) {
   // exactly, without the grid, it is 0.28 m/s
   EXPECT_EQ(rechecked_as_proved("r.speed < 0.28 m/s").status, exit_violation);
 }
+// What no sample shows is an error, which offers what every sample does.
+TEST_F(ReturnWhen, ASpeedBelowItsErrorIsAnErrorWithTheOneThatWorks) {
+  const Outcome o = verified(returning("r.speed <= 1 cm/s", "", accepted));
+  EXPECT_NE(o.err.find("error[5007]"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("a speed of at least 0.284 m/s works, whatever the sample"),
+            std::string::npos)
+      << o.err;
+}
 // What would not be mended by it does not name it.
 TEST_F(ReturnWhen, TheSpeedThatWorksIsNamedWhereItWorks) {
   const Outcome o =
