@@ -47,7 +47,6 @@ std::string others(const DecisionInterface& d, const std::string& capacity) {
 // What its monitors say of plain inputs and parameters.
 std::string facts(const DecisionInterface& d, std::size_t capacity) {
   std::string out;
-  constexpr std::size_t bits = 32;  // of a word of `between`
   for (const DecisionInterface::Input& input : d.inputs) {
     const auto own = [&](std::size_t k, std::size_t word) {
       return "own[" +
@@ -55,18 +54,7 @@ std::string facts(const DecisionInterface& d, std::size_t capacity) {
                  word) +
              "]";
     };
-    const std::string sample = "  in.facts." + input.sample + ".";
-    const auto between = [&](std::size_t word) {
-      return sample + "between" + (input.between_words > 1 ? "[" + num(word) + "]" : "");
-    };
-    out += sample + "stamp_us = " + own(0, 2) + ";\n" + sample + "valid = (int32_t)" + own(0, 3) +
-           ";\n";
-    for (std::size_t w = 0; w < input.between_words; ++w) out += between(w) + " = 0;\n";
-    for (std::size_t k = 0; k < input.members.size(); ++k) {
-      out += "  in.facts." + input.members[k] + " = " + own(k, 0) + ";\n";
-      out += between(k / bits) + " |= (uint32_t)(" + own(k, 1) + " > " + own(k, 0) + ") << " +
-             num(k % bits) + ";\n";
-    }
+    out += take_input(input, own(0, 2), own(0, 3), own);
   }
   for (const auto& [member, value] : d.params) {
     out += "  in.facts." + member + " = " + std::to_string(value) + ";\n";

@@ -15,4 +15,23 @@ std::string glue_readers(const std::string& prefix, bool in_space) {
          "  to->stamp_us = from[2];\n  to->valid = (int32_t)from[3];\n}\n";
 }
 
+std::string take_input(const DecisionInterface::Input& input, const std::string& stamp,
+                       const std::string& valid,
+                       const std::function<std::string(std::size_t, std::size_t)>& end) {
+  constexpr std::size_t bits = 32;  // of a word of `between`
+  const std::string sample = "  in.facts." + input.sample + ".";
+  const auto between = [&](std::size_t word) {
+    return sample + "between" + (input.between_words > 1 ? "[" + std::to_string(word) + "]" : "");
+  };
+  std::string out =
+      sample + "stamp_us = " + stamp + ";\n" + sample + "valid = (int32_t)" + valid + ";\n";
+  for (std::size_t w = 0; w < input.between_words; ++w) out += between(w) + " = 0;\n";
+  for (std::size_t k = 0; k < input.members.size(); ++k) {
+    out += "  in.facts." + input.members[k] + " = " + end(k, 0) + ";\n" + between(k / bits) +
+           " |= (uint32_t)(" + end(k, 1) + " > " + end(k, 0) + ") << " + std::to_string(k % bits) +
+           ";\n";
+  }
+  return out;
+}
+
 }  // namespace rtac::driver

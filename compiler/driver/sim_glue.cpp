@@ -93,21 +93,13 @@ std::string take_agents(const DecisionInterface& d) {
 // Measured now.
 std::string take_inputs(const DecisionInterface& d) {
   std::string out;
-  constexpr std::size_t bits = 32;  // of a word of `between`
   std::size_t at = in_words(d) - input_words(d);
   for (const DecisionInterface::Input* input : plain_inputs(d)) {
-    const std::string sample = "  in.facts." + input->sample + ".";
-    const auto between = [&](std::size_t word) {
-      return sample + "between" + (input->between_words > 1 ? "[" + num(word) + "]" : "");
+    const auto word = [&](std::size_t k, std::size_t which) {
+      return "own[" + num(at + component_words * k + which) + "]";
     };
-    out +=
-        sample + "stamp_us = now_us;\n" + sample + "valid = (int32_t)own[" + num(at + 2) + "];\n";
-    for (std::size_t w = 0; w < input->between_words; ++w) out += between(w) + " = 0;\n";
-    for (std::size_t k = 0; k < input->members.size(); ++k, at += component_words) {
-      const std::string lo = "own[" + num(at) + "]";
-      out += "  in.facts." + input->members[k] + " = " + lo + ";\n" + between(k / bits) +
-             " |= (uint32_t)(own[" + num(at + 1) + "] > " + lo + ") << " + num(k % bits) + ";\n";
-    }
+    out += take_input(*input, "now_us", word(0, 2), word);
+    at += component_words * input->members.size();
   }
   return out;
 }

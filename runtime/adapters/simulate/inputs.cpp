@@ -168,18 +168,17 @@ Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std:
   sim::Random random = sim::Random::stream(seed, input_stream, draw_number);
   for (int n = 0; n < draws; ++n) {
     told = draw(decision, scenario, random);
+    if (decision.mentions.empty()) return {};  // no property depends on them
     const DecisionCase d = with_inputs(decision, told);
     if (std::all_of(d.properties.begin(), d.properties.end(),
                     [](const sim::Property& p) { return may_be(p, true); })) {
       return {};
     }
-    if (decision.mentions.empty()) break;
   }
   return {"no inputs were found with which every property of `" + decision.name +
               "` holds anywhere; the last ones were " + text_of(decision, told),
           R"(a scenario says what they are, so that it can hold: `"inputs": {")" +
-              (decision.inputs.empty() ? std::string("name") : decision.inputs.front().name) +
-              R"(": ...}`)",
+              decision.inputs.front().name + R"(": ...}`)",
           true};
 }
 

@@ -148,14 +148,15 @@ class Program {
            std::any_of(decision.monitors.begin(), decision.monitors.end(),
                        [&](const MonitorCase& m) { return m.name == scenario_.about; });
   }
-  Problem prepared(std::size_t index, std::uint64_t seed, Setup& setup) {
+  // `decision`: with the inputs that were drawn.
+  Problem prepared(std::size_t index, std::uint64_t seed, Setup& setup, DecisionCase& decision) {
     constexpr std::uint64_t draws = 8;  // of inputs for which there are places
     const DecisionCase& open = case_.decisions[index];
     Problem problem;
     for (std::uint64_t n = 0; n < (open.inputs.empty() ? 1 : draws); ++n) {
       problem = draw_inputs(open, scenario_, seed, n, setup.told);
       if (problem) return problem;
-      const DecisionCase decision = with_inputs(open, setup.told);
+      decision = with_inputs(open, setup.told);
       problem = make_setup(decision, scenario_, seed, setup);
       if (problem) continue;
       if (scenario_.tight) tighten(decision, functions_[index], setup);
@@ -171,10 +172,10 @@ class Program {
   };
   void attempt(std::size_t index, std::uint64_t seed, Attempt& to) {
     Tape none;
-    to.problem = prepared(index, seed, to.setup);
+    DecisionCase decision;
+    to.problem = prepared(index, seed, to.setup, decision);
     if (to.problem) return;
-    to.problem = run(with_inputs(case_.decisions[index], to.setup.told), functions_[index],
-                     to.setup, none, to.outcome, until_s_);
+    to.problem = run(decision, functions_[index], to.setup, none, to.outcome, until_s_);
   }
   // Runs know nothing of each other: as many at once as there are jobs. What one of them throws is
   // thrown here, when all have ended.
