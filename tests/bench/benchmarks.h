@@ -19,7 +19,12 @@ struct Effort {
   int share_seconds = 600;      // of each of four runs
 };
 
-bool measure_steps(const Effort& effort, Report& report);
+// The study whose step is measured, of those that its program is built with.
+struct StepSubject {
+  const char *key, *title, *target;  // of the rows; the ratio that is wanted
+};
+bool measure_steps(const StepSubject& subject, const Effort& effort, Report& report);
+bool measure_hundred(const Effort& effort, Report& report);  // in a program of its own
 bool measure_fleets(const Effort& effort, Report& report);
 bool measure_simulation(const Effort& effort, Report& report);
 bool measure_watch(const Effort& effort, Report& report);

@@ -49,7 +49,11 @@ int main(int argc, char** argv) {
   const auto wanted = [&](const char* group) { return a.only.empty() || a.only == group; };
   rtac::bench::Report report;
   bool measured = true;
-  if (wanted("step")) measured = rtac::bench::measure_steps(a.effort, report) && measured;
+  if (wanted("step")) {
+    const rtac::bench::StepSubject study{"step", "delivery", "3"};
+    measured = rtac::bench::measure_steps(study, a.effort, report) && measured;
+    measured = rtac::bench::measure_hundred(a.effort, report) && measured;
+  }
   if (wanted("fleet")) measured = rtac::bench::measure_fleets(a.effort, report) && measured;
   if (wanted("simulation"))
     measured = rtac::bench::measure_simulation(a.effort, report) && measured;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
+#include <utility>
 
 #include "rtac/sim/table.h"
 
@@ -65,6 +67,33 @@ std::string Report::json() const {
     all += line;
   }
   return "{\n" + all + "\n}\n";
+}
+
+std::string Report::lines() const {
+  std::ostringstream out;
+  out.precision(17);
+  for (const Row& row : rows_) {
+    out << row.section << '\t' << row.key << '\t' << row.what << '\t' << row.unit << '\t'
+        << row.value.median << ' ' << row.value.low << ' ' << row.value.high << ' ' << row.decimals
+        << '\n';
+  }
+  return std::move(out).str();
+}
+
+bool Report::add_lines(const std::string& lines) {
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    Row row;
+    for (std::string* text : {&row.section, &row.key, &row.what, &row.unit}) {
+      if (!std::getline(words, *text, '\t')) return false;
+    }
+    if (!(words >> row.value.median >> row.value.low >> row.value.high >> row.decimals)) {
+      return false;
+    }
+    rows_.push_back(row);
+  }
+  return true;
 }
 
 }  // namespace rtac::bench

@@ -24,6 +24,9 @@ class Report {
            int decimals);
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string json() const;
+  // One line per row, and back again: for what another program has measured. False: not such lines.
+  [[nodiscard]] std::string lines() const;
+  bool add_lines(const std::string& lines);
 
  private:
   struct Row {

@@ -179,35 +179,38 @@ Spread ratio(const std::vector<Times>& rounds, Contestant who, Contestant agains
   return spread_of(values);
 }
 
-void tell(const Rounds& rounds, Report& report) {
+void tell(const StepSubject& subject, const Rounds& rounds, Report& report) {
   const std::vector<Times>& every = rounds.of[all];
-  report.add("step_kernel_ratio", "generated kernel / hand-written (target: at most 3)",
-             ratio(every, kernel, hand_prepared), "x", 2);
-  report.add("step_kernel_ratio_advanced", "  while the advanced controller drives",
-             ratio(rounds.of[advanced], kernel, hand_prepared), "x", 2);
-  report.add("step_kernel_ratio_recovery", "  while a recovery drives",
-             ratio(rounds.of[recovery], kernel, hand_prepared), "x", 2);
-  report.add("step_module_ratio", "generated class / hand-written, inputs included",
-             ratio(every, module, hand_full), "x", 2);
-  report.add("step_module_kernel_ratio", "generated class / hand-written without inputs",
-             ratio(every, module, hand_prepared), "x", 2);
-  report.add("step_hand_ns", "hand-written, prepared inputs", column(every, hand_prepared),
-             "ns/step", 0);
-  report.add("step_kernel_ns", "generated kernel, prepared inputs", column(every, kernel),
-             "ns/step", 0);
-  report.add("step_hand_full_ns", "hand-written, from an observation", column(every, hand_full),
-             "ns/step", 0);
-  report.add("step_module_ns", "generated class, observation in, record out", column(every, module),
-             "ns/step", 0);
-  report.add("step_hand_worst_ns", "hand-written, slowest window", rounds.worst[hand_prepared],
-             "ns/step", 0);
-  report.add("step_kernel_worst_ns", "generated kernel, slowest window", rounds.worst[kernel],
-             "ns/step", 0);
+  const auto add = [&](const char* key, const std::string& what, const Spread& value,
+                       const char* unit, int decimals) {
+    report.add(subject.key + std::string("_") + key, what, value, unit, decimals);
+  };
+  const auto worst = [&](Contestant who) {
+    return Spread{rounds.worst[who], rounds.worst[who], rounds.worst[who]};
+  };
+  add("kernel_ratio",
+      "generated kernel / hand-written (target: at most " + std::string(subject.target) + ")",
+      ratio(every, kernel, hand_prepared), "x", 2);
+  add("kernel_ratio_advanced", "  while the advanced controller drives",
+      ratio(rounds.of[advanced], kernel, hand_prepared), "x", 2);
+  add("kernel_ratio_recovery", "  while a recovery drives",
+      ratio(rounds.of[recovery], kernel, hand_prepared), "x", 2);
+  add("module_ratio", "generated class / hand-written, inputs included",
+      ratio(every, module, hand_full), "x", 2);
+  add("module_kernel_ratio", "generated class / hand-written without inputs",
+      ratio(every, module, hand_prepared), "x", 2);
+  add("hand_ns", "hand-written, prepared inputs", column(every, hand_prepared), "ns/step", 0);
+  add("kernel_ns", "generated kernel, prepared inputs", column(every, kernel), "ns/step", 0);
+  add("hand_full_ns", "hand-written, from an observation", column(every, hand_full), "ns/step", 0);
+  add("module_ns", "generated class, observation in, record out", column(every, module), "ns/step",
+      0);
+  add("hand_worst_ns", "hand-written, slowest window", worst(hand_prepared), "ns/step", 0);
+  add("kernel_worst_ns", "generated kernel, slowest window", worst(kernel), "ns/step", 0);
 }
 
 }  // namespace
 
-bool measure_steps(const Effort& effort, Report& report) {
+bool measure_steps(const StepSubject& subject, const Effort& effort, Report& report) {
   Recorder recorder;
   if (!run_shift(1, effort.shift_minutes, &recorder)) {
     std::fputs("rtac_bench: the recorded shift did not run to its end\n", stderr);
@@ -219,12 +222,13 @@ bool measure_steps(const Effort& effort, Report& report) {
   const auto steps = static_cast<int>(windows.size() * window_ticks);
   char title[200];
   std::snprintf(title, sizeof title,
-                "Decision step, delivery: %d ticks of a shift (%.0f %% in a recovery), %d rounds",
-                steps, steps > 0 ? 100.0 * recoveries / steps : 0, effort.step_rounds);
+                "Decision step, %s: %d ticks of a shift (%.0f %% in a recovery), %d rounds",
+                subject.title, steps, steps > 0 ? 100.0 * recoveries / steps : 0,
+                effort.step_rounds);
   report.section(title);
   hand_tables tables;
   bench_tables_init(&tables);
-  tell(run(windows, tables, effort.step_rounds), report);
+  tell(subject, run(windows, tables, effort.step_rounds), report);
   return true;
 }
 

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-enum { HAND_ROBOTS = 2, HAND_MONITORS = 3, HAND_EDGES = 16, HAND_PLAN_CAPACITY = 64 };
+enum { HAND_ROBOTS = 2, HAND_MONITORS = 3, HAND_EDGES = 128, HAND_PLAN_CAPACITY = 64 };
 enum { HAND_COLLISION = 0, HAND_GEOFENCE = 1, HAND_BATTERY = 2 };
 /* Numbered as in the decision record. */
 enum { HAND_FALSE = 0, HAND_UNKNOWN = 1, HAND_TRUE = 2 };

@@ -1,0 +1,22 @@
+# The delivery study with the fence of free.rta in the place of its own: hundred/robot_delivery.rta in
+# the current binary directory.
+function(rtac_hundred_spec)
+  set(study ${PROJECT_SOURCE_DIR}/specs/robot_delivery/robot_delivery.rta)
+  set(fence ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/free.rta)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${study} ${fence})
+  file(READ ${study} text)
+  file(READ ${fence} free)
+  string(FIND "${text}" "zone arena" from)
+  string(FIND "${text}" "robot TurtleBot3" to)
+  string(FIND "${text}" "  acknowledge" acknowledged)
+  if(from EQUAL -1 OR to LESS_EQUAL from OR acknowledged LESS_EQUAL to)
+    message(FATAL_ERROR "${study}: no zones, robot and acknowledgement in this order")
+  endif()
+  string(SUBSTRING "${text}" 0 ${from} before)
+  math(EXPR length "${acknowledged} - ${to}")
+  string(SUBSTRING "${text}" ${to} ${length} robots)
+  string(SUBSTRING "${text}" ${acknowledged} -1 after)
+  set(why "nothing bounds how long a retreat past rounded boxes lasts")
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/hundred/robot_delivery.rta @ONLY CONTENT
+    "@before@@free@\n@robots@  acknowledge turn_back may break battery \"@why@\";\n@after@")
+endfunction()
