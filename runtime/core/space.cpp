@@ -14,9 +14,11 @@ constexpr double s_per_us = 1e-6;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // As of other retreats: the clearance "does not fall" up to the resolution of the grid.
 constexpr double loss_m = 2e-3;
-// Looks at clearances in one search, and cells that are tried on one height. At a glance a leg
-// takes one look per slab, so that of up to six slabs all heights are looked at (verify:
-// legs_back).
+// Looks at clearances in one search, at a glance and as many piece by piece, and cells that are
+// tried on one height. At a glance a leg takes one look per slab, so that of up to six slabs all
+// heights are looked at (verify: legs_back): 22 heights of 7 looks and 24 cells of 7 more, for a
+// clearance with the slack of a measurement and for one without. Once they are spent, the search
+// ends: no cell is compared any more.
 constexpr int looks_max = 8000, cells_tried_max = 24;
 // Of doubles: a place that is as clear as is wanted counts as such.
 constexpr double rounding_m = 1e-6;
@@ -36,6 +38,7 @@ class Sight {
  public:
   explicit Sight(const Setting& setting) : solid_(setting.solid), flat_(setting.zone) {}
 
+  [[nodiscard]] bool spent() const { return looks_ <= 0; }
   double clearance_m(Vec3 p) {
     if (looks_-- <= 0) return -infinite;
     return solid_ != nullptr ? signed_clearance(*solid_, p) : signed_clearance(*flat_, {p.x, p.y});
@@ -141,6 +144,7 @@ void find_place(Sight& sight, Vec3 from, double wanted_m, double least_m, How ho
   const auto is_place = [&](Vec3 p) { return sight.clearance_m(p) >= wanted_m - rounding_m; };
   sight.heights(from.z, wanted_m, [&](double z) {
     const Vec3 level{from.x, from.y, z};
+    if (sight.spent()) return;
     const double up_m = std::abs(z - from.z);
     if (up_m >= best_m || (up_m > 0 && !sight.leg_is_clear(from, level, least_m, how))) return;
     if (is_place(level)) {
@@ -150,11 +154,11 @@ void find_place(Sight& sight, Vec3 from, double wanted_m, double least_m, How ho
       return;
     }
     const ZoneView* const zone = sight.at_height(z);
-    if (zone == nullptr) return;
+    if (zone == nullptr || sight.spent()) return;
     (void)nearest_cell(*zone, level, wanted_m, [&](Vec3 aim) {
       const double way_m = up_m + norm(aim - level);
       if (way_m >= best_m) return true;  // whatever comes after it is no nearer
-      if (!is_place(aim) || !sight.leg_is_clear(level, aim, least_m, how)) return false;
+      if (!is_place(aim) || !sight.leg_is_clear(level, aim, least_m, how)) return sight.spent();
       best_m = way_m;
       legs.clear();
       if (up_m > 0) (void)legs.push(level);
@@ -216,8 +220,7 @@ void Land::look(Vec3 from, Legs& legs) {
 }
 
 void RetreatInSpace::look(Vec3 from, Legs& legs) {
-  Sight sight(setting_);
-  const double now_m = sight.clearance_m(from);
+  const double now_m = Sight(setting_).clearance_m(from);
   if (now_m >= setting_.return_clearance_m) return;
   const bool outside = now_m < setting_.limits.radius_m;
   const double least_m = (outside ? now_m : std::min(now_m, setting_.route_clearance_m)) - loss_m;
@@ -230,8 +233,10 @@ void RetreatInSpace::look(Vec3 from, Legs& legs) {
     (void)wishes.push(setting_.route_clearance_m);
     (void)wishes.push(setting_.limits.radius_m + slack_m);
   }
-  // At a glance first: that cannot take all looks away from a wish that would be fulfilled so.
+  // At a glance first, and each way of looking with looks of its own: neither takes them away from
+  // a wish that the other would fulfil.
   for (const How how : {How::at_a_glance, How::piece_by_piece}) {
+    Sight sight(setting_);
     for (const double wanted_m : wishes) {
       find_place(sight, from, wanted_m, least_m, how, legs);
       if (!legs.empty()) return;

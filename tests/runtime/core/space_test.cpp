@@ -115,5 +115,26 @@ TEST(RetreatInSpace, FindsAWayOutOfNestedSlabs) {
   }
 }
 
+// Outside, nothing is clear at a glance. Of a stack of many slabs it looks at so many heights that
+// its glances are spent on them: each way of looking has looks of its own.
+TEST(RetreatInSpace, GlancesTakeNoLooksAwayFromPieces) {
+  const test::TestZone hall(test::square_rings(9'000));
+  std::array<SlabView, 40> slabs;
+  for (std::size_t i = 0; i < slabs.size(); ++i) {
+    const auto floor_m = static_cast<double>(i);
+    slabs[i] = {&hall.view(), floor_m, floor_m + 1};
+  }
+  const SolidView solid{"tower", slabs.data(), slabs.size()};
+  Setting setting;
+  setting.limits = test::drone_limits();
+  setting.limits.in_space = true;
+  setting.period_us = 50'000;
+  setting.speed_mps = 0.5;
+  setting.route_clearance_m = 0.5;
+  setting.return_clearance_m = 0.9;
+  setting.solid = &solid;
+  EXPECT_TRUE(sets_out(setting, {-0.05, 4.5}, 20.5));
+}
+
 }  // namespace
 }  // namespace rtac::safe
