@@ -11,7 +11,7 @@ namespace rtac::safe {
 struct Claim {
   const ZoneView* zone = nullptr;
   double speed_mps = 0;
-  TimeUs reaction_us = 0;  // from the decision until the next one acts: look-ahead and latency
+  TimeUs reaction_us = 0;  // until the next decision acts: look-ahead, jitter and latency
   double accel_mps2 = 0;   // of the reference point, turning included
   // How far the braked path may be from the straight stop (theory, the brake: rho_sc): a time at
   // the speed it begins with, a part of the straight stop, and the hold.
