@@ -27,7 +27,7 @@ double run_out_m(const Setting& setting) {
 bool LegTracker::advance(Path& way, Vec2 at, double reach_m) {
   while (!way.finished()) {
     const Vec2 to = way.points[way.index];
-    const Leg here = leg(way, at);
+    const Bearing here = bearing(way, at);
     // Passing the end counts too: a leg is not driven backwards because of a small offset.
     const bool last = way.index + 1 == way.points.size();
     const bool passed = here.remaining_m <= (last ? 0.25 * reach_m : 0.0);
@@ -38,10 +38,10 @@ bool LegTracker::advance(Path& way, Vec2 at, double reach_m) {
   return false;
 }
 
-LegTracker::Leg LegTracker::leg(const Path& way, Vec2 at) const {
+LegTracker::Bearing LegTracker::bearing(const Path& way, Vec2 at) const {
   const Vec2 to = way.points[way.index], along = to - from_;
   const double length = norm(along);
-  Leg leg;
+  Bearing leg;
   leg.direction = length > 1e-6 ? (1 / length) * along : Vec2{1, 0};
   leg.remaining_m = length > 1e-6 ? dot(to - at, leg.direction) : 0.0;
   leg.lateral_m = leg.direction.x * (at.y - from_.y) - leg.direction.y * (at.x - from_.x);
@@ -58,7 +58,7 @@ LegTracker::Leg LegTracker::leg(const Path& way, Vec2 at) const {
 // With speed u at the corner and planned braking d, v is right when v r + (v^2 - u^2) / (2 d) is
 // what remains: what it comes on until the brake acts, at the speed that it has by then and not at
 // the full one, which would leave it to creep over a stretch that it takes seconds for.
-double approach_speed(const LegTracker::Leg& leg, double speed_mps, double brake_mps2,
+double approach_speed(const LegTracker::Bearing& leg, double speed_mps, double brake_mps2,
                       double reaction_s) {
   const double corner_mps = speed_mps * std::max(0.0, 1 - leg.corner_rad / sharp_corner_rad);
   const double planned_mps2 = pace::planned_braking * brake_mps2;

@@ -15,10 +15,12 @@ constexpr double s_per_us = 1e-6;
 constexpr double lateral_gain_per_s = 1.0;
 // For what sampling adds, and the tail of its approach.
 constexpr double sway_slack_m = 0.01;
+// A leg that is no longer is a point.
+constexpr double point_m = 1e-6;
 
 Vec2 nearest_on(const Leg& leg, Vec2 at) {
   const double length_m = norm(leg.to - leg.from);
-  if (length_m < 1e-6) return leg.to;
+  if (length_m <= point_m) return leg.to;
   const Vec2 along = (1 / length_m) * (leg.to - leg.from);
   return leg.from + std::clamp(dot(at - leg.from, along), 0.0, length_m) * along;
 }
@@ -55,6 +57,7 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
   // lemma hold, and the error of the measurement that tells
   sway_m_ = 2 * limits_.position_error_m + 2 * limits_.velocity_error_mps / omega_radps_ +
             limits_.disturbance_mps2 / (omega_radps_ * omega_radps_) + sway_slack_m;
+  stray_m_ = stray_m();
   // What drives off with less than the brake has to be slow: as its measurement can tell, and by no
   // more than a creep.
   const double steers_mps2 = steering_limit();
@@ -80,13 +83,13 @@ void Pilot<Acceleration>::engage(const Observation& observation) {
 void Pilot<Acceleration>::go_on(const Halt& halt) {
   latched_ = halt.latched;
   hold_at_ = halt.place;
-  kept_ = halt.kept;
   on_leg_ = halt.leg;
+  if (latched_) leave_far_leg();
   rest_.go_on(halt);
 }
 
 std::optional<Halt> Pilot<Acceleration>::halting() const {
-  return Halt{latched_, hold_at_, kept_, on_leg_, rest_.since_us(), rest_.seen_us()};
+  return Halt{latched_, hold_at_, on_leg_, rest_.since_us(), rest_.seen_us()};
 }
 
 bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
@@ -100,6 +103,31 @@ bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
 double Pilot<Acceleration>::steering_limit() const {
   return limits_.accel_mps2 > 0 ? std::min(limits_.accel_mps2, limits_.brake_mps2)
                                 : limits_.brake_mps2;
+}
+
+double Pilot<Acceleration>::settling_s() const {
+  return std::max(pace::velocity_time_s, pace::velocity_time_delays * reaction_s_);
+}
+
+// Within what is declared a stop ends no further beside its leg, or its prolongation, than
+// - it drove beside it: the correction to the leg settles where it makes up for the errors of the
+//   place and of the velocity, and for what a push adds to the speed while that settles (as
+//   pushed_speed of analysis/travel.cpp); half of it more until then (as analysis/limits.cpp);
+// - its velocity leads aside while it stops: that correction and these errors, for the time s / (2
+//   b) that the straight stop takes at the full speed s;
+// - the stop bends from the straight one (lemma sampled_brake), and its hold sways.
+// What legs keep clear is reckoned for such stops (cruise_clearance_mm).
+double Pilot<Acceleration>::stray_m() const {
+  const double b = limits_.brake_mps2, d = limits_.disturbance_mps2, left = b - d;
+  const double pushed_mps = d * settling_s();
+  const double settled_m =
+      limits_.position_error_m + (limits_.velocity_error_mps + pushed_mps) / lateral_gain_per_s;
+  const double beside_m = 1.5 * settled_m;
+  const double aside_mps = lateral_gain_per_s * (beside_m + settled_m);
+  const double s = speed_mps_ + limits_.velocity_error_mps + 2 * pushed_mps;
+  const double eta_mps = rest_mps_ * left / b;
+  const double bend_m = (eta_mps * (s + eta_mps) + d * s * s / (2 * b)) / left;
+  return beside_m + aside_mps * s / (2 * b) + bend_m + sway_m_;
 }
 
 bool Pilot<Acceleration>::at_rest(const Observation& observation) const {
@@ -147,12 +175,8 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
   if (!latched_ && rest_.admits(observation, limits_.latency_us) && speed <= rest_mps_) {
     latched_ = true;
     // Where the remaining speed comes to rest, so that the hold begins without a step back.
-    hold_at_ = kept_ = p + (reaction_s_ / 2) * v;
-    // Stop by stop, noise would carry it off: the next leg begins where this one has ended.
-    if (on_leg_) {
-      const Vec2 nearest = nearest_on(*on_leg_, {hold_at_.x, hold_at_.y});
-      kept_.x = nearest.x, kept_.y = nearest.y;
-    }
+    hold_at_ = p + (reaction_s_ / 2) * v;
+    leave_far_leg();
   }
   if (!latched_) return against(v);
   const Vec3 spring = (omega_radps_ * omega_radps_) * (hold_at_ - p);
@@ -160,12 +184,33 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
   return limited(spring + damper, b);
 }
 
+// Stop by stop, noise would carry it off: the next leg begins where this one has ended. But further
+// off than its stop explains something else has carried the robot away, or it was blind, and nobody
+// has looked at what lies between: it stays, and its next leg begins there. Past the end of the leg
+// it may have come on by a straight stop.
+void Pilot<Acceleration>::leave_far_leg() {
+  if (!on_leg_) return;
+  const Vec2 at{hold_at_.x, hold_at_.y}, way = on_leg_->to - on_leg_->from;
+  const double length_m = norm(way);
+  const double past_m = speed_mps_ * speed_mps_ / (2 * limits_.brake_mps2);
+  Leg prolonged = *on_leg_;
+  if (length_m > point_m) prolonged.to = prolonged.to + (past_m / length_m) * way;
+  // what is not a number is not near either
+  if (!(norm(at - nearest_on(prolonged, at)) <= stray_m_)) on_leg_.reset();
+}
+
+// From which it moves on: the nearest place of its leg, if it was stopped on one.
+Vec3 Pilot<Acceleration>::kept() const {
+  if (!on_leg_) return hold_at_;
+  const Vec2 nearest = nearest_on(*on_leg_, {hold_at_.x, hold_at_.y});
+  return {nearest.x, nearest.y, hold_at_.z};
+}
+
 // The spring pulls the robot after it, no faster than the place moves: it is critically damped, and
 // knows nothing of that speed.
 bool Pilot<Acceleration>::carry(Vec3 to, double step_m) {
-  const bool there = move_hold(to, step_m);
-  kept_ = hold_at_;
-  return there;
+  on_leg_.reset();
+  return move_hold(to, step_m);
 }
 
 bool Pilot<Acceleration>::move_hold(Vec3 to, double step_m) {
@@ -182,9 +227,9 @@ bool Pilot<Acceleration>::sets_out(const Observation& observation) {
     return true;
   }
   const double step_m = speed_mps_ * static_cast<double>(period_us_) * s_per_us;
-  if (!move_hold(kept_, step_m) || !at_rest(observation)) return false;
-  if (norm(kept_ - position_of(observation)) > sway_m_) return false;
-  tracker_.begin({kept_.x, kept_.y});
+  if (!move_hold(kept(), step_m) || !at_rest(observation)) return false;
+  if (norm(hold_at_ - position_of(observation)) > sway_m_) return false;
+  tracker_.begin({hold_at_.x, hold_at_.y});
   return true;
 }
 
@@ -201,20 +246,23 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
   rest_.reset();
   last_velocity_ = velocity_of(observation);
   last_seen_us_ = observation.velocity.stamp_us;
-  const LegTracker::Leg leg = tracker_.leg(way, p);
+  const LegTracker::Bearing leg = tracker_.bearing(way, p);
   const double limit = steering_limit();
   const double speed =
       approach_speed(leg, speed_mps_, limit - limits_.disturbance_mps2, reaction_s_);
   const Vec2 left{-leg.direction.y, leg.direction.x};
   Vec2 wanted = speed * leg.direction + (-lateral_gain_per_s * leg.lateral_m) * left;
   if (const double size = norm(wanted); size > speed_mps_) wanted = (speed_mps_ / size) * wanted;
-  const double time_s = std::max(pace::velocity_time_s, pace::velocity_time_delays * reaction_s_);
-  const Vec2 pull = (1 / time_s) * (wanted - v);
+  const Vec2 pull = (1 / settling_s()) * (wanted - v);
   return limited({pull.x, pull.y, 0}, limit);
 }
 
 bool Pilot<Acceleration>::recedes(const Observation& observation, Vec2 target, Vec2 from) const {
-  return safe::recedes(observation.position.value, target, from);
+  if (!safe::recedes(observation.position.value, target, from)) return false;
+  if (!latched_) return true;
+  const Vec3 first = kept();
+  return norm(first - hold_at_) <= sway_m_ ||
+         safe::recedes({hold_at_.x, hold_at_.y}, {first.x, first.y}, from);
 }
 
 }  // namespace rtac::safe

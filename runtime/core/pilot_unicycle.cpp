@@ -72,7 +72,7 @@ Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
   driving_ = true;
   latched_ = false;
   not_at_rest();
-  const LegTracker::Leg leg = tracker_.leg(way, p);
+  const LegTracker::Bearing leg = tracker_.bearing(way, p);
   const Vec2 left{-leg.direction.y, leg.direction.x};
   const Vec2 aim = aim_ahead_m * leg.direction + (-leg.lateral_m) * left;
   const double error = detail::wrapped(detail::angle(aim) - observation.heading.value);

@@ -27,8 +27,7 @@ struct Leg {  // straight, map frame, metres
 struct Halt {
   bool latched = false;        // it holds its place; else it still brakes, or drives
   Vec3 place;                  // that it holds
-  Vec3 kept;                   // from which it moves on: on its leg, if it was stopped on one
-  std::optional<Leg> leg;      // that it drives, or was stopped on
+  std::optional<Leg> leg;      // that it drives, or was stopped on: from there it moves on
   TimeUs since_us = never_us;  // measurements of later show the halt; never_us: it has not begun
   TimeUs seen_us = never_us;   // the newest one of these
 };
@@ -41,10 +40,12 @@ class SafeController {
   // Called on the tick of the hand-over, before the first command. A velocity that is not a number
   // is replaced by the last one that was, with its stamp: what a blind brake has to go by.
   virtual void engage(const Observation& observation) = 0;
-  // Called after it where another recovery has driven until now, and how that one halts; nothing:
-  // it has not begun to. Who takes over goes on with it: a place that is latched anew at every
-  // hand-over would wander off with the errors of the measurements.
+  // Called after it where another recovery has driven until now and tells how it halts. Who takes
+  // over goes on with it: a place that is latched anew at every hand-over would wander off with the
+  // errors of the measurements.
   virtual void go_on(const Halt&) {}
+  // How it halts, or drives, now: for the `go_on` of the recovery that takes over. Nothing: it has
+  // nothing to hand on, and the next one brakes and latches for itself.
   [[nodiscard]] virtual std::optional<Halt> halt() const { return std::nullopt; }
   // `gate` is binding: `hold` means brake and hold, `away_only` allows motion only along which no
   // distance to a HELD robot shrinks.

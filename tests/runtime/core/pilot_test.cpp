@@ -187,6 +187,124 @@ TEST(PointPilot, BrakesBlindFromTheHandOver) {
   EXPECT_NEAR(pilot.brake_blind(seen).value_mps2.x, -1.0, 0.01);
 }
 
+// What a recovery hands on that holds `place` and was stopped on the leg from the origin to x = 4
+// m.
+Halt stopped_on_leg(Vec3 place) {
+  Halt halt;
+  halt.latched = true;
+  halt.place = place;
+  halt.leg = Leg{{0, 0}, {4, 0}};
+  return halt;
+}
+
+// A drone that stands at `place` with `halt` and wants to go to `target`.
+struct Standing {
+  Standing(const Halt& halt, Vec2 place, Vec2 target)
+      : plant(test::drone_limits(), place), pilot(drone()) {
+    plant.noisy = 0;
+    (void)way.points.push(target);
+    pilot.engage(plant.observe());
+    pilot.go_on(halt);
+  }
+  Plant<Acceleration> plant;
+  Pilot<Acceleration> pilot;
+  Path way;
+};
+
+// How near to that leg it gets on its way to a target that is as far beside it as `place`.
+double nearest_to_leg_m(const Halt& halt, Vec2 place) {
+  Standing drone_at(halt, place, {place.x + 2, place.y});
+  Plant<Acceleration>& plant = drone_at.plant;
+  double nearest_m = 1e9;
+  while (!drone_at.way.finished() && plant.now_us < 60'000'000) {
+    plant.apply(drone_at.pilot.drive(plant.observe(), drone_at.way), 50'000);
+    nearest_m = std::min(nearest_m, distance_to_segment(plant.p, {0, 0}, {4, 0}));
+  }
+  EXPECT_TRUE(drone_at.way.finished());
+  return nearest_m;
+}
+
+// From as near as its stop explains it sets out from its leg; from further off, where something
+// else has brought it, nobody knows what lies between, and it sets out from where it stands. The
+// bound of this drone, computed by hand: 6 cm beside the leg, 1.6 cm aside while it stops, a bend
+// of 6.4 cm, a sway of 7.7 cm; past the end, 4.5 cm more.
+TEST(PointPilot, GoesBackToItsLegOnlyFromNearIt) {
+  EXPECT_LT(nearest_to_leg_m(stopped_on_leg({1, 0.21, 0}), {1, 0.21}), 0.08);
+  EXPECT_GT(nearest_to_leg_m(stopped_on_leg({1, 0.225, 0}), {1, 0.225}), 0.21);
+  EXPECT_GT(nearest_to_leg_m(stopped_on_leg({1, -1.5, 0}), {1, -1.5}), 1.45);
+  const auto keeps_leg = [](Vec3 place) {
+    Pilot<Acceleration> pilot(drone());
+    pilot.go_on(stopped_on_leg(place));
+    return pilot.halting()->leg.has_value();
+  };
+  EXPECT_TRUE(keeps_leg({4.25, 0, 0}));
+  EXPECT_FALSE(keeps_leg({4.27, 0, 0}));
+  EXPECT_FALSE(keeps_leg({-0.23, 0, 0}));
+  EXPECT_FALSE(keeps_leg({std::nan(""), 0, 0}));
+}
+
+// Carried off beside a wall while it was blind on its way: the place where it comes to rest is the
+// one that it holds, and the next leg begins there.
+TEST(PointPilot, IsNotDrawnThroughWhatLiesBesideItsOldLeg) {
+  Standing drone_at({}, {0, 0}, {4, 0});
+  Plant<Acceleration>& plant = drone_at.plant;
+  Pilot<Acceleration>& pilot = drone_at.pilot;
+  drone_at.way.points.clear();
+  (void)drone_at.way.points.push({4, 0});
+  pilot.engage(plant.observe());
+  for (int i = 0; i < 60; ++i) plant.apply(pilot.drive(plant.observe(), drone_at.way), 50'000);
+  ASSERT_GT(plant.p.x, 0.5);
+  for (int i = 0; i < 60; ++i) {  // three seconds
+    Observation blind = plant.observe();
+    blind.position.stamp_us = blind.velocity.stamp_us = never_us;
+    ASSERT_FALSE(pilot.can_steer(blind));
+    plant.apply(pilot.brake_blind(blind), 50'000);
+    plant.p.y += 0.03;
+  }
+  ASSERT_GT(plant.p.y, 1.7);
+  double least_m = plant.p.y;
+  drone_at.way.points.clear();
+  drone_at.way.index = 0;
+  (void)drone_at.way.points.push({3, plant.p.y});
+  while (!drone_at.way.finished() && plant.now_us < 60'000'000) {
+    plant.apply(pilot.drive(plant.observe(), drone_at.way), 50'000);
+    least_m = std::min(least_m, plant.p.y);
+  }
+  EXPECT_TRUE(drone_at.way.finished());
+  EXPECT_GT(least_m, 1.7);
+}
+
+// The move back to the leg is one that the gate is asked about, beside the way on from there.
+TEST(PointPilot, GoesBackToItsLegOnlyAwayFromRobotsThatAreHeld) {
+  const auto recedes = [](Vec2 place, double target_y, double held_y) {
+    const Standing drone_at(stopped_on_leg({place.x, place.y, 0}), place, {});
+    Observation seen;
+    seen.position.value = place;
+    return drone_at.pilot.recedes(seen, {2, target_y}, {place.x, held_y});
+  };
+  EXPECT_FALSE(recedes({1, 0.15}, 3, -1));  // the leg lies between them
+  EXPECT_TRUE(recedes({1, 0.15}, -3, 1));
+  EXPECT_FALSE(recedes({1, -0.15}, -3, 1));
+  EXPECT_TRUE(recedes({1, 0.05}, 3, -1));  // no more than a hold sways
+  EXPECT_TRUE(recedes({1, 0.5}, 3, -1));   // too far off to go back
+}
+
+// Who tells no more than that it holds a place is taken over from at that place.
+TEST(PointPilot, TakesOverAtThePlaceThatIsHeld) {
+  Halt halt;
+  halt.latched = true;
+  halt.place = {3, 2, 0};
+  Standing drone_at(halt, {3, 2}, {4, 2});
+  Plant<Acceleration>& plant = drone_at.plant;
+  double least_m = plant.p.x;
+  while (!drone_at.way.finished() && plant.now_us < 60'000'000) {
+    plant.apply(drone_at.pilot.drive(plant.observe(), drone_at.way), 50'000);
+    least_m = std::min(least_m, plant.p.x);
+  }
+  EXPECT_TRUE(drone_at.way.finished());
+  EXPECT_GT(least_m, 2.99);
+}
+
 // Not a number, a stamp from the future and a stamp that is too old all mean: cannot steer.
 TEST(UnicyclePilot, RefusesBadSamples) {
   Plant<Twist> plant(test::cart_limits(), {0, 0});

@@ -23,8 +23,8 @@ double run_out_m(const Setting& setting);
 // Keeps track of the leg that is driven and of when its end is reached.
 class LegTracker {
  public:
-  // The present leg: seen from a measured position.
-  struct Leg {
+  // The present leg, seen from a measured position.
+  struct Bearing {
     Vec2 direction;          // unit vector
     double remaining_m = 0;  // to the end of the leg, along it
     double lateral_m = 0;    // offset from the leg, positive to its left
@@ -34,7 +34,7 @@ class LegTracker {
   void begin(Vec2 at) { from_ = at; }
   // Moves way.index past the points that `at` has reached or passed. false: nothing is left.
   bool advance(Path& way, Vec2 at, double reach_m);
-  [[nodiscard]] Leg leg(const Path& way, Vec2 at) const;
+  [[nodiscard]] Bearing bearing(const Path& way, Vec2 at) const;
   [[nodiscard]] Vec2 from() const { return from_; }
 
  private:
@@ -43,7 +43,7 @@ class LegTracker {
 
 // Speed with which a leg may be driven `remaining_m` before its end, so that braking with
 // `brake_mps2` meets the corner; never below a creep that still arrives.
-double approach_speed(const LegTracker::Leg& leg, double speed_mps, double brake_mps2,
+double approach_speed(const LegTracker::Bearing& leg, double speed_mps, double brake_mps2,
                       double reaction_s);
 
 // Which measurements may show that a halt has come to rest: those taken after its first command
@@ -88,14 +88,15 @@ class Pilot<Acceleration> {
   // Brakes, then holds the position where it came to rest.
   Acceleration halt(const Observation& observation);
   // Follows `way` from way.index on and advances it; halts at its end. Stopped on a leg it sets out
-  // again from that leg, at rest.
+  // again from that leg, at rest, if it has come to rest as near to it as a stop explains.
   Acceleration drive(const Observation& observation, Path& way);
   [[nodiscard]] bool latched() const { return latched_; }
   // While it holds: the place to hold moves by at most `step_m` towards `to`. True: it is there.
   bool carry(Vec3 to, double step_m);
   // Latched, and slow enough to be driven off.
   [[nodiscard]] bool at_rest(const Observation& observation) const;
-  // The motion that `drive` would command leads nowhere nearer to `from`.
+  // The motion that `drive` would command leads nowhere nearer to `from`: back to the leg that it
+  // was stopped on, as far as that is more than its hold sways, and on to `target`.
   [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
 
  private:
@@ -103,6 +104,10 @@ class Pilot<Acceleration> {
   // The sampled brake: at full strength, until one reaction would reverse the motion.
   [[nodiscard]] Acceleration against(Vec3 v) const;
   [[nodiscard]] double steering_limit() const;  // m/s^2
+  [[nodiscard]] double settling_s() const;      // in which its velocity follows what is wanted
+  [[nodiscard]] double stray_m() const;
+  void leave_far_leg();
+  [[nodiscard]] Vec3 kept() const;
   bool sets_out(const Observation& observation);
   bool move_hold(Vec3 to, double step_m);
 
@@ -114,11 +119,12 @@ class Pilot<Acceleration> {
   double ready_mps_;    // measured speed below which the hold may be left
   double omega_radps_;  // natural frequency of the position hold
   double sway_m_;       // how far from the place that it holds it may be measured, once it is there
+  double stray_m_;      // how far beside its leg it may be measured, once it was stopped on it
   LegTracker tracker_;
   std::optional<Leg> on_leg_;  // that it drives, or was stopped on
   bool latched_ = false, driving_ = false;
   RestWitness rest_;
-  Vec3 hold_at_, kept_;
+  Vec3 hold_at_;
   Vec3 last_velocity_;
   TimeUs last_seen_us_ = never_us;
 };
