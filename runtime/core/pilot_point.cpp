@@ -57,7 +57,6 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
   // lemma hold, and the error of the measurement that tells
   sway_m_ = 2 * limits_.position_error_m + 2 * limits_.velocity_error_mps / omega_radps_ +
             limits_.disturbance_mps2 / (omega_radps_ * omega_radps_) + sway_slack_m;
-  stray_m_ = stray_m();
   // What drives off with less than the brake has to be slow: as its measurement can tell, and by no
   // more than a creep.
   const double steers_mps2 = steering_limit();
@@ -84,12 +83,13 @@ void Pilot<Acceleration>::go_on(const Halt& halt) {
   latched_ = halt.latched;
   hold_at_ = halt.place;
   on_leg_ = halt.leg;
+  leg_mps_ = std::min(halt.leg_mps, limits_.speed_mps);
   if (latched_) leave_far_leg();
   rest_.go_on(halt);
 }
 
 std::optional<Halt> Pilot<Acceleration>::halting() const {
-  return Halt{latched_, hold_at_, on_leg_, rest_.since_us(), rest_.seen_us()};
+  return Halt{latched_, hold_at_, on_leg_, leg_mps_, rest_.since_us(), rest_.seen_us()};
 }
 
 bool Pilot<Acceleration>::can_steer(const Observation& observation) const {
@@ -124,7 +124,7 @@ double Pilot<Acceleration>::stray_m() const {
       limits_.position_error_m + (limits_.velocity_error_mps + pushed_mps) / lateral_gain_per_s;
   const double beside_m = 1.5 * settled_m;
   const double aside_mps = lateral_gain_per_s * (beside_m + settled_m);
-  const double s = speed_mps_ + limits_.velocity_error_mps + 2 * pushed_mps;
+  const double s = leg_mps_ + limits_.velocity_error_mps + 2 * pushed_mps;
   const double eta_mps = rest_mps_ * left / b;
   const double bend_m = (eta_mps * (s + eta_mps) + d * s * s / (2 * b)) / left;
   return beside_m + aside_mps * s / (2 * b) + bend_m + sway_m_;
@@ -192,11 +192,11 @@ void Pilot<Acceleration>::leave_far_leg() {
   if (!on_leg_) return;
   const Vec2 at{hold_at_.x, hold_at_.y}, way = on_leg_->to - on_leg_->from;
   const double length_m = norm(way);
-  const double past_m = speed_mps_ * speed_mps_ / (2 * limits_.brake_mps2);
+  const double past_m = leg_mps_ * leg_mps_ / (2 * limits_.brake_mps2);
   Leg prolonged = *on_leg_;
   if (length_m > point_m) prolonged.to = prolonged.to + (past_m / length_m) * way;
   // what is not a number is not near either
-  if (!(norm(at - nearest_on(prolonged, at)) <= stray_m_)) on_leg_.reset();
+  if (!(norm(at - nearest_on(prolonged, at)) <= stray_m())) on_leg_.reset();
 }
 
 // From which it moves on: the nearest place of its leg, if it was stopped on one.
@@ -241,6 +241,7 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
     return halt(observation);
   }
   on_leg_ = {tracker_.from(), way.points[way.index]};
+  leg_mps_ = speed_mps_;
   driving_ = true;
   latched_ = false;
   rest_.reset();

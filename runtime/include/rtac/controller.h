@@ -25,9 +25,10 @@ struct Leg {  // straight, map frame, metres
 };
 // How a robot has come to rest, or is about to: handed on by one recovery to the next.
 struct Halt {
-  bool latched = false;        // it holds its place; else it still brakes, or drives
-  Vec3 place;                  // that it holds
-  std::optional<Leg> leg;      // that it drives, or was stopped on: from there it moves on
+  bool latched = false;    // it holds its place; else it still brakes, or drives
+  Vec3 place;              // that it holds
+  std::optional<Leg> leg;  // that it drives, or was stopped on: from there it moves on
+  double leg_mps = 0;      // the speed that leg is driven with: how far beside it a stop may end
   TimeUs since_us = never_us;  // measurements of later show the halt; never_us: it has not begun
   TimeUs seen_us = never_us;   // the newest one of these
 };

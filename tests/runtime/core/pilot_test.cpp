@@ -194,6 +194,7 @@ Halt stopped_on_leg(Vec3 place) {
   halt.latched = true;
   halt.place = place;
   halt.leg = Leg{{0, 0}, {4, 0}};
+  halt.leg_mps = drone().speed_mps;
   return halt;
 }
 
@@ -241,6 +242,25 @@ TEST(PointPilot, GoesBackToItsLegOnlyFromNearIt) {
   EXPECT_FALSE(keeps_leg({4.27, 0, 0}));
   EXPECT_FALSE(keeps_leg({-0.23, 0, 0}));
   EXPECT_FALSE(keeps_leg({std::nan(""), 0, 0}));
+}
+
+// As near as the stop of who drove on the leg explains it, not of who takes over: where that one is
+// slower, it would begin anew at every hand-over. Who tells no speed has not driven far beside it.
+TEST(PointPilot, GoesBackToTheLegOfAnotherAsThatOneWould) {
+  Setting slow = drone();
+  slow.speed_mps = 0.05;
+  const auto keeps_leg = [&](double leg_mps, double y) {
+    Pilot<Acceleration> pilot(slow);
+    Halt halt = stopped_on_leg({1, y, 0});
+    halt.leg_mps = leg_mps;
+    pilot.go_on(halt);
+    return pilot.halting()->leg.has_value();
+  };
+  EXPECT_TRUE(keeps_leg(0.3, 0.21));
+  EXPECT_FALSE(keeps_leg(0.3, 0.225));
+  EXPECT_FALSE(keeps_leg(0, 0.21));
+  EXPECT_FALSE(keeps_leg(std::nan(""), 0.01));
+  EXPECT_FALSE(keeps_leg(100, 0.4));  // no robot of this kind is so fast
 }
 
 // Carried off beside a wall while it was blind on its way: the place where it comes to rest is the

@@ -105,6 +105,7 @@ class Pilot<Acceleration> {
   [[nodiscard]] Acceleration against(Vec3 v) const;
   [[nodiscard]] double steering_limit() const;  // m/s^2
   [[nodiscard]] double settling_s() const;      // in which its velocity follows what is wanted
+  // How far beside its leg it may be measured, once it was stopped on it.
   [[nodiscard]] double stray_m() const;
   void leave_far_leg();
   [[nodiscard]] Vec3 kept() const;
@@ -119,9 +120,9 @@ class Pilot<Acceleration> {
   double ready_mps_;    // measured speed below which the hold may be left
   double omega_radps_;  // natural frequency of the position hold
   double sway_m_;       // how far from the place that it holds it may be measured, once it is there
-  double stray_m_;      // how far beside its leg it may be measured, once it was stopped on it
   LegTracker tracker_;
   std::optional<Leg> on_leg_;  // that it drives, or was stopped on
+  double leg_mps_ = 0;         // of who drove it
   bool latched_ = false, driving_ = false;
   RestWitness rest_;
   Vec3 hold_at_;
