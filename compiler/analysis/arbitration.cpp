@@ -115,6 +115,9 @@ class Pair {
           if (sgn(coefficient) < 0) break;
           kept = kept && keeps_clearance(ir::ZoneIndex{leaf.table}, beyond_mm(block, compare));
           break;
+        case ir::Leaf::Kind::received:
+          kept = kept && keeps_received(ir::ReceivedIndex{leaf.table});
+          break;
         case ir::Leaf::Kind::battery:
           kept = kept && keeps_charge();
           break;
@@ -134,6 +137,18 @@ class Pair {
     return kept;
   }
 
+  // Where a zone that is received will be nobody knows: who moves may leave it, or enter it.
+  bool keeps_received(ir::ReceivedIndex zone) {
+    for (const ir::Recovery* step : ir::steps_of(recovery_)) {
+      if (step->kind == ir::RecoveryKind::brake) continue;
+      const ir::Received& received = decision_.facts[zone];
+      entry_.why = "where " + quoted(received.name) + " is received to be is not known, and " +
+                   quoted(recovery_.name) + (received.outside ? " may enter it" : " may leave it");
+      entry_.help = "`brake_and_hold` as the recovery of " + quoted(driving_.name) + " works";
+      return false;
+    }
+    return true;
+  }
   // The zone that a step moves within; none: it stays where the brake ends, which the look-ahead of
   // every monitor has found clear.
   static std::optional<ir::ZoneIndex> moves_within(const ir::Recovery& step) {

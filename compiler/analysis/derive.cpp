@@ -22,6 +22,7 @@
 #include "compiler/ir/signals.h"
 #include "compiler/ir/source_text.h"
 #include "compiler/ir/watch_builder.h"
+#include "compiler/sema/received.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/overloaded.h"
@@ -62,7 +63,7 @@ class Deriver {
     number_zones(wanted);
     std::vector<ir::Region> regions = number_regions(wanted);
     std::vector<ir::Solid> solids = number_solids(wanted, regions);
-    keep_trees(regions);
+    keep_trees(wanted, regions);
     number_sites();
     for (const sema::Decision& decision : spec_.decisions) {
       out_.module.decisions.push_back(this->decision(decision));
@@ -259,7 +260,10 @@ class Deriver {
     return std::holds_alternative<sema::ZoneReceived>(zone.value->node);
   }
   // A kernel has one kind of zone: with trees when one of them needs it.
-  void keep_trees(std::vector<ir::Region>& regions) {
+  void keep_trees(const std::vector<ZoneUse>& wanted, std::vector<ir::Region>& regions) {
+    for (std::uint32_t i = 0; i < wanted.size(); ++i) {
+      if (wanted[i].robots && sema::received_by(spec_, sema::ZoneId(i))) return;
+    }
     const auto many = [](const auto& z) { return z.edges.size() > ir::edges_without_tree; };
     if (std::ranges::any_of(regions, [](const ir::Region& r) { return r.channel.has_value(); })) {
       return;

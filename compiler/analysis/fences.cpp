@@ -94,17 +94,18 @@ Asks asks_of(const ir::Block& property, const std::vector<ir::Param>& params) {
       const bool height = leaf.kind == Leaf::Kind::altitude;
       const auto most = height ? ir::upper_bound(block, compare) : std::nullopt;
       asks.clearance = asks.clearance || height;
-      fences = fences || leaf.kind == Leaf::Kind::clearance || leaf.kind == Leaf::Kind::distance;
-      (most ? ceilings : others) |= height || leaf.kind == Leaf::Kind::clearance ||
-                                    leaf.kind == Leaf::Kind::distance ||
-                                    leaf.kind == Leaf::Kind::agent;
+      const bool of_zone = leaf.kind == Leaf::Kind::clearance || leaf.kind == Leaf::Kind::received;
+      fences = fences || of_zone || leaf.kind == Leaf::Kind::distance;
+      (most ? ceilings : others) |=
+          height || of_zone || leaf.kind == Leaf::Kind::distance || leaf.kind == Leaf::Kind::agent;
     }
     const auto bound = ir::lower_bound(block, compare, params);
     if (!bound) {
       asks.other = asks.other || fences;
       return;
     }
-    asks.clearance = asks.clearance || bound->leaf.kind == Leaf::Kind::clearance;
+    asks.clearance = asks.clearance || bound->leaf.kind == Leaf::Kind::clearance ||
+                     bound->leaf.kind == Leaf::Kind::received;
     asks.distance = asks.distance || bound->leaf.kind == Leaf::Kind::distance;
   });
   asks.only_lower = ceilings && !others;

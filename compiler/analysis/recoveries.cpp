@@ -12,6 +12,7 @@
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/widening.h"
+#include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -45,6 +46,7 @@ class Recoveries {
         diagnostics_.report(std::move(found));
       }
     }
+    if (!stays_for_received()) return;
     outward(asks_of(monitor_.property, params));
     claimed();
     acts_in_time();
@@ -52,6 +54,24 @@ class Recoveries {
   }
 
  private:
+  // Language rule 9.9: nobody knows a way relative to a zone that is received later. False:
+  // reported.
+  bool stays_for_received() {
+    const bool asks = ir::asks_for_received(monitor_.property) ||
+                      (monitor_.return_when && ir::asks_for_received(*monitor_.return_when));
+    if (!asks || monitor_.recovery.kind == ir::RecoveryKind::brake) return true;
+    diag::Diagnostic d =
+        finding(Code::zone_not_fixed, "`" + controller_.name +
+                                          "` recovers for a zone that is received, and where that "
+                                          "will be is not known before");
+    d.label = "moves, and may leave that zone or enter it";
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help =
+        "`brake_and_hold` works, which keeps every zone that stays as it is until the robot "
+        "stands, with `hold when violated \"why\";` in the monitor";
+    diagnostics_.report(std::move(d));
+    return false;
+  }
   // Language rule 11: where the property is false, at the start or because an assumption was, the
   // recovery has to lead out of that.
   void outward(const Asks& asks) {
@@ -92,7 +112,8 @@ class Recoveries {
                                          metres(farther_mm) + " farther on, and stays there"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
     const std::string leads =
-        asks.clearance ? "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "`"
+        ir::asks_for_received(monitor_.property) ? ""  // who moves does not know where to
+        : asks.clearance ? "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "`"
         : decision_.body.in_space ? ""  // none of space makes way for others
                                   : "`yield within Z speed " + speed_to_name() + " order id`";
     d.help = (leads.empty() ? "" : leads + " works, or ") +

@@ -118,6 +118,7 @@ class Met {
            std::holds_alternative<ir::Distance>(op) || std::holds_alternative<ir::Speed>(op) ||
            std::holds_alternative<ir::Altitude>(op) || std::holds_alternative<ir::EnergyTo>(op) ||
            std::holds_alternative<ir::AgentDistance>(op) ||
+           std::holds_alternative<ir::ReceivedClearance>(op) ||
            std::holds_alternative<ir::CountOthers>(op);
   }
 

@@ -49,10 +49,11 @@ class Superfluous {
     bool all = true;
     ir::for_each_comparison(judged.property, [&](const ir::Block& block, const ir::AtLeast& c) {
       for (const auto& [leaf, coefficient] : ir::linear_form(block, c).terms) {
-        if (leaf.kind != ir::Leaf::Kind::clearance) continue;
+        const bool received = leaf.kind == ir::Leaf::Kind::received;
+        if (!received && leaf.kind != ir::Leaf::Kind::clearance) continue;
         for (const ir::Recovery* step : ir::steps_of(of_.decision.monitors[i].recovery)) {
           if (ir::moves(step->kind) || step->claims) {
-            all = all && lies_in(step->zone, ir::ZoneIndex{leaf.table});
+            all = all && !received && lies_in(step->zone, ir::ZoneIndex{leaf.table});
           }
         }
       }

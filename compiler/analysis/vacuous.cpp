@@ -107,8 +107,10 @@ class Finder {
   }
 
   [[nodiscard]] std::string text_of(const Leaf& leaf, int way) const {
-    const std::string zone =
-        leaf.kind == Leaf::Kind::clearance ? module_[ir::ZoneIndex{leaf.table}].name : "";
+    const std::string zone = leaf.kind == Leaf::Kind::clearance
+                                 ? module_[ir::ZoneIndex{leaf.table}].name
+                             : leaf.kind == Leaf::Kind::received ? received(leaf).name
+                                                                 : "";
     switch (leaf.kind) {
       case Leaf::Kind::battery:
         return way < 0 ? "with an empty battery" : "with a full battery";
@@ -126,6 +128,9 @@ class Finder {
         return way < 0 ? "far below" : "far above";
       case Leaf::Kind::agent:
         return way < 0 ? "where an agent touches the robot" : "far from agents";
+      case Leaf::Kind::received:
+        return (way < 0) != received(leaf).outside ? "outside of `" + zone + "`"
+                                                   : "inside `" + zone + "`";
     }
     std::abort();
   }
@@ -148,6 +153,8 @@ class Finder {
         return exactly(-far_away, far_away);
       case Leaf::Kind::agent:
         return exactly(-radius_mm - decision_[ir::AgentIndex{leaf.table}].radius_mm, far_away);
+      case Leaf::Kind::received:
+        return exactly(-far_away, far_away);
     }
     std::abort();
   }
@@ -195,8 +202,13 @@ class Finder {
         return "a speed is " + side + metres(at) + "/s";
       case Leaf::Kind::altitude:
         return "a height is " + side + metres(at);
+      case Leaf::Kind::received:
+        return "a clearance is " + side + metres(at);
     }
     std::abort();
+  }
+  [[nodiscard]] const ir::Received& received(const Leaf& leaf) const {
+    return decision_.facts[ir::ReceivedIndex{leaf.table}];
   }
   static constexpr CanFail yes = CanFail::yes, no = CanFail::no;
 
@@ -309,7 +321,13 @@ class Finder {
     // of several signals the extremes need not come together
     const bool one_by_one = form.terms.size() < 2 || is_charge(form);
     if (state.can == yes && !one_by_one) state.can = CanFail::open;
+    // what zone will be received nobody knows
+    if (state.can == yes && asks_for_received(form)) state.can = CanFail::open;
     return state;
+  }
+  static bool asks_for_received(const ir::Linear& form) {
+    return std::any_of(form.terms.begin(), form.terms.end(),
+                       [](const auto& term) { return term.first.kind == Leaf::Kind::received; });
   }
   // A battery may be empty wherever a robot is.
   static bool is_charge(const ir::Linear& form) {

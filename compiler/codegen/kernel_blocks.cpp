@@ -191,6 +191,20 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
     std::string operator()(const Distance&) const {
       return p.use("distance_now", "&v->self, &v->others[j], &BODY, v->m, &MOTIONS[0], j");
     }
+    static std::string received(ReceivedIndex r) {
+      return "&v->received[" + num(static_cast<std::uint32_t>(r)) + "]";
+    }
+    std::string operator()(const ReceivedClearance& c) const {
+      return p.use("border_clearance", received(c.received) + ", &v->self, &BODY, v->m");
+    }
+    std::string operator()(const ReceivedReach& r) const {
+      return p.use("border_reach",
+                   received(r.received) + ", &v->within, " + limit(r.least_mm, r.more));
+    }
+    std::string operator()(const ReceivedCourse& r) const {
+      return p.use("border_course",
+                   received(r.received) + ", &v->told, " + limit(r.least_mm, r.more));
+    }
     static std::string agent(AgentIndex a) {
       return "&v->agents[" + num(static_cast<std::uint32_t>(a)) + "]";
     }

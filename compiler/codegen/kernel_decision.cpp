@@ -278,6 +278,11 @@ void DecisionPrinter::print_view() {
           use({"place_type"});
           to.line("place " + place_symbol(module_[zone], names_) + "; /* of the robot itself */");
         }
+        if (!d_.facts.received.empty()) {
+          use({"border_type"});
+          to.line("border received[" + num(std::int64_t(d_.facts.received.size())) +
+                  "]; /* zones that are received, seen from the robot */");
+        }
         for (const Sensed signal : aged()) {
           to.line(std::string("span age_of_") + word_of(signal) + "; /* us */");
         }

@@ -131,6 +131,21 @@ void FactPrinter::catch_up() {
   out_.blank();
 }
 
+// Zones that are received, in a tick that has been seen before or that goes back in time: what a
+// robot is held against is looked up in every step. Nothing has arrived for this tick since.
+void FactPrinter::look_again(Code& body) {
+  std::set<std::uint32_t> channels;
+  for (const Received& zone : d_.facts.received) channels.insert(zone.channel);
+  if (channels.empty()) return;
+  body.line("v->facts.now_us = v->now_us;");
+  if (arrives_each_tick(d_.facts)) body.line("v->facts.since_us = s->facts.judged_us;");
+  for (const std::uint32_t c : channels) {
+    const std::string seen = "v->facts." + look_->members().signal(c, 0).seen;
+    body.line(look_->call(c, "&v->facts", "&v->in->facts"));
+    body.line(seen + " = elapsed < 0 ? 0 : " + seen + ";");
+  }
+}
+
 // The newest samples and parameters.
 void FactPrinter::look(Code& tick) {
   if (!d_.facts.inputs.empty() || !d_.facts.schedules.empty()) {
@@ -179,6 +194,7 @@ void FactPrinter::judge() {
           tick.line("return;");
         });
         if (!each_tick) body.line("(void)first;");
+        look_again(body);
         if (!judges) return;
         use({"margin_kept", "margin_unknown"});
         body.block("for (k = 0; k < " + fact_count_symbol(d_, names_) + "; ++k)", [&](Code& each) {
@@ -189,6 +205,18 @@ void FactPrinter::judge() {
         });
       });
   out_.blank();
+}
+
+void FactPrinter::hold_against_received(Code& to) {
+  if (d_.facts.received.empty()) return;
+  use({"border_of"});
+  for (std::size_t k = 0; k < d_.facts.received.size(); ++k) {
+    const Received& zone = d_.facts.received[k];
+    wrapped(to, "v.received[" + num(std::int64_t(k)) + "] = border_of(v.facts." +
+                    look_->members().signal(zone.channel, 0).seen + ", " +
+                    look_->kernel().numbers[zone.channel] + ", " + (zone.outside ? "1" : "0") +
+                    ", &v.self);");
+  }
 }
 
 void FactPrinter::init_facts(Code& to) const {

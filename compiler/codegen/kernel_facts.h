@@ -20,6 +20,8 @@ class FactPrinter : public DecisionPrinter {
 
  protected:
   void init_facts(Code& to) const;
+  // Where the robot is with respect to zones that are received, once the inputs are known.
+  void hold_against_received(Code& to);
   // Whether some fact speaks of the robot: then the view is to look first.
   [[nodiscard]] bool facts_of_robot() const;
 
@@ -28,6 +30,7 @@ class FactPrinter : public DecisionPrinter {
   void catch_up();
   void blind_robot(Code& body);
   void look(Code& tick);
+  void look_again(Code& body);
   void judge();
 
   std::optional<WatchLook> look_;  // none: no signals

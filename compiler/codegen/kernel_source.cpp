@@ -241,6 +241,8 @@ class Source {
   bool needs_trees() const {
     const auto has_tree = [](const auto& zone) { return !zone.tree.words.empty(); };
     return std::any_of(module_.zones.begin(), module_.zones.end(), has_tree) ||
+           std::any_of(module_.decisions.begin(), module_.decisions.end(),
+                       [](const Decision& d) { return asks_for_received(d.facts); }) ||
            (module_.watch &&
             (asks_for_received(*module_.watch) ||
              std::any_of(module_.watch->regions.begin(), module_.watch->regions.end(), has_tree)));

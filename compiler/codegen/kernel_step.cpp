@@ -284,6 +284,7 @@ class StepPrinter : public CheckPrinter {
               (pairs() ? ", 1);" : ");"));
     }
     to.line(id_ + "_facts_judge(&v, s, first, ticks);");
+    hold_against_received(to);
   }
 
   // Whoever moves is gated by the separation test, with the horizon of the monitor that looks

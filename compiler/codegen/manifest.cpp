@@ -327,6 +327,15 @@ std::string manifest(const Module& module, const sema::Spec& spec, const Naming&
                                 {"value", "inf"},
                                 {"checked_by", "UNCHECKED"}});
   }
+  for (const Decision& d : module.decisions) {
+    for (const Channel& c : d.facts.inputs) {
+      if (c.kind != ChannelKind::zone) continue;
+      j["assumptions"].push_back({{"kind", d.kind},
+                                  {"bound", c.name + " stays as it is"},
+                                  {"value", "until a robot that looks ahead at it stands"},
+                                  {"checked_by", "UNCHECKED"}});
+    }
+  }
   for (const sema::Assumption& a : spec.assumptions) {
     j["assumptions"].push_back({{"kind", "assume"},
                                 {"bound", a.text},

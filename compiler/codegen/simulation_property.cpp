@@ -7,6 +7,7 @@
 
 #include "compiler/codegen/code.h"
 #include "compiler/sema/dimension.h"
+#include "compiler/sema/received.h"
 
 namespace rtac::codegen {
 namespace {
@@ -52,11 +53,13 @@ class Tree {
     return {{"op", s.signal == sema::Signal::battery ? "battery" : "speed"},
             {"other", s.subject == sema::Subject::other}};
   }
-  Json node(const Expr&, const sema::Clearance& c) {
-    return {{"op", "clearance"}, {"zone", index(tables_.zone(c.zone))}};
-  }
-  Json node(const Expr&, const sema::InsideZone& i) {
-    return {{"op", "inside"}, {"zone", index(tables_.zone(i.zone))}};
+  Json node(const Expr&, const sema::Clearance& c) { return in_zone("clearance", c.zone); }
+  Json node(const Expr&, const sema::InsideZone& i) { return in_zone("inside", i.zone); }
+  Json in_zone(const char* op, sema::ZoneId zone) {
+    if (const auto by = sema::received_by(spec_, zone)) {
+      return refuse("the zone `" + spec_[by->input].name + "`, which is received while it runs");
+    }
+    return {{"op", op}, {"zone", index(tables_.zone(zone))}};
   }
   Json node(const Expr&, const sema::AgentDistance& a) {
     return {{"op", "agent_distance"}, {"agent", static_cast<std::uint32_t>(a.agent)}};

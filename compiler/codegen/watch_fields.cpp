@@ -169,7 +169,9 @@ void print_watch_types(const Module& module, Code& out) {
       "the next, so that it is never rounded the wrong way. INT64_MIN is not finite, INT64_MAX "
       "finite and off every grid. 0 or 1 of a condition, the index of a value of a choice.");
   out.blank();
-  if (module.watch && receives_zones(*module.watch)) parts_of_received(p, out);
+  bool receives = module.watch && receives_zones(*module.watch);
+  for (const Decision& d : module.decisions) receives = receives || receives_zones(d.facts);
+  if (receives) parts_of_received(p, out);
   std::set<std::string> parts{"ticks_state"};
   if (module.watch) {
     collect_types(*module.watch, {Telling::margins, Telling::verdicts}, parts);

@@ -163,7 +163,8 @@ bool receives_zones(const Watch& watch) {
                      [](const Channel& c) { return c.kind == ChannelKind::zone; });
 }
 bool asks_for_received(const Watch& watch) {
-  return std::any_of(watch.regions.begin(), watch.regions.end(),
+  return !watch.received.empty() ||
+         std::any_of(watch.regions.begin(), watch.regions.end(),
                      [](const Region& r) { return r.channel.has_value(); });
 }
 std::int64_t received_bytes(const Channel& channel) {
@@ -189,6 +190,7 @@ std::set<std::uint32_t> channels_of(const Watch& watch, const PlainMonitor& moni
 ChannelUses channel_uses(const Watch& watch) {
   ChannelUses out{std::vector<bool>(watch.inputs.size(), false),
                   std::vector<bool>(watch.inputs.size(), false)};
+  for (const Received& zone : watch.received) out.used[zone.channel] = true;
   for (const PlainMonitor& m : watch.monitors) {
     for (const std::uint32_t channel : channels_of(watch, m)) out.used[channel] = true;
     for (const Value& v : m.property.values) {

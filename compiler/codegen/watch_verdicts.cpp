@@ -39,7 +39,7 @@ concept NeverAsked =
     is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
               ZoneCourse, PairCourse, LegsApart, OnTrack, SpeedReach, AltitudeReach, ZoneThere,
               ThereThroughout, GoneThroughout, EnergyReach, ChargeReach, Fact, AgentDistance,
-              AgentReach>;
+              AgentReach, ReceivedClearance, ReceivedReach, ReceivedCourse>;
 
 // An operand of && and || stands in brackets when it is the other of both.
 struct Text {

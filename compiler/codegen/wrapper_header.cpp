@@ -93,7 +93,10 @@ std::string wrapper_header(const Module& module, const sema::Spec& spec, const N
   out.line("#include \"rtac/types.h\"").line("#include \"rtac/units.h\"");
   if (signals) out.line("#include \"rtac/watch.h\"");
   out.line("#include \"rtac/zone.h\"");
-  if (module.watch && receives_zones(*module.watch)) out.line("#include \"rtac/zone_table.h\"");
+  const bool receives = (module.watch && receives_zones(*module.watch)) ||
+                        std::any_of(module.decisions.begin(), module.decisions.end(),
+                                    [](const Decision& d) { return receives_zones(d.facts); });
+  if (receives) out.line("#include \"rtac/zone_table.h\"");
   out.line("#include \"" + naming.stem + "_kernel.h\"").blank();
   out.line("static_assert(rtac::bridge::abi == " + std::to_string(RTAC_ABI) + ",");
   out.line("              \"this module was generated for another version of the runtime\");");

@@ -1,5 +1,6 @@
 #include "compiler/contract/monitors.h"
 
+#include "compiler/sema/received.h"
 #include "compiler/support/rational.h"
 
 namespace rtac::contract {
@@ -32,6 +33,7 @@ bool claim_of_comparison(const Spec& spec, const Compare& compare, MonitorClaims
   if (compare.op != CompareOp::greater_equal) return false;
   const Constant* const least = constant(compare.right);
   if (const auto* const gap = std::get_if<Clearance>(&compare.left->node); gap && least) {
+    if (received_by(spec, gap->zone)) return false;
     claims.claims.push_back(
         {Claim::Kind::zone, spec[gap->zone].name, ceil_to_int(least->value * 1000)});
     return true;
@@ -48,6 +50,7 @@ bool claim_of_comparison(const Spec& spec, const Compare& compare, MonitorClaims
 
 bool claim(const Spec& spec, const Expr& e, MonitorClaims& claims) {
   if (const auto* const inside = std::get_if<InsideZone>(&e.node)) {
+    if (received_by(spec, inside->zone)) return false;
     claims.claims.push_back({Claim::Kind::zone, spec[inside->zone].name, 0});
     return true;
   }

@@ -1,12 +1,15 @@
 #include "compiler/driver/decision_engine.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "compiler/codegen/names.h"
 #include "compiler/codegen/watch.h"
 #include "compiler/driver/decision_glue.h"
+#include "compiler/driver/held_zone.h"
 #include "compiler/driver/shared_object.h"
 #include "compiler/ir/margin_unit.h"
 #include "compiler/sema/dimension.h"
@@ -147,11 +150,30 @@ class KernelDecisions : public DecisionEngine {
     to[1] = row.readings[at].number.on_grid(1).lo;
     to[2] = 1;
   }
+  // Its tables stay where they are while somebody looks at them: one place for all robots.
+  void received(const interp::TraceRow& row, const DecisionInterface::Input& input,
+                std::int64_t* to) {
+    const Reading& reading = row.readings[input.component];
+    if (reading.kind == Reading::Kind::none) return;
+    to[2] = row.time_us;
+    to[3] = reading.zone != nullptr ? 1 : 0;
+    if (reading.zone == nullptr) return;
+    std::unique_ptr<HeldZone>& held = zones_[input.component];
+    if (held == nullptr) held = std::make_unique<HeldZone>();
+    held->hold(reading.zone);
+    const HeldZone::Zone* const tables = &held->zone();
+    static_assert(sizeof tables == sizeof *to);
+    std::memcpy(to, &tables, sizeof tables);
+  }
   // A trace has them once, for all robots.
   void plain_inputs(const interp::TraceRow& row, const DecisionInterface& d, std::size_t robot) {
     std::int64_t* const words = seen_.data() + robot * stride_ + RobotWords::inputs(capacity_);
     for (const DecisionInterface::Input& input : d.inputs) {
       const std::size_t from = input.component;
+      if (!input.zone.empty()) {
+        received(row, input, words + RobotWords::per_input * from);
+        continue;
+      }
       bool arrived = false;
       for (std::size_t k = 0; k < input.members.size(); ++k) {
         arrived = arrived || row.readings[from + k].kind != Reading::Kind::none;
@@ -187,7 +209,8 @@ class KernelDecisions : public DecisionEngine {
 
   SharedObject object_;
   std::size_t capacity_, stride_;
-  std::vector<std::int64_t> seen_;  // by robot of the specification
+  std::vector<std::int64_t> seen_;                          // by robot of the specification
+  std::map<std::size_t, std::unique_ptr<HeldZone>> zones_;  // by component
   std::vector<DecisionInterface> decisions_;
   std::vector<Step> steps_;
   std::vector<std::int64_t> fleet_, found_;
@@ -219,12 +242,18 @@ void add_signals(const ir::Decision& d, const sema::Spec& spec, DecisionInterfac
   for (std::uint32_t c = 0; c < d.facts.inputs.size(); ++c) {
     const ir::Channel& channel = d.facts.inputs[c];
     const bool number = channel.kind == ir::ChannelKind::number;
+    const bool zone = channel.kind == ir::ChannelKind::zone;
     DecisionInterface::Input input{channel.name,
                                    first[channel.declared],
                                    members.samples[c],
-                                   codegen::between_words(channel),
+                                   zone ? 0 : codegen::between_words(channel),
                                    {},
                                    number ? channel.unit.step : Rational(1)};
+    if (zone) {
+      input.zone = members.signal(c, 0).zone;
+      to.inputs.push_back(std::move(input));
+      continue;
+    }
     for (std::uint32_t k = 0; k < channel.components.size(); ++k) {
       input.members.push_back(members.signal(c, k).name);
     }

@@ -47,6 +47,7 @@ struct DecisionInterface {
     std::size_t between_words;         // how many words say what lies between two steps
     std::vector<std::string> members;  // of the kernel's inputs, by component
     Rational step;                     // SI in one step of the grid
+    std::string zone{};                // of a zone, which has no components: that of its tables
   };
   std::vector<Input> inputs;
   std::vector<std::pair<std::string, std::int64_t>> params;  // member, first value

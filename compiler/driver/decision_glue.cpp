@@ -55,6 +55,10 @@ std::string facts(const DecisionInterface& d, std::size_t capacity) {
              "]";
     };
     out += take_input(input, own(0, 2), own(0, 3), own);
+    if (input.zone.empty()) continue;
+    // the address of its tables
+    out += "  if (" + own(0, 0) + " != 0) in.facts." + input.zone + " = *(const " + d.library +
+           "_zone *)(intptr_t)" + own(0, 0) + ";\n";
   }
   for (const auto& [member, value] : d.params) {
     out += "  in.facts." + member + " = " + std::to_string(value) + ";\n";

@@ -13,7 +13,7 @@ namespace rtac::driver {
 // y_hi, stamp_us, valid, z_lo, z_hi }, battery and heading { lo, hi, stamp_us, valid }, then the
 // plan { valid, count, index }, presence { stamp_us, present, heard }, and the plan's coordinates
 // x[], y[]; then the plain inputs, by component of the specification { lo, hi, stamp_us, valid },
-// at INT64_MIN when there is no number.
+// at INT64_MIN when there is no number; of a zone the address of its tables instead of `lo`.
 struct RobotWords {
   static constexpr std::size_t position = 0, velocity = 8, battery = 16, heading = 20, plan = 24;
   static constexpr std::size_t presence = 27, points = 30;

@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "compiler/driver/held_zone.h"
 #include "compiler/driver/shared_object.h"
 
 namespace rtac::driver {
@@ -52,22 +53,6 @@ class Sample {
   std::size_t flags_;
   std::vector<std::int64_t> words_;
 };
-struct Outline {
-  const std::int32_t* edges;
-  const std::uint32_t *cells, *lists;
-  std::int32_t edge_count, cell_count, list_count;
-  std::int32_t x, y, shift, column, row, columns, rows, depth, leaves;
-};
-struct Zone {
-  std::uint64_t checksum;
-  std::uint32_t version;
-  Outline within, around;
-};
-// The tables of a zone as a kernel wants them; what it points to stays where it is.
-struct HeldZone {
-  std::shared_ptr<const interp::ReceivedZone> received;
-  std::vector<std::int32_t> within, around;
-};
 struct KernelFinding {
   std::int32_t verdict, reason, input, unit;
   std::int64_t lo, hi;
@@ -89,33 +74,6 @@ std::string glue(const KernelInterface& kernel) {
          "void rtac_replay_step(void *state, const void *in, int64_t now_us, void *out) {\n  " + p +
          "_monitors_step((" + p + "_monitors_state *)state, (const " + p +
          "_monitors_in *)in, now_us, (" + p + "_monitors_out *)out);\n}\n";
-}
-
-std::vector<std::int32_t> numbers_of(const geometry::OutlineTable& table) {
-  std::vector<std::int32_t> numbers;
-  for (const geometry::EdgeRow& e : table.edges) {
-    numbers.insert(numbers.end(), {e.a.x_mm, e.a.y_mm, e.b.x_mm, e.b.y_mm, e.ux_q30, e.uy_q30});
-  }
-  return numbers;
-}
-Outline outline_of(const geometry::OutlineTable& table, const std::vector<std::int32_t>& edges) {
-  const geometry::CellTree& t = table.tree;
-  const auto count = [](std::size_t n) { return static_cast<std::int32_t>(n); };
-  return {edges.data(),
-          t.words.data(),
-          t.lists.data(),
-          count(table.edges.size()),
-          count(t.words.size()),
-          count(t.lists.size()),
-          t.x_mm,
-          t.y_mm,
-          t.shift,
-          t.column,
-          t.row,
-          t.columns,
-          t.rows,
-          t.depth,
-          t.leaves};
 }
 
 struct Sizes {
@@ -181,7 +139,7 @@ class KernelEngine : public Engine {
     // what has no inputs has a member that says so
     const std::size_t in =
         std::max<std::size_t>((words_of_samples_ + kernel_.params.size()) * sizeof(std::int64_t) +
-                                  kernel_.zones.size() * sizeof(Zone),
+                                  kernel_.zones.size() * sizeof(HeldZone::Zone),
                               sizeof(std::int32_t));
     const std::size_t out = sizeof(std::int64_t) + kernel_.monitors * sizeof(KernelFinding);
     const auto same = [](std::int64_t a, std::size_t b) {
@@ -272,16 +230,10 @@ class KernelEngine : public Engine {
     }
   }
   void put_zone(std::size_t k, const std::shared_ptr<const interp::ReceivedZone>& received) {
-    const geometry::ZoneTables& tables = received->tables;
-    HeldZone& held = held_[k];
-    held.received = received;
-    held.within = numbers_of(tables.within);
-    if (tables.around) held.around = numbers_of(*tables.around);
-    Zone zone{};
-    zone.within = zone.around = outline_of(tables.within, held.within);
-    if (tables.around) zone.around = outline_of(*tables.around, held.around);
+    held_[k].hold(received);
+    const HeldZone::Zone& zone = held_[k].zone();
     const std::size_t at =
-        words_of_samples_ + kernel_.params.size() + k * sizeof(Zone) / sizeof(std::int64_t);
+        words_of_samples_ + kernel_.params.size() + k * sizeof zone / sizeof(std::int64_t);
     std::memcpy(in_.data() + at, &zone, sizeof zone);
   }
   std::int64_t& param(std::size_t k) { return in_[words_of_samples_ + k]; }

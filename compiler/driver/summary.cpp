@@ -12,6 +12,11 @@ std::string bytes(std::int64_t n) {
   return std::to_string(n) + (n == 1 ? " byte" : " bytes");
 }
 
+std::string received(const ir::Channel& c) {
+  return "  zone " + c.name + " is received: at most " + std::to_string(c.edges_most) + " edges, " +
+         bytes(codegen::received_bytes(c)) + " of tables while it is checked\n";
+}
+
 // What a tick of the monitors without a robot costs, and what they remember.
 std::string summary(const ir::Watch& watch) {
   std::string out = "\nmonitors without a robot, every " + millis(watch.period_us) + ", " +
@@ -25,10 +30,7 @@ std::string summary(const ir::Watch& watch) {
            " operations a tick, remembers " + bytes(codegen::watch_monitor_bytes(m)) + "\n";
   }
   for (const ir::Channel& c : watch.inputs) {
-    if (c.kind == ir::ChannelKind::zone) {
-      out += "  zone " + c.name + " is received: at most " + std::to_string(c.edges_most) +
-             " edges, " + bytes(codegen::received_bytes(c)) + " of tables while it is checked\n";
-    }
+    if (c.kind == ir::ChannelKind::zone) out += received(c);
     if (c.held) out += "  assumed: the last value of " + c.name + " holds for ever\n";
   }
   return out;
@@ -67,6 +69,11 @@ std::string summary(const ir::Module& module) {
     if (codegen::has_signals(d)) {
       out += "  inputs and the past, judged now: " + bytes(codegen::facts_state_bytes(d.facts)) +
              " of state for each robot\n";
+    }
+    for (const ir::Channel& c : d.facts.inputs) {
+      if (c.kind != ir::ChannelKind::zone) continue;
+      out += received(c);
+      out += "  assumed: " + c.name + " does not change before a robot that looks at it stands\n";
     }
     if (!d.agents.empty()) {
       std::string names;

@@ -124,6 +124,9 @@ class Widths {
   Rational operator()(const Clearance&) const {
     return 2 * displaced_mm(decision_->body.position_age_us) + 3;
   }
+  Rational operator()(const ReceivedClearance&) const {
+    return 2 * displaced_mm(decision_->body.position_age_us) + 3;
+  }
   Rational operator()(const Distance&) const {
     const Body& b = decision_->body;
     return 2 * (displaced_mm(b.position_age_us) +
@@ -208,7 +211,8 @@ bool rounds(const Op& op) {
   if (const auto* fold = std::get_if<Aggregate>(&op)) return fold->fold == Fold::mean;
   if (std::holds_alternative<Battery>(op) || std::holds_alternative<Clearance>(op) ||
       std::holds_alternative<Distance>(op) || std::holds_alternative<EnergyTo>(op) ||
-      std::holds_alternative<Speed>(op) || std::holds_alternative<AgentDistance>(op)) {
+      std::holds_alternative<Speed>(op) || std::holds_alternative<AgentDistance>(op) ||
+      std::holds_alternative<ReceivedClearance>(op)) {
     return true;
   }
   return std::holds_alternative<Input>(op) || std::holds_alternative<PointClearance>(op) ||

@@ -118,9 +118,8 @@ std::int64_t Interpreter::one_period_before(std::int64_t now_us) const {
   return now_us < least + period_us ? least : now_us - period_us;
 }
 
-// Monitors of robots know none.
+// Robots that share the zones have inputs of their own.
 void Interpreter::receive_zones() {
-  if (robots_) return;
   for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
     const auto* received = std::get_if<sema::ZoneReceived>(&spec_.zones[i].value->node);
     if (received != nullptr) zones_->receive(sema::ZoneId{i}, signals_.zone(received->input));

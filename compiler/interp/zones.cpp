@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "compiler/geometry/bake.h"
+#include "compiler/sema/received.h"
 
 namespace rtac::interp {
 namespace {
@@ -202,14 +203,26 @@ const Outline* Zones::of_robots(sema::ZoneId zone) {
   return known.of_robots.get();
 }
 
+const Outline* Zones::around_received(sema::ZoneId zone) {
+  Known& known = known_[static_cast<std::size_t>(zone)];
+  if (!known.robots_around && known.received != nullptr) {
+    const auto on_grid = geometry::snap_around(known.received->regions.around);
+    if (on_grid) known.robots_around = std::make_unique<Outline>(geometry::to_region(*on_grid));
+  }
+  return known.robots_around.get();
+}
+
 Span Zones::clearance_of_robots(sema::ZoneId zone, const Place& place,
                                 const std::optional<Rational>& height) {
   if (spec_[zone].has_height) {
     return height ? solids_.clearance_of_robots(zone, place, *height) : unknown(std::nullopt);
   }
-  const Outline* const outline = of_robots(zone);
-  if (outline == nullptr) return unknown(std::nullopt);
+  const auto received = sema::received_by(spec_, zone);
+  const bool outside = received && received->outside;
+  const Outline* const outline = outside ? around_received(received->zone) : of_robots(zone);
+  if (outline == nullptr) return unknown(received ? std::optional(received->input) : std::nullopt);
   const Root gap = clearance_of(*outline, place);
+  if (outside) return between(Rational(-gap.above), Rational(-gap.below));
   return between(gap.below, gap.above);
 }
 

@@ -26,7 +26,8 @@ class Zones {
   // more half of the diagonal; see `range` for what it cannot be.
   Span clearance(sema::ZoneId zone, const Whereabouts& at);
   // The same of the zone as robots know it, which lies within it: curves as polygons, on the grid
-  // of 1 mm. `place` is exact, and so is how high it is, which zones of the plane do not ask for.
+  // of 1 mm; what is outside of a zone that is received is the outside of a zone around that.
+  // `place` is exact, and so is how high it is, which zones of the plane do not ask for.
   Span clearance_of_robots(sema::ZoneId zone, const Place& place,
                            const std::optional<Rational>& height);
   // The same of the straight way between two places. It is negative where all of the way lies
@@ -57,6 +58,7 @@ class Zones {
   };
   Outlines outlines(sema::ZoneId zone);
   const Outline* of_robots(sema::ZoneId zone);
+  const Outline* around_received(sema::ZoneId zone);
 
   struct Known {
     std::array<std::optional<Region>, 2> regions;  // none: not asked for yet
@@ -65,6 +67,7 @@ class Zones {
     std::unique_ptr<Outline> within, around;  // `around` only where it differs
     bool snapped = false;
     std::unique_ptr<Outline> of_robots;
+    std::unique_ptr<Outline> robots_around;  // of one that is received, to stay outside of
   };
   const sema::Spec& spec_;
   std::vector<Known> known_;

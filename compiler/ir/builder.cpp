@@ -6,6 +6,7 @@
 #include "compiler/ir/schedule.h"
 #include "compiler/ir/source_text.h"
 #include "compiler/ir/watch_blocks.h"
+#include "compiler/sema/received.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::ir {
@@ -72,7 +73,7 @@ class BlockBuilder {
   ValueId margin(const sema::InsideZone& v, const sema::Expr& e) { return inside(v, e, true); }
   // bodies: the centre lies in the zone and keeps the radius, that is clearance >= 0
   ValueId inside(const sema::InsideZone& v, const sema::Expr& e, bool is) {
-    const ValueId clearance = add(Clearance{tables_.zone(v.zone)}, Unit::mm, e.range);
+    const ValueId clearance = this->clearance(v.zone, e);
     const ValueId zero = add(Const{0}, Unit::mm, e.range);
     return add(is ? AtLeast{clearance, zero, false} : AtLeast{zero, clearance, true}, std::nullopt,
                e.range);
@@ -224,8 +225,22 @@ class BlockBuilder {
     }
     return add(Speed{}, Unit::mmps, e.range);
   }
-  ValueId quantity(const sema::Clearance& v, const sema::Expr& e) {
-    return add(Clearance{tables_.zone(v.zone)}, Unit::mm, e.range);
+  ValueId quantity(const sema::Clearance& v, const sema::Expr& e) { return clearance(v.zone, e); }
+  ValueId clearance(sema::ZoneId zone, const sema::Expr& e) {
+    const auto by = sema::received_by(spec_, zone);
+    if (!by) return add(Clearance{tables_.zone(zone)}, Unit::mm, e.range);
+    return add(ReceivedClearance{received(*by)}, Unit::mm, e.range);
+  }
+  // One for all that ask for this side of the zone.
+  ReceivedIndex received(const sema::ReceivedBy& by) {
+    const std::string& name = spec_[by.input].name;
+    auto& all = decision_.facts.received;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Received& each) {
+      return each.name == name && each.outside == by.outside;
+    });
+    if (found != all.end()) return ReceivedIndex(found - all.begin());
+    all.push_back({name, channel_of(decision_.facts, name), by.outside});
+    return ReceivedIndex(all.size() - 1);
   }
   ValueId quantity(const sema::Distance&, const sema::Expr& e) {
     return add(Distance{}, Unit::mm, e.range);
@@ -376,6 +391,10 @@ class BlockBuilder {
            std::holds_alternative<sema::WithinOf>(e.node);
   }
   ValueId fact(const sema::Expr& e) {
+    if (asks_for_received(e)) {
+      refuse_past_of_received(e);
+      return add(Truth{false}, std::nullopt, e.range);
+    }
     const RobotSignals robot{tables_, kind_, [&](const sema::Expr& body) { return others(body); },
                              [&](const sema::AgentDistance& agent) { return agent_of(agent); }};
     PlainMonitor to;
@@ -393,6 +412,26 @@ class BlockBuilder {
     facts.push_back(std::move(to));
     return add(Fact{static_cast<std::uint32_t>(facts.size() - 1), sema::speaks_of_robot(e)},
                std::nullopt, e.range);
+  }
+  [[nodiscard]] bool asks_for_received(const sema::Expr& e) const {
+    bool found = false;
+    sema::for_each_expr(e, [&](const sema::Expr& each) {
+      const auto* clear = std::get_if<sema::Clearance>(&each.node);
+      const auto* inside = std::get_if<sema::InsideZone>(&each.node);
+      if (clear != nullptr) found = found || sema::received_by(spec_, clear->zone);
+      if (inside != nullptr) found = found || sema::received_by(spec_, inside->zone);
+    });
+    return found;
+  }
+  void refuse_past_of_received(const sema::Expr& e) {
+    diagnostics_.report({Code::zone_not_fixed,
+                         e.range,
+                         "the past of a robot does not speak of a zone that is received",
+                         "a zone that stays as it is is due here",
+                         {},
+                         "a comparison of its own speaks of it as it is now, and so does `for`, "
+                         "which asks for how long that has held: `clearance(r, zone) >= c for 1 s`",
+                         {}});
   }
   Block others(const sema::Expr& body) {
     const bool outer = in_others_;
@@ -468,7 +507,7 @@ Watch facts_of(const sema::Spec& spec, const sema::Decision& from, const Signals
   Watch facts;
   facts.period_us = period_us;
   UsedSignals used;
-  for (const sema::MonitorId id : from.priority) used.add(spec[id]);
+  for (const sema::MonitorId id : from.priority) used.add(spec, spec[id]);
   for (std::uint32_t i = 0; i < signals.inputs.size(); ++i) {
     if (used.inputs.count(sema::InputId{i}) > 0) facts.inputs.push_back(signals.inputs[i]);
   }

@@ -51,6 +51,9 @@ Linear quantity_form(const Block& block, ValueId id) {
   if (const auto* v = std::get_if<AgentDistance>(&op)) {
     return leaf_of(Leaf::Kind::agent, static_cast<std::uint32_t>(v->agent));
   }
+  if (const auto* v = std::get_if<ReceivedClearance>(&op)) {
+    return leaf_of(Leaf::Kind::received, static_cast<std::uint32_t>(v->received));
+  }
   if (const auto* v = std::get_if<Add>(&op)) {
     return combine(quantity_form(block, v->a), 1, quantity_form(block, v->b));
   }
@@ -141,6 +144,14 @@ std::map<AgentIndex, std::int64_t> agent_gaps(const Decision& decision) {
     });
   }
   return gaps;
+}
+
+bool asks_for_received(const Block& block) {
+  return std::any_of(block.values.begin(), block.values.end(), [](const Value& v) {
+    const Block* const others = body_of(v.op);
+    return others != nullptr ? asks_for_received(*others)
+                             : std::holds_alternative<ReceivedClearance>(v.op);
+  });
 }
 
 void for_each_comparison(const Block& block,

@@ -12,10 +12,20 @@
 
 namespace rtac::ir {
 
-// A leaf of a linear form: which signal, of which table (zone, site or agent; of a count its value
-// in the block; 0 for the others).
+// A leaf of a linear form: which signal, of which table (zone, site, agent or zone that is
+// received; of a count its value in the block; 0 for the others).
 struct Leaf {
-  enum class Kind { battery, clearance, distance, energy_to, count, speed, altitude, agent } kind;
+  enum class Kind {
+    battery,
+    clearance,
+    distance,
+    energy_to,
+    count,
+    speed,
+    altitude,
+    agent,
+    received
+  } kind;
   std::uint32_t table = 0;
   friend auto operator<=>(const Leaf&, const Leaf&) = default;
 };
@@ -68,6 +78,9 @@ std::optional<ChargeForWay> charge_for_way(const Block& block, const AtLeast& co
 
 // The largest gap to each agent that some monitor asks for: whoever moves keeps it.
 std::map<AgentIndex, std::int64_t> agent_gaps(const Decision& decision);
+
+// Whether some comparison is with the clearance of a zone that is received.
+bool asks_for_received(const Block& block);
 
 // Visits every comparison of a block, those about other robots included, with the block it is in.
 void for_each_comparison(const Block& block,

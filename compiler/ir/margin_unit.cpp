@@ -17,6 +17,8 @@ struct UnitOfAtom {
   std::optional<Unit> operator()(const PointsInZone&) const { return Unit::mm; }
   std::optional<Unit> operator()(const PairReach&) const { return Unit::mm; }
   std::optional<Unit> operator()(const AgentReach&) const { return Unit::mm; }
+  std::optional<Unit> operator()(const ReceivedReach&) const { return Unit::mm; }
+  std::optional<Unit> operator()(const ReceivedCourse&) const { return Unit::mm; }
   std::optional<Unit> operator()(const LegsApart&) const { return Unit::mm; }
   std::optional<Unit> operator()(const OnTrack&) const { return Unit::mm; }
   std::optional<Unit> operator()(const EnergyReach&) const { return Unit::ppm; }
@@ -29,6 +31,7 @@ struct UnitOfAtom {
   std::optional<Unit> operator()(const Clearance&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Distance&) const { return std::nullopt; }
   std::optional<Unit> operator()(const AgentDistance&) const { return std::nullopt; }
+  std::optional<Unit> operator()(const ReceivedClearance&) const { return std::nullopt; }
   std::optional<Unit> operator()(const EnergyTo&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Speed&) const { return std::nullopt; }
   std::optional<Unit> operator()(const Altitude&) const { return std::nullopt; }

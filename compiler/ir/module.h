@@ -22,6 +22,7 @@ enum class RegionIndex : std::uint32_t {};
 enum class SolidIndex : std::uint32_t {};
 enum class ScheduleIndex : std::uint32_t {};
 enum class AgentIndex : std::uint32_t {};
+enum class ReceivedIndex : std::uint32_t {};
 enum class ValueId : std::uint32_t {};
 
 // ---- tables -----------------------------------------------------------------------------------
@@ -150,6 +151,9 @@ struct Distance {};     // to the robot of the enclosing for_others
 struct AgentDistance {  // to an agent of the decision; absent: agent_far_mm
   AgentIndex agent;
 };
+struct ReceivedClearance {  // of a zone of Decision::facts, as it was received last
+  ReceivedIndex received;
+};
 struct EnergyTo {
   SiteIndex site;
 };
@@ -234,6 +238,17 @@ struct PairCourse {
 };
 struct AgentReach {  // until the robot stands; true where the agent is absent
   AgentIndex agent;
+  std::int64_t least_mm;
+  std::optional<ValueId> more{};
+};
+// The same of a zone that is received, which is taken to stay as it is meanwhile.
+struct ReceivedReach {
+  ReceivedIndex received;
+  std::int64_t least_mm;
+  std::optional<ValueId> more{};
+};
+struct ReceivedCourse {
+  ReceivedIndex received;
   std::int64_t least_mm;
   std::optional<ValueId> more{};
 };
@@ -405,7 +420,7 @@ using Op =
                  Maximum, Absolute, Root, PointClearance, PointInside, SolidClearance, SolidInside,
                  Norm, Between, Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since,
                  Aggregate, ZoneCourse, PairCourse, Altitude, AltitudeReach, AgentDistance,
-                 AgentReach>;
+                 AgentReach, ReceivedClearance, ReceivedReach, ReceivedCourse>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;
@@ -510,6 +525,12 @@ struct Schedule {
   std::string name;  // of the zone
   std::vector<Opening> once, weekly;
 };
+// A zone that is received, as monitors of robots ask for it: to stay within it, or outside of it.
+struct Received {
+  std::string name;
+  std::uint32_t channel = 0;
+  bool outside = false;
+};
 // Where (0 m, 0 m) of the map is on the globe.
 struct Origin {
   double latitude_deg = 0, longitude_deg = 0;
@@ -523,6 +544,7 @@ struct Watch {
   std::vector<Region> regions;
   std::vector<Solid> solids;
   std::vector<Schedule> schedules;
+  std::vector<Received> received;  // of a decision
   std::vector<PlainMonitor> monitors;
   std::uint32_t slots = 0;  // of the operators that remember
   // Units of margins; entry 0 stands for truth values, which have none.
@@ -535,6 +557,9 @@ struct Watch {
   }
   [[nodiscard]] const Schedule& operator[](ScheduleIndex i) const {
     return schedules[static_cast<std::uint32_t>(i)];
+  }
+  [[nodiscard]] const Received& operator[](ReceivedIndex i) const {
+    return received[static_cast<std::uint32_t>(i)];
   }
 };
 

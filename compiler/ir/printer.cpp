@@ -69,6 +69,15 @@ class Printer {
     return "agent_reach " + num(static_cast<std::uint32_t>(v.agent)) + ", least " +
            num(v.least_mm) + more(v.more);
   }
+  std::string operator()(const ReceivedClearance& v) const {
+    return "received_clearance " + received(v.received);
+  }
+  std::string operator()(const ReceivedReach& v) const {
+    return "received_reach " + received(v.received) + ", least " + num(v.least_mm) + more(v.more);
+  }
+  std::string operator()(const ReceivedCourse& v) const {
+    return "received_course " + received(v.received) + ", least " + num(v.least_mm) + more(v.more);
+  }
   std::string operator()(const EnergyTo& v) const { return "energy_to " + module_[v.site].name; }
   std::string operator()(const Speed&) const { return "speed"; }
   std::string operator()(const Add& v) const { return "add " + name(v.a) + ", " + name(v.b); }
@@ -375,6 +384,10 @@ class Printer {
     for (const ZoneTable::Slab& s : z.slabs) {
       line("  [" + num(s.floor_mm) + ", " + num(s.ceiling_mm) + "] " + module_[s.base].name);
     }
+  }
+  std::string received(ReceivedIndex index) const {
+    const Received& r = (*watch_)[index];
+    return (r.outside ? "outside_of " : "") + r.name;
   }
   std::string component(std::uint32_t channel, std::uint32_t index) const {
     const Channel& c = watch_->inputs[channel];

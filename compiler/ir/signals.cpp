@@ -5,6 +5,7 @@
 #include "compiler/ir/watch_blocks.h"
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/limits.h"
+#include "compiler/sema/received.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::ir {
@@ -177,8 +178,15 @@ Signals build_signals(const sema::Spec& spec, diag::Engine& diagnostics) {
   return SignalBuilder(spec, diagnostics).run();
 }
 
-void UsedSignals::add(const sema::Expr& expr) {
+void UsedSignals::add(const sema::Spec& spec, const sema::Expr& expr) {
+  const auto zone = [&](sema::ZoneId id) {
+    if (const auto by = sema::received_by(spec, id)) inputs.insert(by->input);
+  };
   sema::for_each_expr(expr, [&](const sema::Expr& each) {
+    if (const auto* v = std::get_if<sema::Clearance>(&each.node)) zone(v->zone);
+    if (const auto* v = std::get_if<sema::InsideZone>(&each.node)) zone(v->zone);
+    if (const auto* v = std::get_if<sema::PointInside>(&each.node)) zone(v->zone);
+    if (const auto* v = std::get_if<sema::PointClearance>(&each.node)) zone(v->zone);
     if (const auto* v = std::get_if<sema::InputRef>(&each.node)) inputs.insert(v->input);
     if (const auto* v = std::get_if<sema::AgeOf>(&each.node)) inputs.insert(v->input);
     if (const auto* v = std::get_if<sema::IsValue>(&each.node)) inputs.insert(v->input);
@@ -193,9 +201,9 @@ void UsedSignals::add(const sema::Expr& expr) {
   });
 }
 
-void UsedSignals::add(const sema::Monitor& monitor) {
-  if (monitor.always) add(*monitor.always);
-  if (monitor.return_when) add(*monitor.return_when);
+void UsedSignals::add(const sema::Spec& spec, const sema::Monitor& monitor) {
+  if (monitor.always) add(spec, *monitor.always);
+  if (monitor.return_when) add(spec, *monitor.return_when);
 }
 
 std::uint32_t channel_of(const Watch& watch, const std::string& name) {

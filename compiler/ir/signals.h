@@ -25,8 +25,8 @@ Signals build_signals(const sema::Spec& spec, diag::Engine& diagnostics);
 struct UsedSignals {
   std::set<sema::InputId> inputs;
   std::set<sema::ParamId> params;
-  void add(const sema::Expr& expr);
-  void add(const sema::Monitor& monitor);
+  void add(const sema::Spec& spec, const sema::Expr& expr);
+  void add(const sema::Spec& spec, const sema::Monitor& monitor);
 };
 
 // The index in the watch, which has them.

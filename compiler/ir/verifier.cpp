@@ -50,6 +50,9 @@ class Checker {
   void operator()(const Distance&) { pair(), quantity(); }
   void operator()(const AgentDistance& v) { agent(v.agent), quantity(); }
   void operator()(const AgentReach& v) { agent(v.agent), reach(v.more); }
+  void operator()(const ReceivedClearance& v) { received(v.received), quantity(); }
+  void operator()(const ReceivedReach& v) { received(v.received), reach(v.more); }
+  void operator()(const ReceivedCourse& v) { received(v.received), reach(v.more); }
   void operator()(const EnergyTo& v) { site(v.site), quantity(); }
   void operator()(const Speed&) { robot(), quantity(); }
   void operator()(const Add& v) { same_unit(v.a, v.b), quantity(); }
@@ -309,6 +312,19 @@ class Checker {
     robot();
     if (decision_ && static_cast<std::uint32_t>(i) >= decision_->agents.size()) {
       fail("no such agent");
+    }
+  }
+  void received(ReceivedIndex i) {
+    robot();
+    if (!decision_) return;
+    const Watch& facts = decision_->facts;
+    if (static_cast<std::uint32_t>(i) >= facts.received.size()) {
+      fail("no such zone that is received");
+    } else if (facts[i].channel >= facts.inputs.size() ||
+               facts.inputs[facts[i].channel].kind != ChannelKind::zone) {
+      fail("a zone that is received by an input that is none");
+    } else if (decision_->body.in_space || decision_->on_plan) {
+      fail("a zone that is received, in space or of a plan");
     }
   }
   void pair() {

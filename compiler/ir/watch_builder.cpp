@@ -38,8 +38,8 @@ class WatchBuilder {
   // All but those that only monitors of robots speak of.
   void add_signals(const Signals& signals) {
     UsedSignals here, there;
-    for (const sema::Watch& watch : spec_.watches) here.add(*watch.always);
-    for (const sema::Monitor& monitor : spec_.monitors) there.add(monitor);
+    for (const sema::Watch& watch : spec_.watches) here.add(spec_, *watch.always);
+    for (const sema::Monitor& monitor : spec_.monitors) there.add(spec_, monitor);
     for (std::uint32_t i = 0; i < signals.inputs.size(); ++i) {
       const sema::InputId id{i};
       if (here.inputs.count(id) == 0 && there.inputs.count(id) > 0) continue;

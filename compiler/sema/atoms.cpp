@@ -38,7 +38,7 @@ bool PropertyChecker::robot_allowed(const SourceRange& range, const std::string&
 
 // A zone that the monitored robot is held against: in space it may have height.
 std::optional<ZoneId> PropertyChecker::zone_of_robot(const syntax::Expr& expr) {
-  if (!in_space()) return zone_in_property(context_, expr, map_frame, Change::timed);
+  if (!in_space()) return zone_in_property(context_, expr, map_frame, Change::looked_ahead);
   const Change change = has_height(context_, expr) ? Change::refused : Change::timed;
   return zone_in_property(context_, expr, map_frame, change, Height::allowed);
 }

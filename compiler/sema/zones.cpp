@@ -445,10 +445,9 @@ bool stays(Context& context, const syntax::Name& name, ZoneId id, Change change)
   if (index >= context.zones.size()) return true;
   const syntax::ZoneItem& written = *context.zones[index].node;
   const bool at_times = !written.during.empty() || scheduled_in(*written.value) != nullptr;
-  const bool timed = change == Change::timed || !at_times;
+  const bool of_robot = change == Change::timed || change == Change::looked_ahead;
+  const bool timed = of_robot || !at_times;
   if (!written.around && timed) return true;
-  // Where windows of time are looked ahead at, a robot looks.
-  const bool of_robot = change == Change::timed;
   context.report(Finding(Code::zone_not_fixed, name.range,
                          "the zone `" + name.text + "` " +
                              (written.around ? "moves with `" + written.around->name.text + "`"
@@ -471,13 +470,13 @@ bool is_received_zone(const Context& context, const Symbol& symbol) {
          context.inputs[symbol.index].node->type.name.text == "zone";
 }
 
-// Zones are combined, grown and shrunk at compile time, and robots look ahead at what is known
-// then.
+// Zones are combined, grown and shrunk at compile time, and robots in space look ahead at what is
+// known then.
 static std::optional<ZoneId> received_zone(Context& context, const syntax::Name& name,
                                            const Symbol& symbol, Change change) {
   const InputId input{symbol.index};
   context.used_inputs.insert(input);
-  if (change != Change::allowed) {
+  if (change == Change::refused || change == Change::timed) {
     context.report(Finding(Code::zone_not_fixed, name.range,
                            "the zone `" + name.text + "` is received while the monitors run")
                        .label("a zone that stays as it is is due here")

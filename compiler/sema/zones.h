@@ -34,8 +34,9 @@ bool is_zone_function(const std::string& name);
 std::optional<ZoneId> complemented(const Spec& spec, ZoneId zone);
 
 // Whether a zone may be one that changes with time.
-// `timed`: it may be one that is there at certain times.
-enum class Change { refused, timed, allowed };
+// `timed`: it may be one that is there at certain times. `looked_ahead`: or one that is received,
+// which robots of the plane look ahead at, too.
+enum class Change { refused, timed, looked_ahead, allowed };
 
 // The complement of a zone, without a name: one for all that ask.
 ZoneId complement_of(Context& context, ZoneId zone, const SourceRange& range);

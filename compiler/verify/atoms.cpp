@@ -36,6 +36,9 @@ Atoms atoms_of(const ir::Block& property) {
         case ir::Leaf::Kind::agent:
           atoms.agent = true;
           break;
+        case ir::Leaf::Kind::received:
+          atoms.received = true;
+          break;
       }
     }
   });
@@ -52,7 +55,8 @@ std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decis
     all.insert(all.end(), names.begin(), names.end());
   };
   const ir::Body& body = decision.body;
-  const bool places = atoms.clearance || atoms.distance || atoms.altitude || atoms.agent;
+  const bool places =
+      atoms.clearance || atoms.received || atoms.distance || atoms.altitude || atoms.agent;
   if (atoms.only_facts()) return all;
   add({"norms", "quotients", "roots", "horizon", "unequal_stamps"});
   if (places || atoms.energy) {
@@ -65,7 +69,7 @@ std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decis
     }
     if (body.disturbance_mmps2 > 0) add({"stop_disturbed", "still_lag"});
   }
-  if (atoms.clearance || atoms.altitude) add({"capsule", "disc", "distances"});
+  if (atoms.clearance || atoms.received || atoms.altitude) add({"capsule", "disc", "distances"});
   if (atoms.distance || atoms.others) add({"capsule", "disc", "separation"});
   if (atoms.agent) add({"agent"});
   if (atoms.speed) add({"speed"});

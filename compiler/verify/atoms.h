@@ -11,6 +11,7 @@ namespace rtac::verify {
 struct Atoms {
   bool clearance = false, distance = false, charge = false, speed = false, altitude = false;
   bool agent = false, energy = false, others = false;
+  bool received = false;  // the clearance of a zone that is received
   // Nothing of the above: no robot can change what it says.
   [[nodiscard]] bool only_facts() const { return !speed && !of_places(); }
   // Beside what depends on inputs.
@@ -18,7 +19,7 @@ struct Atoms {
 
  private:
   [[nodiscard]] bool of_places() const {
-    return clearance || distance || charge || altitude || agent || others;
+    return clearance || distance || charge || altitude || agent || others || received;
   }
 };
 Atoms atoms_of(const ir::Block& property);

@@ -130,6 +130,11 @@ Obligation can_hold(const Subject& s, std::size_t k) {
     o.repair = "a property that can be true works";
     return o;
   }
+  if (atoms_of(m.property).received) {
+    o.method = "no proof";
+    o.because = "what zone will be received is not known";
+    return o;
+  }
   o.status = Status::proved;
   o.method = "witness";
   analysis::Standoffs own;
@@ -185,7 +190,8 @@ Obligation can_fail(const Subject& s, std::size_t k) {
   }
   if (vacuity.can_fail == analysis::CanFail::open) {
     o.status = Status::unknown;
-    o.because = "no state was found in which it is false";
+    o.because = atoms_of(m.property).received ? "what zone will be received is not known"
+                                              : "no state was found in which it is false";
     return o;
   }
   o.status = Status::proved;
@@ -198,6 +204,13 @@ Obligation can_fail(const Subject& s, std::size_t k) {
 Obligation returns_together(const Subject& s) {
   Obligation o;
   o.kind = Kind::joint_return;
+  const auto& monitors = s.decision.monitors;
+  if (std::any_of(monitors.begin(), monitors.end(),
+                  [](const ir::Monitor& m) { return atoms_of(m.property).received; })) {
+    o.method = "no proof";
+    o.because = "what zone will be received is not known, and so no place that it leaves free";
+    return o;
+  }
   const std::vector<Need> all = needs_of(s);
   o.method = "witness";
   if (all.empty()) {

@@ -122,6 +122,7 @@ std::string doubt_about(const Subject& s, std::size_t k, const ir::Block& proper
   if (speaks_of_windows(property)) {
     return "the way out of zones that come and go is checked (5030, 5031), and has no certificate";
   }
+  if (atoms_of(property).received) return "where the zone that is received will be is not known";
   for (const ir::ZoneIndex outer : keeping_of(s, k, property).zones) {
     for (const ir::ZoneIndex zone : inner) {
       if (zone == outer || lies_in(s, zone, outer)) continue;
@@ -199,6 +200,11 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
     o.because = quoted(m.recovery.name) +
                 " brakes within what was found clear, and moves only where the property holds, "
                 "gated by the distances to others";
+    if (atoms.received) {
+      o.because = quoted(m.recovery.name) +
+                  " brakes within what was found clear, as long as the zone that was received "
+                  "stays as it is";
+    }
   }
   if (std::string doubt = doubt_about(s, k, m.property); !doubt.empty()) {
     return doubted(std::move(o), std::move(doubt));
@@ -366,6 +372,7 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     if (!entry.conflict.empty()) o.because += "; " + analysis::conflict_text(s.decision, entry);
     o.repair = entry.help;
     if (!why.empty()) return acknowledged(std::move(o), why);
+    if (atoms_of(j.property).received) return o;  // that it happens is not shown either
     o.status = Status::refuted;
     o.method = "geometry and bounds";
     // what inputs may ask for, nobody has to drive to

@@ -92,6 +92,7 @@ class Rest {
           !rests_at_height(s_, last_, return_mm_, block, compare)) {
         return AtRest::kept;
       }
+      if (leaf.kind == ir::Leaf::Kind::received) return AtRest::kept;
       if (!of_choice) continue;  // errors of the analysis are about the rest of it
       if (leaf.kind == ir::Leaf::Kind::clearance &&
           !lies_in(s_, last_.zone, ir::ZoneIndex{leaf.table})) {

@@ -103,6 +103,9 @@ Obligation drives_until_next(const Subject& s, std::size_t k) {
   o.method = "closed form";
   o.because = "control returns where the same test holds " + millis(s.decision.return_extra_us) +
               " further ahead, so that the test itself holds";
+  if (atoms.received) {
+    o.because += "; that the zone that was received does not change meanwhile is assumed";
+  }
   o.claims.push_back(limits_claim(s));
   o.claims.push_back({"return",
                       {{"decision", s.decision.name},

@@ -67,6 +67,7 @@ bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, std::
   const Atoms atoms = atoms_of(m.property);
   if (atoms.charge || atoms.energy) return false;
   if (analysis::holds_at_rest(s.decision, m)) return true;
+  if (atoms.received) return false;
   if (!atoms.clearance && !atoms.altitude) return true;
   const ir::Recovery& last = ir::last_step(s.decision.monitors[i].recovery);
   if (last.kind != ir::RecoveryKind::retreat && last.kind != ir::RecoveryKind::route) return false;

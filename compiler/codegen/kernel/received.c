@@ -48,3 +48,58 @@ static int32_t bits_received(int32_t bits, const KERNEL_zone *received, bounds x
   }
   return bits;
 }
+/*= border_type @cells : place_type */
+/* What a robot is held against of a zone that is received: the outline of the zone, or of all that
+ * is outside of it, and where the robot is with respect to that. */
+typedef struct border {
+  const KERNEL_outline *outline; /* 0: unknown */
+  place at;
+  int32_t input; /* that it is received by, while it is unknown; else INPUT_NONE */
+} border;
+/*= border_of @cells : border_type zone_of_outline place_of estimate_type */
+/* Beyond the extent a robot is neither in a zone nor known to be outside of one. */
+static border border_of(const KERNEL_zone *received, int32_t input, int32_t outside,
+                        const estimate *s) {
+  border b;
+  b.outline = 0;
+  b.at.gap_mm = 0;
+  b.at.gap_mm_hi = 0;
+  b.at.inside = 0;
+  b.input = input;
+  if (received != 0) {
+    const KERNEL_outline *const outline = outside != 0 ? &received->around : &received->within;
+    const zone z = zone_of_outline(outline);
+    b.outline = outline;
+    b.at = place_of(&z, s->p);
+    b.at.inside = outside != 0 ? b.at.inside == 0 : b.at.inside;
+    b.input = INPUT_NONE;
+    if (s->off_map_mm > 0) {
+      b.at.inside = 0;
+      b.at.gap_mm_hi += s->off_map_mm;
+    }
+  }
+  return b;
+}
+/*= border_clearance @cells : border_type clearance_now span_unknown */
+static span border_clearance(const border *of, const estimate *s, const body *b, const motion *m) {
+  return of->outline == 0 ? span_unknown(of->input) : clearance_now(&of->at, s, b, m);
+}
+/*= border_reach @cells : border_type zone_of_outline zone_reach margin_unknown */
+/* The zone is taken to stay as it is until the robot stands. */
+static margin border_reach(const border *of, const reach *r, int64_t least_mm) {
+  if (of->outline == 0) {
+    return margin_unknown(of->input);
+  } else {
+    const zone z = zone_of_outline(of->outline);
+    return zone_reach(&z, &of->at, r, least_mm);
+  }
+}
+/*= border_course @cells : border_type zone_of_outline zone_course margin_unknown */
+static margin border_course(const border *of, const course *c, int64_t least_mm) {
+  if (of->outline == 0) {
+    return margin_unknown(of->input);
+  } else {
+    const zone z = zone_of_outline(of->outline);
+    return zone_course(&z, &of->at, c, least_mm);
+  }
+}

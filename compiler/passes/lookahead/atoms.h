@@ -11,6 +11,7 @@ namespace rtac::passes::lookahead {
 using Expanded = std::optional<ir::ValueId>;
 
 Expanded fence(Expansion& expansion, const Atom& atom);           // inside, clearance
+Expanded received(Expansion& expansion, const Atom& atom);        // of a zone that is received
 Expanded separation(Expansion& expansion, const Atom& atom);      // from another robot
 Expanded agent(Expansion& expansion, const Atom& atom);           // from what moves by itself
 Expanded charge(Expansion& expansion, const Atom& atom);          // at least a constant

@@ -18,9 +18,10 @@ struct Transformer {
   Expanded (*expand)(Expansion&, const Atom&);
 };
 
-const std::array<Transformer, 8>& registry() {
-  static const std::array<Transformer, 8> all = {{
+const std::array<Transformer, 9>& registry() {
+  static const std::array<Transformer, 9> all = {{
       {{Kind::clearance}, {"`inside`", "`clearance(r, zone) >= c`"}, fence},
+      {{Kind::received}, {}, received},  // written as of any zone
       {{Kind::distance}, {"`distance(r, q) >= c`"}, separation},
       {{Kind::agent}, {"`distance(r, agent) >= c`"}, agent},
       {{Kind::battery}, {"`r.battery >= c`"}, charge},
@@ -40,9 +41,19 @@ std::vector<Kind> signals_of(const Atom& atom) {
   return kinds;
 }
 
+// The zone of a clearance.
+std::string zone_name(const Expansion& in, const Leaf& leaf) {
+  if (leaf.kind == Kind::clearance) return in.module()[ZoneIndex(leaf.table)].name;
+  return in.decision().facts[ReceivedIndex(leaf.table)].name;
+}
+
 std::string written(const Expansion& in, const Leaf& length) {
+  if (length.kind == Kind::received) {
+    const bool outside = in.decision().facts[ReceivedIndex(length.table)].outside;
+    return (outside ? "distance(r, " : "clearance(r, ") + zone_name(in, length) + ")";
+  }
   if (length.kind == Kind::clearance) {
-    return "clearance(r, " + in.module()[ZoneIndex(length.table)].name + ")";
+    return "clearance(r, " + zone_name(in, length) + ")";
   }
   const bool of_agent = length.kind == Kind::agent;
   return "distance(r, " + (of_agent ? in.decision()[AgentIndex(length.table)].name : "q") + ")";
@@ -57,8 +68,8 @@ std::string at_full_speed(const Expansion& expansion, const Atom& atom) {
   if (at == form.terms.end() || at->second > 0) return "";
   const auto& [length, of_length] =
       form.terms.begin() == at ? *form.terms.rbegin() : *form.terms.begin();
-  const bool known =
-      length.kind == Kind::clearance || length.kind == Kind::distance || length.kind == Kind::agent;
+  const bool known = length.kind == Kind::clearance || length.kind == Kind::distance ||
+                     length.kind == Kind::agent || length.kind == Kind::received;
   if (!known || of_length < 0) return "";
   const Rational most_mmps = static_cast<long>(expansion.decision().motions.front().speed_mmps);
   const Rational need_mm = -(at->second * most_mmps + form.rest.constant) / of_length;
@@ -94,9 +105,13 @@ ValueId transform(Expansion& expansion, const Atom& atom) {
     if (const Expanded done = t.expand(expansion, atom)) return *done;
   }
   const auto most = upper_bound(atom.from, atom.compare);
-  if (most && most->leaf.kind == Kind::clearance && most->most < 0) {
+  const bool of_zone =
+      most && (most->leaf.kind == Kind::clearance ||
+               (most->leaf.kind == Kind::received &&
+                !expansion.decision().facts[ReceivedIndex(most->leaf.table)].outside));
+  if (of_zone && most->most < 0) {
     // where the body is not inside, some of it is outside: all of it is a form that is known
-    const std::string& zone = expansion.module()[ZoneIndex(most->leaf.table)].name;
+    const std::string zone = zone_name(expansion, most->leaf);
     return expansion.refuse(atom.source,
                             "that a robot is not inside cannot be looked ahead: some of it "
                             "outside is enough for that",
