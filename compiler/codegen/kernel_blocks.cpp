@@ -195,14 +195,14 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
       return "&v->received[" + num(static_cast<std::uint32_t>(r)) + "]";
     }
     std::string operator()(const ReceivedClearance& c) const {
-      return p.use("border_clearance", received(c.received) + ", &v->self, &BODY, v->m");
+      return p.use("rim_clearance", received(c.received) + ", &v->self, &BODY, v->m");
     }
     std::string operator()(const ReceivedReach& r) const {
-      return p.use("border_reach",
+      return p.use("rim_reach",
                    received(r.received) + ", &v->within, " + limit(r.least_mm, r.more));
     }
     std::string operator()(const ReceivedCourse& r) const {
-      return p.use("border_course",
+      return p.use("rim_course",
                    received(r.received) + ", &v->told, " + limit(r.least_mm, r.more));
     }
     static std::string agent(AgentIndex a) {

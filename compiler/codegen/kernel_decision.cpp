@@ -279,8 +279,8 @@ void DecisionPrinter::print_view() {
           to.line("place " + place_symbol(module_[zone], names_) + "; /* of the robot itself */");
         }
         if (!d_.facts.received.empty()) {
-          use({"border_type"});
-          to.line("border received[" + num(std::int64_t(d_.facts.received.size())) +
+          use({"rim_type"});
+          to.line("rim received[" + num(std::int64_t(d_.facts.received.size())) +
                   "]; /* zones that are received, seen from the robot */");
         }
         for (const Sensed signal : aged()) {

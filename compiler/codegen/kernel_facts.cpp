@@ -209,10 +209,10 @@ void FactPrinter::judge() {
 
 void FactPrinter::hold_against_received(Code& to) {
   if (d_.facts.received.empty()) return;
-  use({"border_of"});
+  use({"rim_of"});
   for (std::size_t k = 0; k < d_.facts.received.size(); ++k) {
     const Received& zone = d_.facts.received[k];
-    wrapped(to, "v.received[" + num(std::int64_t(k)) + "] = border_of(v.facts." +
+    wrapped(to, "v.received[" + num(std::int64_t(k)) + "] = rim_of(v.facts." +
                     look_->members().signal(zone.channel, 0).seen + ", " +
                     look_->kernel().numbers[zone.channel] + ", " + (zone.outside ? "1" : "0") +
                     ", &v.self);");

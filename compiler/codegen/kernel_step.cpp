@@ -5,6 +5,7 @@
 #include "compiler/codegen/closing_rate.h"
 #include "compiler/codegen/kernel_check.h"
 #include "compiler/ir/facts.h"
+#include "compiler/ir/linear.h"
 #include "compiler/ir/margin_unit.h"
 
 namespace rtac::codegen {
@@ -145,8 +146,14 @@ class StepPrinter : public CheckPrinter {
     out_.blank();
   }
 
-  // Only what closes at a bounded rate tells when it can be violated at the earliest.
+  // Only what closes at a bounded rate tells when it can be violated at the earliest; a zone that
+  // is received may be any other one at once.
   void violation(Code& to) {
+    if (std::any_of(d_.monitors.begin(), d_.monitors.end(),
+                    [](const Monitor& m) { return asks_for_received(m.property); })) {
+      to.line("out->violation_us = -1;");
+      return;
+    }
     to.line("out->violation_us = INT64_MAX;");
     bool known = false;
     for (std::size_t k = 0; k < d_.monitors.size(); ++k) {

@@ -51,6 +51,7 @@ void take_sample(const interp::TraceRow& row, std::size_t at, std::size_t count,
     arrived = arrived || reading.kind != Reading::Kind::none;
     const bool known = reading.kind == Reading::Kind::number;
     sample.values.push_back(known ? std::optional(reading.number.value()) : std::nullopt);
+    if (reading.zone != nullptr) sample.zone = reading.zone;
   }
   if (arrived) to = std::move(sample);
 }

@@ -87,9 +87,9 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Call& call) 
   if (name == "transform") return transform(expr, call);
   if (name == "clamp") return clamp(expr, call);
   if (name == "age") return age(expr, call);
-  const bool of_points =
-      std::any_of(call.arguments.begin(), call.arguments.end(),
-                  [&](const syntax::ExprPtr& each) { return speaks_of_points(*each); });
+  const bool of_points = std::any_of(
+      call.arguments.begin(), call.arguments.end(),
+      [&](const syntax::ExprPtr& each) { return speaks_of_points(*each) && !names_zone(*each); });
   if (name == "distance" && sees_robot() && of_points) return distance_of_points(expr, call);
   if (name == "distance" && !sees_robot()) {
     if (!places_known(call.arguments)) return nullptr;

@@ -190,6 +190,7 @@ Obligation can_fail(const Subject& s, std::size_t k) {
   }
   if (vacuity.can_fail == analysis::CanFail::open) {
     o.status = Status::unknown;
+    o.method = "no proof";
     o.because = atoms_of(m.property).received ? "what zone will be received is not known"
                                               : "no state was found in which it is false";
     return o;

@@ -48,19 +48,18 @@ static int32_t bits_received(int32_t bits, const KERNEL_zone *received, bounds x
   }
   return bits;
 }
-/*= border_type @cells : place_type */
+/*= rim_type @cells : place_type */
 /* What a robot is held against of a zone that is received: the outline of the zone, or of all that
  * is outside of it, and where the robot is with respect to that. */
-typedef struct border {
+typedef struct rim {
   const KERNEL_outline *outline; /* 0: unknown */
   place at;
   int32_t input; /* that it is received by, while it is unknown; else INPUT_NONE */
-} border;
-/*= border_of @cells : border_type zone_of_outline place_of estimate_type */
-/* Beyond the extent a robot is neither in a zone nor known to be outside of one. */
-static border border_of(const KERNEL_zone *received, int32_t input, int32_t outside,
-                        const estimate *s) {
-  border b;
+} rim;
+/*= rim_of @cells : rim_type zone_of_outline place_of estimate_type */
+/* Beyond the extent a robot counts as in neither of them, as with zones that are compiled in. */
+static rim rim_of(const KERNEL_zone *received, int32_t input, int32_t outside, const estimate *s) {
+  rim b;
   b.outline = 0;
   b.at.gap_mm = 0;
   b.at.gap_mm_hi = 0;
@@ -80,13 +79,13 @@ static border border_of(const KERNEL_zone *received, int32_t input, int32_t outs
   }
   return b;
 }
-/*= border_clearance @cells : border_type clearance_now span_unknown */
-static span border_clearance(const border *of, const estimate *s, const body *b, const motion *m) {
+/*= rim_clearance @cells : rim_type clearance_now span_unknown */
+static span rim_clearance(const rim *of, const estimate *s, const body *b, const motion *m) {
   return of->outline == 0 ? span_unknown(of->input) : clearance_now(&of->at, s, b, m);
 }
-/*= border_reach @cells : border_type zone_of_outline zone_reach margin_unknown */
+/*= rim_reach @cells : rim_type zone_of_outline zone_reach margin_unknown */
 /* The zone is taken to stay as it is until the robot stands. */
-static margin border_reach(const border *of, const reach *r, int64_t least_mm) {
+static margin rim_reach(const rim *of, const reach *r, int64_t least_mm) {
   if (of->outline == 0) {
     return margin_unknown(of->input);
   } else {
@@ -94,8 +93,8 @@ static margin border_reach(const border *of, const reach *r, int64_t least_mm) {
     return zone_reach(&z, &of->at, r, least_mm);
   }
 }
-/*= border_course @cells : border_type zone_of_outline zone_course margin_unknown */
-static margin border_course(const border *of, const course *c, int64_t least_mm) {
+/*= rim_course @cells : rim_type zone_of_outline zone_course margin_unknown */
+static margin rim_course(const rim *of, const course *c, int64_t least_mm) {
   if (of->outline == 0) {
     return margin_unknown(of->input);
   } else {
