@@ -21,8 +21,10 @@ void ask_for_standoffs(const ir::Block& property, const std::vector<ir::Param>& 
   ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
     const auto bound = ir::lower_bound(block, compare, params);
     if (!bound) return;
-    if (bound->leaf.kind == ir::Leaf::Kind::clearance)
+    if (bound->leaf.kind == ir::Leaf::Kind::clearance ||
+        bound->leaf.kind == ir::Leaf::Kind::received) {
       raise(wanted.fence_mm, bound->need.strictest);
+    }
     if (bound->leaf.kind == ir::Leaf::Kind::distance) {
       raise(wanted.separation_mm, bound->need.strictest);
     }

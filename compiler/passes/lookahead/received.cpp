@@ -14,6 +14,7 @@ Expanded received(Expansion& expansion, const Atom& atom) {
   const Lookahead& look = expansion.look();
   const auto zone = ReceivedIndex(bound->leaf.table);
   if (look.waypoints > 0) {
+    expansion.judges_waypoints(!look.points_only);  // if it could, which is what is reported
     return expansion.refuse(atom.source,
                             "the legs of a plan cannot be held against a zone that is received",
                             atom.to, "`ahead` of a duration works, without `waypoints`; ");

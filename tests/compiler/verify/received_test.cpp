@@ -7,7 +7,7 @@
 namespace rtac::driver::test {
 namespace {
 
-std::string yard_with(const std::string& property, const std::string& order,
+std::string site_with(const std::string& property, const std::string& order,
                       const std::string& more = "") {
   return R"(spec yard;
 zone yard = rectangle (0 m, 0 m) to (10 m, 8 m);
@@ -31,12 +31,12 @@ monitor nofly for r : Cart { "R2: out of what is closed" always )" +
 decision gate for Cart { advanced policy; period 50 ms; priority )" +
          order + "; " + more + "}\n";
 }
-const char* const out = "distance(r, closed) >= 20 cm";
+const char* const stays_out = "distance(r, closed) >= 20 cm";
 
 class ReceivedZones : public Verify {};
 
 TEST_F(ReceivedZones, WhatDependsOnWhereTheyAreIsUnknown) {
-  const Outcome o = verified(yard_with(out, "nofly > fence"), {"--format", "json"});
+  const Outcome o = verified(site_with(stays_out, "nofly > fence"), {"--format", "json"});
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
   for (const char* const kind : {"P1a", "P2a", "P3"}) {
     EXPECT_EQ(statuses(o.out, kind, "nofly"), Statuses{"proved"}) << kind;
@@ -54,7 +54,7 @@ TEST_F(ReceivedZones, WhatDependsOnWhereTheyAreIsUnknown) {
 }
 
 TEST_F(ReceivedZones, WhatIsProvedIsFoundAgain) {
-  const Outcome o = verified(yard_with(out, "nofly > fence"), {"-o", "certificates"});
+  const Outcome o = verified(site_with(stays_out, "nofly > fence"), {"-o", "certificates"});
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
   const Outcome again = rtac({"verify", "--recheck", "certificates"});
   EXPECT_EQ(again.status, exit_inconclusive) << again.out << again.err;
@@ -63,21 +63,21 @@ TEST_F(ReceivedZones, WhatIsProvedIsFoundAgain) {
 
 // Nobody looks after what ranks lower than a recovery that moves.
 TEST_F(ReceivedZones, WhoMovesMayBreakThem) {
-  const Outcome refused = verified(yard_with(out, "fence > nofly"));
+  const Outcome refused = verified(site_with(stays_out, "fence > nofly"));
   EXPECT_EQ(refused.status, exit_violation) << refused.out;
   EXPECT_NE(refused.err.find("`back` may enter it"), std::string::npos) << refused.err;
-  const Outcome kept_in = verified(yard_with("r inside closed", "fence > nofly"));
+  const Outcome kept_in = verified(site_with("r inside closed", "fence > nofly"));
   EXPECT_NE(kept_in.err.find("`back` may leave it"), std::string::npos) << kept_in.err;
-  const Outcome accepted =
-      verified(yard_with(out, "fence > nofly", "acknowledge back may break nofly \"it is slow\"; "),
-               {"--format", "json"});
+  const Outcome accepted = verified(
+      site_with(stays_out, "fence > nofly", "acknowledge back may break nofly \"it is slow\"; "),
+      {"--format", "json"});
   EXPECT_EQ(accepted.status, exit_inconclusive) << accepted.out << accepted.err;
   EXPECT_EQ(statuses(accepted.out, "C", "nofly"), Statuses{"acknowledged"}) << accepted.out;
 }
 
 // It is enough to stand, wherever the zone is: nothing of that depends on it.
 TEST_F(ReceivedZones, WhoMayBeNearSlowlyIsGivenBackAtRest) {
-  std::string text = yard_with(std::string(out) + " or r.speed <= 0.6 m/s", "nofly > fence");
+  std::string text = site_with(std::string(stays_out) + " or r.speed <= 0.6 m/s", "nofly > fence");
   text = edited(text, " hold when violated \"who closes it lets it out\";", "");
   const Outcome o = verified(text, {"--format", "json"});
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
@@ -86,14 +86,14 @@ TEST_F(ReceivedZones, WhoMayBeNearSlowlyIsGivenBackAtRest) {
 
 TEST_F(ReceivedZones, OnlyTheBrakeRecoversForThem) {
   const Outcome o =
-      verified(edited(yard_with(out, "nofly > fence"), "recover stop;", "recover back;"));
+      verified(edited(site_with(stays_out, "nofly > fence"), "recover stop;", "recover back;"));
   EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
   EXPECT_NE(o.err.find("error[3043]"), std::string::npos) << o.err;
   EXPECT_NE(o.err.find("`back` recovers for a zone that is received"), std::string::npos) << o.err;
 }
 
 TEST_F(ReceivedZones, AreAmongTheAssumptions) {
-  write("spec.rta", yard_with(out, "nofly > fence"));
+  write("spec.rta", site_with(stays_out, "nofly > fence"));
   const Outcome check = rtac({"check", "spec.rta"});
   EXPECT_EQ(check.status, exit_clean) << check.err;
   EXPECT_NE(check.out.find("zone closed is received: at most 32 edges, 135168 bytes of tables"),
@@ -112,7 +112,7 @@ TEST_F(ReceivedZones, AreAmongTheAssumptions) {
 }
 
 TEST_F(ReceivedZones, AreNotPlayed) {
-  write("spec.rta", yard_with(out, "nofly > fence"));
+  write("spec.rta", site_with(stays_out, "nofly > fence"));
   ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
   const Outcome o = rtac({"sim", "spec.rta"});
   ::unsetenv("RTAC_SIM");
