@@ -131,8 +131,11 @@ class Recoveries {
     d.notes.push_back(
         {std::nullopt, "from rest the robot may reach " + mmps + " m/s before a recovery acts"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = "limits of at least " + mmps + " m/s work, or `retreat within Z speed " +
-             speed_to_name() + "`, or `hold when violated \"why\";` in the monitor";
+    const bool received = ir::asks_for_received(monitor_.property);
+    const std::string leads =
+        received ? "" : ", or `retreat within Z speed " + speed_to_name() + "`";
+    d.help = "limits of at least " + mmps + " m/s work" + leads +
+             ", or `hold when violated \"why\";` in the monitor";
     diagnostics_.report(std::move(d));
   }
   // Outside of what it claims an external recovery is braked, in every tick.

@@ -52,6 +52,7 @@ bool speaks_of_windows(const ir::Block& property) {
 struct Keeping {
   std::vector<ir::ZoneIndex> zones;
   bool by_sides = false;
+  bool received = false;  // and a zone that is received
 };
 void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueId id, bool any,
              Keeping& asked) {
@@ -71,6 +72,9 @@ void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueI
   } else if (const ir::Block* body = ir::body_of(op)) {
     ask_for(s, k, *body, body->result, true, asked);
   } else if (const auto* compare = std::get_if<ir::AtLeast>(&op)) {
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
+      asked.received = asked.received || leaf.kind == ir::Leaf::Kind::received;
+    }
     const auto least = ir::lower_bound(block, *compare, s.decision.facts.params);
     if (!any && (!least || least->need.strictest < 0)) return;
     for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
@@ -122,8 +126,9 @@ std::string doubt_about(const Subject& s, std::size_t k, const ir::Block& proper
   if (speaks_of_windows(property)) {
     return "the way out of zones that come and go is checked (5030, 5031), and has no certificate";
   }
-  if (atoms_of(property).received) return "where the zone that is received will be is not known";
-  for (const ir::ZoneIndex outer : keeping_of(s, k, property).zones) {
+  const Keeping asked = keeping_of(s, k, property);
+  if (asked.received) return "where the zone that is received will be is not known";
+  for (const ir::ZoneIndex outer : asked.zones) {
     for (const ir::ZoneIndex zone : inner) {
       if (zone == outer || lies_in(s, zone, outer)) continue;
       return "a way from one zone of the `or` to another is not shown to stay in one of them";

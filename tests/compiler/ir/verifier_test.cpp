@@ -52,6 +52,38 @@ TEST(Verifier, AgesOfMeasurementsAreOfFacts) {
             std::string::npos);
 }
 
+TEST(Verifier, AZoneThatIsReceivedIsOneOfTheDecision) {
+  const auto problem_with = [](std::vector<Received> received, ChannelKind kind, bool on_plan) {
+    BlockMaker b;
+    const ValueId gap = b.quantity(ReceivedClearance{ReceivedIndex{0}});
+    const ValueId least = b.quantity(Const{100});
+    b.margin(ReceivedReach{ReceivedIndex{0}, 100});
+    Module m = module_with(b.done(b.margin(AtLeast{gap, least, false})));
+    Watch& facts = m.decisions[0].facts;
+    facts.period_us = 100'000;
+    Channel channel;
+    channel.name = "fence";
+    channel.kind = kind;
+    channel.components = {""};
+    channel.held = true;
+    channel.edges_most = 8;
+    facts.inputs.push_back(channel);
+    facts.received = std::move(received);
+    m.decisions[0].on_plan = on_plan;
+    return problem(m);
+  };
+  const Received fence{"fence", 0, false}, other{"fence", 1, true};
+  EXPECT_EQ(problem_with({fence}, ChannelKind::zone, false), "");
+  EXPECT_NE(problem_with({}, ChannelKind::zone, false).find("no such zone that is received"),
+            std::string::npos);
+  for (const Received& wrong : {fence, other}) {
+    const ChannelKind kind = wrong.channel == 0 ? ChannelKind::truth : ChannelKind::zone;
+    EXPECT_NE(problem_with({wrong}, kind, false).find("by an input that is none"),
+              std::string::npos);
+  }
+  EXPECT_NE(problem_with({fence}, ChannelKind::zone, true), "");
+}
+
 TEST(Verifier, UnitsOfOperandsAgree) {
   BlockMaker b;
   const ValueId gap = b.quantity(Clearance{ZoneIndex{0}});
