@@ -214,6 +214,9 @@ TEST(Rule9_7, IsAsShown) {
 TEST(Rule9_8, IsAsShown) {
   expect_as_shown("9.8");
 }
+TEST(Rule9_9, IsAsShown) {
+  expect_as_shown("9.9");
+}
 TEST(Rule10, IsAsShown) {
   expect_as_shown("10");
 }
