@@ -214,6 +214,8 @@ inline std::vector<Rule> rules_of_received() {
       {"robots_in_space_do_not_look_ahead_at_zones_that_are_received",
        {{"position : point", "position : point3"},
         {"velocity : vector", "velocity : vector3"},
+        {"around one during", "around crane during"},
+        {"not one inside fair", "not crane inside fair"},
         {"r inside ground", "r inside field"}},
        Code::zone_not_fixed,
        "field",
