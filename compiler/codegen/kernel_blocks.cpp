@@ -202,8 +202,7 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
                    received(r.received) + ", &v->within, " + limit(r.least_mm, r.more));
     }
     std::string operator()(const ReceivedCourse& r) const {
-      return p.use("rim_course",
-                   received(r.received) + ", &v->told, " + limit(r.least_mm, r.more));
+      return p.use("rim_course", received(r.received) + ", &v->told, " + limit(r.least_mm, r.more));
     }
     static std::string agent(AgentIndex a) {
       return "&v->agents[" + num(static_cast<std::uint32_t>(a)) + "]";
