@@ -88,8 +88,10 @@ bool keeps_stamp(const ir::Watch& watch, const ChannelUses& uses, std::size_t ch
 // Whether some input has to arrive every tick: then it matters when the last one was.
 bool arrives_each_tick(const ir::Watch& watch);
 
-// Whether the end of a tick is found from its time when it is asked for, and not kept.
+// Whether number, time and end of a tick are found from when the next one is due, which is kept.
 bool keeps_due_tick(const ir::Watch& watch, Telling telling);
+// Whether the time of the last tick is kept: it matters, and is not found in that way.
+bool keeps_last_tick(const ir::Watch& watch, Telling telling);
 
 // Number of an input in a finding; 0: none, and that of the clock below the first input.
 std::int64_t watch_input_number(const ir::Module& module, std::size_t channel);

@@ -137,7 +137,7 @@ std::vector<std::string> watch_memory_fields(const WatchKernel& kernel) {
   if (counts_ticks(kernel.watch, kernel.telling)) {
     fields.push_back(temporal_ticks_member(kernel.prefix));
   }
-  if (arrives_each_tick(kernel.watch)) fields.emplace_back("int64_t judged_us;");
+  if (keeps_last_tick(kernel.watch, kernel.telling)) fields.emplace_back("int64_t judged_us;");
   const ChannelUses uses = channel_uses(kernel.watch);
   for (std::size_t c = 0; c < members.channels.size(); ++c) {
     if (keeps_stamp(kernel.watch, uses, c)) {

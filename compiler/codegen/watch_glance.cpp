@@ -1,6 +1,8 @@
 #include "compiler/codegen/watch_glance.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <utility>
 #include <variant>
 
@@ -25,14 +27,32 @@ struct Line {
   std::int64_t fixed = 0, below = 0, above = 0;
   std::int64_t size = 0;  // no part of the sum is larger
 };
+// Where a number lies, as far as that is known.
+struct Bounds {
+  std::int64_t lo = std::numeric_limits<std::int64_t>::min();
+  std::int64_t hi = std::numeric_limits<std::int64_t>::max();
+};
 // An operand of && and || stands in brackets when it is the other of both.
 struct Text {
   std::string text;
-  char by = 0;  // '&', '|': joined by that; 0: a comparison
+  char by = 0;                              // '&', '|': joined by that; 0: a comparison
+  std::map<std::string, Bounds> implied{};  // where it holds: by what is read
+  bool asks_each_alone = false;             // no sums, which numbers out of range would overflow
 };
 // One of which nothing is known is none.
 using Condition = std::optional<Text>;
 
+std::map<std::string, Bounds> implied_by(const Text& a, const Text& b, bool with_and) {
+  std::map<std::string, Bounds> out = a.implied;
+  for (const auto& [term, of_b] : b.implied) {
+    Bounds& both = out[term];  // that of a, or none
+    both.lo = with_and ? std::max(both.lo, of_b.lo) : std::min(both.lo, of_b.lo);
+    both.hi = with_and ? std::min(both.hi, of_b.hi) : std::max(both.hi, of_b.hi);
+  }
+  if (!with_and)
+    std::erase_if(out, [&](const auto& known) { return !b.implied.count(known.first); });
+  return out;
+}
 Condition joined(const Condition& a, const Condition& b, bool with_and) {
   if (with_and && (!a || !b)) return std::nullopt;
   if (!a || !b) return a ? a : b;
@@ -40,7 +60,8 @@ Condition joined(const Condition& a, const Condition& b, bool with_and) {
   const auto in = [by](const Text& t) {
     return t.by == 0 || t.by == by ? t.text : "(" + t.text + ")";
   };
-  return Text{in(*a) + (with_and ? " && " : " || ") + in(*b), by};
+  return Text{in(*a) + (with_and ? " && " : " || ") + in(*b), by, implied_by(*a, *b, with_and),
+              a->asks_each_alone && b->asks_each_alone};
 }
 Condition compared(const std::string& a, const char* relation, std::int64_t b) {
   return Text{a + " " + relation + " " + num(b), 0};
@@ -66,6 +87,7 @@ class GlancePrinter {
                std::move(lines_),
                surely ? surely->text : "",
                never ? never->text : "",
+               surely && is_inside(*surely),
                false,
                measures_always_};
     out.needs_each = needs_all_inputs(block_) || (out.needs_some && out.components.size() == 1);
@@ -75,6 +97,19 @@ class GlancePrinter {
   }
 
  private:
+  // Whether every number is in its range, and not its last step, where the condition holds.
+  [[nodiscard]] bool is_inside(const Text& condition) const {
+    if (!condition.asks_each_alone) return false;
+    for (const auto& [channel, components] : components_of(block_)) {
+      for (const std::uint32_t k : components) {
+        const auto at = condition.implied.find("in->" + names_.signal(channel, k).name);
+        if (at == condition.implied.end()) return false;
+        const Range& range = kernel_.watch.inputs[channel].grid(k).range;
+        if (at->second.lo < range.lo || at->second.hi >= range.hi) return false;
+      }
+    }
+    return true;
+  }
   // That it surely holds, or surely does not.
   Condition condition(ValueId id, bool wanted) {
     const Op& op = block_[id].op;
@@ -115,11 +150,19 @@ class GlancePrinter {
     if (d.terms.empty()) return std::nullopt;
     Line sum = d;
     sum.fixed = 0;
-    if (!d.terms.front().first) {
-      return wanted ? compared(sum_of(sum), ">=", least) : compared(sum_of(sum), "<=", most);
+    const bool is_turned = d.terms.front().first;
+    if (is_turned) {
+      for (auto& [negative, term] : sum.terms) negative = !negative;
     }
-    for (auto& [negative, term] : sum.terms) negative = !negative;
-    return wanted ? compared(sum_of(sum), "<=", -least) : compared(sum_of(sum), ">=", -most);
+    const std::int64_t limit = (wanted ? least : most) * (is_turned ? -1 : 1);
+    const bool is_lower = wanted != is_turned;
+    Condition out = compared(sum_of(sum), is_lower ? ">=" : "<=", limit);
+    out->asks_each_alone = sum.terms.size() == 1;
+    if (out->asks_each_alone) {
+      Bounds& where = out->implied[sum.terms.front().second];
+      (is_lower ? where.lo : where.hi) = limit;
+    }
+    return out;
   }
   // The length of (a, b) is at least so many steps, which is asked of their squares.
   Condition length(const Norm& v, ValueId id, std::int64_t least, bool wanted) {

@@ -27,6 +27,9 @@ struct Glance {
   // What has a name, then conditions of `in`, what leads to the inputs; empty: it cannot be told.
   std::vector<std::string> names;
   std::string surely, never;
+  // What surely holds asks each number alone, and of none that is out of its range or on the last
+  // step of it: then that needs no question of its own.
+  bool surely_inside = false;
   // Nothing is known without any of the inputs; or without all of them, when each comparison is of
   // one.
   bool needs_each = false, needs_some = false;

@@ -279,7 +279,7 @@ void WatchLook::params(const std::string& state, const std::string& in, Code& bo
 }
 
 void WatchLook::start(const std::string& state, Code& body) const {
-  if (arrives_each_tick(watch_) && !keeps_due_tick(watch_, kernel_.telling)) {
+  if (keeps_last_tick(watch_, kernel_.telling)) {
     body.line(state + "judged_us = 0;");
   }
   if (counts_ticks(watch_, kernel_.telling)) {

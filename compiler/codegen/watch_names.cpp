@@ -229,6 +229,9 @@ bool arrives_each_tick(const Watch& watch) {
 bool keeps_due_tick(const Watch& watch, Telling telling) {
   return telling == Telling::verdicts && arrives_each_tick(watch);
 }
+bool keeps_last_tick(const Watch& watch, Telling telling) {
+  return telling == Telling::margins && arrives_each_tick(watch);
+}
 
 std::int64_t watch_clock_number(const Module& module) {
   // after the inputs of robots, if there are any (kernel_header.cpp)
@@ -274,7 +277,7 @@ std::int64_t watch_state_bytes(const Watch& watch, Telling telling) {
   constexpr std::int64_t clock_bytes = 32, word_bytes = 8;
   std::int64_t bytes = clock_bytes + word_bytes;
   if (counts_ticks(watch, telling)) bytes += temporal_ticks_bytes;
-  if (arrives_each_tick(watch)) bytes += word_bytes;
+  if (keeps_last_tick(watch, telling)) bytes += word_bytes;
   if (keeps_due_tick(watch, telling)) bytes += 2 * word_bytes;
   bytes += word_bytes * (kept_stamps(watch) + static_cast<std::int64_t>(watch.params.size()));
   for (const PlainMonitor& monitor : watch.monitors) {

@@ -123,32 +123,50 @@ class WatchSource {
   }
   void told(const PlainMonitor& m, const Glance& glance) {
     closely(m, glance);
-    uses_.insert("number_inside");
-    std::vector<std::string> there;
+    uses_.insert({"number_inside", "usually"});
+    std::vector<std::string> counted, inside;
     std::string given;
     for (const auto& [channel, components] : glance.components) {
       const std::string counts = "v->" + fresh(channel);
-      if (!glance.needs_each) there.push_back(counts + " != 0");
+      if (!glance.needs_each) counted.push_back(counts + " != 0");
       if (!glance.needs_each) given += ", " + counts;
       for (const std::uint32_t k : components) {
         const Range& range = watch_.inputs[channel].grid(k).range;
-        there.push_back("number_inside(in->" + look_.members().signal(channel, k).name + ", " +
-                        num(range.lo) + ", " + num(range.hi) + ")");
+        inside.push_back("number_inside(in->" + look_.members().signal(channel, k).name + ", " +
+                         num(range.lo) + ", " + num(range.hi) + ")");
       }
     }
     out_.comment("Far from where it turns, that is told at a glance.");
     look_.function("static inline int32_t " + names_(m.name) + "_told",
                    {"const " + view() + " *v", inputs()}, [&](Code& body) {
                      missing(glance, body);
-                     body.block("if (" + all_of(there, " &&\n      ") + ")", [&](Code& glanced) {
-                       for (const std::string& line : glance.names) wrapped(glanced, line);
-                       verdict_if(glance.surely, "TRUE", glanced);
-                       verdict_if(glance.never, "FALSE", glanced);
-                     });
+                     glanced(glance, counted, inside, body);
                      wrapped(body, "return " + names_(m.name) + "_closely(v->s, in" + given + ");");
                    });
     out_.blank();
   }
+  // Whether samples count and numbers are inside their ranges is asked where it matters.
+  void glanced(const Glance& glance, const std::vector<std::string>& counted,
+               const std::vector<std::string>& inside, Code& to) const {
+    const std::string join = " &&\n      ";
+    std::vector<std::string> surely = counted, there = counted;
+    const bool is_any = glance.surely.find(" || ") != std::string::npos;
+    surely.push_back(is_any && !counted.empty() ? "(" + glance.surely + ")" : glance.surely);
+    there.insert(there.end(), inside.begin(), inside.end());
+    if (glance.surely_inside) {
+      verdict_if(usually(all_of(surely, " && ")), "TRUE", to);
+      if (glance.never.empty()) return;
+    }
+    const std::string all = all_of(there, join);
+    to.block("if (" + (glance.surely_inside ? all : usually(all)) + ")", [&](Code& far) {
+      for (const std::string& line : glance.names) wrapped(far, line);
+      if (!glance.surely_inside && !glance.surely.empty()) {
+        verdict_if(usually(glance.surely), "TRUE", far);
+      }
+      verdict_if(glance.never, "FALSE", far);
+    });
+  }
+  static std::string usually(const std::string& condition) { return "USUALLY(" + condition + ")"; }
   static std::string all_of(const std::vector<std::string>& conditions, const std::string& join) {
     std::string text;
     for (const std::string& each : conditions) text += (text.empty() ? "" : join) + each;
@@ -157,11 +175,12 @@ class WatchSource {
   // Without inputs nothing is known, whatever it would take to see.
   void missing(const Glance& glance, Code& to) const {
     if (!glance.needs_each && !glance.needs_some) return;
-    std::vector<std::string> none;
+    std::vector<std::string> some;
     for (const auto& [channel, components] : glance.components) {
-      none.push_back("v->" + fresh(channel) + " == 0");
+      some.push_back("v->" + fresh(channel) + " != 0");
     }
-    verdict_if(all_of(none, glance.needs_each ? " || " : " && "), "UNKNOWN", to);
+    const std::string enough = all_of(some, glance.needs_each ? " && " : " || ");
+    verdict_if("!" + usually(enough), "UNKNOWN", to);
   }
   void verdict_if(const std::string& condition, const std::string& verdict, Code& to) const {
     if (condition.empty()) return;
@@ -232,14 +251,15 @@ class WatchSource {
       }
       if (each_tick()) {
         uses_.insert("before");
+        const std::string last = keeps_due() ? "s->synced_us" : "s->judged_us";
         body.block("if (first || elapsed > 1)",
-                   [&](Code& gap) { gap.line("s->judged_us = before(now_us, " + period + ");"); });
+                   [&](Code& gap) { gap.line(last + " = before(now_us, " + period + ");"); });
       }
       body.line("return 1;");
     });
     out_.blank();
   }
-  // The last tick is known by its time: the next one comes so much later, more or less.
+  // The last tick is known by when the next one is due.
   [[nodiscard]] bool keeps_due() const { return keeps_due_tick(watch_, side_.telling); }
   [[nodiscard]] bool each_tick() const { return arrives_each_tick(watch_); }
   [[nodiscard]] bool asks_for_inputs() const {
@@ -261,9 +281,8 @@ class WatchSource {
       body.line("s->clock.last_us = 0;");
       body.line("s->clock.tick = 0;");
       body.line("s->until_us = INT64_MAX;");
-      if (keeps_due()) body.line("s->synced_us = 0;").line("s->due_us = 0;");
+      if (keeps_due()) body.line("s->synced_us = INT64_MAX;").line("s->due_us = NEVER_DUE;");
       look_.start("s->", body);
-      if (keeps_due()) body.line("s->judged_us = INT64_MAX;");
     });
     out_.blank();
   }
@@ -300,13 +319,19 @@ class WatchSource {
                                                  result};
     const std::string judge = side_.functions + "_judge", late = side_.functions + "_late";
     const std::string arguments = "(s, in, now_us, " + given + ");";
+    std::vector<std::string> since = parameters;
+    if (keeps_due()) since.insert(since.begin() + 3, "int64_t since_us");
     out_.comment("The tick that has come.");
-    look_.function("static inline void " + judge, parameters, [&](Code& body) {
+    look_.function("static inline void " + judge, since, [&](Code& body) {
       body.line(view() + " v;");
       if (!asks_for_inputs()) body.line("(void)in;");
       body.line("v.s = s;");
       body.line("v.now_us = now_us;");
-      if (each_tick()) body.line("v.since_us = s->judged_us;").line("s->judged_us = now_us;");
+      if (keeps_due()) {
+        body.line("v.since_us = since_us;");
+      } else if (each_tick()) {
+        body.line("v.since_us = s->judged_us;").line("s->judged_us = now_us;");
+      }
       look_.schedules("v.", body);
       look_.params("s->", "in->", body);
       judged(body);
@@ -321,20 +346,21 @@ class WatchSource {
         body.block("if (" + comes + ")",
                    [&](Code& resumed) { resumed.line(judge + arguments).line("return;"); });
       } else {
-        late_or_early(follows, judge + arguments, body);
+        late_or_early(follows, judge + "(s, in, now_us, since_us, " + given + ");", body);
       }
       body.block("for (k = 0; k < " + monitors() + "; ++k)", none);
       if (side_.is_full()) body.line("out->tick = s->clock.tick;");
     });
     out_.blank();
     look_.function("void " + name, parameters, [&](Code& body) {
-      const std::string due = "tick_due(s->due_us, s->judged_us, now_us)";
+      const std::string due = "tick_due(s->due_us, s->synced_us, now_us)";
+      const std::string at_due = "(s, in, now_us, now_us - " + period + ", " + given + ");";
       body.block(
           "if (" + (keeps_due() ? due : follows) + ")",
           [&](Code& usual) {
             if (side_.is_full()) usual.line("tick_counted(&s->clock, now_us);");
             if (keeps_due()) usual.line("s->due_us = (uint64_t)now_us + " + period + ";");
-            usual.line(judge + arguments);
+            usual.line(judge + (keeps_due() ? at_due : arguments));
           },
           "");
       body.block("} else", [&](Code& unusual) { unusual.line(late + arguments); });
@@ -346,7 +372,7 @@ class WatchSource {
     const std::string period = num(watch_.period_us);
     body.line("int32_t begun = 0;");
     body.block("if (s->clock.started != 0)", [&](Code& started) {
-      started.line("tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, " + period +
+      started.line("tick_synced(&s->clock, &s->until_us, &s->synced_us, s->due_us, " + period +
                    ");");
       started.line("begun = " + follows + ";");
     });
@@ -356,6 +382,7 @@ class WatchSource {
       other.line("begun = " + side_.functions + "_resume(s, now_us);");
     });
     body.block("if (begun != 0)", [&](Code& tick) {
+      tick.line("const int64_t since_us = s->synced_us;");
       tick.line("s->synced_us = now_us;");
       tick.line("s->due_us = due_after(&s->clock, now_us, " + period + ");");
       tick.line(judge).line("return;");

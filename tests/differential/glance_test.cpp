@@ -31,6 +31,15 @@ monitor sums { "R7" always p.x - q.y + x <= 4 mm; }
 monitor moved { "R8" always 3 mm - p.x > q.x - 2 mm; }
 monitor wide { "R9" always x > 3 mm or p.x - q.x >= gap; }
 monitor mixed { "R10" always p.x >= 0 m and (distance(p, q) >= 5 mm or x >= 1 mm); }
+monitor either { "R11" always (p.x >= 0 m and p.x <= 2 mm) or (p.x > 3 mm and p.x < 6 mm); }
+monitor both { "R12" always p.y > -3 mm and p.y < 4 mm and q.x >= -2 mm and q.x <= 5 mm; }
+monitor edge { "R13" always p.x >= -1 m and p.x <= 3 mm; }
+monitor open { "R14" always p.y >= -4 mm and p.y <= 4 mm or q.y >= 1 mm; }
+monitor beyond { "R16" always p.x >= -2 m and p.x <= 3 mm; }
+monitor last { "R17" always q.x >= -3 mm and q.x <= 1001 mm; }
+monitor pairs { "R18" always (p.x >= 0 m and p.x <= 3 mm and q.y >= 0 m and q.y <= 3 mm) or
+                             (p.x >= 4 mm and p.x <= 7 mm and q.y >= -5 mm and q.y <= -1 mm); }
+monitor outside { "R15" always not (q.x > -4 mm and q.x < 4 mm) and q.x >= -6 mm and q.x <= 6 mm; }
 )";
 
 // A pseudo-random number below `count`; numbers near to 0 or `edges`, now and then anything.
@@ -178,9 +187,11 @@ std::vector<Mistake> mistakes() {
       {"out_of_range_is_told", instead(R"((number_inside\(in->[^)]*\)))", "($1 || 1)")},
       {"one_axis_in_range_is_enough", instead(R"(number_inside\(in->\w+\.y[^)]*\))", "1")},
       {"last_step_is_inside", instead(R"((uint64_t\)least) < (\(uint64_t))", "$1 <= $2")},
-      {"missing_is_told", instead(R"(v->fresh_\w+ == 0)", "0")},
-      {"missing_is_seen", instead(R"(v->fresh_\w+ != 0 &&)", "")},
-      {"one_missing_is_all", instead(R"((v->fresh_\w+ == 0) && )", "$1 || ")},
+      {"missing_is_told", instead(R"(!USUALLY\(v->fresh)", "0 && !USUALLY(v->fresh")},
+      {"missing_is_seen", instead(R"(v->fresh_\w+ != 0 &&(\s+number_inside))", "$1")},
+      {"missing_is_surely", instead(R"(\(USUALLY\(v->fresh_\w+ != 0 && )", "(USUALLY(")},
+      {"one_missing_is_all", instead(R"((USUALLY\(v->fresh_\w+ != 0) \|\| )", "$1 && ")},
+      {"surely_is_out_of_range", instead(R"( && in->p.x <= 4\b)", "")},
       {"never_is_surely", instead(R"(_VERDICT_FALSE;\n    \})", "_VERDICT_TRUE;\n    }")},
   };
 }

@@ -50,12 +50,13 @@ class Model {
   std::int64_t tick_ = 0;
 };
 
-// Steps both entries; `new_tick`: 2 bits, whether each has judged.
+// Steps both entries; `new_tick`: 2 bits, whether each has judged; then, of an input that has to
+// arrive every tick, whether they disagree about it, and whether its sample has arrived.
 using StepAll = void (*)(const std::int64_t* now_us, std::int32_t count, std::int64_t* tick,
                          std::int32_t* new_tick);
 
 // `each_tick`: another input has to arrive every tick, so that the time of the last one is kept.
-driver::BuiltObject built(const std::string& period, bool each_tick) {
+driver::BuiltObject built(const std::string& period, std::int64_t period_us, bool each_tick) {
   const std::string another = each_tick ? "input q : bool;\n"
                                           "monitor n { \"R2: q\" always q; }\n"
                                         : "";
@@ -67,7 +68,18 @@ driver::BuiltObject built(const std::string& period, bool each_tick) {
   EXPECT_EQ(checked->problem, "");
   const driver::KernelCode code = driver::kernel_code(checked->compilation);
   const std::string& p = code.interface.prefix;
-  std::string glue = "#include \"" + code.interface.source + R"("
+  // Its stamps are at both ends of the period, just within and just beyond.
+  const std::string arrives = R"(
+    const uint64_t ends[] = {now, now - PERIOD, k > 0 ? (uint64_t)now_us[k - 1] : 0};
+    in.q.stamp_us = (int64_t)(ends[k * 5 % 3] + (uint64_t)(k * 7 % 4) - 1);
+    in.q.valid = 1;
+    in.q.value = 1;
+)";
+  const std::string compared =
+      "    new_tick[k] += 4 * (out.monitors[1].verdict != verdict[1]) + 8 "
+      "* (verdict[1] == 2);\n";
+  std::string glue = "#include \"" + code.interface.source + "\"\n#define PERIOD " +
+                     std::to_string(period_us) + R"(
 void run(const int64_t *now_us, int32_t count, int64_t *tick, int32_t *new_tick) {
   P_monitors_state s;
   P_monitors_verdicts_state alone;
@@ -77,13 +89,15 @@ void run(const int64_t *now_us, int32_t count, int64_t *tick, int32_t *new_tick)
   P_monitors_init(&s);
   P_monitors_verdicts_init(&alone);
   for (k = 0; k < count; ++k) {
+    const uint64_t now = (uint64_t)now_us[k];
+    (void)now;)" + (each_tick ? arrives : "") +
+                     R"(
     P_monitors_step(&s, &in, now_us[k], &out);
     P_monitors_verdicts(&alone, &in, now_us[k], verdict);
     tick[k] = out.tick;
     new_tick[k] = (out.monitors[0].verdict == 2) + 2 * (verdict[0] == 2);
-  }
-}
-)";
+)" + (each_tick ? compared : "") +
+                     "  }\n}\n";
   for (std::size_t at = 0; (at = glue.find("P_monitors", at)) != std::string::npos;) {
     glue.replace(at, 1, p);
   }
@@ -137,7 +151,7 @@ class Ticks : public ::testing::TestWithParam<Period> {};
 
 void are_those_of_the_plain_model(const Period& period, bool each_tick) {
   const std::int64_t period_us = period.us;
-  driver::BuiltObject object = built(period.text, each_tick);
+  driver::BuiltObject object = built(period.text, period_us, each_tick);
   ASSERT_TRUE(object.object) << object.problem;
   const StepAll run = object.object->function<StepAll>("run");
   ASSERT_NE(run, nullptr);
@@ -147,11 +161,12 @@ void are_those_of_the_plain_model(const Period& period, bool each_tick) {
                                  first,
                                  first + period_us / 2,
                                  -period_us,
+                                 last / 2 - 20 * period_us,
                                  last,
                                  last - period_us,
                                  last - 40 * period_us,
                                  last - period_us / 2};
-  std::size_t judged = 0, skipped = 0;
+  std::size_t judged = 0, skipped = 0, arrived = 0;
   for (int round = 0; round < 600; ++round) {
     const std::int64_t start_us = round % 2 == 0
                                       ? starts[std::size_t(round / 2) % std::size(starts)]
@@ -165,13 +180,18 @@ void are_those_of_the_plain_model(const Period& period, bool each_tick) {
       const Model::Answer exact = model.at(now[k]);
       ASSERT_EQ(tick[k], exact.tick) << "round " << round << ", step " << k << " at " << now[k]
                                      << ", the first at " << now.front();
-      ASSERT_EQ(new_tick[k], exact.is_new ? 3 : 0)
+      ASSERT_EQ(new_tick[k] & 7, exact.is_new ? 3 : 0)
           << "round " << round << ", step " << k << " at " << now[k];
+      arrived += new_tick[k] >= 8 ? 1U : 0U;
       ++(exact.is_new ? judged : skipped);
     }
   }
   EXPECT_GT(judged, 1000u);
   EXPECT_GT(skipped, 1000u);
+  if (each_tick) {
+    EXPECT_GT(arrived, 1000u);
+    EXPECT_LT(arrived + 1000u, judged);
+  }
 }
 
 TEST_P(Ticks, AreThoseOfThePlainModel) {

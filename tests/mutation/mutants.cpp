@@ -236,7 +236,7 @@ const std::vector<Mutant>& verdict_mutants() {
        "steps + 0 * (uint64_t)between"},
       {"out_of_range_at_a_glance", R"(return \(uint64_t\)at - \(uint64_t\)least < [^;]*;)",
        "return 1;"},
-      {"missing_at_a_glance", R"(v->fresh_\w+ == 0)", "0"},
+      {"missing_at_a_glance", R"(!USUALLY\(v->fresh)", "0 && !USUALLY(v->fresh"},
       {"open_bounds_are_closed", R"(return measured\.lo \+ error < [^;]*;)", "return 0;"},
       {"far_is_near", R"(const int64_t most = max_of\(-a\.lo, a\.hi\);)",
        "const int64_t most = a.lo > 0 ? a.lo : 0;"},

@@ -9,6 +9,14 @@
 #else
 #define SELDOM
 #endif
+/*= usually */
+/* What nearly every tick finds: it comes first in the code, so that no jump leads there. Negated
+ * twice, the hint is about each part of a condition; compared with 0, gcc loses it. */
+#if defined(__GNUC__)
+#define USUALLY(condition) __builtin_expect(!!(condition), 1)
+#else
+#define USUALLY(condition) (condition)
+#endif
 /*= sample_good */
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
@@ -41,29 +49,35 @@ static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t pe
 }
 /*= tick_due */
 /* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
- * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
-static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
-  return (uint64_t)now_us == due_us && now_us > judged_us;
+ * nothing is kept but when the next one is due. `synced_us`: of the last tick that did not come so.
+ * Nothing is after that before the first tick, and when none is due. */
+static inline int32_t tick_due(uint64_t due_us, int64_t synced_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > synced_us;
 }
-/*= due_after : elapsed_us */
-/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
- * years. */
+/*= never_due */
+#define NEVER_DUE ((uint64_t)INT64_MIN)
+/*= due_after : elapsed_us never_due */
+/* When the next tick is due; NEVER_DUE, from when in 146,000 years ticks might be too many to be
+ * counted, or the clock might wrap around: that time itself is never due before. */
 static uint64_t due_after(const KERNEL_clock *clock, int64_t now_us, int64_t period_us) {
-  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
-    return (uint64_t)INT64_MIN;
+  if (now_us > INT64_MAX / 2 || elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return NEVER_DUE;
   }
   return (uint64_t)now_us + (uint64_t)period_us;
 }
-/*= tick_synced : later */
-/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
- * that was at `*synced_us`. */
+/*= tick_synced : later never_due */
+/* Time, number and end of the last tick, when those that are kept are of the one at `*synced_us`:
+ * all after it came when they were due, and the next one is due a period after the last. */
 static void tick_synced(KERNEL_clock *clock, int64_t *until_us, int64_t *synced_us,
-                        int64_t judged_us, int64_t period_us) {
-  const int64_t passed_us = judged_us - *synced_us;
+                        uint64_t due_us, int64_t period_us) {
+  int64_t passed_us = 0;
+  if (due_us != NEVER_DUE) {
+    passed_us = (int64_t)(due_us - (uint64_t)period_us - (uint64_t)*synced_us);
+  }
   clock->tick += passed_us / period_us;
-  clock->last_us = judged_us;
   *until_us = later(*until_us, passed_us);
-  *synced_us = judged_us;
+  *synced_us += passed_us;
+  clock->last_us = *synced_us;
 }
 /*= tick_counted */
 /* The tick that follows the last one has a number. */

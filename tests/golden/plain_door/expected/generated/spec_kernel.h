@@ -118,7 +118,6 @@ typedef struct door_monitors_verdicts_state {
   int64_t synced_us;
   uint64_t due_us;
   door_ticks ticks;
-  int64_t judged_us;
   int64_t last_speed_us;
   /* no_run_with_open_door */
   door_sight historically_0;

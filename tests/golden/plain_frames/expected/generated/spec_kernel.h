@@ -164,7 +164,6 @@ typedef struct gripper_monitors_verdicts_state {
   int64_t synced_us;
   uint64_t due_us;
   gripper_ticks ticks;
-  int64_t judged_us;
   int64_t last_at_us;
   int64_t last_goal_us;
   int64_t last_load_us;

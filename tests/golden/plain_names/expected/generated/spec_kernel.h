@@ -213,7 +213,6 @@ typedef struct signal_monitors_verdicts_state {
   int64_t until_us;
   int64_t synced_us;
   uint64_t due_us;
-  int64_t judged_us;
   int64_t last_a__us;
   /* Clock */
   int32_t previously_0;

@@ -806,29 +806,35 @@ static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t pe
 }
 
 /* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
- * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
-static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
-  return (uint64_t)now_us == due_us && now_us > judged_us;
+ * nothing is kept but when the next one is due. `synced_us`: of the last tick that did not come so.
+ * Nothing is after that before the first tick, and when none is due. */
+static inline int32_t tick_due(uint64_t due_us, int64_t synced_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > synced_us;
 }
 
-/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
- * years. */
+#define NEVER_DUE ((uint64_t)INT64_MIN)
+
+/* When the next tick is due; NEVER_DUE, from when in 146,000 years ticks might be too many to be
+ * counted, or the clock might wrap around: that time itself is never due before. */
 static uint64_t due_after(const pump_clock *clock, int64_t now_us, int64_t period_us) {
-  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
-    return (uint64_t)INT64_MIN;
+  if (now_us > INT64_MAX / 2 || elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return NEVER_DUE;
   }
   return (uint64_t)now_us + (uint64_t)period_us;
 }
 
-/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
- * that was at `*synced_us`. */
+/* Time, number and end of the last tick, when those that are kept are of the one at `*synced_us`:
+ * all after it came when they were due, and the next one is due a period after the last. */
 static void tick_synced(pump_clock *clock, int64_t *until_us, int64_t *synced_us,
-                        int64_t judged_us, int64_t period_us) {
-  const int64_t passed_us = judged_us - *synced_us;
+                        uint64_t due_us, int64_t period_us) {
+  int64_t passed_us = 0;
+  if (due_us != NEVER_DUE) {
+    passed_us = (int64_t)(due_us - (uint64_t)period_us - (uint64_t)*synced_us);
+  }
   clock->tick += passed_us / period_us;
-  clock->last_us = judged_us;
   *until_us = later(*until_us, passed_us);
-  *synced_us = judged_us;
+  *synced_us += passed_us;
+  clock->last_us = *synced_us;
 }
 
 /* The tick that follows the last one has a number. */
@@ -1406,7 +1412,7 @@ static int32_t pump_verdicts_resume(pump_monitors_verdicts_state *s, int64_t now
     pump_verdicts_catch_up(s, elapsed - 1);
   }
   if (first || elapsed > 1) {
-    s->judged_us = before(now_us, 100000);
+    s->synced_us = before(now_us, 100000);
   }
   return 1;
 }
@@ -1417,23 +1423,21 @@ void pump_monitors_verdicts_init(pump_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->synced_us = 0;
-  s->due_us = 0;
+  s->synced_us = INT64_MAX;
+  s->due_us = NEVER_DUE;
   ticks_start(&s->ticks);
   s->previously_0 = BITS_FALSE;
   s->since_2 = BITS_FALSE;
-  s->judged_us = INT64_MAX;
 }
 
 /* The tick that has come. */
 static inline void pump_verdicts_judge(pump_monitors_verdicts_state *s,
                                        const pump_monitors_in *in, int64_t now_us,
-                                       int32_t verdicts[PUMP_MONITORS]) {
+                                       int64_t since_us, int32_t verdicts[PUMP_MONITORS]) {
   pump_verdicts_view v;
   v.s = s;
   v.now_us = now_us;
-  v.since_us = s->judged_us;
-  s->judged_us = now_us;
+  v.since_us = since_us;
   pump_verdicts_look_on(&v, in);
   verdicts[PUMP_MONITORS_STARTS_ONCE] = starts_once_verdict(&v);
   pump_verdicts_look_alarm(&v, in);
@@ -1453,7 +1457,7 @@ static SELDOM void pump_verdicts_late(pump_monitors_verdicts_state *s,
   int32_t k;
   int32_t begun = 0;
   if (s->clock.started != 0) {
-    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 100000);
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->due_us, 100000);
     begun = tick_follows(&s->until_us, now_us, 100000);
   }
   if (begun != 0) {
@@ -1462,9 +1466,10 @@ static SELDOM void pump_verdicts_late(pump_monitors_verdicts_state *s,
     begun = pump_verdicts_resume(s, now_us);
   }
   if (begun != 0) {
+    const int64_t since_us = s->synced_us;
     s->synced_us = now_us;
     s->due_us = due_after(&s->clock, now_us, 100000);
-    pump_verdicts_judge(s, in, now_us, verdicts);
+    pump_verdicts_judge(s, in, now_us, since_us, verdicts);
     return;
   }
   for (k = 0; k < PUMP_MONITORS; ++k) {
@@ -1474,9 +1479,9 @@ static SELDOM void pump_verdicts_late(pump_monitors_verdicts_state *s,
 
 void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors_in *in,
                             int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
-  if (tick_due(s->due_us, s->judged_us, now_us)) {
+  if (tick_due(s->due_us, s->synced_us, now_us)) {
     s->due_us = (uint64_t)now_us + 100000;
-    pump_verdicts_judge(s, in, now_us, verdicts);
+    pump_verdicts_judge(s, in, now_us, now_us - 100000, verdicts);
   } else {
     pump_verdicts_late(s, in, now_us, verdicts);
   }

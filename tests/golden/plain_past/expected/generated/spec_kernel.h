@@ -188,7 +188,6 @@ typedef struct pump_monitors_verdicts_state {
   int64_t synced_us;
   uint64_t due_us;
   pump_ticks ticks;
-  int64_t judged_us;
   /* starts_once */
   int32_t previously_0;
   pump_sight historically_1;

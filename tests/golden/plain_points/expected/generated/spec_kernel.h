@@ -129,7 +129,6 @@ typedef struct crane_monitors_verdicts_state {
   int64_t synced_us;
   uint64_t due_us;
   crane_ticks ticks;
-  int64_t judged_us;
   int64_t last_hook_us;
   int64_t last_swing_us;
   /* edge */

@@ -363,6 +363,14 @@ static int64_t next_tick(test_stand_clock *clock, int64_t now_us, int64_t period
 #define SELDOM
 #endif
 
+/* What nearly every tick finds: it comes first in the code, so that no jump leads there. Negated
+ * twice, the hint is about each part of a condition; compared with 0, gcc loses it. */
+#if defined(__GNUC__)
+#define USUALLY(condition) __builtin_expect(!!(condition), 1)
+#else
+#define USUALLY(condition) (condition)
+#endif
+
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
@@ -394,29 +402,35 @@ static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t pe
 }
 
 /* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
- * nothing but its time is kept. Nothing is after the last one when that time has wrapped around. */
-static inline int32_t tick_due(uint64_t due_us, int64_t judged_us, int64_t now_us) {
-  return (uint64_t)now_us == due_us && now_us > judged_us;
+ * nothing is kept but when the next one is due. `synced_us`: of the last tick that did not come so.
+ * Nothing is after that before the first tick, and when none is due. */
+static inline int32_t tick_due(uint64_t due_us, int64_t synced_us, int64_t now_us) {
+  return (uint64_t)now_us == due_us && now_us > synced_us;
 }
 
-/* When the next tick is due; never, from when ticks might be too many to be counted in 146,000
- * years. */
+#define NEVER_DUE ((uint64_t)INT64_MIN)
+
+/* When the next tick is due; NEVER_DUE, from when in 146,000 years ticks might be too many to be
+ * counted, or the clock might wrap around: that time itself is never due before. */
 static uint64_t due_after(const test_stand_clock *clock, int64_t now_us, int64_t period_us) {
-  if (elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
-    return (uint64_t)INT64_MIN;
+  if (now_us > INT64_MAX / 2 || elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
+    return NEVER_DUE;
   }
   return (uint64_t)now_us + (uint64_t)period_us;
 }
 
-/* Number and end of the last tick, which was at `judged_us`, when those that are kept are of the one
- * that was at `*synced_us`. */
+/* Time, number and end of the last tick, when those that are kept are of the one at `*synced_us`:
+ * all after it came when they were due, and the next one is due a period after the last. */
 static void tick_synced(test_stand_clock *clock, int64_t *until_us, int64_t *synced_us,
-                        int64_t judged_us, int64_t period_us) {
-  const int64_t passed_us = judged_us - *synced_us;
+                        uint64_t due_us, int64_t period_us) {
+  int64_t passed_us = 0;
+  if (due_us != NEVER_DUE) {
+    passed_us = (int64_t)(due_us - (uint64_t)period_us - (uint64_t)*synced_us);
+  }
   clock->tick += passed_us / period_us;
-  clock->last_us = judged_us;
   *until_us = later(*until_us, passed_us);
-  *synced_us = judged_us;
+  *synced_us += passed_us;
+  clock->last_us = *synced_us;
 }
 
 /* The tick that follows the last one has a number. */
@@ -1043,11 +1057,11 @@ static SELDOM int32_t clean_closely(test_stand_monitors_verdicts_state *s,
 /* Far from where it turns, that is told at a glance. */
 static inline int32_t clean_told(const test_stand_verdicts_view *v,
                                  const test_stand_monitors_in *in) {
-  if (v->fresh_errors == 0) {
+  if (!USUALLY(v->fresh_errors != 0)) {
     return TEST_STAND_VERDICT_UNKNOWN;
   }
-  if (number_inside(in->errors.value, 0, 100)) {
-    if (in->errors.value <= 2) {
+  if (USUALLY(number_inside(in->errors.value, 0, 100))) {
+    if (USUALLY(in->errors.value <= 2)) {
       return TEST_STAND_VERDICT_TRUE;
     }
     if (in->errors.value >= 4) {
@@ -1068,11 +1082,11 @@ static SELDOM int32_t alive_closely(test_stand_monitors_verdicts_state *s,
 /* Far from where it turns, that is told at a glance. */
 static inline int32_t alive_told(const test_stand_verdicts_view *v,
                                  const test_stand_monitors_in *in) {
-  if (v->fresh_charge == 0) {
+  if (!USUALLY(v->fresh_charge != 0)) {
     return TEST_STAND_VERDICT_UNKNOWN;
   }
-  if (number_inside(in->charge.value, 0, 1000000)) {
-    if (in->charge.value >= 10000) {
+  if (USUALLY(number_inside(in->charge.value, 0, 1000000))) {
+    if (USUALLY(in->charge.value >= 10000)) {
       return TEST_STAND_VERDICT_TRUE;
     }
     if (in->charge.value <= 9998) {
@@ -1091,7 +1105,7 @@ static int32_t test_stand_verdicts_resume(test_stand_monitors_verdicts_state *s,
   }
   s->until_us = tick_until(&s->clock, 20000);
   if (first || elapsed > 1) {
-    s->judged_us = before(now_us, 20000);
+    s->synced_us = before(now_us, 20000);
   }
   return 1;
 }
@@ -1102,24 +1116,23 @@ void test_stand_monitors_verdicts_init(test_stand_monitors_verdicts_state *s) {
   s->clock.last_us = 0;
   s->clock.tick = 0;
   s->until_us = INT64_MAX;
-  s->synced_us = 0;
-  s->due_us = 0;
+  s->synced_us = INT64_MAX;
+  s->due_us = NEVER_DUE;
   s->last_wheel_us = INT64_MIN;
   s->last_target_us = INT64_MIN;
   s->last_charge_us = INT64_MIN;
   s->tightest_gap = 200;
-  s->judged_us = INT64_MAX;
 }
 
 /* The tick that has come. */
 static inline void test_stand_verdicts_judge(test_stand_monitors_verdicts_state *s,
                                              const test_stand_monitors_in *in, int64_t now_us,
+                                             int64_t since_us,
                                              int32_t verdicts[TEST_STAND_MONITORS]) {
   test_stand_verdicts_view v;
   v.s = s;
   v.now_us = now_us;
-  v.since_us = s->judged_us;
-  s->judged_us = now_us;
+  v.since_us = since_us;
   s->tightest_gap = tighter(s->tightest_gap, in->gap, 100, 500, 1);
   test_stand_verdicts_look_wheel(&v, in);
   test_stand_verdicts_look_target(&v, in);
@@ -1142,7 +1155,7 @@ static SELDOM void test_stand_verdicts_late(test_stand_monitors_verdicts_state *
   int32_t k;
   int32_t begun = 0;
   if (s->clock.started != 0) {
-    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->judged_us, 20000);
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->due_us, 20000);
     begun = tick_follows(&s->until_us, now_us, 20000);
   }
   if (begun != 0) {
@@ -1151,9 +1164,10 @@ static SELDOM void test_stand_verdicts_late(test_stand_monitors_verdicts_state *
     begun = test_stand_verdicts_resume(s, now_us);
   }
   if (begun != 0) {
+    const int64_t since_us = s->synced_us;
     s->synced_us = now_us;
     s->due_us = due_after(&s->clock, now_us, 20000);
-    test_stand_verdicts_judge(s, in, now_us, verdicts);
+    test_stand_verdicts_judge(s, in, now_us, since_us, verdicts);
     return;
   }
   for (k = 0; k < TEST_STAND_MONITORS; ++k) {
@@ -1164,9 +1178,9 @@ static SELDOM void test_stand_verdicts_late(test_stand_monitors_verdicts_state *
 void test_stand_monitors_verdicts(test_stand_monitors_verdicts_state *s,
                                   const test_stand_monitors_in *in, int64_t now_us,
                                   int32_t verdicts[TEST_STAND_MONITORS]) {
-  if (tick_due(s->due_us, s->judged_us, now_us)) {
+  if (tick_due(s->due_us, s->synced_us, now_us)) {
     s->due_us = (uint64_t)now_us + 20000;
-    test_stand_verdicts_judge(s, in, now_us, verdicts);
+    test_stand_verdicts_judge(s, in, now_us, now_us - 20000, verdicts);
   } else {
     test_stand_verdicts_late(s, in, now_us, verdicts);
   }

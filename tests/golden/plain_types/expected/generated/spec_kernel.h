@@ -132,7 +132,6 @@ typedef struct test_stand_monitors_verdicts_state {
   int64_t until_us;
   int64_t synced_us;
   uint64_t due_us;
-  int64_t judged_us;
   int64_t last_wheel_us;
   int64_t last_target_us;
   int64_t last_charge_us;

@@ -332,7 +332,6 @@ typedef struct facts_monitors_verdicts_state {
   int64_t synced_us;
   uint64_t due_us;
   facts_ticks ticks;
-  int64_t judged_us;
   int64_t last_permit_us;
   /* twin */
   facts_sight once_0;
