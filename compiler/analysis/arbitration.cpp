@@ -4,10 +4,13 @@
 #include <optional>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/keeps_off.h"
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/paces.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/waits.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
@@ -20,6 +23,9 @@ std::string seconds_text(const Rational& s) {
 std::string about_metres(const Rational& m) {
   return to_decimal(Rational(ceil_to_int(Rational(m * 100)), 100)) + " m";
 }
+
+// More than any zone has.
+constexpr std::int64_t unbounded_mm = 1 << 30;
 
 // What a recovery may do to the property of another monitor of its decision.
 class Pair {
@@ -171,10 +177,13 @@ class Pair {
       const auto zone = moves_within(*step);
       if (!zone || *zone == fence) continue;
       if (module_[fence].has_height() || module_[*zone].has_height()) {
-        if (!in_space(fence, *zone)) return false;
+        if (!in_space(fence, *zone) || !keeps_its_standoff(*step, fence, beyond_mm)) return false;
         continue;
       }
-      if (exact_(fence).contains(exact_(*zone))) continue;
+      if (exact_(fence).contains(exact_(*zone))) {
+        if (!keeps_its_standoff(*step, fence, beyond_mm)) return false;
+        continue;
+      }
       const geometry::Region beyond = exact_(*zone).subtract(exact_(fence));
       const Rational square_mm(ceil_to_int(Rational(beyond.area() * 1'000'000)));
       const std::string name = name_as_written(module_[fence]);
@@ -186,13 +195,60 @@ class Pair {
                       " within " + name + " works, as far as the charge pays for it";
       } else if (would_do(fence)) {
         entry_.help = "a recovery within " + name + " works";
-      } else if (both_would_do(*zone, fence)) {
-        entry_.help = "a recovery within a zone that is `" + shared_text(*zone, fence) + "` works";
+      } else {
+        offer_shared(*zone, fence, beyond_mm);
       }
       return false;
     }
     return true;
   }
+  // What lies in the fence, and need not keep what is asked beyond that. An external recovery is
+  // braked where it would be nearer to the boundary of its zone than any property asks for.
+  bool keeps_its_standoff(const ir::Recovery& step, ir::ZoneIndex fence,
+                          std::optional<std::int64_t> beyond_mm) {
+    if (step.claims) return true;
+    const std::int64_t asked_mm = beyond_mm.value_or(unbounded_mm);
+    if (keeps_off(module_, decision_, exact_, solid_, driving_, step.zone, {fence, asked_mm})) {
+      return true;
+    }
+    const std::string name = name_as_written(module_[fence]);
+    const std::string far = beyond_mm ? metres(asked_mm) : "what is asked";
+    entry_.why = "places of " + name_as_written(module_[step.zone]) + ", where " +
+                 quoted(recovery_.name) + " may drive, are nearer than " + far +
+                 " to the boundary of " + name;
+    offer_shared(step.zone, fence, beyond_mm);
+    return false;
+  }
+  // A zone within both, as far off the fence as is asked.
+  void offer_shared(ir::ZoneIndex zone, ir::ZoneIndex fence,
+                    std::optional<std::int64_t> beyond_mm) {
+    if (!beyond_mm) return;
+    const std::string shared = deep_text(module_, zone, {fence, *beyond_mm});
+    if (!shared.empty() && deep_would_do(zone, {fence, *beyond_mm})) {
+      entry_.help = "a recovery within a zone that is `" + shared + "` works";
+    }
+  }
+  // What is left of a zone so far off the fence lies in both, so that a recovery within that keeps
+  // all that it has kept: if it leads straight in, and has a place to return to.
+  [[nodiscard]] bool deep_would_do(ir::ZoneIndex zone, const Standoff& fence) const {
+    if (module_[zone].has_height() || module_[fence.zone].has_height()) return false;
+    const auto deep = within(exact_(fence.zone), fence.mm);
+    const ir::Recovery& last = ir::last_step(recovery_);
+    if (last.kind == ir::RecoveryKind::route || recovery_.claims) return false;
+    // the standoff is part of that, and is none of what is left
+    const bool less = !driving_.return_when && is_only_standoff(fence.zone);
+    const std::int64_t back_mm =
+        last.return_clearance_mm - (less ? standoff_mm(decision_, last) : 0);
+    return deep && suits(exact_(zone).intersect(*deep), back_mm);
+  }
+  [[nodiscard]] bool is_only_standoff(ir::ZoneIndex fence) const {
+    return std::ranges::all_of(decision_.monitors, [&](const ir::Monitor& m) {
+      return std::ranges::all_of(
+          fence_standoffs(m.property, decision_.facts.params),
+          [&](const Standoff& each) { return each.mm <= 0 || each.zone == fence; });
+    });
+  }
+
   // It would lie in all that the monitors keep the robot in which it recovers for, lead straight in
   // from the rest of that, have a place to return to, and keep what it keeps of others.
   [[nodiscard]] bool would_do(ir::ZoneIndex fence) const {
@@ -228,14 +284,9 @@ class Pair {
           geometry::Point{Rational(Rational(p.x_mm) / 1000), Rational(Rational(p.y_mm) / 1000)});
     });
   }
-  // What two zones share lies in both, so that a recovery within that keeps all that it has kept:
-  // if it leads straight in, and has a place to return to.
-  [[nodiscard]] bool both_would_do(ir::ZoneIndex zone, ir::ZoneIndex fence) const {
-    const ir::Recovery& last = ir::last_step(recovery_);
-    if (last.kind == ir::RecoveryKind::route || recovery_.claims) return false;
-    if (shared_text(zone, fence).empty()) return false;
-    const geometry::Region shared = exact_(zone).intersect(exact_(fence));
-    const auto returns = within(shared, last.return_clearance_mm + 1);
+  // In one part, with a place to return to, and straight ways in from all that its monitors allow.
+  [[nodiscard]] bool suits(const geometry::Region& shared, std::int64_t return_mm) const {
+    const auto returns = within(shared, return_mm + 1);
     if (!returns || returns->empty()) return false;
     if (shared.polygons().size() != 1) return false;
     const auto& params = decision_.facts.params;
@@ -248,16 +299,6 @@ class Pair {
                                   return is_convex(exact_(each)) && exact_(each).contains(shared);
                                 });
                        });
-  }
-  // As it is written; empty: one of them has no name.
-  [[nodiscard]] std::string shared_text(ir::ZoneIndex zone, ir::ZoneIndex fence) const {
-    const std::string outside = "outside_of_", unnamed = "zone_of_line_";
-    const std::string &a = module_[zone].name, &b = module_[fence].name;
-    for (const std::string& name : {a, b}) {
-      if (name.find(unnamed) != std::string::npos) return "";
-    }
-    if (a.starts_with(outside)) return "";
-    return b.starts_with(outside) ? a + " - " + b.substr(outside.size()) : a + " & " + b;
   }
   // Straight down from anywhere in it: what is in a slab is in the one below, down to where a
   // landing ends. Whatever else is not shown.
@@ -339,6 +380,13 @@ class Pair {
       entry_.why += ": `return when` of " + waiting + " may never hold where it leads";
       entry_.help = waiting + " without `return when` works";
       entry_.change = change;
+      return false;
+    }
+    // the bound is that of the way alone
+    if (const std::string until = waits_until(driving_.property); !until.empty()) {
+      entry_.why = "nothing bounds how long " + quoted(recovery_.name) +
+                   " lasts, and it takes charge: " + quoted(driving_.name) + " lets go when " +
+                   until;
       return false;
     }
     const Ways ways = ways_of(module_, decision_, last);

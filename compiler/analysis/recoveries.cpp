@@ -379,7 +379,8 @@ void check_recoveries(const sema::Spec& spec, const ir::Module& module, const Ex
                  diagnostics)
           .run();
       if (!decision.body.in_space) continue;
-      if (auto found = misplaced_in_space(written, module, decision, decision.monitors[k], solid)) {
+      if (auto found =
+              misplaced_in_space(written, module, decision, decision.monitors[k], exact, solid)) {
         diagnostics.report(std::move(*found));
       }
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -36,8 +37,13 @@ std::string some_corner(const geometry::Region& region) {
 class InSpace {
  public:
   InSpace(const sema::Monitor& written, const ir::Module& module, const ir::Decision& decision,
-          const ir::Monitor& monitor, const ExactSolid& exact)
-      : written_(written), module_(module), decision_(decision), monitor_(monitor), exact_(exact) {
+          const ir::Monitor& monitor, const ExactZone& flat, const ExactSolid& exact)
+      : written_(written),
+        module_(module),
+        decision_(decision),
+        monitor_(monitor),
+        flat_(flat),
+        exact_(exact) {
     collect_heights();
   }
 
@@ -75,7 +81,10 @@ class InSpace {
     for (const ir::ZoneIndex fence : fences()) {
       if (fence == step.zone) continue;
       const geometry::Solid beyond = exact_(step.zone).subtract(exact_(fence));
-      if (beyond.empty()) continue;
+      if (beyond.empty()) {
+        if (Found found = nearer(step, fence)) return found;
+        continue;
+      }
       const geometry::Slab& slab = beyond.slabs().front();
       const bool flat = !zone.has_height() && module_[fence].has_height();
       return elsewhere(
@@ -99,6 +108,23 @@ class InSpace {
       return elsewhere(step, "the heights from " + metres(*least_mm_) + " on",
                        "`" + zone.name + "` reaches down to " + metres(bottom_mm),
                        "a zone with a floor of at least " + metres(*least_mm_) + " works");
+    }
+    return std::nullopt;
+  }
+  // What is asked beyond touching is kept of another zone than its own as keeps_off.h says.
+  Found nearer(const ir::Recovery& step, ir::ZoneIndex fence) const {
+    for (const Standoff& each : fence_standoffs(monitor_.property, decision_.facts.params)) {
+      if (each.zone != fence ||
+          keeps_off(module_, decision_, flat_, exact_, monitor_, step.zone, each)) {
+        continue;
+      }
+      const std::string far = metres(each.mm) + " from the boundary of `" + module_[fence].name;
+      return elsewhere(
+          step, "what is " + far + "`",
+          "places of `" + module_[step.zone].name +
+              "` are nearer, and it keeps from the boundary of that zone as much as it "
+              "has where it sets out, and no more",
+          "a zone all of whose places are that far off works");
     }
     return std::nullopt;
   }
@@ -223,6 +249,7 @@ class InSpace {
   const ir::Module& module_;
   const ir::Decision& decision_;
   const ir::Monitor& monitor_;
+  const ExactZone& flat_;
   const ExactSolid& exact_;
   std::optional<std::int64_t> most_mm_, least_mm_;
 };
@@ -236,8 +263,8 @@ geometry::Solid without_end(const geometry::Region& region) {
 
 Found misplaced_in_space(const sema::Monitor& written, const ir::Module& module,
                          const ir::Decision& decision, const ir::Monitor& monitor,
-                         const ExactSolid& exact) {
-  return InSpace(written, module, decision, monitor, exact).run();
+                         const ExactZone& flat, const ExactSolid& exact) {
+  return InSpace(written, module, decision, monitor, flat, exact).run();
 }
 
 }  // namespace rtac::analysis

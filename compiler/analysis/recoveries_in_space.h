@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "compiler/analysis/recovery_places.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/geometry/solid.h"
 #include "compiler/ir/module.h"
@@ -23,6 +24,6 @@ std::optional<diag::Diagnostic> misplaced_in_space(const sema::Monitor& written,
                                                    const ir::Module& module,
                                                    const ir::Decision& decision,
                                                    const ir::Monitor& monitor,
-                                                   const ExactSolid& exact);
+                                                   const ExactZone& flat, const ExactSolid& exact);
 
 }  // namespace rtac::analysis

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/ways_in.h"
@@ -34,6 +35,8 @@ std::string some_place(const Region& region, const Region& outside_of) {
   }
   return "";
 }
+constexpr const char* nearer_label = "may come nearer to it";
+
 // What holds the centre of a robot, body and all: one zone, or of several at least one.
 struct Kept {
   Choice zones;
@@ -136,6 +139,7 @@ class Places {
     const Region body = kept.zones.size() > 1 ? shrunk(own, keeps_mm + rounded_mm) : own;
     const bool between = !centres.contains(body);
     const std::int64_t overlap_mm = 2 * (std::max(keeps_mm, step.return_clearance_mm) + rounded_mm);
+    if (!outside && kept.zones.size() == 1) return nearer(step, kept.zones[0]);
     if (!outside) return between && seam(step, kept, body, overlap_mm);
     const Region beyond = own.subtract(all);
     const std::string zone = "`" + module_[step.zone].name + "`";
@@ -146,9 +150,42 @@ class Places {
     d.notes.push_back({std::nullopt, area(beyond) + " of " + zone + " lie outside " + names +
                                          some_place(beyond, all)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = kept_.size() == 1 && kept.zones.size() == 1
-                 ? "a zone that lies in " + names + " works, such as " + names
-                 : works(step);
+    d.help =
+        kept_.size() == 1 && kept.zones.size() == 1
+            ? "a zone that lies in " + names + " works, such as " + example(step, kept.zones[0])
+            : works(step);
+    found_.push_back(std::move(d));
+    return true;
+  }
+  // Where the property keeps it out of a zone, what is left of its own.
+  std::string example(const ir::Recovery& step, ir::ZoneIndex zone) const {
+    const bool out = module_[zone].name.starts_with("outside_of_");
+    const std::string left =
+        out ? deep_text(module_, step.zone, {zone, standoff_mm(monitor_, zone)}) : "";
+    return left.empty() ? name_of(zone) : "`" + left + "`";
+  }
+  // Of another zone than its own it keeps what is asked for only as keeps_off.h says.
+  bool nearer(const ir::Recovery& step, ir::ZoneIndex zone) {
+    const Standoff fence{zone, standoff_mm(monitor_, zone)};
+    if (step.claims ||
+        keeps_off(module_, decision_, exact_, ExactSolid{}, monitor_, step.zone, fence)) {
+      return false;
+    }
+    const std::string own = "`" + module_[step.zone].name + "`", far = metres(fence.mm);
+    diag::Diagnostic d =
+        finding(diag::Code::recovery_elsewhere,
+                "`" + controller_.name + "` moves within " + own + ", and `" + monitor_.name +
+                    "` needs it to keep " + far + " from the boundary of " + name_of(zone));
+    d.label = "may come nearer to it";
+    const Region kept = shrunk(exact_(zone), fence.mm), near = exact_(step.zone).subtract(kept);
+    d.notes.push_back({std::nullopt, area(near) + " of " + own + " are nearer than that" +
+                                         some_place(near, kept)});
+    d.notes.push_back({std::nullopt, "on its way it keeps from every boundary of " + own +
+                                         " as much as it has where it sets out, and no more"});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    const std::string deep = deep_text(module_, step.zone, fence);
+    d.help = "a zone all of whose places are that far off works" +
+             (deep.empty() ? "" : ", such as `" + deep + "`");
     found_.push_back(std::move(d));
     return true;
   }
@@ -346,6 +383,10 @@ bool is_convex(const Region& region) {
     if ((b.x - a.x) * (c.y - b.y) < (b.y - a.y) * (c.x - b.x)) return false;
   }
   return true;
+}
+
+bool comes_nearer(const diag::Diagnostic& report) {
+  return report.code == diag::Code::recovery_elsewhere && report.label == nearer_label;
 }
 
 std::optional<Region> within(const Region& region, std::int64_t mm) {

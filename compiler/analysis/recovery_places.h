@@ -35,4 +35,8 @@ std::vector<diag::Diagnostic> misplaced(const sema::Monitor& written,
                                         const ir::Module& module, const ExactZone& exact,
                                         const ir::Decision& decision, const ir::Monitor& monitor);
 
+// The 5016 of a recovery that stays in the zone of its property, and need not keep what that asks
+// for beyond touching its boundary: that it does not is a matter of where its ways lead.
+bool comes_nearer(const diag::Diagnostic& report);
+
 }  // namespace rtac::analysis

@@ -37,7 +37,8 @@ bool has_shown(const Obligation& o) {
 }
 // A run can show it.
 bool in_motion(const Obligation& o) {
-  return o.status == verify::Status::refuted && (about_return(o) || !o.monitor.empty());
+  return o.status == verify::Status::refuted && (about_return(o) || !o.monitor.empty()) &&
+         o.not_shown.empty();
 }
 
 // What recoveries that take over from each other without end cost: the charge that was to lead
@@ -223,7 +224,7 @@ void leave_open(verify::Report& report) {
 void leave_unshown(verify::Report& report, const std::string& why) {
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
-      if (in_motion(o) && o.not_shown.empty()) o.not_shown = why;
+      if (in_motion(o)) o.not_shown = why;
     }
   }
 }

@@ -222,21 +222,28 @@ Found Claims::recovery(const Values& v) {
 Found Claims::contained(const Values& v) {
   const auto inner = zones_.find(text(v, "inner")), outer = zones_.find(text(v, "outer"));
   if (!inner || !outer) return wrong("no such zone");
-  if (*inner == *outer) return std::nullopt;
+  const bool far = v.count("standoff_mm") != 0;
+  if (*inner == *outer) {
+    return far ? std::optional(wrong("no zone is so far off itself")) : std::nullopt;
+  }
+  const auto standoff = far ? number(v, "standoff_mm") : std::optional<std::int64_t>(0);
+  if (!standoff || *standoff < 0) return wrong("the standoff is no number");
+  // 2 mm: what is known of curves and offsets from inside
+  const Rational off = milli(std::max<std::int64_t>(*standoff - 2, 0));
   const geometry::Region *const in = zones_.region(*inner), *const out = zones_.region(*outer);
   if (in != nullptr && out != nullptr) {
-    if (!out->contains(*in)) return wrong("it is not contained");
+    const auto kept = out->offset(-off);
+    if (!kept || !kept->contains(*in)) return wrong("it is not contained");
     return std::nullopt;
   }
   const auto small = zones_.solid(*inner), large = zones_.solid(*outer);
   if (!small || !large) return Doubt{false, "a zone is not known"};
-  if (!small->subtract(*large).empty()) return wrong("it is not contained");
+  // a zone of the plane has no ends above and below
+  const Rational upright = out == nullptr ? off : Rational(0);
+  if (!small->subtract(large->shrink(off, upright)).empty()) return wrong("it is not contained");
   return std::nullopt;
 }
 
-namespace {
-
-// The largest c of `clearance(r, zone) >= c` in a property, whatever its parameters become.
 Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone) {
   Rational most = 0;
   sema::for_each_expr(property, [&](const sema::Expr& e) {
@@ -254,8 +261,29 @@ Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId
   });
   return most;
 }
-
-}  // namespace
+Rational sure_gap_of(const sema::Expr& property, sema::ZoneId zone) {
+  if (const auto* logic = std::get_if<sema::Logic>(&property.node)) {
+    Rational most = 0;
+    if (logic->op != sema::LogicOp::logical_and) return most;
+    for (const sema::ExprPtr& each : logic->operands) {
+      most = std::max(most, sure_gap_of(*each, zone));
+    }
+    return most;
+  }
+  const auto* compare = std::get_if<sema::Compare>(&property.node);
+  if (compare == nullptr) return 0;
+  const bool at_least =
+      compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::greater_equal;
+  const bool at_most =
+      compare->op == sema::CompareOp::less || compare->op == sema::CompareOp::less_equal;
+  if (!at_least && !at_most) return 0;
+  const sema::Expr &gap = at_least ? *compare->left : *compare->right,
+                   &least = at_least ? *compare->right : *compare->left;
+  const auto* clearance = std::get_if<sema::Clearance>(&gap.node);
+  const auto* constant = std::get_if<sema::Constant>(&least.node);
+  return clearance != nullptr && clearance->zone == zone && constant != nullptr ? constant->value
+                                                                                : Rational(0);
+}
 
 namespace {
 

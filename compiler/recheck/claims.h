@@ -69,6 +69,10 @@ std::string text(const Values& v, const std::string& key);
 // The zones that a property keeps the robot in whatever else it says, and those of all its atoms.
 std::vector<sema::ZoneId> kept_in(const sema::Expr& property);
 std::vector<sema::ZoneId> all_zones(const sema::Expr& property);
+// The largest c of `clearance(r, zone) >= c` in a property, whatever its parameters become; and the
+// largest that holds wherever the property does, whatever they are.
+Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone);
+Rational sure_gap_of(const sema::Expr& property, sema::ZoneId zone);
 // Whether a property allows a height, with `gap` to spare of each of its limits.
 bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap);
 // The zones that a recovery moves within, of all of its steps.

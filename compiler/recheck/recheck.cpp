@@ -216,9 +216,11 @@ class Check {
     return asks;
   }
   // Each zone that a recovery moves within lies in each zone that the property keeps the robot in,
-  // or it keeps a side of it.
-  void within(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
+  // or it keeps a side of it; and as far from their boundaries as the property asks, unless that
+  // of the monitor that it drives for has the robot as far from the boundary of its own zone.
+  void within(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
               const sema::Monitor& m) {
+    const sema::Controller& recovery = spec_[*driving.recover];
     const std::vector<sema::ZoneId> moves = moves_within(recovery);
     const Keeping asked = Sides(spec_, d, claims_).keeping(recovery, *m.always);
     if (asked.by_sides && !moves.empty()) {
@@ -228,15 +230,26 @@ class Check {
       for (const sema::ZoneId outer : asked.zones) {
         if (inner == outer) continue;
         const NamedZones& zones = claims_.zones();
-        need(d, e, "contained", {{"inner", zones.name(inner)}, {"outer", zones.name(outer)}},
-             false);
+        const Values names{{"inner", zones.name(inner)}, {"outer", zones.name(outer)}};
+        need(d, e, "contained", names, false);
+        const Rational gap = gap_of(spec_, *m.always, outer);
+        if (sema::claim_of(recovery) || sure_gap_of(*driving.always, inner) >= gap) continue;
+        if (!std::ranges::any_of(e.claims, [&](const Claim& c) {
+              return c.what == "contained" && text(c.values, "inner") == names.at("inner") &&
+                     text(c.values, "outer") == names.at("outer") &&
+                     Rational(static_cast<long>(number(c.values, "standoff_mm").value_or(0))) >=
+                         gap * 1000;
+            })) {
+          fail(whom(d, e) + ": nothing says that `" + recovery.name + "` keeps so far from `" +
+               names.at("outer") + "`");
+        }
       }
     }
   }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     need(d, e, "limits");
     need(d, e, "recovery", {{"monitor", m.name}});
-    if (m.recover) within(d, e, spec_[*m.recover], m);
+    if (m.recover) within(d, e, m, m);
     if (all_zones(*m.always).empty()) return;
     for (const char* lemma : {"capsule", "disc", "stop_difference"}) {
       need(d, e, "lemma", {{"name", lemma}}, false);
@@ -306,7 +319,7 @@ class Check {
       if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }
-      within(d, e, spec_[*driving.recover], m);
+      within(d, e, driving, m);
     }
   }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/analysis/joint_return.h"
+#include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
@@ -114,6 +115,9 @@ class Prover {
   Decision out_;
 };
 
+// As many attempts as there are, less those that start anywhere.
+constexpr std::size_t own_starts_most = 4;
+
 // Which obligation an error of the analysis refutes; none: it is of another kind.
 std::optional<Kind> refuted_by(Code code) {
   switch (code) {
@@ -157,6 +161,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   o.method = "diagnostic " + std::to_string(static_cast<int>(d.code));
   o.because = d.message;
   o.repair = d.help;
+  o.by_a_run = analysis::comes_nearer(d);
   const bool of_decision = kind == Kind::joint_return;
   std::size_t at = 0;
   for (const sema::Monitor& m : spec.monitors) {
@@ -197,6 +202,26 @@ void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir
   }
 }
 
+// From where a recovery that moves elsewhere leads out of the property of its own monitor, whoever
+// of those that share it has it drive.
+void add_starts(const Subject& s, Decision& decision) {
+  const auto& monitors = s.decision.monitors;
+  if (s.decision.on_plan) return;
+  for (Obligation& o : decision.obligations) {
+    if (o.status != Status::refuted || o.kind != Kind::p2a) continue;
+    for (std::size_t judged = 0; judged < monitors.size(); ++judged) {
+      if (monitors[judged].name != o.monitor) continue;
+      for (std::size_t driving = 0; driving < monitors.size(); ++driving) {
+        if (monitors[driving].recovery.name != monitors[judged].recovery.name) continue;
+        for (Start& start : starts_of_damage(s, driving, judged)) {
+          o.starts.push_back(std::move(start));
+        }
+      }
+    }
+    if (o.starts.size() > own_starts_most) o.starts.resize(own_starts_most);
+  }
+}
+
 }  // namespace
 
 Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
@@ -222,6 +247,13 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
         analysis::is_apart_for_ever(d) ? std::optional(Kind::joint_return) : refuted_by(d.code);
     // what the matrix says already
     if (kind && *kind != Kind::keeps) add_refuted(spec, d, *kind, report);
+  }
+  if (module != nullptr) {
+    for_each_subject(spec, *module, tables, [&](const Subject& s) {
+      for (Decision& d : report.decisions) {
+        if (d.name == s.decision.name) add_starts(s, d);
+      }
+    });
   }
   return report;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
@@ -36,12 +37,24 @@ Obligation acknowledged(Obligation o, std::string why) {
   return o;
 }
 
-Claim contained(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer) {
-  return {"contained", {{"inner", s.module[inner].name}, {"outer", s.module[outer].name}}};
+// No place of a zone is so far from its boundary.
+constexpr std::int64_t nowhere_mm = 1 << 30;
+
+Claim contained(const Subject& s, const ir::Monitor& driving, ir::ZoneIndex inner,
+                const analysis::Standoff& outer) {
+  Claim claim{"contained", {{"inner", s.module[inner].name}, {"outer", s.module[outer.zone].name}}};
+  // only where the robot need not have it where it sets out
+  const bool deep = outer.mm > 0 && inner != outer.zone && !driving.recovery.claims &&
+                    analysis::lies_deep(s.module, s.exact, s.solid, inner, outer);
+  if (deep) claim.values["standoff_mm"] = std::to_string(outer.mm);
+  return claim;
 }
 bool has(const ir::Block& property, bool (*is)(const ir::Op&)) {
   return std::any_of(property.values.begin(), property.values.end(),
                      [&](const ir::Value& v) { return is(v.op); });
+}
+bool has_choice(const ir::Block& property) {
+  return has(property, [](const ir::Op& op) { return std::holds_alternative<ir::Or>(op); });
 }
 bool speaks_of_windows(const ir::Block& property) {
   return has(property, [](const ir::Op& op) { return std::holds_alternative<ir::ZoneThere>(op); });
@@ -50,7 +63,7 @@ bool speaks_of_windows(const ir::Block& property) {
 // wherever it holds; of an `or` all that it names, since the side that holds has to go on to hold,
 // but where the recovery keeps some side or other.
 struct Keeping {
-  std::vector<ir::ZoneIndex> zones;
+  std::vector<analysis::Standoff> zones;  // with what is asked for beyond touching
   bool by_sides = false;
   bool received = false;  // and a zone that is received
 };
@@ -78,7 +91,9 @@ void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueI
     const auto least = ir::lower_bound(block, *compare, s.decision.facts.params);
     if (!any && (!least || least->need.strictest < 0)) return;
     for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
-      if (leaf.kind == ir::Leaf::Kind::clearance) asked.zones.push_back(ir::ZoneIndex{leaf.table});
+      if (leaf.kind != ir::Leaf::Kind::clearance) continue;
+      const std::int64_t mm = least ? std::max<std::int64_t>(least->need.strictest, 0) : nowhere_mm;
+      asked.zones.push_back({ir::ZoneIndex{leaf.table}, mm});
     }
   }
 }
@@ -103,7 +118,9 @@ void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
   const std::vector<ir::ZoneIndex> within = moves_within(recovery);
   const Keeping asked = keeping_of(s, k, judged.property);
   for (const ir::ZoneIndex inner : within) {
-    for (const ir::ZoneIndex outer : asked.zones) claims.push_back(contained(s, inner, outer));
+    for (const analysis::Standoff& outer : asked.zones) {
+      claims.push_back(contained(s, s.decision.monitors[k], inner, outer));
+    }
   }
   if (within.empty() || !asked.by_sides) return;
   claims.push_back(
@@ -128,10 +145,22 @@ std::string doubt_about(const Subject& s, std::size_t k, const ir::Block& proper
   }
   const Keeping asked = keeping_of(s, k, property);
   if (asked.received) return "where the zone that is received will be is not known";
-  for (const ir::ZoneIndex outer : asked.zones) {
+  const ir::Monitor& driving = s.decision.monitors[k];
+  for (const analysis::Standoff& outer : asked.zones) {
     for (const ir::ZoneIndex zone : inner) {
-      if (zone == outer || lies_in(s, zone, outer)) continue;
-      return "a way from one zone of the `or` to another is not shown to stay in one of them";
+      if (zone == outer.zone) continue;
+      const std::string outer_name = analysis::name_as_written(s.module[outer.zone]);
+      if (!lies_in(s, zone, outer.zone)) {
+        return has_choice(property) ? "a way from one zone of the `or` to another is not shown to "
+                                      "stay in one of them"
+                                    : "`" + s.module[zone].name + "` does not lie in " + outer_name;
+      }
+      if (driving.recovery.claims ||
+          analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, zone, outer)) {
+        continue;
+      }
+      return "places of `" + s.module[zone].name + "` are nearer than " + metres(outer.mm) +
+             " to the boundary of " + outer_name;
     }
   }
   return "";
@@ -365,6 +394,16 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
 
 }  // namespace
 
+namespace {
+
+std::string text_of(const std::vector<std::int64_t>& place_mm) {
+  std::string text;
+  for (const std::int64_t mm : place_mm) text += (text.empty() ? "(" : ", ") + metres(mm);
+  return text + ")";
+}
+
+}  // namespace
+
 Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::size_t driving,
                         std::size_t judged) {
   const ir::Monitor& i = s.decision.monitors[driving];
@@ -383,6 +422,12 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     // what inputs may ask for, nobody has to drive to
     o.by_a_run = !entry.while_told;
     o.starts = starts_of_damage(s, driving, judged);
+    if (atoms_of(i.property).only_facts() && !o.starts.empty()) {
+      o.by_a_run = false;
+      o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +
+                   ", its way leads out of what " + quoted(j.name) + " says";
+      o.not_shown = "inputs stay as they are in a run";
+    }
     return o;
   }
   o.claims.push_back(recovery_claim(s, driving));

@@ -71,8 +71,10 @@ TEST(Arbitration, OffersARecoveryThatWouldDo) {
   const std::string text = two_zones(away, "priority in_yard > no_pit;");
   const std::string said = reports(*compiled(text));
   EXPECT_EQ(said.find("within `complement(pit)`"), std::string::npos) << said;
-  EXPECT_NE(said.find("within a zone that is `yard - pit` works"), std::string::npos) << said;
-  const std::string rest = edited(text, "zone off_pit", "zone rest = yard - pit;\nzone off_pit");
+  EXPECT_NE(said.find("within a zone that is `yard - grow(pit, 0.2 m)` works"), std::string::npos)
+      << said;
+  const std::string rest =
+      edited(text, "zone off_pit", "zone rest = yard - grow(pit, 20 cm);\nzone off_pit");
   const std::string inwards = "retreat within yard speed 0.2 m/s;\ncontroller go_west";
   const auto left = compiled(edited(rest, inwards, edited(inwards, "yard", "rest")));
   EXPECT_FALSE(left->diagnostics.has_errors()) << reports(*left);
@@ -98,6 +100,31 @@ TEST(Arbitration, ChargeIsSpentWithoutEndByARobotThatWaits) {
             Messages{"while `give_way` drives, `charged` may become false, and ranks lower"});
   EXPECT_EQ(broken(two_zones("", "priority charged > apart;")), Messages{});
   EXPECT_EQ(broken(two_zones("", "priority in_west > charged;")), Messages{});
+}
+
+// The way of a retreat has a bound; that others go away, or that somebody gives a permit, has none.
+TEST(Arbitration, ChargeIsSpentWithoutEndWhileAMonitorWaitsForOthersOrInputs) {
+  const auto with = [](const std::string& property, const std::string& order) {
+    return two_zones(
+        "input permit : bool max_age 1 s;\n"
+        "agent person : radius 20 cm, speed <= 1 m/s error 5 cm max_age 200 ms;\n"
+        "monitor waits for r : Rover { \"SR-9: waits\" always " +
+            property + "; recover go_west; }\n",
+        order + " acknowledge go_west may break waits \"those who walk see it\";");
+  };
+  const std::string others = "forall q : Rover, q != r : distance(r, q) >= 10 cm";
+  const Messages lost = {"while `go_west` drives, `charged` may become false, and ranks lower"};
+  for (const std::string& property :
+       {others, std::string("r inside west and permit"), std::string("not permit and ") + others,
+        std::string("r inside west and distance(r, person) >= 30 cm")}) {
+    EXPECT_EQ(broken(with(property, "priority waits > charged;")), lost) << property;
+    EXPECT_EQ(broken(with(property, "priority charged > waits;")), Messages{}) << property;
+  }
+  // it leads to the other side
+  EXPECT_EQ(broken(with("permit or r inside west", "priority waits > charged;")), Messages{});
+  EXPECT_NE(reports(*compiled(with("r inside west and permit", "priority waits > charged;")))
+                .find("`priority charged > waits;` works"),
+            std::string::npos);
 }
 
 TEST(Arbitration, BoundedRecoveriesFitIntoWhatTheChargeReckonsWith) {

@@ -43,19 +43,44 @@ std::string pit_spec(const std::string& ring) {
                 "priority walls > apart; acknowledge back_off may break apart \"why\";");
 }
 TEST(Standoffs, AreThoseOfTheZoneThatARecoveryMovesIn) {
-  const auto c = compiled(pit_spec("room - pit"));
+  // which has the same boundary as what is asked for
+  const std::string own = edited(pit_spec("room - pit"), "distance(d, pit)", "clearance(d, ring)");
+  const auto c = compiled(own);
   ASSERT_TRUE(c->module) << reports(*c);
   EXPECT_EQ(standoff_mm(guard(*c), guard(*c).monitors[0].recovery), 0);
   EXPECT_EQ(standoff_mm(guard(*c), guard(*c).monitors[1].recovery), 500);
   EXPECT_EQ(guard(*c).monitors[1].recovery.return_clearance_mm,
             guard(*c).monitors[0].recovery.return_clearance_mm + 500);
   // a zone that lies so far from the pit itself
-  const auto grown = compiled(pit_spec("room - grow(pit, 51 cm)"));
-  ASSERT_TRUE(grown->module) << reports(*grown);
-  EXPECT_EQ(standoff_mm(guard(*grown), guard(*grown).monitors[1].recovery), 0);
-  const auto little = compiled(pit_spec("room - grow(pit, 40 cm)"));
-  ASSERT_TRUE(little->module) << reports(*little);
-  EXPECT_EQ(standoff_mm(guard(*little), guard(*little).monitors[1].recovery), 500);
+  for (const char* const far : {"50 cm", "51 cm"}) {
+    const auto grown = compiled(pit_spec("room - grow(pit, " + std::string(far) + ")"));
+    ASSERT_TRUE(grown->module) << far << reports(*grown);
+    EXPECT_EQ(standoff_mm(guard(*grown), guard(*grown).monitors[1].recovery), 0) << far;
+  }
+}
+
+// Who sets out beside a wall may be led past the pit as near: a zone that lies in what is allowed
+// does not make its ways keep what is asked beyond touching.
+TEST(Standoffs, OfAnotherBoundaryAreNotKept) {
+  for (const char* const ring : {"room - pit", "room - grow(pit, 40 cm)"}) {
+    const auto c = compiled(pit_spec(ring));
+    EXPECT_FALSE(c->module);
+    EXPECT_NE(reports(*c).find("5016 `off` moves within `ring`, and `apart` needs it to keep 0.5 m "
+                               "from the boundary of `complement(pit)` [may come nearer to it] (a "
+                               "zone all of whose places are that far off works, such as `ring - "
+                               "grow(pit, 0.5 m)`)"),
+              std::string::npos)
+        << reports(*c);
+  }
+  // unless its own monitor has it that far from every boundary of the zone
+  const auto far =
+      compiled(edited(pit_spec("room - pit"), "always distance(d, pit) >= 50 cm",
+                      "always distance(d, pit) >= 50 cm and clearance(d, ring) >= 50 cm"));
+  EXPECT_TRUE(far->module) << reports(*far);
+  const auto near =
+      compiled(edited(pit_spec("room - pit"), "always distance(d, pit) >= 50 cm",
+                      "always distance(d, pit) >= 50 cm and clearance(d, ring) >= 49 cm"));
+  EXPECT_FALSE(near->module);
 }
 
 TEST(Standoffs, OfASeparationCountInEveryWayOfWritingIt) {

@@ -1,0 +1,68 @@
+#include "compiler/analysis/keeps_off.h"
+
+#include <algorithm>
+
+#include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
+
+namespace rtac::analysis {
+namespace {
+
+// What a robot surely has wherever the property holds; 0: nothing is known.
+std::int64_t surely_off_mm(const ir::Block& block, ir::ValueId id,
+                           const std::vector<ir::Param>& params, ir::ZoneIndex zone) {
+  if (const auto* both = std::get_if<ir::And>(&block[id].op)) {
+    return std::max(surely_off_mm(block, both->a, params, zone),
+                    surely_off_mm(block, both->b, params, zone));
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
+  const auto bound = compare ? ir::lower_bound(block, *compare, params) : std::nullopt;
+  if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return 0;
+  // a parameter may be less strict now than it may become
+  return ir::ZoneIndex{bound->leaf.table} == zone && bound->need.params.empty()
+             ? bound->need.strictest
+             : 0;
+}
+
+}  // namespace
+
+bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
+               ir::ZoneIndex inner, const Standoff& outer) {
+  const bool high = module[inner].has_height();
+  Rational by_m(static_cast<long>(outer.mm), 1000);
+  by_m.canonicalize();
+  if (module[outer.zone].has_height()) {
+    // what is that far off to the sides, and up and down, is that far off in space
+    return high && solid(inner).subtract(solid(outer.zone).shrink(by_m, by_m)).empty();
+  }
+  const auto kept = within(exact(outer.zone), outer.mm);
+  if (!kept) return false;
+  if (!high) return kept->contains(exact(inner));
+  const geometry::Solid tall = solid(inner);
+  return std::all_of(tall.slabs().begin(), tall.slabs().end(),
+                     [&](const geometry::Slab& slab) { return kept->contains(slab.region); });
+}
+
+bool keeps_off(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
+               const ExactSolid& solid, const ir::Monitor& driving, ir::ZoneIndex zone,
+               const Standoff& fence) {
+  if (fence.mm <= 0 || zone == fence.zone) return true;
+  const ir::Block& own = driving.property;
+  if (surely_off_mm(own, own.result, decision.facts.params, zone) >= fence.mm) return true;
+  return lies_deep(module, exact, solid, zone, fence);
+}
+
+std::string deep_text(const ir::Module& module, ir::ZoneIndex zone, const Standoff& fence) {
+  const std::string outside = "outside_of_", unnamed = "zone_of_line_";
+  const std::string &from = module[zone].name, &off = module[fence.zone].name;
+  const bool named = from.find(unnamed) == std::string::npos &&
+                     off.find(unnamed) == std::string::npos && !from.starts_with(outside);
+  if (!named) return "";
+  const bool out = off.starts_with(outside);
+  const std::string other = out ? off.substr(outside.size()) : off;
+  const std::string far = ", " + metres(fence.mm) + ")";
+  const std::string kept = fence.mm <= 0 ? other : (out ? "grow(" : "shrink(") + other + far;
+  return from + (out ? " - " : " & ") + kept;
+}
+
+}  // namespace rtac::analysis

@@ -1,0 +1,33 @@
+// Whether a recovery keeps what a property asks for beyond touching a boundary, where it moves
+// within another zone than that of the property.
+#pragma once
+
+#include <string>
+
+#include "compiler/analysis/recoveries_in_space.h"
+#include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// Each place of the inner zone is as far from the boundary of the outer one as is asked for, and in
+// it. false also where that is not known: an outline of very many vertices is not offset.
+bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
+               ir::ZoneIndex inner, const Standoff& outer);
+
+// The ways of a recovery keep from the boundary of their zone what they need, or as much as the
+// robot has where it sets out, if that is less (templates.md): a robot that sets out beside a
+// machine may be led past a wall as near. So they keep a standoff from the wall where the zone has
+// that boundary itself and no other, where each place of the zone is so far off, or where the
+// property of its own monitor asks for as much from the boundary of the zone, so that the robot has
+// it. `zone` lies in that of the fence.
+bool keeps_off(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
+               const ExactSolid& solid, const ir::Monitor& driving, ir::ZoneIndex zone,
+               const Standoff& fence);
+
+// What is left of a zone so far off, as it would be written, such as `yard & shrink(hall, 0.5 m)`;
+// "": one of the two has no name.
+std::string deep_text(const ir::Module& module, ir::ZoneIndex zone, const Standoff& fence);
+
+}  // namespace rtac::analysis

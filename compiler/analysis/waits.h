@@ -1,0 +1,15 @@
+// Whether a monitor may be engaged without end, wherever its recovery leads: what others do, and
+// what inputs say, takes its time.
+#pragma once
+
+#include <string>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// What it lets go after, as in "lets go when ...", that no recovery brings about; "": nothing. Of
+// an `or` that is so of both sides only, since the recovery may lead to the other one (P2b).
+std::string waits_until(const ir::Block& property);
+
+}  // namespace rtac::analysis
