@@ -43,13 +43,25 @@ bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSoli
                      [&](const geometry::Slab& slab) { return kept->contains(slab.region); });
 }
 
+bool lies_all_over(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
+                   ir::ZoneIndex inner, ir::ZoneIndex outer) {
+  const bool high = module[inner].has_height();
+  if (high != module[outer].has_height()) return false;
+  if (high) {
+    const geometry::Solid a = solid(inner), b = solid(outer);
+    return a.subtract(b).empty() && b.subtract(a).empty();
+  }
+  return exact(inner).contains(exact(outer)) && exact(outer).contains(exact(inner));
+}
+
 bool keeps_off(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
                const ExactSolid& solid, const ir::Monitor& driving, ir::ZoneIndex zone,
                const Standoff& fence) {
-  if (fence.mm <= 0 || zone == fence.zone) return true;
+  if (fence.mm <= touching_mm || zone == fence.zone) return true;
   const ir::Block& own = driving.property;
   if (surely_off_mm(own, own.result, decision.facts.params, zone) >= fence.mm) return true;
-  return lies_deep(module, exact, solid, zone, fence);
+  return lies_deep(module, exact, solid, zone, fence) ||
+         lies_all_over(module, exact, solid, zone, fence.zone);
 }
 
 std::string deep_text(const ir::Module& module, ir::ZoneIndex zone, const Standoff& fence) {

@@ -16,10 +16,18 @@ namespace rtac::analysis {
 bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
                ir::ZoneIndex inner, const Standoff& outer);
 
+// The two have the same places, and so the same boundary.
+bool lies_all_over(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
+                   ir::ZoneIndex inner, ir::ZoneIndex outer);
+
+// What is strict asks for a step of the grid more than touching; a robot that holds strays by more,
+// which the look-ahead covers.
+inline constexpr std::int64_t touching_mm = 1;
+
 // The ways of a recovery keep from the boundary of their zone what they need, or as much as the
 // robot has where it sets out, if that is less (templates.md): a robot that sets out beside a
 // machine may be led past a wall as near. So they keep a standoff from the wall where the zone has
-// that boundary itself and no other, where each place of the zone is so far off, or where the
+// that boundary and no other, where each place of the zone is so far off, or where the
 // property of its own monitor asks for as much from the boundary of the zone, so that the robot has
 // it. `zone` lies in that of the fence.
 bool keeps_off(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,

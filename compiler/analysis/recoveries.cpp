@@ -324,6 +324,15 @@ class Recoveries {
     const std::int64_t most_mm = 2 * last.return_clearance_mm + 4 * zone.cells.cell_mm;
     const auto by_mm = widening_mm(exact_(last.zone), most_mm, fits);
     if (!by_mm) return std::nullopt;
+    // of a zone that is no zone of the property, too: as long as it lies in those
+    Rational by_m(static_cast<long>(*by_mm), 1000);
+    by_m.canonicalize();
+    const geometry::Region wider = exact_(last.zone).grow(by_m);
+    const auto fences = fences_of(monitor_.property, decision_.facts.params);
+    const bool fits_all = std::ranges::all_of(fences, [&](ir::ZoneIndex fence) {
+      return fence == last.zone || exact_(fence).contains(wider);
+    });
+    if (!fits_all) return std::nullopt;
     return "`grow(" + zone.name + ", " + metres(*by_mm) + ")` in its place works";
   }
 
@@ -343,10 +352,12 @@ class Recoveries {
       const auto left = narrow_parts(cells, body_mm, last.return_clearance_mm);
       return left.empty() || left.front().cells < stranded_cells_least;
     };
+    const std::int64_t cell_mm = zone.cells.cell_mm;
     d.help =
-        "it is about " + metres(2 * parts.front().clearance_mm) + " wide there; " +
+        "it is about " + metres(2 * parts.front().clearance_mm) + " wide there, as cells of " +
+        metres(cell_mm) + " tell; " +
         grown(last, wide)
-            .value_or(metres(2 * last.return_clearance_mm) + " and two cells would be wide enough");
+            .value_or(metres(2 * (last.return_clearance_mm + cell_mm)) + " would be wide enough");
     diagnostics_.report(std::move(d));
   }
 

@@ -44,7 +44,8 @@ Claim contained(const Subject& s, const ir::Monitor& driving, ir::ZoneIndex inne
                 const analysis::Standoff& outer) {
   Claim claim{"contained", {{"inner", s.module[inner].name}, {"outer", s.module[outer.zone].name}}};
   // only where the robot need not have it where it sets out
-  const bool deep = outer.mm > 0 && inner != outer.zone && !driving.recovery.claims &&
+  const bool deep = outer.mm > analysis::touching_mm && inner != outer.zone &&
+                    !driving.recovery.claims &&
                     analysis::lies_deep(s.module, s.exact, s.solid, inner, outer);
   if (deep) claim.values["standoff_mm"] = std::to_string(outer.mm);
   return claim;
@@ -120,6 +121,10 @@ void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
   for (const ir::ZoneIndex inner : within) {
     for (const analysis::Standoff& outer : asked.zones) {
       claims.push_back(contained(s, s.decision.monitors[k], inner, outer));
+      if (outer.mm <= analysis::touching_mm || inner == outer.zone) continue;
+      if (analysis::lies_all_over(s.module, s.exact, s.solid, inner, outer.zone)) {
+        claims.push_back(contained(s, s.decision.monitors[k], outer.zone, {inner, 0}));
+      }
     }
   }
   if (within.empty() || !asked.by_sides) return;
@@ -188,8 +193,9 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.place_mm = {part.x_mm, part.y_mm};
     o.because = "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " +
                 quoted(zone.name) + " no way over its cells leads to where control is given back";
-    o.repair = "a width of " + metres(2 * last.return_clearance_mm) +
-               " there works, it has about " + metres(2 * part.clearance_mm);
+    o.repair = "a width of " + metres(2 * (last.return_clearance_mm + zone.cells.cell_mm)) +
+               " there works; it has about " + metres(2 * part.clearance_mm) + ", as cells of " +
+               metres(zone.cells.cell_mm) + " tell";
     return o;
   }
   const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);

@@ -232,12 +232,12 @@ TEST_F(Recheck, AnAcknowledgementIsInTheSpecification) {
 // Two zones that overlap, and the room around both: coordinated, with what has to be acknowledged.
 std::string two_sides(bool both) {
   std::string more = R"(
-zone west  = rectangle (0 m, 0 m) to (3.5 m, 5 m);
+zone west  = rectangle (0.1 m, 0.1 m) to (3.5 m, 4.9 m);
 controller go_west  : safe for Drone = retreat within west speed 0.3 m/s;
 monitor in_west  for d : Drone { "SR-2: in the west" always d inside west; recover go_west; }
 )";
   if (both) {
-    more += R"(zone south = rectangle (0 m, 0 m) to (5 m, 3.5 m);
+    more += R"(zone south = rectangle (0.1 m, 0.1 m) to (4.9 m, 3.5 m);
 controller go_south : safe for Drone = retreat within south speed 0.3 m/s;
 monitor in_south for d : Drone { "SR-3: in the south" always d inside south; recover go_south; }
 )";

@@ -137,6 +137,28 @@ TEST_F(Sides, AProofThatLeavesOutTheSidesIsDenied) {
   EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation);
 }
 
+// A zone that lies in the hall keeps half a metre from its walls where all of it is so far off.
+TEST_F(Sides, HowFarAZoneIsOffIsAskedForAndFoundOnceMore) {
+  const std::string free = "zone bin = rectangle (8 m, 3 m) to (9 m, 4 m);\nzone free = hall - bin";
+  const std::string walls = "always clearance(r, hall) >= 50 cm; recover back;";
+  const std::string within = "retreat within free speed 0.2 m/s";
+  expect_proved(hall_with(walls, free + " & shrink(hall, 50 cm);\n", within));
+  Json claims = claims_of("P2a");
+  EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_clean);
+  for (Json& claim : claims) {
+    if (claim.contains("standoff_mm")) claim["standoff_mm"] = "499";
+  }
+  EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation);
+  // what is claimed of another zone than it is true of
+  claims = claims_of("P2a");
+  for (Json& claim : claims) {
+    if (claim.contains("standoff_mm")) claim["standoff_mm"] = "500";
+  }
+  const std::string near = hall_with(walls, free + " & shrink(hall, 45 cm);\n", within);
+  EXPECT_EQ(status(near, "P2a"), "unknown");
+  EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation);
+}
+
 // A robot that has stopped is slow enough, wherever it stands: no reason has to be given. A limit
 // that a robot at rest may be seen to exceed before the next decision lets nobody go.
 TEST_F(Sides, ABrakeGivesBackWhereToBeSlowIsEnough) {

@@ -57,6 +57,42 @@ TEST_F(Told, NobodyLooksAfterAnEmergencyStopThatRanksLower) {
   EXPECT_NE(o.err.find("`priority told > fence;` works"), std::string::npos) << o.err;
 }
 
+// Inputs ask for it wherever the robot is, and stay as they are in a run: a place tells.
+TEST_F(Told, ALandingThatInputsAskForOverWhatIsNotToBeHitIsRefuted) {
+  const std::string text = R"(spec cranes;
+zone air   = prism (rectangle (0 m, 0 m) to (60 m, 60 m)) from 0 m to 50 m;
+zone crane = prism (rectangle (20 m, 20 m) to (30 m, 30 m)) from 0 m to 25 m;
+zone free  = air - crane;
+input link : bool max_age 1 s;
+robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller back : safe for Quad = retreat within free speed 0.5 m/s;
+controller down : safe for Quad = land to 2 m speed 0.5 m/s;
+monitor radio for d : Quad { "R1: lands without a link" always link; recover down; }
+monitor walls for d : Quad { "R2: off the crane" always d inside free; recover back; }
+decision fly for Quad { advanced policy; period 50 ms; priority radio > walls; }
+)";
+  const Outcome o = verified(text, {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  const Json report = Json::parse(o.out);
+  bool refuted = false;
+  for (const Json& each : report["decisions"][0]["obligations"]) {
+    if (each["obligation"] != "C" || each["monitor"] != "walls") continue;
+    refuted = each["status"] == "refuted";
+    const std::string why = each["because"];
+    EXPECT_NE(why.find("where inputs ask for it at ("), std::string::npos) << why;
+  }
+  EXPECT_TRUE(refuted) << o.out;
+}
+
 // Slow enough for either limit, in whatever order.
 TEST_F(Told, EitherSideOfAChoiceIsKeptByARecoveryThatIsSlowEnough) {
   expect_proved(yard_with(by_load, "0.4 m/s", "fence > told"));
