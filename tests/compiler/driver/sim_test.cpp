@@ -226,7 +226,8 @@ TEST_F(Simulations, WhatKeepsOutIsAttackedWhereItIs) {
 
 // Beside a zone that must hold, a hole is a hole in it.
 TEST_F(Simulations, WhatKeepsOutAndWhatKeepsInAreAttackedTogether) {
-  write("spec.rta", with_pillar("r inside yard and distance(r, pillar) >= 10 cm"));
+  const std::string both = with_pillar("r inside yard and distance(r, pillar) >= 10 cm");
+  write("spec.rta", edited(both, "yard - pillar", "yard - grow(pillar, 10 cm)"));
   const Outcome o = rtac({"sim", "spec.rta", "--runs", "8"});
   EXPECT_EQ(o.status, 0) << o.err << o.out;
   EXPECT_LT(least_m(o.out, "\nfence "), 0.4) << o.out;
