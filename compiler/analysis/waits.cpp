@@ -1,6 +1,5 @@
 #include "compiler/analysis/waits.h"
 
-#include <algorithm>
 #include <variant>
 
 #include "compiler/ir/linear.h"
@@ -10,14 +9,22 @@ namespace {
 
 const std::string others_leave = "others have gone away";
 const std::string inputs_allow = "its inputs allow it";
+const std::string zone_allows = "the zone that is received allows it";
 
-bool is_about_others(const ir::Block& block, const ir::AtLeast& compare) {
-  const auto& terms = ir::linear_form(block, compare).terms;
-  return std::any_of(terms.begin(), terms.end(), [](const auto& term) {
-    const ir::Leaf::Kind kind = term.first.kind;
-    return kind == ir::Leaf::Kind::distance || kind == ir::Leaf::Kind::count ||
-           kind == ir::Leaf::Kind::agent;
-  });
+std::string waited_for(const ir::Block& block, const ir::AtLeast& compare) {
+  for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
+    switch (leaf.kind) {
+      case ir::Leaf::Kind::distance:
+      case ir::Leaf::Kind::count:
+      case ir::Leaf::Kind::agent:
+        return others_leave;
+      case ir::Leaf::Kind::received:
+        return zone_allows;
+      default:
+        break;
+    }
+  }
+  return "";
 }
 
 std::string waited_for(const ir::Block& block, ir::ValueId id) {
@@ -33,7 +40,7 @@ std::string waited_for(const ir::Block& block, ir::ValueId id) {
   if (std::holds_alternative<ir::Fact>(op)) return inputs_allow;
   if (ir::body_of(op) != nullptr) return others_leave;
   const auto* compare = std::get_if<ir::AtLeast>(&op);
-  return compare != nullptr && is_about_others(block, *compare) ? others_leave : "";
+  return compare != nullptr ? waited_for(block, *compare) : "";
 }
 
 }  // namespace
