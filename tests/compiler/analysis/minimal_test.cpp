@@ -329,7 +329,7 @@ const std::vector<Elsewhere> tried_elsewhere = {
     {"tracking <= 10 cm", "an example"},
     {"a wider zone and a latency of at most [0-9.]+ ms are needed", "not alone"},
     {"[0-9.]+ ms or [0-9.]+ ms works", "Repairs.BothNeighboursOf..."},
-    {"it is about [0-9.]+ m wide there", "what is"},
+    {"it is about [0-9.]+ m wide there(?:, as cells of [0-9.]+ m tell)?", "what is"},
     {"a window of more than [0-9.]+ s works", "Windows.OfAZoneToStayInAreLongEnough"},
     {"a zone in which a place has a clearance of [0-9.]+ m works",
      "Recoveries.AClaimIsLargeEnoughToBeSeenToHold"},
