@@ -1,7 +1,7 @@
 #include "compiler/driver/decision_engine.h"
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
 #include <limits>
 #include <map>
 #include <utility>
@@ -161,9 +161,7 @@ class KernelDecisions : public DecisionEngine {
     std::unique_ptr<HeldZone>& held = zones_[input.component];
     if (held == nullptr) held = std::make_unique<HeldZone>();
     held->hold(reading.zone);
-    const HeldZone::Zone* const tables = &held->zone();
-    static_assert(sizeof tables == sizeof *to);
-    std::memcpy(to, &tables, sizeof tables);
+    to[0] = std::bit_cast<std::int64_t>(&held->zone());
   }
   // A trace has them once, for all robots.
   void plain_inputs(const interp::TraceRow& row, const DecisionInterface& d, std::size_t robot) {
