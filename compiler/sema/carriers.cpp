@@ -23,11 +23,13 @@ class CarrierFinder {
     const auto found = resolve_robot(context_, around.name, around.number.get());
     // a kind that is not known was reported
     if (!found || index_of(context_.spec[*found].kind) >= context_.spec.kinds.size()) return;
-    if (context_.spec[zone].has_height) {
+    const bool in_space = context_.spec[context_.spec[*found].kind].in_space;
+    if (context_.spec[zone].has_height && !in_space) {
       context_.report(Finding(Code::spaces_differ, around.range,
-                              "a zone with height moves with a robot, which moves in the plane")
-                          .label("a robot has no height")
-                          .help("let it move with an input of type `point3`"));
+                              "a zone with height moves with a robot that moves in the plane")
+                          .label("this robot has no height")
+                          .help("let it move with an input of type `point3`, or with a robot whose "
+                                "position is one"));
       return;
     }
     if (frames_agree(zone, around, map_frame)) context_.carriers.emplace(zone, *found);

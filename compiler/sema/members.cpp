@@ -95,21 +95,12 @@ std::optional<InputId> PropertyChecker::robot_input(RobotId robot, const std::st
   context_.require(owner.kind, known->need, range, "`" + signal + "`");
   const auto& sense = kind.*known->sense;
   if (!sense) return std::nullopt;
-  if (kind.in_space && known->need != Need::battery) {
-    context_.report(Finding(Code::not_in_space, range,
-                            "monitors without a robot cannot see where robots in space are yet")
-                        .label("`" + owner.name + "` has a height")
-                        .note(sense->error.range, "it is declared here")
-                        .help("an input works, `input at : point3 in -50 .. 50 m;`, or a monitor "
-                              "`for r : " +
-                              kind.name + "`"));
-    return std::nullopt;
-  }
   const InputId next{static_cast<std::uint32_t>(context_.spec.inputs.size())};
   const auto [place, added] = context_.robot_inputs.emplace(std::pair(robot, signal), next);
   context_.used_inputs.insert(place->second);
   if (!added) return place->second;
-  const ValueType type{known->type, known->dimension, std::nullopt, std::nullopt};
+  const bool in_space = kind.in_space && known->type != TypeKind::real;
+  const ValueType type{known->type, known->dimension, std::nullopt, std::nullopt, in_space};
   Input input{};
   input.name = owner.name + "." + signal;
   input.name_range = owner.name_range;
@@ -139,8 +130,9 @@ Value PropertyChecker::robot_signal(const syntax::Expr& expr, const syntax::Memb
     Value velocity = input ? input_value(expr.range, *input) : nullptr;
     auto* pair = std::get_if<Pair>(&velocity.node);
     if (pair == nullptr) return nullptr;
-    return math(expr, MathOp::norm, dims::speed,
-                operands_of(std::move(pair->x), std::move(pair->y)));
+    auto parts = operands_of(std::move(pair->x), std::move(pair->y));
+    if (pair->z) parts.push_back(std::move(pair->z));
+    return math(expr, MathOp::norm, dims::speed, std::move(parts));
   }
   context_.report(Finding(Code::unknown_signal, member.field.range,
                           "a monitor without a robot sees no signal `" + field + "` of a robot")
@@ -184,11 +176,11 @@ Value PropertyChecker::distance_of_bodies(const syntax::Expr& expr, const syntax
         expr.range, dims::length,
         Arithmetic{ArithmeticOp::subtract, operands_of(std::move(a), std::move(b))});
   };
-  ExprPtr gap = make_quantity(
-      expr.range, dims::length,
-      Math{MathOp::norm,
-           operands_of(difference(std::move(centres[0].x), std::move(centres[1].x)),
-                       difference(std::move(centres[0].y), std::move(centres[1].y)))});
+  if (!agree(expr.range, "`distance`", centres[0], centres[1])) return nullptr;
+  auto parts = operands_of(difference(std::move(centres[0].x), std::move(centres[1].x)),
+                           difference(std::move(centres[0].y), std::move(centres[1].y)));
+  if (centres[0].z) parts.push_back(difference(std::move(centres[0].z), std::move(centres[1].z)));
+  ExprPtr gap = make_quantity(expr.range, dims::length, Math{MathOp::norm, std::move(parts)});
   return difference(std::move(gap),
                     make_quantity(expr.range, dims::length, Constant{bodies, true}));
 }
