@@ -210,6 +210,10 @@ class GlancePrinter {
     if (const auto* c = std::get_if<Const>(&op)) {
       out.fixed = c->value;
       widen(out, c->value, c->value);
+    } else if (const auto* between = std::get_if<Between>(&op)) {
+      out.fixed = between->lo;
+      out.above = between->hi - between->lo;
+      widen(out, between->lo, between->hi);
     } else if (const auto* p = std::get_if<ParamValue>(&op)) {
       out.terms.emplace_back(false, param_value(kernel_, names_, p->param));
       widen(out, kernel_.watch.params[p->param].range.lo, kernel_.watch.params[p->param].range.hi);

@@ -21,8 +21,9 @@ bool keeps_unknown(const Op& op) {
       op);
 }
 bool is_operand(const Op& op) {
-  return std::holds_alternative<Const>(op) || std::holds_alternative<ParamValue>(op) ||
-         std::holds_alternative<Input>(op) || std::holds_alternative<Not>(op);
+  return std::holds_alternative<Const>(op) || std::holds_alternative<Between>(op) ||
+         std::holds_alternative<ParamValue>(op) || std::holds_alternative<Input>(op) ||
+         std::holds_alternative<Not>(op);
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ std::string WatchValuePrinter::operator()(const SolidInside& v) {
                                     operand(v.a) + ", " + operand(v.b) + ", " + operand(v.c));
 }
 std::string WatchValuePrinter::operator()(const Between& v) {
-  return use("span_of", num(v.lo) + ", " + num(v.hi));
+  return use(v.open ? "span_amid" : "span_of", num(v.lo) + ", " + num(v.hi));
 }
 std::string WatchValuePrinter::operator()(const Phase& v) {
   return use("phase_of", operand(v.a) + ", " + num(v.least_q16) + ", " + num(v.most_q16));

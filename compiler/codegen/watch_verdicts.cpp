@@ -166,6 +166,7 @@ class VerdictPrinter {
   // Operands come first: each value is looked at once.
   [[nodiscard]] bool may_be_open(const Op& op) const {
     if (std::holds_alternative<Input>(op)) return true;
+    if (const auto* fixed = std::get_if<Between>(&op)) return fixed->open;
     const auto* fold = std::get_if<Aggregate>(&op);
     const bool keeps = std::holds_alternative<Add>(op) || std::holds_alternative<Negate>(op) ||
                        std::holds_alternative<Scale>(op) || std::holds_alternative<Minimum>(op) ||
@@ -241,6 +242,7 @@ class VerdictPrinter {
     const Op& op = block_[id].op;
     if (is_given(id)) return value_name(id);
     if (const auto* c = std::get_if<Const>(&op)) return fixed(num(c->value));
+    if (const auto* c = std::get_if<Between>(&op)) return fixed(*c);
     if (const auto* p = std::get_if<ParamValue>(&op)) return fixed(param(*p));
     if (const auto* i = std::get_if<Input>(&op)) return signal(i->channel, i->component);
     if (const auto* a = std::get_if<Age>(&op)) return view("age_of_" + names_.channels[a->channel]);
@@ -256,6 +258,9 @@ class VerdictPrinter {
   }
   std::string span(ValueId id) { return use("span_bounds", whole(id)); }
   std::string fixed(const std::string& value) { return use("bounds_of", value + ", " + value); }
+  std::string fixed(const Between& v) {
+    return use(v.open ? "bounds_amid" : "bounds_of", num(v.lo) + ", " + num(v.hi));
+  }
   std::string param(const ParamValue& p) { return view("s->tightest_" + names_.params[p.param]); }
   // One of its ends.
   std::string end(ValueId id, Side side, bool lower_is_sure) {
@@ -334,6 +339,7 @@ class VerdictPrinter {
   std::string clearly_not(const Op& op) {
     const auto* v = std::get_if<AtLeast>(&op);
     if (!v || v->strict || square_of(*v) || opened(*v, false).empty()) return "";
+    if (open_constant(v->a) || open_constant(v->b)) return "";
     return comparison(*v, Side::perhaps, false, "").text + " ? BITS_FALSE : ";
   }
   std::string inside(const PointInside& v) {
@@ -393,9 +399,20 @@ class VerdictPrinter {
   // ---- comparisons: surely, the lower end of a is not below the upper end of b
   Text at_least(const AtLeast& v, Side side, bool wanted) {
     if (const auto square = square_of(v)) return by_squares(*square, side, wanted);
+    if (const auto* most = open_constant(v.a)) {
+      return compared(end(v.b, side, false), wanted ? "<=" : ">", num(most->lo));
+    }
+    if (const auto* least = open_constant(v.b)) {
+      return compared(end(v.a, side, true), wanted ? ">=" : "<", num(least->hi));
+    }
     // What a bound excludes: a > b surely, unless the lower bound of a is one of its values.
     const bool is_sure = side == Side::surely;
     return comparison(v, side, wanted, is_sure == v.strict ? opened(v, is_sure) : "");
+  }
+  // Strictly between two steps: no bound is met by accident, whether it is open or not.
+  [[nodiscard]] const Between* open_constant(ValueId id) const {
+    const auto* constant = std::get_if<Between>(&block_[id].op);
+    return constant && constant->open ? constant : nullptr;
   }
   // `open`: 1 when a bound that decides is open.
   Text comparison(const AtLeast& v, Side side, bool wanted, const std::string& open) {

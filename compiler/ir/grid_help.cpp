@@ -48,6 +48,11 @@ std::optional<std::string> fitting_resolution(const Rational& value, const Ratio
   return std::nullopt;
 }
 
+bool is_on_no_grid(const Rational& value, const Unit& unit) {
+  return !exact_text(value, unit.dimension) && exact_text(unit.step, unit.dimension) &&
+         !fitting_resolution(value, unit.step, unit);
+}
+
 std::optional<std::string> round_resolution(const Unit& unit) {
   const Unit round(unit.dimension, power_of_ten_within(unit.step), unit.scale);
   return can_be_counted(round) ? exact_text(round.step, unit.dimension) : std::nullopt;

@@ -19,6 +19,10 @@ std::optional<std::string> neighbours(const Rational& value, const Unit& unit);
 std::optional<std::string> fitting_resolution(const Rational& value, const Rational& step,
                                               const Unit& unit);
 
+// Whether no resolution that could be declared has the value on its grid: it is no decimal of SI
+// units, as 45 deg and 5 km/h are none, and the step is one.
+bool is_on_no_grid(const Rational& value, const Unit& unit);
+
 // The largest power of ten within the step, if margins can count it.
 std::optional<std::string> round_resolution(const Unit& unit);
 

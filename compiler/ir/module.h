@@ -362,8 +362,9 @@ struct SolidInside {
 struct Norm {  // root of a^2 + b^2
   ValueId a, b;
 };
-struct Between {  // a constant that lies between two steps
+struct Between {  // a constant that lies between two steps; open: strictly, and they are neighbours
   std::int64_t lo, hi;
+  bool open = false;
 };
 // An angle in parts of a turn, 2^32 of them; a step of `a` is so many parts, in units of 2^-16.
 struct Phase {

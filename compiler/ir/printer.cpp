@@ -193,7 +193,7 @@ class Printer {
   }
   std::string operator()(const Norm& v) const { return two("norm ", v); }
   std::string operator()(const Between& v) const {
-    return "between " + num(v.lo) + ", " + num(v.hi);
+    return (v.open ? "strictly_between " : "between ") + num(v.lo) + ", " + num(v.hi);
   }
   std::string operator()(const Phase& v) const {
     return "phase " + name(v.a) + ", " + num(v.least_q16) + " .. " + num(v.most_q16) + " / 65536";

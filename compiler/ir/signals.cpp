@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/ir/grid_help.h"
 #include "compiler/ir/watch_blocks.h"
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/limits.h"
@@ -150,14 +151,19 @@ class SignalBuilder {
     return to;
   }
   void off_grid(const sema::Quantity& value, const Unit& unit) {
-    const Rational finer = common_step(unit.step, abs(value.value));
+    const auto finer = fitting_resolution(value.value, unit.step, unit);
+    const auto beside = neighbours(value.value, unit);
     diagnostics_.report(
         {Code::constant_off_grid,
          value.range,
          "this value does not lie on the grid of " + sema::show(unit.step, unit.dimension),
          "",
          {},
-         "`resolution " + sema::show(finer, unit.dimension) + "` works",
+         finer ? "`resolution " + *finer + "` works"
+         : beside
+             ? *beside + " do"
+             : "a value with a few decimals in SI units works, with a `resolution` that it is a "
+               "multiple of",
          {}});
   }
 

@@ -172,6 +172,8 @@ class Checker {
   void operator()(const Between& v) {
     plain(), quantity();
     if (v.lo > v.hi) fail("a constant above itself");
+    if (v.open && v.hi - v.lo != 1)
+      fail("a constant strictly between steps that are no neighbours");
   }
   void operator()(const Phase& v) {
     operand(v.a), plain(), quantity();

@@ -150,8 +150,9 @@ ValueId QuantityBuilder::constant(const Rational& si, const Unit& unit, const se
   const Rational steps = si / unit.step;
   if (is_on_grid(si, unit) && fits_int64(steps)) return add(Const{floor_to_int(steps)}, unit, e);
   const auto* fixed = std::get_if<sema::Constant>(&e.node);
-  if (fixed && fixed->declared && fits_int64(steps)) {
-    return add(Between{floor_to_int(steps), ceil_to_int(steps)}, unit, e);
+  const bool declared = fixed && fixed->declared;
+  if (!is_on_grid(si, unit) && fits_int64(steps) && (declared || is_on_no_grid(si, unit))) {
+    return add(Between{floor_to_int(steps), ceil_to_int(steps), true}, unit, e);
   }
   const auto show = [&](const Rational& v) { return sema::show(v, unit.dimension); };
   if (!is_on_grid(si, unit)) {

@@ -27,6 +27,14 @@ static inline bounds bounds_of(int64_t lo, int64_t hi) {
 static inline bounds bounds_nothing(void) {
   return bounds_of(-INT64_MAX, INT64_MAX);
 }
+/*= bounds_amid : bounds_of */
+/* A constant that is on no grid, as 45 deg: strictly between two steps. */
+static inline bounds bounds_amid(int64_t below, int64_t above) {
+  bounds b = bounds_of(below, above);
+  b.lo_open = 1;
+  b.hi_open = 1;
+  return b;
+}
 /*= bounds_between_steps : bounds_type */
 /* Whether what was measured, and widened by `error`, lies between two steps. */
 static inline int32_t bounds_between_steps(bounds measured, int64_t error) {

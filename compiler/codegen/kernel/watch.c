@@ -230,6 +230,14 @@ static margin opposite(margin a) {
   m.reason = a.input != INPUT_NONE ? REASON_INPUT : REASON_MARGIN;
   return m;
 }
+/*= span_amid : span_of open_ends */
+/* A constant that is on no grid, as 45 deg: strictly between two steps. */
+static span span_amid(int64_t below, int64_t above) {
+  span s = span_of(below, above);
+  s.lo_open = 1;
+  s.hi_open = 1;
+  return s;
+}
 /*= at_least : margin_unknown in_unit span_type open_ends */
 /* a >= b, or a > b when `strict`; `weight`: millionths of the scale in one step of the grid. What is
  * more than an open end is strictly more, and what is less is strictly less. */

@@ -26,13 +26,27 @@ std::string rounded_input(const std::string& resolution) {
   return "input v : real [m/s] in -10 m/s .. 10 m/s resolution " + resolution + ";";
 }
 
-// 1 km/h is 5/18 m/s: no decimal resolution divides it, and a rounded one would fail again.
-TEST(WatchBlock, NoResolutionIsProposedThatDecimalsCannotWrite) {
-  EXPECT_EQ(built(rounded_input("1 mm/s"), "v <= 1 km/h").report(),
-            "7003: this constant does not lie on the grid of 0.001 m/s | `0.277 m/s` and `0.278 "
-            "m/s` do");
-  EXPECT_EQ(built(rounded_input("1 mm/s"), "v <= 0.277 m/s").report(), "");
-  EXPECT_EQ(built(rounded_input("1 mm/s"), "v <= 0.278 m/s").report(), "");
+// 1 km/h is 5/18 m/s, and a degree is no share of a radian: no resolution that decimals can write
+// has them on its grid, so they stay between two steps.
+TEST(WatchBlock, AConstantThatIsOnNoGridLiesBetweenTwoSteps) {
+  const char* const tilt = "input tilt : angle in -2 rad .. 2 rad;";
+  EXPECT_TRUE(built(rounded_input("1 mm/s"), "v <= 1 km/h").has("strictly_between 277, 278"))
+      << built(rounded_input("1 mm/s"), "v <= 1 km/h").report();
+  EXPECT_TRUE(built(tilt, "tilt >= -45 deg").has("strictly_between -786, -785"))
+      << built(tilt, "tilt >= -45 deg").report();
+  EXPECT_TRUE(built(tilt, "tilt + 45 deg >= 0 rad").has("strictly_between 785, 786"));
+  EXPECT_TRUE(built("input x : real in 0 .. 9;", "x <= 1 / 3").has("between 333333, 333334"));
+}
+TEST(WatchBlock, AParameterThatIsOnNoGridIsRefusedWithItsNeighbours) {
+  EXPECT_EQ(
+      built("input tilt : angle in -2 rad .. 2 rad; param most : angle in 0 rad .. 1 rad = 30 deg;",
+            "tilt <= most")
+          .report(),
+      "7003: this value does not lie on the grid of 0.001 rad | `0.523 rad` and `0.524 rad` do");
+}
+// 0.1 nm is a decimal, though nothing counts it: it is a mistake.
+TEST(WatchBlock, AConstantThatIsTooFineIsNotRounded) {
+  EXPECT_EQ(built(gap, "gap >= 0.0000000001 m").report().substr(0, 5), "7003:");
 }
 
 TEST(WatchBlock, NoNeighbourIsProposedThatDecimalsCannotWrite) {
