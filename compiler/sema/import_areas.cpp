@@ -69,14 +69,18 @@ class AreaPlacer {
     const ZoneImport::Band band{height(from.floor), height(from.ceiling)};
     to.bands.push_back(band);
     if (!band.floor || !band.ceiling || *band.floor < *band.ceiling) return true;
+    // Readers refuse a floor above a ceiling of the same reference: those two are equal.
+    const bool sheet = from.floor->reference == from.ceiling->reference;
     context_.report(
         Finding(Code::band_inverted, job_.written.path.range,
                 "`" + job_.path + "`, " + where + ": the floor is at " +
                     show(*band.floor, dims::length) + " of the map, the ceiling at " +
                     show(*band.ceiling, dims::length))
-            .label("upside down")
-            .help(
-                "floor and ceiling have different references: look at where `heights` puts them"));
+            .label(sheet ? "a sheet without height" : "upside down")
+            .help(sheet ? "its lower and its upper limit are the same: give the file the heights "
+                          "that are meant, or select other areas by `feature \"name\"`"
+                        : "floor and ceiling have different references: look at where `heights` "
+                          "puts them"));
     return false;
   }
 
@@ -138,8 +142,10 @@ class AreaPlacer {
   }
   void note_turned() {
     if (turned_ == 0) return;
+    const std::size_t others = turned_ - 1;
     const std::string more =
-        turned_ == 1 ? "" : " and " + std::to_string(turned_ - 1) + " more rings";
+        others == 0 ? ""
+                    : " and " + std::to_string(others) + " more ring" + (others == 1 ? "" : "s");
     const std::string go = turned_ == 1 ? " goes" : " go";
     context_.report(Finding(Code::ring_turned, job_.written.path.range,
                             "`" + job_.path + "`: " + first_turned_ + more + go +
@@ -229,11 +235,9 @@ class AreaPlacer {
     return "";
   }
   [[nodiscard]] std::string swapped_help() const {
-    const std::string axes =
-        job_.reading.latitude_first ? "`axes longitude latitude`" : "`axes latitude longitude`";
     return "the other way round it would be near the origin, where the latitude comes first; if it "
-           "is the file that has them so, write " +
-           axes + " behind it";
+           "is the file that has them so, write `" +
+           axes_text(!job_.latitude_first) + "` behind it";
   }
 
   Context& context_;
@@ -245,6 +249,10 @@ class AreaPlacer {
 };
 
 }  // namespace
+
+std::string axes_text(bool latitude_first) {
+  return latitude_first ? "axes latitude longitude" : "axes longitude latitude";
+}
 
 std::optional<ZoneImport> place_areas(Context& context, const ImportJob& job) {
   return AreaPlacer(context, job).run();

@@ -19,6 +19,7 @@ struct ImportJob {
   geometry::Reading reading;
   std::optional<geometry::Origin> origin;
   bool axes_written = false;
+  bool latitude_first = false;  // in the file, as its format or the author has it
   std::vector<std::vector<const geometry::import::Area*>> inclusions;
   std::vector<const geometry::import::Area*> exclusions;
   std::vector<std::string> remarks;
@@ -27,6 +28,9 @@ struct ImportJob {
   std::map<geometry::import::AltitudeReference, Rational> levels{};
   std::vector<Opening> openings{};  // when all areas apply
 };
+
+// `axes latitude longitude`, or the other way round.
+std::string axes_text(bool latitude_first);
 
 // nullopt: some position has no place, which is reported.
 std::optional<ZoneImport> place_areas(Context& context, const ImportJob& job);

@@ -268,10 +268,19 @@ class Importer {
                        "write `axes longitude latitude` or `axes latitude longitude` behind it");
     }
     job_.axes_written = axes != nullptr;
-    // Readers put the longitude first where they know it: only what was said otherwise is turned.
-    job_.reading.latitude_first =
-        meant == Axes::latitude_first && areas_->axes != Axes::latitude_first;
+    job_.latitude_first = meant == Axes::latitude_first;
+    // Readers put the longitude first where the format states an order: what is said against it
+    // turns that, and so does the latitude first where it states none.
+    const Axes as_read = areas_->axes == Axes::unstated ? Axes::longitude_first : areas_->axes;
+    job_.reading.latitude_first = meant != as_read;
+    if (areas_->only_turned && !job_.reading.latitude_first) return off_globe();
     return true;
+  }
+  // The order of the format, or the one that is written, has positions off the globe.
+  bool off_globe() {
+    Failure failure = *areas_->only_turned;
+    failure.help += ", or `" + axes_text(!job_.latitude_first) + "` behind it";
+    return unusable(failure);
   }
 
   bool settle_origin() {
@@ -491,7 +500,7 @@ class Importer {
   std::map<AltitudeReference, const ImportOption*> levels_;
   const Areas* areas_ = nullptr;
   std::vector<const Area*> selected_;
-  ImportJob job_{written_, {}, {}, {}, {}, false, {}, {}, {}, false, {}, {}};
+  ImportJob job_{written_, {}, {}, {}, {}, false, false, {}, {}, {}, false, {}, {}};
 };
 
 }  // namespace

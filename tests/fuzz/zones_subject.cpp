@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "compiler/geometry/import/areas.h"
@@ -24,6 +25,7 @@ std::string judge_failure(const import::Failure& failure) {
 bool is_on_earth(import::Position position, const import::Areas& areas) {
   if (!std::isfinite(position.x) || !std::isfinite(position.y)) return false;
   if (areas.unit != import::Unit::degrees) return true;
+  if (areas.only_turned) std::swap(position.x, position.y);
   const double longest = areas.axes == import::Axes::unstated ? 180 : 90;
   return std::abs(position.x) <= 180 && std::abs(position.y) <= longest;
 }

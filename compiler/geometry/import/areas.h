@@ -97,8 +97,12 @@ enum class Unit { unstated, degrees, metres };
 struct Areas {
   std::vector<Area> areas;
   Unit unit = Unit::degrees;
-  // How the positions were read; `unstated`: the format leaves it open, they are in file order.
+  // The order of the format. Where it states one, positions are turned to longitude first;
+  // `unstated`: the format leaves it open, they are in file order.
   Axes axes = Axes::longitude_first;
+  // Set: all positions are on the globe, but only with latitude and longitude the other way round.
+  // Whoever has no reason to turn them reports this.
+  std::optional<Failure> only_turned;
   std::vector<Note> notes;
 };
 

@@ -53,18 +53,18 @@ bool fits(const Areas& areas, bool is_swapped) {
   });
 }
 
-bool complain_of_globe(const Areas& areas, bool would_fit_swapped, Findings& findings) {
-  return all_positions(areas, [&](Position p, const auto& place) {
+// The first position off the globe, if there is one.
+std::optional<Failure> off_globe(const Areas& areas, std::string_view help) {
+  std::optional<Failure> failure;
+  all_positions(areas, [&](Position p, const auto& place) {
     if (is_longitude(p.x) && is_latitude(p.y)) return true;
-    const std::string message = "the position with longitude " + shown(p.x) + " and latitude " +
-                                shown(p.y) + " is off the globe";
-    return findings.fail(
-        place(), message,
-        would_fit_swapped
-            ? "every position of the file is on the globe when latitude and longitude change "
-              "places: the axes look swapped; write them in the order of the format"
-            : "longitudes are within -180 and 180 degrees, latitudes within -90 and 90");
+    failure = Failure{place(),
+                      "the position with longitude " + shown(p.x) + " and latitude " + shown(p.y) +
+                          " is off the globe",
+                      std::string(help)};
+    return false;
   });
+  return failure;
 }
 
 // Neither order may be taken for granted: one of them has to fit all positions.
@@ -140,7 +140,9 @@ bool finish_ring(Ring& ring, Closing closing, Findings& findings) {
   if (positions.size() >= 3) return true;
   return findings.fail(ring.where,
                        "the ring has " + std::to_string(positions.size()) +
-                           " positions besides the one that closes it; it encloses nothing",
+                           (positions.size() == 1 ? " position" : " positions") +
+                           (ring.closed ? " besides the one that closes it" : "") +
+                           "; it encloses nothing",
                        "three are the least");
 }
 
@@ -176,11 +178,19 @@ bool add_area(Area area, const Limits& limits, Areas& areas, Findings& findings)
   return true;
 }
 
-bool check_positions(const Areas& areas, Findings& findings) {
+bool check_positions(Areas& areas, Findings& findings) {
   if (areas.unit != Unit::degrees) return check_extent(areas, findings);
   if (areas.axes == Axes::unstated) return check_unordered_globe(areas, findings);
-  return (fits(areas, false) || complain_of_globe(areas, fits(areas, true), findings)) &&
-         check_all_steps(areas, findings);
+  if (fits(areas, false)) return check_all_steps(areas, findings);
+  if (fits(areas, true)) {
+    areas.only_turned =
+        off_globe(areas,
+                  "every position of the file is on the globe when latitude and longitude change "
+                  "places: the axes look swapped; write them in the order of the format");
+    return true;
+  }
+  return findings.fail(
+      *off_globe(areas, "longitudes are within -180 and 180 degrees, latitudes within -90 and 90"));
 }
 
 }  // namespace rtac::geometry::import

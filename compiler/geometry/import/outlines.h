@@ -27,11 +27,16 @@ bool check_radius(double radius_m, const std::string& where, Findings& findings)
 // The area cannot be honoured: it stays in the file without parts. The first reason stays.
 void refuse(Area& area, std::string where, std::string message, std::string help);
 
+// Help for an area of a format with names that cannot be used.
+inline constexpr const char* take_other_areas =
+    "take it out, or select areas of polygons by `feature \"name\"`";
+
 // Fails on more areas than the limit.
 bool add_area(Area area, const Limits& limits, Areas& areas, Findings& findings);
 
-// After all areas have been read: positions of degrees lie on the globe, those of metres or of no
-// stated unit no further away than the globe is round.
-bool check_positions(const Areas& areas, Findings& findings);
+// After all areas have been read: positions of degrees lie on the globe, perhaps only when they are
+// turned, which is noted; those of metres or of no stated unit no further away than the globe is
+// round.
+bool check_positions(Areas& areas, Findings& findings);
 
 }  // namespace rtac::geometry::import

@@ -15,7 +15,9 @@ namespace {
 class PlanReader {
  public:
   PlanReader(Findings& findings, const Limits& limits)
-      : findings_(findings), json_(findings, limits) {}
+      : findings_(findings), json_(findings, limits) {
+    areas_.axes = Axes::latitude_first;
+  }
 
   bool read_root(Json root);
   Areas take_areas();

@@ -56,7 +56,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 class WaypointReader {
  public:
   WaypointReader(Findings& findings, const Limits& limits) : findings_(findings), limits_(limits) {
-    areas_.axes = Axes::longitude_first;  // the columns have names; positions keep x east
+    areas_.axes = Axes::latitude_first;  // of the columns, by their names
   }
 
   bool read(std::string_view text);

@@ -120,6 +120,7 @@ class FileReceiver {
     auto read = import::read(as_.format, text, limits);
     if (const auto* failure = std::get_if<import::Failure>(&read)) return refuse(*failure);
     areas_ = std::get<import::Areas>(std::move(read));
+    if (areas_.only_turned) return refuse(*areas_.only_turned);
     for (const Area& area : areas_.areas) {
       if (area.refusal) return refuse(*area.refusal);
     }

@@ -237,6 +237,10 @@ TEST_F(ZoneFiles, HeightsCountFromTheLevelsOfTheirReferences) {
          "heights agl at 1 m", "", "");
   expect(zones + "heights agl at 0 m heights amsl at -490 m;", Code::band_inverted, "\"uas.json\"",
          "the floor is at 10.5 m of the map, the ceiling at 10 m", "different references");
+  file(volume(ground, R"("upperLimit":10.5,"upperVerticalReference":"AGL")"));
+  expect(zones + "heights agl at 0 m;", Code::band_inverted, "\"uas.json\"",
+         "the floor is at 10.5 m of the map, the ceiling at 10.5 m",
+         "its lower and its upper limit are the same");
 }
 
 // A way from vertex to vertex that a format does not describe is covered by the error, one that is
@@ -329,6 +333,59 @@ TEST_F(ZoneFiles, SwappedAxesAreSuspected) {
   swapped("47.3977 deg, 11 deg", "", "within 100 km");
 }
 
+// Plans and fence items have the latitude first: to say so changes nothing, and only the other
+// order turns them.
+TEST_F(ZoneFiles, AxesAreThoseOfTheFileWhateverItsFormatHas) {
+  const auto first = [&](const std::string& file, const std::string& axes) {
+    const ZoneImport zone =
+        imported(std::string(origin) + "zone z = import \"" + file + "\"" + axes + ";");
+    if (zone.inclusions.empty()) return std::string("none");
+    const auto& ring = std::get<ZonePolygon>(zone.inclusions[0][0].parts[0]).outer;
+    return to_decimal(ring.points[0].x) + " " + to_decimal(ring.points[0].y);
+  };
+  const auto fence = [&](const std::string& name, const char* vertices) {
+    write(name + ".plan",
+          R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"circles":[],"polygons":[)"
+          R"({"inclusion":true,"version":1,"polygon":)" +
+              std::string(vertices) + "}]}}");
+  };
+  fence("north", "[[47.397,8.544],[47.397,8.547],[47.399,8.547]]");
+  fence("east", "[[8.544,47.397],[8.547,47.397],[8.547,47.399]]");
+  const std::string item = "\t0\t0\t5001\t3\t0\t0\t0\t";
+  write("north.waypoints", "QGC WPL 110\n0" + item + "47.397\t8.544\t0\t1\n1" + item +
+                               "47.397\t8.547\t0\t1\n2" + item + "47.399\t8.547\t0\t1\n");
+  const std::string place = first("north.plan", "");
+  EXPECT_EQ(first("north.plan", " axes latitude longitude"), place);
+  EXPECT_EQ(first("east.plan", " axes longitude latitude"), place);
+  EXPECT_EQ(first("north.waypoints", ""), place);
+  EXPECT_EQ(first("north.waypoints", " axes latitude longitude"), place);
+  const auto swapped = [&](const std::string& import, const std::string& mend) {
+    expect(std::string(origin) + "zone z = import " + import + ";", Code::zone_far_away,
+           import.substr(0, import.find(' ')), "vertex 1 (", mend);
+  };
+  swapped("\"east.plan\"", "write `axes longitude latitude` behind it");
+  swapped("\"north.plan\" axes longitude latitude", "write `axes latitude longitude` behind it");
+}
+
+// Where the longitude is more than 90 degrees, the wrong order is off the globe.
+TEST_F(ZoneFiles, AxesCountBeforeAFileIsOffTheGlobe) {
+  write("tokyo.geojson",
+        R"({"type":"Polygon","coordinates":[[[35.6,139.7],[35.6,139.71],[35.61,139.7],)"
+        R"([35.6,139.7]]]})");
+  const std::string tokyo = "origin 35.6 deg, 139.7 deg;\nzone z = import \"tokyo.geojson\"";
+  expect(tokyo + ";", Code::zone_file_unusable, "\"tokyo.geojson\"", "is off the globe",
+         "or `axes latitude longitude` behind it");
+  expect(tokyo + " axes longitude latitude;", Code::zone_file_unusable, "\"tokyo.geojson\"",
+         "is off the globe", "or `axes latitude longitude` behind it");
+  const ZoneImport zone = imported(tokyo + " axes latitude longitude;");
+  ASSERT_EQ(zone.inclusions.size(), 1U);
+  const auto& ring = std::get<ZonePolygon>(zone.inclusions[0][0].parts[0]).outer;
+  EXPECT_EQ(ring.points[0].x, 0);
+  EXPECT_EQ(ring.points[0].y, 0);
+  EXPECT_GT(ring.points[1].x, 100);  // on the edge of 0.01 deg to the east
+  EXPECT_LT(abs(ring.points[1].y), 1);
+}
+
 TEST_F(ZoneFiles, AtThePolesNothingHasAPlace) {
   write("pole.geojson",
         R"({"type":"Polygon","coordinates":[[[10,88.9],[10.2,88.9],[10.2,89.01],[10,88.9]]]})");
@@ -344,6 +401,15 @@ TEST_F(ZoneFiles, RingsThatGoTheOtherWayRoundAreNoted) {
   ASSERT_TRUE(checked->spec) << checked->reports();
   ASSERT_EQ(checked->engine.all().size(), 1U);
   EXPECT_EQ(checked->engine.all().front().code, Code::ring_turned);
+  write("turned.geojson",
+        R"({"type":"Polygon","coordinates":[[[8.547,47.397],[8.547,47.398],[8.549,47.398],)"
+        R"([8.547,47.397]],[[8.5472,47.3975],[8.5475,47.3976],[8.5474,47.3978],)"
+        R"([8.5472,47.3975]]]})");
+  const auto both = check(std::string(origin) + "zone z = import \"turned.geojson\";");
+  ASSERT_EQ(both->engine.all().size(), 1U) << both->reports();
+  EXPECT_NE(both->engine.all().front().message.find("coordinates[0] and 1 more ring go the other"),
+            std::string::npos)
+      << both->reports();
 }
 
 TEST_F(ZoneFiles, UnusableFilesAreReportedWithThePlace) {

@@ -26,11 +26,13 @@ inline Area only_area(Format format, const std::string& text) {
   return areas.areas.size() == 1 ? areas.areas.front() : Area{};
 }
 
-// `WHERE: MESSAGE (HELP)`, empty when the text can be read; no part may be missing.
+// `WHERE: MESSAGE (HELP)`, empty when the text can be read with its axes in the order of the
+// format; no part may be missing.
 inline std::string failure_of(Format format, const std::string& text, const Limits& limits = {}) {
   const auto outcome = read(format, text, limits);
-  const auto* failure = std::get_if<Failure>(&outcome);
-  if (failure == nullptr) return {};
+  const auto* areas = std::get_if<Areas>(&outcome);
+  if (areas != nullptr && !areas->only_turned) return {};
+  const auto* failure = areas != nullptr ? &*areas->only_turned : std::get_if<Failure>(&outcome);
   EXPECT_FALSE(failure->where.empty());
   EXPECT_FALSE(failure->message.empty());
   EXPECT_FALSE(failure->help.empty());
