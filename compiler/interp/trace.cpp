@@ -367,7 +367,7 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
 bool TraceReader::read_zone(const CsvCell& cell, const Column& column, Reading& reading) {
   const auto refused = [&](const geometry::RefusedZone& why) {
     return fail(record_.line, cell.column,
-                "`" + column.name + "` is refused: " + why.where + " " + why.message, why.help);
+                "`" + column.name + "` is refused: " + why.where + ": " + why.message, why.help);
   };
   const std::size_t edges_most = column.input->edges_most;
   auto received = geometry::receive_wkt(std::string(cell.text), edges_most);

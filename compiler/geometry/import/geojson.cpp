@@ -39,8 +39,7 @@ bool GeoJsonReader::read_layer(Json geometry, Band& /*band*/) {
 }
 
 bool GeoJsonReader::read_point(Json point, const Band& /*band*/, Area& area) {
-  refuse(area, point.where(), "a Point encloses nothing",
-         "select areas of polygons by their names");
+  refuse(area, point.where(), "a Point encloses nothing", take_other_areas);
   return true;
 }
 
@@ -50,7 +49,7 @@ bool GeoJsonReader::read_metadata(Json /*collection*/) {
 
 bool GeoJsonReader::add_polygon(Json rings, const Band& band, Area& area) {
   if (rings.kind() == JsonKind::array && rings.items().empty()) {
-    refuse(area, rings.where(), "the polygon is empty", "draw it, or select another area");
+    refuse(area, rings.where(), "the polygon is empty", take_other_areas);
     return true;
   }
   Polygon polygon;
@@ -87,8 +86,7 @@ bool GeoJsonReader::read_shape(Json geometry, std::string_view type, Area& area)
     }
     return true;
   }
-  refuse(area, geometry.where(), "a " + std::string(type) + " encloses nothing",
-         "select areas of polygons by their names");
+  refuse(area, geometry.where(), "a " + std::string(type) + " encloses nothing", take_other_areas);
   return true;
 }
 
@@ -101,7 +99,7 @@ bool GeoJsonReader::read_geometry(Json geometry, Area& area) {
        {"Polygon", "MultiPolygon", "Point", "MultiPoint", "LineString", "MultiLineString"}) {
     if (*type == known) return read_shape(geometry, *type, area);
   }
-  return findings_.fail(geometry.where() + ".type",
+  return findings_.fail(geometry.member("type")->where(),
                         "GeoJSON has no geometry of the type " + quote(*type),
                         "`Polygon`, `MultiPolygon` or `GeometryCollection`, in this spelling");
 }
@@ -142,7 +140,7 @@ bool GeoJsonReader::read_feature(Json feature) {
   const auto geometry = json_.required(feature, "geometry");
   if (!geometry) return false;
   if (geometry->kind() == JsonKind::null) {
-    refuse(area, geometry->where(), "the feature has no geometry", "select another area");
+    refuse(area, geometry->where(), "the feature has no geometry", take_other_areas);
   } else if (!read_geometry(*geometry, area)) {
     return false;
   }
@@ -179,7 +177,7 @@ Areas GeoJsonReader::take_areas() {
   }
   for (Area& area : areas_.areas) {
     if (!area.refusal && area.parts.empty()) {
-      refuse(area, area.where, "the geometry is empty", "select another area");
+      refuse(area, area.where, "the geometry is empty", take_other_areas);
     }
   }
   return std::move(areas_);

@@ -36,6 +36,10 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool is_time(xml_node node) {
+  return is_one_of(name_of(node), {"TimeSpan", "TimeStamp"});
+}
+
 class KmlReader {
  public:
   KmlReader(std::string_view text, const Limits& limits, Findings& findings)
@@ -54,8 +58,10 @@ class KmlReader {
   std::string place(xml_node node) const {
     return lines_.place(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug())));
   }
-  bool read_features(xml_node container, std::size_t depth);
-  bool read_placemark(xml_node placemark);
+  // `time`: what tells when an outer container is shown, if any does.
+  bool read_features(xml_node container, xml_node time, std::size_t depth);
+  bool read_placemark(xml_node placemark, xml_node time);
+  void refuse_time(xml_node time, Area& area);
   bool read_geometry(xml_node geometry, Area& area, std::size_t depth);
   bool read_polygon(xml_node node, Area& area);
   bool read_boundary(xml_node boundary, Polygon& polygon, Heights& heights);
@@ -204,16 +210,19 @@ bool KmlReader::read_geometry(xml_node geometry, Area& area, std::size_t depth) 
   } else if (is_one_of(name,
                        {"Point", "LineString", "LinearRing", "Model", "Track", "MultiTrack"})) {
     refuse(area, place(geometry), "a " + std::string(name) + " encloses nothing",
-           name == "LinearRing" ? "make it the <outerBoundaryIs> of a Polygon"
-                                : "select areas of polygons by their names");
-  } else if (is_one_of(name, {"TimeSpan", "TimeStamp"})) {
-    refuse(area, place(geometry), "a " + std::string(name) + " tells when the area is shown",
-           "take it out, and say in the specification when the area applies");
+           name == "LinearRing" ? "make it the <outerBoundaryIs> of a Polygon" : take_other_areas);
+  } else if (is_time(geometry)) {
+    refuse_time(geometry, area);
   }
   return true;
 }
 
-bool KmlReader::read_placemark(xml_node placemark) {
+void KmlReader::refuse_time(xml_node time, Area& area) {
+  refuse(area, place(time), "a " + std::string(name_of(time)) + " tells when the area is shown",
+         "take it out, and say in the specification when the area applies");
+}
+
+bool KmlReader::read_placemark(xml_node placemark, xml_node time) {
   Area area;
   area.where = place(placemark);
   area.name = text_of(child_of(placemark, "name"));
@@ -226,8 +235,9 @@ bool KmlReader::read_placemark(xml_node placemark) {
   for (const xml_node child : placemark.children()) {
     if (!read_geometry(child, area, 1)) return false;
   }
+  if (time) refuse_time(time, area);
   if (area.parts.empty()) {
-    refuse(area, area.where, "the Placemark has no Polygon", "select another area");
+    refuse(area, area.where, "the Placemark has no Polygon", take_other_areas);
   }
   return add_area(std::move(area), limits_, areas_, findings_);
 }
@@ -242,15 +252,20 @@ bool KmlReader::refuse_link(xml_node link) {
   return add_area(std::move(area), limits_, areas_, findings_);
 }
 
-bool KmlReader::read_features(xml_node container, std::size_t depth) {
+bool KmlReader::read_features(xml_node container, xml_node time, std::size_t depth) {
   if (depth > limits_.nesting_max) {
     return findings_.fail(place(container), "nested too deeply", "flatten the folders");
   }
   for (const xml_node child : container.children()) {
+    if (is_time(child)) time = child;  // of all features in the container
+  }
+  for (const xml_node child : container.children()) {
     const std::string_view name = name_of(child);
-    if (name == "Placemark" && !read_placemark(child)) return false;
+    if (name == "Placemark" && !read_placemark(child, time)) return false;
     if (name == "NetworkLink" && !refuse_link(child)) return false;
-    if (is_one_of(name, {"Document", "Folder"}) && !read_features(child, depth + 1)) return false;
+    if (is_one_of(name, {"Document", "Folder"}) && !read_features(child, time, depth + 1)) {
+      return false;
+    }
   }
   return true;
 }
@@ -267,7 +282,7 @@ bool KmlReader::read_root(const pugi::xml_document& document) {
     return findings_.fail(place(root), "the outermost element is " + quote(name_of(root)),
                           "KML starts with `<kml>`");
   }
-  return read_features(root, 1);
+  return read_features(root, {}, 1);
 }
 
 }  // namespace

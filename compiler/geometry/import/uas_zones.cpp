@@ -49,7 +49,8 @@ bool read_time(JsonReader& json, Json daily, std::string_view name, Period& of,
   if (value->string()) time = parse_time_of_day(*value->string());
   note_fraction(*value, of);
   return time || json.findings().fail(value->where(), "is " + value->described(),
-                                      "a time of day with its zone, such as \"22:00:00Z\"");
+                                      "a time of day up to 23:59:59 with its zone, such as "
+                                      "\"22:00:00Z\"");
 }
 
 // The formats have no 24:00: the last minute or second of a day is what they write for its end.

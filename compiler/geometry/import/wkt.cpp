@@ -236,7 +236,7 @@ bool WktReader::read_geometry(Area& area, std::size_t depth) {
   if (!read_tag(type)) return false;
   const std::size_t body = at_;
   if (take_word() == "EMPTY") {
-    refuse(area, place, "the geometry is empty", "select another area");
+    refuse(area, place, "the geometry is empty", "take it out");
     return true;
   }
   at_ = body;
@@ -246,7 +246,7 @@ bool WktReader::read_geometry(Area& area, std::size_t depth) {
   for (const std::string_view flat : {"POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING",
                                       "CIRCULARSTRING", "COMPOUNDCURVE", "MULTICURVE"}) {
     if (type != flat) continue;
-    refuse(area, place, "a " + type + " encloses nothing", "take it out, or select another area");
+    refuse(area, place, "a " + type + " encloses nothing", "take it out");
     return skip_body();
   }
   for (const std::string_view other :

@@ -119,9 +119,9 @@ TEST_P(ReplayBy, AnInvalidZoneIsRefusedWithItsVertex) {
   EXPECT_EQ(good.status, 0) << good.err;
   EXPECT_NE(good.out.find("\n1,1,true"), std::string::npos) << good.out;
   for (const auto& [cell, why] : std::vector<std::pair<std::string, std::string>>{
-           {"\"POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\"", "the outer ring, vertex 1 starts an edge"},
+           {"\"POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\"", "the outer ring, vertex 1: starts an edge"},
            {"\"POLYGON ((0 0, 2 0, 3 1, 2 2, 0 2, 0 0))\"", "has 5 vertices, 4 are the most"},
-           {"\"POLYGON ((0 0, 2 0, 3 1))\"", "`fence` is refused"},
+           {"\"POLYGON ((0 0, 2 0, 3 1))\"", "column 10, position 3: the ring is open"},
            {"\"POLYGON ((0 0, 0.0001 0, 0 0.0001, 0 0))\"", "nothing left on the grid"},
            {"5", "`fence` is refused"}}) {
     const Outcome bad = replayed(cell);

@@ -155,6 +155,11 @@ TEST(Ed269, TimesWithoutAZoneAreToldWithTheirValue) {
   EXPECT_TRUE(contains(
       failure(zone(
           volume(),
+          R"({"permanent":"NO","schedule":[{"day":["ANY"],"startTime":"08:00Z","endTime":"24:00:00Z"}]})")),
+      "endTime: is the text `24:00:00Z` (a time of day up to 23:59:59 with its zone"));
+  EXPECT_TRUE(contains(
+      failure(zone(
+          volume(),
           R"({"permanent":"NO","schedule":[{"day":["Monday"],"startTime":"08:00Z","endTime":"09:00Z"}]})")),
       "day[0]: is the text `Monday`"));
   EXPECT_TRUE(contains(failure(zone(volume(), R"({"permanent":true})")), "permanent: is `true`"));

@@ -99,6 +99,15 @@ TEST(GeoJson, RingOfTwoPositionsEnclosesNothing) {
   EXPECT_TRUE(contains(failure(polygon_text("[[[0,0],[9,0],[0,0]]]")), "has 2 positions"));
 }
 
+TEST(GeoJson, ShortRingsAreCountedAsTheyAre) {
+  EXPECT_TRUE(contains(failure(polygon_text("[[[0,0],[1,0],[0,0]]]")),
+                       "the ring has 2 positions besides the one that closes it; it encloses"));
+  EXPECT_TRUE(contains(failure(polygon_text("[[[0,0],[1,0]]]")),
+                       "the ring has 2 positions; it encloses nothing"));
+  EXPECT_TRUE(contains(failure(polygon_text("[[[0,0]]]")), "the ring has 1 position; it"));
+  EXPECT_TRUE(contains(failure(polygon_text("[[]]")), "the ring has 0 positions; it"));
+}
+
 TEST(GeoJson, PositionOffTheGlobeIsTold) {
   EXPECT_TRUE(contains(failure(polygon_text("[[[0,0],[181,0],[9,9],[0,0]]]")),
                        "coordinates[0], position 2: the position with longitude 181 and latitude "
@@ -139,6 +148,7 @@ TEST(GeoJson, WrongKindsAreToldWithValueAndPlace) {
   EXPECT_TRUE(contains(failure(polygon_text("5")), "coordinates: is the number 5"));
   EXPECT_TRUE(contains(failure("[]"), "the whole text: is an empty array"));
   EXPECT_TRUE(contains(failure(R"({"type":"polygon"})"), "no geometry of the type `polygon`"));
+  EXPECT_EQ(failure(R"({"type":"polygon"})").rfind("type: ", 0), 0U);
   EXPECT_TRUE(
       contains(failure(R"({"type":"Feature","properties":{}})"), "lacks the member `geometry`"));
   EXPECT_TRUE(contains(failure(R"({"a":1})"), "lacks the member `type`"));

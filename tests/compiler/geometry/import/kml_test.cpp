@@ -115,6 +115,11 @@ TEST(Kml, WhatEnclosesNothingRefusesToBeUsed) {
   EXPECT_TRUE(contains(refusal(placemark("")), "has no Polygon"));
   EXPECT_TRUE(
       contains(refusal(placemark("<TimeSpan/>" + polygon(triangle))), "a TimeSpan tells when"));
+  const std::string timed = "<Folder>" + placemark(polygon(triangle)) + "<TimeStamp/></Folder>";
+  EXPECT_TRUE(contains(refusal(timed), "a TimeStamp tells when"));
+  EXPECT_TRUE(contains(refusal("<Document><TimeSpan/><Folder>" + placemark(polygon(triangle)) +
+                               "</Folder></Document>"),
+                       "a TimeSpan tells when"));
   EXPECT_TRUE(contains(refusal("<NetworkLink><name>n</name></NetworkLink>"), "is not followed"));
 }
 
