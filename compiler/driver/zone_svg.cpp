@@ -180,10 +180,12 @@ class Sheet {
     out_ += "\" fill-rule=\"evenodd\"" + attributes + "/>\n";
   }
 
-  // What is drawn first is wider, so that it is seen where another zone has the same boundary.
+  // What is drawn first is wider, so that it is seen where any other zone has the same boundary;
+  // the first of many has no more than 8 px.
   std::string outline(std::size_t i) const {
-    const double width =
-        2 + 1.5 * static_cast<double>(std::min<std::size_t>(sheet_.layers.size() - 1 - i, 3));
+    const auto after = static_cast<double>(sheet_.layers.size() - 1 - i);
+    const auto all = static_cast<double>(sheet_.layers.size());
+    const double width = 2 + std::min(1.5, 6 / all) * after;
     const std::string dashes = stroke(i);
     return std::string(" stroke=\"") + colour(i) + "\" stroke-width=\"" + number(width) + "\"" +
            (dashes.empty() ? "" : " stroke-dasharray=\"" + dashes + "\"");

@@ -289,6 +289,28 @@ TEST_F(CommandLine, ThePictureOfZonesIsWellFormed) {
   EXPECT_EQ(o.out.substr(o.out.size() - 7), "</svg>\n");
 }
 
+// Under the outlines of all zones that are drawn after it, each one still has an edge of its own.
+TEST_F(CommandLine, ThePictureOfZonesShowsAllWithOneBoundary) {
+  std::string spec = "spec s;\nperiod 1 s;\n";
+  for (const char name : std::string("abcdefgh")) {
+    spec += std::string("zone ") + name + " = rectangle (0 m, 0 m) to (5 m, 5 m);\n";
+  }
+  write("same.rta", spec +
+                        "input p : point in 0 .. 9 m;\n"
+                        "monitor m { \"R1\" always p inside a; }\n");
+  const Outcome o = rtac({"zones", "same.rta", "-o", "-"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  std::vector<double> widths;
+  const std::string before = "fill-opacity=\"0.12\" stroke=\"#", width = "stroke-width=\"";
+  const std::size_t legend = o.out.find("</g>");
+  for (std::size_t at = 0; (at = o.out.find(before, at)) < legend; ++at) {
+    widths.push_back(std::stod(o.out.substr(o.out.find(width, at) + width.size(), 4)));
+  }
+  ASSERT_EQ(widths.size(), 8U);
+  for (std::size_t i = 1; i < widths.size(); ++i) EXPECT_GT(widths[i - 1], widths[i] + 0.5);
+  EXPECT_LE(widths.front(), 8);
+}
+
 TEST_F(CommandLine, TheModelsOfDecisionsGoIntoAFolder) {
   const Outcome o = rtac({"protocol", "good.rta", "-o", "models"});
   EXPECT_EQ(o.status, 0) << o.err;
