@@ -125,6 +125,11 @@ class Gap {
   int breaks_ = 0;
 };
 
+// A comment on the line of its token has the empty line above it, which is that of the token.
+bool is_below_empty_line(const Comment& comment) {
+  return comment.place == CommentPlace::inside && comment.blank_before;
+}
+
 }  // namespace
 
 std::vector<Piece> pieces_of(std::string_view text, const std::vector<Token>& tokens) {
@@ -139,8 +144,9 @@ std::vector<Piece> pieces_of(std::string_view text, const std::vector<Token>& to
     piece.is_name = is_name(pieces, token.kind);
     piece.is_unary = token.kind == T::MINUS && (pieces.empty() || !ends_operand(pieces.back()));
     piece.first_on_line = token.first_on_line;
-    piece.blank_before = gap.breaks() > 1;
     piece.before = gap.comments(pieces.empty(), token.kind == T::END);
+    piece.blank_before = gap.breaks() > 1 ||
+                         std::any_of(piece.before.begin(), piece.before.end(), is_below_empty_line);
     pieces.push_back(std::move(piece));
     end = token.range.end;
   }

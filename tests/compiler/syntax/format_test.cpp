@@ -150,9 +150,19 @@ TEST(Format, LeavesTheSpecificationsOfTheStudiesAsTheyAre) {
 // The tokens of a text with other blanks, line ends and comments between them. Units end with the
 // line of their number, so a number is not torn from its unit, nor `real [` from its own.
 std::string with_other_blanks(const std::string& text, std::mt19937& random) {
-  static const std::string blanks[] = {
-      "",     " ",         "  ",      "\n",         "\n\n\n",        "\t",
-      "\r\n", " /* c */ ", " // c\n", "\n// own\n", "\n\n/* b */\n", "\n /* two\n lines */ "};
+  static const std::string blanks[] = {"",
+                                       " ",
+                                       "  ",
+                                       "\n",
+                                       "\n\n\n",
+                                       "\t",
+                                       "\r\n",
+                                       " /* c */ ",
+                                       " // c\n",
+                                       "\n// own\n",
+                                       "\n\n/* b */\n",
+                                       "\n /* two\n lines */ ",
+                                       "\n\n/* in */ "};
   SourceManager sources;
   diag::Engine engine;
   const FileId file = sources.add("a.rta", text);
@@ -296,6 +306,17 @@ TEST(Format, KeepsCommentsAtTheirPlaces) {
             "\n"
             "  // end\n"
             "}  // last\n");
+}
+
+// The empty line above a comment on the line of an item is that above the item.
+TEST(Format, KeepsTheEmptyLineAboveACommentInFrontOfAnItem) {
+  const std::string kept =
+      "site  a = b;\n"
+      "fleet c : D;\n"
+      "\n"
+      "/* in */ site  e = f;\n"
+      "fleet g : H;\n";
+  EXPECT_EQ(formatted(kept), kept);
 }
 
 TEST(Format, KeepsCommentsUnderEachOther) {
