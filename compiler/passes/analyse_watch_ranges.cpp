@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/ir/grid_help.h"
+#include "compiler/ir/operands.h"
 #include "compiler/ir/weights.h"
 #include "compiler/sema/dimension.h"
 
@@ -63,9 +64,14 @@ class WatchRanges {
 
   void block(Block& block) {
     block_ = &block;
-    for (Value& value : block.values) {
+    refused_.assign(block.values.size(), false);
+    for (std::size_t i = 0; i < block.values.size(); ++i) {
+      Value& value = block.values[i];
       value_ = &value;
+      follows_refused_ = is_made_of_refused(value);
+      refused_[i] = follows_refused_;
       if (value.unit) value.range = checked(std::visit(*this, value.op));
+      follows_refused_ = false;
       if (std::holds_alternative<AtLeast>(value.op)) weight(std::get<AtLeast>(value.op));
     }
   }
@@ -267,6 +273,12 @@ class WatchRanges {
         std::int64_t{solid.slabs.back().ceiling_mm} - solid.slabs.front().floor_mm;
     return std::min(deepest({"", false, std::move(edges), {}}), (height + 1) / 2);
   }
+  [[nodiscard]] bool is_made_of_refused(const Value& value) const {
+    bool result = false;
+    for_each_operand(
+        value.op, [&](ValueId id) { result = result || refused_[static_cast<std::uint32_t>(id)]; });
+    return result;
+  }
   static bool fits(const Wide& w) { return fits_below(w, quantity_max); }
 
   Range checked(const Wide& w) {
@@ -337,7 +349,10 @@ class WatchRanges {
            sema::show(Rational(w.hi * unit.step), unit.dimension) + "]";
   }
   [[nodiscard]] std::string shown(const Wide& w) const { return shown(w, *value_->unit); }
+  // The range of what is made of a refused value is that of no input: it is not reported again.
   void report(std::string what, std::string label, std::string help) {
+    if (follows_refused_) return;
+    refused_[static_cast<std::size_t>(value_ - block_->values.data())] = true;
     diagnostics_.report({diag::Code::value_out_of_range,
                          value_->source,
                          std::move(what),
@@ -353,6 +368,8 @@ class WatchRanges {
   diag::Engine& diagnostics_;
   const Block* block_ = nullptr;
   const Value* value_ = nullptr;
+  std::vector<bool> refused_;     // of the values of the block
+  bool follows_refused_ = false;  // the present value is made of one of them
 };
 
 }  // namespace

@@ -36,6 +36,16 @@ TEST(WatchRanges, WhatLeaves62BitsIsRefusedWithItsRange) {
   EXPECT_EQ(report.substr(0, 37), "7001: this value ranges over [0 m^2, ") << report;
 }
 
+// One mistake is one report: what is made of the refused product has no range of its own.
+TEST(WatchRanges, WhatIsMadeOfARefusedValueIsNotReported) {
+  const Built b = analysed("input a : real [m] in 0 .. 1e12 m;", "a * a * a - a * a * a >= 1 m^3");
+  ASSERT_EQ(b.diagnostics.all().size(), 1U) << b.report();
+  EXPECT_EQ(b.report().substr(0, 37), "7001: this value ranges over [0 m^2, ");
+  const Built two = analysed("input a : real [m] in 0 .. 1e12 m;\ninput b : real [m];",
+                             "a * a >= 1 m^2 and b * b >= 1 m^2");
+  EXPECT_EQ(two.diagnostics.all().size(), 2U);
+}
+
 // The kernel multiplies before it divides: 10^9 steps times 12345678000 / 7000007 would fit.
 TEST(WatchRanges, TheProductInsideAFractionIsHeldAgainst62Bits) {
   const std::string input = "input a : real [m] in 0 m .. 1000 km;";
