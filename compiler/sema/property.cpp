@@ -127,6 +127,8 @@ ExprPtr PropertyChecker::not_a_quantity(const syntax::Expr& expr, const std::str
         what == "a zone"
             ? "write `" + self + " inside ...` or `clearance(" + self + ", ...)` with the zone"
             : "write a number with its unit, or a quantity such as `clearance(" + self + ", zone)`";
+  } else if (what == "a zone") {
+    help = "write `p inside Z`, `clearance(p, Z)` or `distance(p, Z)` with a point and the zone";
   } else if (what.rfind("a point", 0) == 0 || what.rfind("a vector", 0) == 0) {
     help =
         "write one of its components, as in `p.x`, or its length, `norm(v)` or "

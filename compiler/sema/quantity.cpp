@@ -223,6 +223,10 @@ void report_unit_missing(Context& context, const syntax::Expr& expr, const Dimen
   if (due == dims::ratio && number.value <= 1) {
     finding.help("write `" + to_decimal(Rational(number.value * 100)) + " %` or `" + number.text +
                  " %`, whichever is meant");
+  } else if (due == dims::angle && sgn(number.value) != 0) {
+    // an author thinks in degrees, the dimension is in radians
+    finding.help("write `" + number.text + " deg` or `" + number.text +
+                 " rad`, whichever is meant");
   } else {
     const std::string unit = likely_unit(due, number.value);
     finding.help("write `" + number.text + " " + unit + "`").insert_after(expr.range, " " + unit);

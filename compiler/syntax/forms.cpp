@@ -101,6 +101,18 @@ std::string_view window_form(const std::vector<Token>& tokens, std::size_t begin
   return {};
 }
 
+// `p since q[0 s, 1 s]`: the form of the operator in front of the name whose window ends behind
+// `last`, where the window may belong.
+std::string_view past_in_front(const std::vector<Token>& tokens, std::size_t begin,
+                               std::size_t last) {
+  std::size_t open = last;
+  while (open > begin && tokens[open].kind != T::LEFT_BRACKET) --open;
+  if (open < begin + 2) return {};
+  const TokenKind word = tokens[open - 2].kind;
+  const bool is_past = word == T::ONCE || word == T::HISTORICALLY || word == T::SINCE;
+  return is_past ? find_text(kConstructs, word) : std::string_view{};
+}
+
 // The form of the construct that the error stands in the middle of, nearest first.
 std::string_view construct_form(const std::vector<Token>& tokens, std::size_t begin,
                                 const SyntaxError& error) {
@@ -216,6 +228,10 @@ std::string form_help(const std::vector<Token>& tokens, const SyntaxError& error
   const Block block = block_at(tokens, begin);
   if (begin < error.index) {
     const std::string_view construct = construct_form(tokens, begin, error);
+    if (construct == kAggregate) {
+      const std::string_view past = past_in_front(tokens, begin, error.index - 1);
+      if (!past.empty()) return phrase("the form is", past) + phrase(" or", construct);
+    }
     if (!construct.empty()) return phrase("the form is", construct);
     const bool of_signals = block == Block::monitor && !speaks_of_robot(tokens, begin);
     if (of_signals && tokens[begin].kind == T::ALWAYS) {

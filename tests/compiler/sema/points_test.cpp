@@ -25,6 +25,11 @@ std::string meaning(const std::string& property) {
 TEST(Points, LieInsideZones) {
   EXPECT_EQ(meaning("p inside room"), "((p.x, p.y) inside room)");
 }
+TEST(Points, StandInFrontOfTheirZone) {
+  EXPECT_NE(meaning("room inside p").find("write `p inside Z`"), std::string::npos)
+      << meaning("room inside p");
+}
+
 // Any expression that is a point may: a displaced one, a literal, one that is chosen.
 TEST(Points, OfAnyKindLieInside) {
   EXPECT_EQ(meaning("(p + v) inside room"), "(((p.x + v.x), (p.y + v.y)) inside room)");
