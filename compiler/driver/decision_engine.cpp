@@ -31,7 +31,7 @@ std::string margin(std::int64_t millionths, const Rational& factor) {
   if (millionths <= -margin_limit) return "-inf";
   Rational value(static_cast<long>(millionths), 1'000'000);
   value.canonicalize();
-  return to_decimal(Rational(value * factor));
+  return text_of_margin(Rational(value * factor));
 }
 
 interp::Verdict verdict(std::int64_t word) {

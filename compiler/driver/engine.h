@@ -28,6 +28,9 @@ struct Judgement {
 
 // As findings show it: `true`, `false`, `unknown`.
 const char* word(interp::Verdict verdict);
+// The lower end of a margin, never more than it is: exact where 9 decimals hold it, else rounded
+// down to a millionth, or to 6 significant digits of what is less than 1.
+std::string text_of_margin(const Rational& margin);
 
 // Both ends of the margin of a judgement, in its unit.
 struct MarginEnds {

@@ -8,8 +8,16 @@ namespace rtac::driver {
 namespace {
 
 std::string shown(const interp::Extended& margin) {
-  if (margin.is_finite()) return to_decimal(margin.value());
+  if (margin.is_finite()) return text_of_margin(margin.value());
   return margin.sign() < 0 ? "-inf" : "inf";
+}
+
+// To a whole number of steps of 1/`places`.
+Rational rounded_down(const Rational& value, const Rational& places) {
+  const Rational scaled = value * places;
+  mpz_class whole;
+  mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  return Rational(whole) / places;
 }
 
 class InterpEngine : public Engine {
@@ -75,6 +83,14 @@ const char* word(interp::Verdict verdict) {
       break;
   }
   return "unknown";
+}
+
+std::string text_of_margin(const Rational& margin) {
+  const Rational billion = 1'000'000'000, million = 1'000'000;
+  if (Rational(margin * billion).get_den() == 1) return to_decimal(margin);
+  Rational places = million;  // until six digits are in front of the point
+  while (abs(Rational(margin * places)) < 100'000) places *= 10;
+  return to_decimal(rounded_down(margin, places));
 }
 
 Judgement judgement_of(const interp::Finding& finding) {

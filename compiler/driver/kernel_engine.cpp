@@ -97,7 +97,7 @@ class MarginText {
   }
   void print(std::int64_t margin, std::string& to) const {
     if (!is_short_) {
-      to = to_decimal(Rational(factor_ * Rational(static_cast<long>(margin))));
+      to = text_of_margin(Rational(factor_ * Rational(static_cast<long>(margin))));
       return;
     }
     to.clear();
@@ -116,7 +116,7 @@ class MarginText {
   }
 
  private:
-  static constexpr unsigned places_max = 9;  // as to_decimal
+  static constexpr unsigned places_max = 9;  // as text_of_margin
   Rational factor_;
   unsigned places_ = 0;
   bool is_short_ = false;

@@ -209,6 +209,24 @@ TEST_F(ReplayCode, no_kernel) {
             std::string::npos);
 }
 
+// What is shown of a margin is never more than there is.
+TEST_F(Replay, TheInterpreterRoundsMarginsDown) {
+  write("far.rta",
+        "spec far; period 1 s; input x : real [m] in 0 .. 1000 km;\n"
+        "monitor third { \"R1\" always x / 3 >= 0 m; }\n"
+        "monitor above { \"R2\" always x / 3 <= 0 m; }\n"
+        "monitor far { \"R3\" always x >= 0.3 m; }\n");
+  write("far.csv", "time,x\n0,2\n1,0.000002\n2,999999.9990000001\n");
+  const Outcome o = rtac({"replay", "far.rta", "far.csv", "--engine", "interp"});
+  EXPECT_EQ(o.out,
+            "tick,time,third.verdict,third.margin,third.unit,above.verdict,above.margin,"
+            "above.unit,far.verdict,far.margin,far.unit\n"
+            "0,0,true,0.666666,m,false,-0.666667,m,true,1.7,m\n"
+            "1,1,true,0.000000666666,m,false,-0.000000666667,m,false,-0.299998,m\n"
+            "2,2,true,333333.333,m,false,-333333.333001,m,true,999999.699,m\n")
+      << o.err;
+}
+
 TEST_F(Replay, TheFilesOfTheKernelAreRemoved) {
   fs::create_directories("temporary");
   setenv("TMPDIR", fs::absolute("temporary").c_str(), 1);
