@@ -32,7 +32,7 @@ void report_not_constant(Context& context, const syntax::Expr& expr) {
   if (const auto* reference = std::get_if<syntax::NameRef>(&expr.node)) {
     const std::string& name = reference->name.text;
     if (name == "inf")
-      help = "`inf` stands as the upper end of an interval and as a `max_age` only";
+      help = "`inf` stands as the upper end of an interval and as the `max_age` of an input only";
     if (name == "infinity" || name == "Inf" || name == "INF") help = "write `inf`";
   }
   context.report(Finding(Code::not_constant, expr.range, "this value must be known at compile time")
