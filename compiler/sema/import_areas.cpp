@@ -31,6 +31,7 @@ class AreaPlacer {
     result_.degrees = job_.reading.degrees;
     result_.remarks = job_.remarks;
     result_.openings = job_.openings;
+    meet();
     for (const auto& group : job_.inclusions) {
       if (!add(group, result_.inclusions.emplace_back())) return std::nullopt;
     }
@@ -44,6 +45,12 @@ class AreaPlacer {
   }
 
  private:
+  void meet() {
+    std::vector<const geometry::import::Ring*> rings;
+    for (const auto& group : job_.inclusions) geometry::import::add_rings(group, rings);
+    geometry::import::add_rings(job_.exclusions, rings);
+    placer_.meet(rings);
+  }
   bool add(const std::vector<const Area*>& areas, std::vector<ZoneImport::Area>& to) {
     for (const Area* area : areas) {
       ZoneImport::Area& added = to.emplace_back();

@@ -86,6 +86,9 @@ struct Area {
   std::string where;
 };
 
+// Outlines and holes of all polygons of these areas.
+void add_rings(const std::vector<const Area*>& areas, std::vector<const Ring*>& rings);
+
 // What the file says besides, and no reader turns into areas: a return point, heights of vertices.
 struct Note {
   std::string where, message;

@@ -169,6 +169,17 @@ void refuse(Area& area, std::string where, std::string message, std::string help
   area.refusal = Failure{std::move(where), std::move(message), std::move(help)};
 }
 
+void add_rings(const std::vector<const Area*>& areas, std::vector<const Ring*>& rings) {
+  for (const Area* area : areas) {
+    for (const Part& part : area->parts) {
+      const auto* polygon = std::get_if<Polygon>(&part.shape);
+      if (polygon == nullptr) continue;
+      rings.push_back(&polygon->outer);
+      for (const Ring& hole : polygon->holes) rings.push_back(&hole);
+    }
+  }
+}
+
 bool add_area(Area area, const Limits& limits, Areas& areas, Findings& findings) {
   if (areas.areas.size() >= limits.areas_max) {
     return findings.fail(area.where, "more than " + std::to_string(limits.areas_max) + " areas",

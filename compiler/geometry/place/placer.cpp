@@ -29,6 +29,29 @@ struct Place {
   double x_m, y_m;
 };
 
+// A vertex on a meridian or a parallel: which one, where on it, and of which ring; of several:
+// null.
+struct Knot {
+  double line, at;
+  const import::Ring* ring;
+};
+bool is_before(const Knot& a, const Knot& b) {
+  return std::tie(a.line, a.at) < std::tie(b.line, b.at);
+}
+
+void sort_once(std::vector<Knot>& knots) {
+  std::sort(knots.begin(), knots.end(), is_before);
+  std::size_t count = 0;
+  for (const Knot& knot : knots) {
+    if (count == 0 || is_before(knots[count - 1], knot)) {
+      knots[count++] = knot;
+    } else if (knots[count - 1].ring != knot.ring) {
+      knots[count - 1].ring = nullptr;
+    }
+  }
+  knots.resize(count);
+}
+
 }  // namespace
 
 struct Placer::Impl {
@@ -38,6 +61,8 @@ struct Placer::Impl {
   double farthest_m = 0, edge_error_m = 0;
   bool rounded = false, radius_rounded = false;
   std::size_t points = 0;
+  std::vector<Knot> on_meridians{}, on_parallels{};  // of the rings that meet, in order
+  std::size_t knots_met = 0;
 
   [[nodiscard]] Position position(const Position& p) const {
     return reading.degrees && reading.latitude_first ? Position{p.y, p.x} : p;
@@ -95,10 +120,42 @@ struct Placer::Impl {
     return static_cast<std::size_t>(pieces);
   }
 
-  // The points within the edge from `a` to `b`, the first of which is in `ring` already.
+  // The vertices of other rings within the edge from `a` to `b` of `ring`, on its way.
+  [[nodiscard]] std::vector<Position> knots_within(const Position& a, const Position& b,
+                                                   const import::Ring& ring) {
+    std::vector<Position> found;
+    const bool upright = a.x == b.x;
+    if (!upright && a.y != b.y) return found;
+    const std::vector<Knot>& knots = upright ? on_meridians : on_parallels;
+    const double line = upright ? a.x : a.y;
+    const auto [from, until] = upright ? std::minmax(a.y, b.y) : std::minmax(a.x, b.x);
+    auto knot = std::upper_bound(knots.begin(), knots.end(), Knot{line, from, nullptr}, is_before);
+    for (; knot != knots.end() && knot->line == line && knot->at < until; ++knot) {
+      if (++knots_met > points_max) break;  // who asks tells it
+      if (knot->ring == &ring) continue;
+      found.push_back(upright ? Position{line, knot->at} : Position{knot->at, line});
+    }
+    if (upright ? b.y < a.y : b.x < a.x) std::reverse(found.begin(), found.end());
+    return found;
+  }
+
+  // The points within the edge of `from` from `a` to `b`, the first of which is in `ring` already.
   std::optional<NoPlace> divide(const Position& a, const Position& b, std::size_t vertex,
-                                PlacedRing& ring) {
+                                const import::Ring& from, PlacedRing& ring) {
     if (std::abs(a.x - b.x) > 180) return NoPlace{NoPlace::Kind::across_the_map, vertex};
+    Position last = a;
+    for (const Position& knot : knots_within(a, b, from)) {
+      if (auto fault = divide_piece(last, knot, vertex, ring)) return fault;
+      const auto placed = place(knot);
+      if (const auto* fault = std::get_if<NoPlace>(&placed)) return at(*fault, vertex);
+      ring.points.push_back(point(std::get<Place>(placed), vertex));
+      last = knot;
+    }
+    if (knots_met > points_max) return NoPlace{NoPlace::Kind::too_many, vertex};
+    return divide_piece(last, b, vertex, ring);
+  }
+  std::optional<NoPlace> divide_piece(const Position& a, const Position& b, std::size_t vertex,
+                                      PlacedRing& ring) {
     const std::size_t count = pieces({a.x, a.y, b.x, b.y});
     if (points + count > points_max) return NoPlace{NoPlace::Kind::too_many, vertex};
     const bool forward = std::tie(a.x, a.y) <= std::tie(b.x, b.y);
@@ -128,6 +185,19 @@ Placer::Placer(const Reading& reading, const std::optional<Origin>& origin)
 }
 Placer::~Placer() = default;
 
+void Placer::meet(const std::vector<const import::Ring*>& rings) {
+  if (!impl_->reading.degrees || !impl_->reading.straight_in_degrees) return;
+  for (const import::Ring* ring : rings) {
+    for (const Position& read : ring->positions) {
+      const Position p = impl_->position(read);
+      impl_->on_meridians.push_back({p.x, p.y, ring});
+      impl_->on_parallels.push_back({p.y, p.x, ring});
+    }
+  }
+  sort_once(impl_->on_meridians);
+  sort_once(impl_->on_parallels);
+}
+
 std::variant<PlacedRing, NoPlace> Placer::place(const import::Ring& ring) {
   const std::size_t count = ring.positions.size();
   if (impl_->points + count > points_max) return NoPlace{NoPlace::Kind::too_many};
@@ -143,7 +213,7 @@ std::variant<PlacedRing, NoPlace> Placer::place(const import::Ring& ring) {
     if (!impl_->reading.degrees) continue;
     const Position here = impl_->position(ring.positions[i]);
     const Position next = impl_->position(ring.positions[(i + 1) % count]);
-    if (auto fault = impl_->divide(here, next, i, result)) return *fault;
+    if (auto fault = impl_->divide(here, next, i, ring, result)) return *fault;
   }
   return result;
 }

@@ -75,6 +75,11 @@ class Placer {
   Placer(const Placer&) = delete;
   Placer& operator=(const Placer&) = delete;
 
+  // All rings that are combined, before they are placed. An edge along a meridian or a parallel
+  // that is straight in degrees then passes on the map, too, through the vertices of other rings
+  // that lie on it: what touches in the file touches there, and no gap opens between areas.
+  void meet(const std::vector<const import::Ring*>& rings);
+
   std::variant<PlacedRing, NoPlace> place(const import::Ring& ring);
   std::variant<PlacedCircle, NoPlace> place(const import::Circle& circle);
 

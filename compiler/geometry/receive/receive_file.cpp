@@ -210,6 +210,10 @@ class FileReceiver {
   // ---- where it is on the map
 
   std::optional<ReceivedRegions> combined() {
+    std::vector<const import::Ring*> rings;
+    import::add_rings(inclusions_, rings);
+    import::add_rings(exclusions_, rings);
+    placer_.meet(rings);
     auto zone = inside_all_ ? common() : union_of(inclusions_);
     if (!zone) return std::nullopt;
     if (!exclusions_.empty()) {

@@ -386,6 +386,22 @@ TEST_F(ZoneFiles, AxesCountBeforeAFileIsOffTheGlobe) {
   EXPECT_LT(abs(ring.points[1].y), 1);
 }
 
+// A hole that touches a parallel, which is no straight line on the map.
+TEST_F(ZoneFiles, RingsThatTouchInDegreesTouchOnTheMap) {
+  write("touch.geojson",
+        R"({"type":"Polygon","coordinates":[[[8.54,47.39],[8.55,47.39],[8.55,47.4],[8.54,47.4],)"
+        R"([8.54,47.39]],[[8.5443,47.39],[8.545,47.395],[8.546,47.393],[8.5443,47.39]]]})");
+  const ZoneImport zone = imported(std::string(origin) + "zone z = import \"touch.geojson\";");
+  ASSERT_EQ(zone.inclusions.size(), 1U);
+  const auto& polygon = std::get<ZonePolygon>(zone.inclusions[0][0].parts[0]);
+  const auto& touches = polygon.holes.at(0).points.at(0);
+  std::size_t count = 0;
+  for (const auto& point : polygon.outer.points) {
+    count += point.x == touches.x && point.y == touches.y ? 1 : 0;
+  }
+  EXPECT_EQ(count, 1U);
+}
+
 TEST_F(ZoneFiles, AtThePolesNothingHasAPlace) {
   write("pole.geojson",
         R"({"type":"Polygon","coordinates":[[[10,88.9],[10.2,88.9],[10.2,89.01],[10,88.9]]]})");

@@ -72,6 +72,32 @@ TEST(Placer, DividesASharedEdgeInTheSameWayFromBothEnds) {
   }
 }
 
+// What touches in degrees touches on the map: a parallel is no straight line there.
+TEST(Placer, EdgesPassThroughTheVerticesOfOtherRingsOnThem) {
+  const import::Ring outer =
+      ring_of({{8.54, 47.39}, {8.55, 47.39}, {8.55, 47.40}, {8.545, 47.39}, {8.54, 47.40}});
+  const import::Ring hole = ring_of({{8.5443, 47.39}, {8.545, 47.395}, {8.54, 47.3944}});
+  const auto at = [](const PlacedRing& ring, const PlacedPoint& p) {
+    return std::find_if(ring.points.begin(), ring.points.end(),
+                        [&](const PlacedPoint& q) { return q.x == p.x && q.y == p.y; });
+  };
+  Placer apart({}, field), together({}, field);
+  together.meet({&outer, &hole});
+  const PlacedRing whole = placed(apart, outer), met = placed(together, outer);
+  const PlacedRing touching = placed(together, hole);
+  for (const auto& [vertex, edge] : {std::pair<std::uint32_t, std::uint32_t>{0, 0}, {2, 4}}) {
+    const auto mine = std::find_if(touching.points.begin(), touching.points.end(),
+                                   [&, n = vertex](const PlacedPoint& p) { return p.vertex == n; });
+    EXPECT_EQ(at(whole, *mine), whole.points.end());
+    ASSERT_NE(at(met, *mine), met.points.end());
+    EXPECT_EQ(at(met, *mine)->vertex, edge);
+  }
+  // Its own vertex on an edge is a fault of the ring, which is told of the vertices as read.
+  Placer alone({}, field);
+  alone.meet({&outer});
+  EXPECT_EQ(placed(alone, outer).points.size(), whole.points.size());
+}
+
 // Every point of a long parallel lies as near to the placed line as is said; as one straight edge
 // it would be off by metres.
 TEST(Placer, LongEdgesAreDividedUntilTheyAreTrue) {

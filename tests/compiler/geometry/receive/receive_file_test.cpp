@@ -206,6 +206,17 @@ TEST(ReceiveFile, NamesThePlaceOfWhatIsWrong) {
   EXPECT_NE(refused(receive(geojson("[[0,0],[1,0],[1,91],[0,0]]"), as_geojson)), "taken");
 }
 
+// A parallel is no straight line on the map: what touches it in the file touches it there as well.
+TEST(ReceiveFile, MeetsWhereTheFileMeets) {
+  const auto at = [](double x, double y) { return "[" + corner(x, y, false) + "]"; };
+  const std::string hole =
+      "[" + at(0.5, 0) + "," + at(1, 1) + "," + at(1.5, 1) + "," + at(0.5, 0) + "]";
+  EXPECT_EQ(refused(receive(geojson(closed(0, 0, 2, 2) + "," + hole), as_geojson)), "taken");
+  const std::string two = R"({"type":"MultiPolygon","coordinates":[[)" + closed(0, 1, 2, 2) +
+                          "],[" + closed(0.5, 0, 1.5, 1) + "]]}";
+  EXPECT_EQ(taken(receive(two, as_geojson)).within.polygons().size(), 1U);
+}
+
 TEST(ReceiveFile, HasAnOriginOnTheGlobe) {
   const std::string fence = geojson(closed(0, 0, 1, 1));
   const double nan = std::numeric_limits<double>::quiet_NaN();
