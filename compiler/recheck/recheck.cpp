@@ -251,10 +251,18 @@ class Check {
       }
     }
   }
+  void as_slow(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
+               const sema::Monitor& m) {
+    if (Sides(spec_, d, claims_).keeps_limits(recovery, *m.always)) return;
+    fail(whom(d, e) + ": `" + recovery.name + "` drives faster than `" + m.name + "` allows");
+  }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     need(d, e, "limits");
     need(d, e, "recovery", {{"monitor", m.name}});
-    if (m.recover) within(d, e, m, m);
+    if (m.recover) {
+      within(d, e, m, m);
+      as_slow(d, e, spec_[*m.recover], m);
+    }
     if (all_zones(*m.always).empty()) return;
     for (const char* lemma : {"capsule", "disc", "stop_difference"}) {
       need(d, e, "lemma", {{"name", lemma}}, false);
@@ -325,6 +333,7 @@ class Check {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }
       within(d, e, driving, m);
+      as_slow(d, e, spec_[*driving.recover], m);
     }
   }
 

@@ -137,10 +137,38 @@ Rational Sides::while_driving(const Rational& speed) const {
   return std::min(numbers_.speed, Rational(speed + pushed(numbers_) + strays));
 }
 
+std::optional<Rational> Sides::claimed_speed_of(const sema::Controller& recovery) const {
+  if (const auto claim = sema::claim_of(recovery)) return while_driving(claim->speed.value);
+  return speed_of(recovery);
+}
+
+bool Sides::keeps_limits(const sema::Controller& recovery, const sema::Expr& property) {
+  const auto speed = claimed_speed_of(recovery);
+  return speed && within_limits(plain({&property, true}), *speed);
+}
+
+// An `or` with zones is kept as the zones say, and one with inputs by who takes over.
+bool Sides::within_limits(const Part& part, const Rational& speed) {
+  const Split parts = split(part);
+  if (parts.all) {
+    return std::all_of(parts.parts.begin(), parts.parts.end(),
+                       [&](const Part& each) { return within_limits(each, speed); });
+  }
+  bool strict = false;
+  if (!parts.any) return !most_speed(*part.expr, part.value, strict) || slow(part, speed);
+  bool limits = false, other = speaks_of_inputs(part) || !all_zones(*part.expr).empty();
+  sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    limits = limits || (signal != nullptr && signal->signal == sema::Signal::speed);
+    other = other || (signal != nullptr && signal->signal != sema::Signal::speed) ||
+            std::holds_alternative<sema::ForOthers>(e.node);
+  });
+  return !limits || other || slow_side(part, speed);
+}
+
 bool Sides::keeps_while_told(const sema::Controller& recovery, const sema::Monitor& m,
                              const Rational& extra) {
-  auto speed = speed_of(recovery);
-  if (const auto claim = sema::claim_of(recovery)) speed = while_driving(claim->speed.value);
+  const auto speed = claimed_speed_of(recovery);
   return speed &&
          slow_while_told(plain({m.always.get(), true}), *speed, rests_of(m, extra).from_rest);
 }

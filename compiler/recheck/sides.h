@@ -19,6 +19,9 @@ class Sides {
  public:
   Sides(const sema::Spec& spec, const sema::Decision& decision, Claims& claims);
   Keeping keeping(const sema::Controller& recovery, const sema::Expr& property);
+  // That a recovery is no faster than the limits of a property that count wherever the robot is,
+  // and whatever it is told.
+  bool keeps_limits(const sema::Controller& recovery, const sema::Expr& property);
   // That the robot of a monitor is given back where its recovery has come to rest as clear of the
   // boundary of its zone as control returns at, `extra` s further ahead: by what the property says
   // of zones, and of speeds. Inputs are taken as they come.
@@ -46,8 +49,11 @@ class Sides {
   bool keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts);
   // How fast a recovery truly drives; nullopt: that is an external one's own.
   [[nodiscard]] std::optional<Rational> speed_of(const sema::Controller& recovery) const;
+  // The same, of an external one as fast as it claims.
+  [[nodiscard]] std::optional<Rational> claimed_speed_of(const sema::Controller& recovery) const;
   // The same of one that means to drive at `speed`.
   [[nodiscard]] Rational while_driving(const Rational& speed) const;
+  bool within_limits(const Part& part, const Rational& speed);
   bool slow(const Part& part, const Rational& speed);
   bool slow_while_told(const Part& part, const Rational& speed, const Rational& from_rest);
   static bool waits(const Part& part, const Rational& from_rest);

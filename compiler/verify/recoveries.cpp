@@ -6,6 +6,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
 #include "compiler/support/words.h"
@@ -402,6 +403,17 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
 
 namespace {
 
+// Whether a recovery is as slow as the property of another monitor asks, whoever has accepted that
+// it is not (5033).
+bool slow_enough(const Subject& s, std::size_t driving, std::size_t judged) {
+  const analysis::HowItLies lies = [&](ir::ZoneIndex inner, const analysis::Standoff& outer) {
+    return analysis::lies_deep(s.module, s.exact, s.solid, inner, outer) ? analysis::Lies::deep
+                                                                         : analysis::Lies::in;
+  };
+  return analysis::keeps_speed_limits({s.spec, s.written, s.module, s.decision, lies}, driving,
+                                      judged);
+}
+
 std::string text_of(const std::vector<std::int64_t>& place_mm) {
   std::string text;
   for (const std::int64_t mm : place_mm) text += (text.empty() ? "(" : ", ") + metres(mm);
@@ -454,7 +466,13 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
         {"coordinated", {{"decision", s.decision.name}, {"driving", i.name}, {"judged", j.name}}});
     return o;
   }
-  if (std::string doubt = doubt_about(s, driving, j.property); !doubt.empty()) {
+  std::string doubt = doubt_about(s, driving, j.property);
+  if (!slow_enough(s, driving, judged)) {
+    const Rational fastest(analysis::fastest_while_driving(s.decision, driving), 1000);
+    doubt = quoted(i.recovery.name) + " drives at up to " + to_decimal(fastest) + " m/s, and " +
+            quoted(j.name) + " allows less";
+  }
+  if (!doubt.empty()) {
     return why.empty() ? doubted(std::move(o), std::move(doubt)) : acknowledged(std::move(o), why);
   }
   o.method = "geometry and bounds";

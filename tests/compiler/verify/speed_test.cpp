@@ -1,0 +1,79 @@
+// A recovery that drives faster than the property of another monitor allows: nobody may take it for
+// one that keeps that, also where it is acknowledged that it does not.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+// A cart that drives back for metres, at such a speed.
+std::string cart(const std::string& speed, const std::string& priority, const std::string& more) {
+  return R"(spec hall;
+zone hall = rectangle (0 m, 0 m) to (12 m, 8 m);
+robot Cart {
+  body radius 0.2 m;
+  motion point { speed <= 1.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet c : Cart;
+controller pilot : advanced for Cart extern;
+controller back  : safe for Cart = retreat within hall speed )" +
+         speed + R"(;
+controller stop  : safe for Cart = brake_and_hold;
+monitor fence for r : Cart {
+  "R1: in" always r inside hall; recover back; return when clearance(r, hall) >= 3 m;
+}
+monitor calm for r : Cart { "R2: at most 60 cm/s" always r.speed <= 0.6 m/s; recover stop; }
+decision go for Cart { advanced pilot; period 50 ms; priority )" +
+         priority + "; " + more + " }\n";
+}
+const char* const accepted_fast = "acknowledge back may break calm \"it has to clear the way\";";
+
+using FastRecovery = Verify;
+
+TEST_F(FastRecovery, OneThatIsSlowEnoughIsProved) {
+  const Outcome o = verified(cart("0.5 m/s", "fence > calm", ""), {"-o", "certificates"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
+
+TEST_F(FastRecovery, WhatIsAcknowledgedIsNotProved) {
+  for (const char* order : {"fence > calm", "calm > fence"}) {
+    const Outcome o = verified(cart("0.9 m/s", order, accepted_fast), {"--format", "json"});
+    EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+    EXPECT_EQ(statuses(o.out, "C", "calm"), Statuses{"acknowledged"}) << order << o.out;
+  }
+}
+
+// It is stopped for its speed, stands, and drives again, for ever: that is accepted, and not shown
+// to end.
+TEST_F(FastRecovery, WhoIsStoppedForEverIsNoProofOfAnEnd) {
+  const Outcome o = verified(cart("0.9 m/s", "calm > fence", accepted_fast), {"--format", "json"});
+  EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"acknowledged"}) << o.out << o.err;
+}
+
+TEST_F(FastRecovery, WhatIsRefusedIsNotProvedEither) {
+  const Outcome o = verified(cart("0.9 m/s", "fence > calm", ""), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "C", "calm"), Statuses{"unknown"}) << o.out;
+}
+
+TEST_F(FastRecovery, TheRecheckDeniesAProof) {
+  ASSERT_EQ(verified(cart("0.9 m/s", "fence > calm", accepted_fast), {"-o", "certificates"}).status,
+            exit_clean);
+  Json report = Json::parse(read("certificates/verification.json"));
+  for (Json& o : report["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "C" && o["monitor"] == "calm") o["status"] = "proved";
+  }
+  write("certificates/verification.json", report.dump());
+  const Outcome o = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_NE((o.out + o.err).find("`back` drives faster than `calm` allows"), std::string::npos)
+      << o.out << o.err;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
