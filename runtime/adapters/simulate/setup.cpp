@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "field.h"
 #include "rtac/sim/math.h"
@@ -83,18 +84,29 @@ bool place(const DecisionCase& d, const Field& field, const Start* fixed, Random
   return best_margin >= 0;
 }
 
-// All at once, for properties that hold of nobody who is alone: somebody is near.
+// All at once, for properties that hold of nobody who is alone: somebody is near. The places are
+// those with the most to spare of so many where all properties hold, or the first with enough.
 bool place_together(const DecisionCase& d, const Field& field, const Scenario& scenario,
                     Random& random, std::vector<TruthState>& truths) {
   constexpr int tries_together = 50'000;
-  truths.assign(d.robots.size(), {});
-  for (int n = 0; n < tries_together; ++n) {
+  std::vector<TruthState> best;
+  double best_margin = -1;
+  int admissible = 0;
+  for (int n = 0; n < tries_together && admissible < tries_standing; ++n) {
+    truths.assign(d.robots.size(), {});
     for (std::size_t i = 0; i < truths.size(); ++i) {
       draw(d, field, named(scenario, d.robots[i]), random, truths[i]);
     }
-    if (least_margin(d, truths) >= 0) return true;
+    const double margin = least_margin(d, truths);
+    if (margin < 0) continue;
+    ++admissible;
+    if (margin <= best_margin) continue;
+    best_margin = margin;
+    best = truths;
+    if (margin >= d.standing_m) break;
   }
-  return false;
+  truths = std::move(best);
+  return best_margin >= 0;
 }
 
 bool place_all(const DecisionCase& d, const Scenario& scenario, Random& random,
