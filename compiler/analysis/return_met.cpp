@@ -82,7 +82,7 @@ class Met {
       return {v->universal && decision_.robots < 2 ? How::itself : How::open};
     }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
-    if (compare == nullptr || !plain(block, compare->a) || !plain(block, compare->b)) return {};
+    if (compare == nullptr || !ir::has_form(block, *compare)) return {};
     return comes_about(block, *compare);
   }
   Part of_fact(const ir::Fact& fact) {
@@ -107,21 +107,6 @@ class Met {
     any.shown_mmps = a.shown_mmps ? a.shown_mmps : b.shown_mmps;
     return any;
   }
-  // What the look-ahead compares, and no other arithmetic.
-  static bool plain(const ir::Block& block, ir::ValueId id) {
-    const ir::Op& op = block[id].op;
-    if (const auto* v = std::get_if<ir::Add>(&op)) return plain(block, v->a) && plain(block, v->b);
-    if (const auto* v = std::get_if<ir::Negate>(&op)) return plain(block, v->a);
-    if (const auto* v = std::get_if<ir::Scale>(&op)) return plain(block, v->a);
-    return std::holds_alternative<ir::Const>(op) || std::holds_alternative<ir::ParamValue>(op) ||
-           std::holds_alternative<ir::Battery>(op) || std::holds_alternative<ir::Clearance>(op) ||
-           std::holds_alternative<ir::Distance>(op) || std::holds_alternative<ir::Speed>(op) ||
-           std::holds_alternative<ir::Altitude>(op) || std::holds_alternative<ir::EnergyTo>(op) ||
-           std::holds_alternative<ir::AgentDistance>(op) ||
-           std::holds_alternative<ir::ReceivedClearance>(op) ||
-           std::holds_alternative<ir::CountOthers>(op);
-  }
-
   Part comes_about(const ir::Block& block, const ir::AtLeast& compare) {
     const auto found = [](bool holds) { return Part{holds ? How::itself : How::open}; };
     const auto& params = decision_.facts.params;

@@ -68,6 +68,19 @@ Linear quantity_form(const Block& block, ValueId id) {
                  quantity_form(block, scale.a));
 }
 
+bool has_form(const Block& block, ValueId id) {
+  const Op& op = block[id].op;
+  if (const auto* v = std::get_if<Add>(&op)) return has_form(block, v->a) && has_form(block, v->b);
+  if (const auto* v = std::get_if<Negate>(&op)) return has_form(block, v->a);
+  if (const auto* v = std::get_if<Scale>(&op)) return has_form(block, v->a);
+  return std::holds_alternative<Const>(op) || std::holds_alternative<ParamValue>(op) ||
+         std::holds_alternative<Battery>(op) || std::holds_alternative<Clearance>(op) ||
+         std::holds_alternative<Distance>(op) || std::holds_alternative<Speed>(op) ||
+         std::holds_alternative<Altitude>(op) || std::holds_alternative<EnergyTo>(op) ||
+         std::holds_alternative<AgentDistance>(op) ||
+         std::holds_alternative<ReceivedClearance>(op) || std::holds_alternative<CountOthers>(op);
+}
+
 // Rounded up to the grid, one step more when the comparison is strict; kept to what int64 holds.
 std::int64_t least_step(const Rational& least, bool strict) {
   const Rational limit(static_cast<long>(beyond_grid));
@@ -95,6 +108,10 @@ Need need_of(const Affine& rest, const Rational& by, bool strict,
 }
 
 }  // namespace
+
+bool has_form(const Block& block, const AtLeast& compare) {
+  return has_form(block, compare.a) && has_form(block, compare.b);
+}
 
 Linear linear_form(const Block& block, const AtLeast& compare) {
   return combine(quantity_form(block, compare.a), -1, quantity_form(block, compare.b));

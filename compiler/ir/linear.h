@@ -42,6 +42,10 @@ struct Linear {
   Affine rest;
 };
 
+// Whether a comparison is one of these: of signals of now, constants and parameters, and of no
+// other arithmetic. Only then it has a form.
+bool has_form(const Block& block, const AtLeast& compare);
+
 // The comparison as `form >= 0` (`form > 0` when it is strict). 2 * gap >= 30 is 2 gap - 30.
 Linear linear_form(const Block& block, const AtLeast& compare);
 

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "compiler/recheck/fails.h"
+#include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
@@ -95,17 +96,26 @@ std::vector<sema::ZoneId> moves_within(const sema::Controller& controller) {
 
 Found Claims::check(const Claim& claim) {
   using Rule = Found (Claims::*)(const Values&);
-  static const std::map<std::string, Rule> rules = {
-      {"limits", &Claims::limits},       {"horizon", &Claims::horizon},
-      {"return", &Claims::returns},      {"output", &Claims::output},
-      {"recovery", &Claims::recovery},   {"contained", &Claims::contained},
-      {"place", &Claims::place},         {"seen", &Claims::seen},
-      {"ways", &Claims::ways},           {"legs", &Claims::legs},
-      {"height", &Claims::height},       {"landing", &Claims::landing},
-      {"outranks", &Claims::outranks},   {"fails", &Claims::fails},
-      {"start", &Claims::known},         {"judged", &Claims::on_plan},
-      {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated},
-      {"sides", &Claims::sides}};
+  static const std::map<std::string, Rule> rules = {{"limits", &Claims::limits},
+                                                    {"horizon", &Claims::horizon},
+                                                    {"return", &Claims::returns},
+                                                    {"output", &Claims::output},
+                                                    {"recovery", &Claims::recovery},
+                                                    {"contained", &Claims::contained},
+                                                    {"place", &Claims::place},
+                                                    {"seen", &Claims::seen},
+                                                    {"returned", &Claims::returned},
+                                                    {"ways", &Claims::ways},
+                                                    {"legs", &Claims::legs},
+                                                    {"height", &Claims::height},
+                                                    {"landing", &Claims::landing},
+                                                    {"outranks", &Claims::outranks},
+                                                    {"fails", &Claims::fails},
+                                                    {"start", &Claims::known},
+                                                    {"judged", &Claims::on_plan},
+                                                    {"no_fences", &Claims::no_fences},
+                                                    {"coordinated", &Claims::coordinated},
+                                                    {"sides", &Claims::sides}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -388,6 +398,19 @@ Found Claims::place(const Values& v) {
   return lies_clear(*zone, v, *gap);
 }
 
+// Every `return when` holds there.
+Found Claims::returned(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const auto x = number(v, "x_mm"), y = number(v, "y_mm"), z = number(v, "z_mm");
+  if (d == nullptr || !x || !y) return wrong("no such place");
+  const auto height = z ? std::optional(milli(*z)) : std::nullopt;
+  for (const sema::MonitorId id : d->priority) {
+    if (lets_go_at(spec_, *d, *this, spec_[id], {milli(*x), milli(*y)}, height)) continue;
+    return wrong("`return when` of `" + spec_[id].name + "` may not hold there");
+  }
+  return std::nullopt;
+}
+
 Found Claims::legs(const Values& v) {
   const sema::Decision* const d = decision(v);
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
@@ -582,6 +605,10 @@ Found Claims::no_fences(const Values& v) {
   for (const sema::MonitorId id : d->priority) {
     if (spec_[id].ahead.waypoints_only) continue;  // it looks at plans, not at places
     if (!kept_in(*spec_[id].always).empty()) return wrong("`" + spec_[id].name + "` has a zone");
+    // outside of all zones
+    constexpr long nowhere_m = 10'000'000;
+    if (lets_go_at(spec_, *d, *this, spec_[id], {nowhere_m, nowhere_m}, std::nullopt)) continue;
+    return wrong("`return when` of `" + spec_[id].name + "` may hold at some places alone");
   }
   return std::nullopt;
 }

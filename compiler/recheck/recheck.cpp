@@ -193,12 +193,16 @@ class Check {
       }
     }
     for (const Claim& c : e.claims) {
-      if (c.what != "place") continue;
+      if (c.what != "place" && c.what != "returned") continue;
       places.insert(c.values.count("x_mm") + c.values.count("y_mm") == 2
                         ? c.values.at("x_mm") + " " + c.values.at("y_mm")
                         : "");
       zones.erase(c.values.count("zone") != 0 ? c.values.at("zone") : "");
     }
+    const bool asked = std::any_of(d.priority.begin(), d.priority.end(), [&](sema::MonitorId id) {
+      return spec_[id].return_when != nullptr;
+    });
+    if (asked) need(d, e, "returned");
     if (asks_for_height(d) && !has(e, "height", {{"decision", d.name}})) {
       fail(whom(d, e) + ": nothing is said of the height");
     }

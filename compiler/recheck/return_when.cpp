@@ -25,6 +25,11 @@ class Condition {
   }
 
   bool comes_about(const sema::Expr& e) { return comes_about(e, true); }
+  bool holds_at(const sema::Expr& e, const geometry::Point& at, const std::optional<Rational>& z) {
+    at_ = at;
+    z_ = z;
+    return comes_about(e, true);
+  }
 
  private:
   // That `e` becomes true, or false.
@@ -37,7 +42,9 @@ class Condition {
     if (const auto* v = std::get_if<sema::Past>(&e.node)) {
       return (v->interval.to || v->op == sema::PastOp::once) && comes_about(*v->operand, true);
     }
-    if (const auto* v = std::get_if<sema::ForOthers>(&e.node)) return v->universal && robots_ < 2;
+    if (const auto* v = std::get_if<sema::ForOthers>(&e.node)) {
+      return v->universal && (robots_ < 2 || at_);
+    }
     const auto* inside = std::get_if<sema::InsideZone>(&e.node);
     return inside != nullptr && clear(inside->zone, 0);
   }
@@ -71,7 +78,7 @@ class Condition {
     const bool strict = (v.op == Op::greater || v.op == Op::less) == value;
     const auto sum =
         difference(spec_, at_least ? *v.left : *v.right, at_least ? *v.right : *v.left);
-    if (!sum) return false;
+    if (!sum) return at_ && far(v, at_least);
     if (sum->terms.size() == 2) return way_home(*sum);
     if (sum->terms.size() != 1) return false;
     const auto& [of, by] = *sum->terms.begin();
@@ -85,25 +92,50 @@ class Condition {
     if (of.kind == Measured::Kind::clearance) return clear(sema::ZoneId{of.index}, limit);
     return of.kind == Measured::Kind::battery && charges();
   }
+  // Agents are far away, and no robot is near that could be counted.
+  static bool far(const sema::Compare& v, bool at_least) {
+    const auto speaks = [](const sema::Expr& e, bool of_distance) {
+      bool found = false;
+      sema::for_each_expr(e, [&](const sema::Expr& part) {
+        found = found || (of_distance ? std::holds_alternative<sema::AgentDistance>(part.node)
+                                      : std::holds_alternative<sema::CountOthers>(part.node));
+      });
+      return found;
+    };
+    const sema::Expr& large = at_least ? *v.left : *v.right;
+    const sema::Expr& small = at_least ? *v.right : *v.left;
+    return (speaks(large, true) && !speaks(small, true) && !speaks(large, false)) ||
+           (speaks(small, false) && !speaks(large, false) && !speaks(small, true));
+  }
   // battery >= energy_to(site) + ..., of the site at which it is charged.
   [[nodiscard]] bool way_home(const Sum& sum) const {
-    const auto way = sema::route_of(recovery_);
-    if (!way || !charges()) return false;
-    const Measured to{Measured::Kind::energy_to, static_cast<std::uint32_t>(way->site)};
     const auto is = [&](const Measured& of, int by) {
       const auto found = sum.terms.find(of);
       return found != sum.terms.end() && found->second == by;
     };
-    return is({Measured::Kind::battery, 0}, 1) && is(to, -1);
+    if (!is({Measured::Kind::battery, 0}, 1)) return false;
+    if (at_) {
+      return std::ranges::any_of(sum.terms, [](const auto& term) {
+        return term.first.kind == Measured::Kind::energy_to && term.second == -1;
+      });
+    }
+    const auto way = sema::route_of(recovery_);
+    return way && charges() &&
+           is({Measured::Kind::energy_to, static_cast<std::uint32_t>(way->site)}, -1);
   }
   // Where charge is taken up, it is taken up until it is enough; that there is enough is for errors
   // to say (5007).
   [[nodiscard]] bool charges() const {
+    if (at_) return true;
     const auto way = sema::route_of(recovery_);
     const auto& energy = spec_[monitor_.kind].energy;
     return way && energy && energy->charge_at == way->site;
   }
   bool height() {
+    if (at_) {
+      const Rational errs = seen(0) - numbers_.radius;
+      return z_ && keeps_heights(*monitor_.return_when, true, *z_, errs);
+    }
     const auto within = moves_within(recovery_);
     if (within.empty()) return false;
     const auto solid = claims_.zones().solid(within.back());
@@ -147,6 +179,12 @@ class Condition {
     return gap + n.radius + 2 * n.position_error + way;
   }
   bool clear(sema::ZoneId zone, const Rational& gap) {
+    if (at_) {
+      // 2 mm: what is known of curves and offsets from inside
+      const Rational near = std::max(Rational(seen(gap) - Rational(2, 1000)), Rational(0));
+      return z_ ? claims_.zones().clear_in_space(zone, *at_, *z_, near)
+                : claims_.zones().clear(zone, *at_, near);
+    }
     const auto within = moves_within(recovery_);
     if (within.empty()) return false;
     const Rational need = seen(gap), more = need - left_;
@@ -173,6 +211,8 @@ class Condition {
   const Rational left_;
   const Numbers numbers_;
   int robots_ = 0;
+  std::optional<geometry::Point> at_;
+  std::optional<Rational> z_;
 };
 
 }  // namespace
@@ -181,6 +221,13 @@ bool lets_go(const sema::Spec& spec, const sema::Decision& decision, Claims& cla
              const sema::Monitor& monitor, const Rational& left) {
   if (monitor.return_when == nullptr) return true;
   return Condition(spec, decision, claims, monitor, left).comes_about(*monitor.return_when);
+}
+
+bool lets_go_at(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
+                const sema::Monitor& monitor, const geometry::Point& at,
+                const std::optional<Rational>& z) {
+  if (monitor.return_when == nullptr) return true;
+  return Condition(spec, decision, claims, monitor, 0).holds_at(*monitor.return_when, at, z);
 }
 
 }  // namespace rtac::recheck

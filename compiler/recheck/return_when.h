@@ -10,4 +10,10 @@ namespace rtac::recheck {
 bool lets_go(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
              const sema::Monitor& monitor, const Rational& left);
 
+// The same at a place, where others are far, batteries full, and inputs as they should be. `z`: in
+// space.
+bool lets_go_at(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
+                const sema::Monitor& monitor, const geometry::Point& at,
+                const std::optional<Rational>& z);
+
 }  // namespace rtac::recheck

@@ -212,9 +212,11 @@ Obligation returns_together(const Subject& s) {
     o.because = "what zone will be received is not known, and so no place that it leaves free";
     return o;
   }
-  const std::vector<Need> all = needs_of(s);
+  const JointNeeds needs = joint_needs_of(s);
+  const std::vector<Need> all = all_of(needs);
   o.method = "witness";
   if (all.empty()) {
+    if (!needs.open.empty()) return returns_open(needs, std::move(o));
     o.status = Status::proved;
     o.because = "no monitor asks for a place";
     o.claims.push_back({"no_fences", {{"decision", s.decision.name}}});
@@ -222,13 +224,19 @@ Obligation returns_together(const Subject& s) {
   }
   if (s.decision.body.in_space) return returns_together_in_space(s);
   if (const auto at = common_place(s, all)) {
+    if (!needs.open.empty()) return returns_open(needs, std::move(o));
+    const std::int64_t x_mm = in_mm(at->x), y_mm = in_mm(at->y);
     o.status = Status::proved;
-    o.because = "all monitors give control back at (" + metres(in_mm(at->x)) + ", " +
-                metres(in_mm(at->y)) + ")";
+    o.because = "all monitors give control back at (" + metres(x_mm) + ", " + metres(y_mm) + ")";
     for (const Need& need : all) {
       o.because += ", " + metres(need.clearance_mm) + " from the boundary of " +
                    quoted(s.module[need.zone].name);
-      o.claims.push_back(place_claim(s, need.zone, in_mm(at->x), in_mm(at->y), need.clearance_mm));
+    }
+    for (const Need& need : needs.zones) {
+      o.claims.push_back(place_claim(s, need.zone, x_mm, y_mm, need.clearance_mm));
+    }
+    for (Claim& claim : returned_claims(s, x_mm, y_mm, std::nullopt)) {
+      o.claims.push_back(std::move(claim));
     }
     return o;
   }
@@ -237,7 +245,7 @@ Obligation returns_together(const Subject& s) {
   for (const Need& need : all) {
     common = common.intersect(s.exact(need.zone).shrink(Rational(need.clearance_mm - 3, 1000)));
   }
-  if (common.empty()) {
+  if (common.empty() && !needs.one_of_several) {
     o.status = Status::refuted;
     if (const auto at = any_place(s, all)) o.place_mm = {in_mm(at->x), in_mm(at->y)};
     o.because = "no place is so clear of the boundaries that all monitors give control back there";

@@ -71,8 +71,11 @@ bool is_clear(const geometry::Solid& solid, const Spot& spot, const Rational& ga
 
 class Together {
  public:
-  Together(const Subject& s, std::vector<Need> needs)
-      : s_(s), needs_(std::move(needs)), band_(band_of(s)) {}
+  Together(const Subject& s, const JointNeeds& joint)
+      : s_(s), joint_(joint), needs_(all_of(joint)), band_(band_of(s)) {
+    band_.least_mm = std::max(band_.least_mm, joint.low_mm);
+    band_.most_mm = std::min(band_.most_mm, joint.high_mm);
+  }
 
   Obligation run() {
     Obligation o;
@@ -84,8 +87,13 @@ class Together {
       for (const Need& need : needs_) {
         o.because += ", " + metres(need.clearance_mm) + " from the boundary of " +
                      quoted(s_.module[need.zone].name);
+      }
+      for (const Need& need : joint_.zones) {
         o.claims.push_back(place_claim(s_, need.zone, spot->x_mm, spot->y_mm, need.clearance_mm));
         o.claims.back().values["z_mm"] = std::to_string(spot->z_mm);
+      }
+      for (Claim& claim : returned_claims(s_, spot->x_mm, spot->y_mm, spot->z_mm)) {
+        o.claims.push_back(std::move(claim));
       }
       if (band_.asked) {
         o.claims.push_back({"height",
@@ -159,6 +167,7 @@ class Together {
   }
 
   const Subject& s_;
+  const JointNeeds& joint_;
   std::vector<Need> needs_;
   Band band_;
 };
@@ -177,7 +186,14 @@ bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer) {
 }
 
 Obligation returns_together_in_space(const Subject& s) {
-  return Together(s, needs_of(s)).run();
+  const JointNeeds needs = joint_needs_of(s);
+  Obligation o = Together(s, needs).run();
+  if (o.status == Status::proved && !needs.open.empty()) {
+    o.claims.clear();
+    return returns_open(needs, std::move(o));
+  }
+  if (o.status == Status::refuted && needs.one_of_several) o.status = Status::unknown;
+  return o;
 }
 
 bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t gap_mm,

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <optional>
 
 #include "compiler/analysis/arbitration.h"
 #include "compiler/geometry/solid.h"
@@ -64,6 +66,23 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved);
 
 // ---- the places
 std::vector<Need> needs_of(const Subject& s);
+// What all monitors together ask of a place where they give control back.
+struct JointNeeds {
+  std::vector<Need> zones;                                          // of properties
+  std::vector<Need> returned;                                       // of `return when`
+  std::int64_t low_mm = std::numeric_limits<std::int32_t>::min();   // and how high the centre is
+  std::int64_t high_mm = std::numeric_limits<std::int32_t>::max();  // there
+  bool one_of_several = false;    // of an `or` in a `return when` one side, for which others may do
+  std::vector<std::string> open;  // monitors whose `return when` asks for something else besides
+};
+JointNeeds joint_needs_of(const Subject& s);
+// Of both.
+std::vector<Need> all_of(const JointNeeds& needs);
+// That the return conditions hold at a place; of decisions without any, none.
+std::vector<Claim> returned_claims(const Subject& s, std::int64_t x_mm, std::int64_t y_mm,
+                                   std::optional<std::int64_t> z_mm);
+// Unknown, since they ask for something else.
+Obligation returns_open(const JointNeeds& needs, Obligation o);
 Claim place_claim(const Subject& s, ir::ZoneIndex zone, std::int64_t x_mm, std::int64_t y_mm,
                   std::int64_t clearance_mm);
 // Square of the distance of a place from the boundary of a region, in m^2.

@@ -256,5 +256,50 @@ TEST_F(ReturnWhen, ASiteIsAsClearAsWhereARobotParks) {
   EXPECT_EQ(rechecked().status, exit_violation);
 }
 
+// Where the witness lies, all conditions have to hold.
+TEST_F(ReturnWhen, APlaceThatAllGiveBackAtFulfilsTheConditions) {
+  const auto joint = [](const std::string& when) {
+    verified(returning(when, "hold when violated \"staff\";", accepted), {"-o", "certificates"});
+    return status("joint return", "");
+  };
+  EXPECT_EQ(joint("r inside east and clearance(r, hall) >= 1 m"), "proved");
+  EXPECT_EQ(rechecked().status, exit_clean);
+  const Json good = Json::parse(read("certificates/verification.json"));
+  EXPECT_EQ(joint("clearance(r, hall) <= 60 cm or r inside east"), "proved");
+  EXPECT_EQ(rechecked().status, exit_clean);
+  // no more than is allowed, or what a robot at rest does not do
+  EXPECT_EQ(joint("clearance(r, hall) >= 1 m and clearance(r, hall) <= 60 cm"), "unknown");
+  EXPECT_EQ(joint("r.speed >= 0.2 m/s"), "unknown");
+  EXPECT_EQ(joint("not (r inside hall)"), "unknown");
+  // and the recheck looks for itself
+  for (const bool moved : {false, true}) {
+    Json report = good;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] != "joint return") continue;
+      Json& claims = o["claims"];
+      for (std::size_t k = claims.size(); k-- > 0;) {
+        if (claims[k]["claim"] == "returned" && !moved) {
+          claims.erase(k);
+        } else if (moved) {
+          claims[k]["x_mm"] = "5000";
+        }
+      }
+    }
+    joint("r inside east and clearance(r, hall) >= 1 m");
+    write("certificates/verification.json", report.dump());
+    const Outcome o = rechecked();
+    EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  }
+}
+TEST_F(ReturnWhen, ConditionsThatExcludeEachOtherHaveNoJointReturn) {
+  const std::string west = "zone west = rectangle (0 m, 0 m) to (7 m, 10 m);\nsite dock";
+  const std::string text =
+      edited(edited(returning("r inside east", "hold when violated \"staff\";", accepted),
+                    "site dock", west),
+             "return when r.battery >= 90 %", "return when r inside west");
+  verified(text, {"-o", "certificates"});
+  EXPECT_EQ(status("joint return", ""), "refuted");
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -1,0 +1,184 @@
+// What all monitors together ask of a place where they give control back: by their properties, and
+// by `return when`. Others are far from there, batteries full, and inputs as they should be.
+#include <algorithm>
+
+#include "compiler/analysis/fences.h"
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+namespace {
+
+void add(std::vector<Need>& all, const Need& need) {
+  const auto known =
+      std::find_if(all.begin(), all.end(), [&](const Need& n) { return n.zone == need.zone; });
+  if (known == all.end()) {
+    all.push_back(need);
+  } else {
+    known->clearance_mm = std::max(known->clearance_mm, need.clearance_mm);
+  }
+}
+
+// Of the `return when` of one monitor.
+class AsksBack {
+ public:
+  AsksBack(const Subject& s, std::size_t k)
+      : decision_(s.decision),
+        monitor_(s.decision.monitors[k]),
+        motion_(s.decision.motions[k + 1]) {}
+
+  struct Part {
+    bool known = true;  // it asks for these zones, and for nothing else of the place
+    std::vector<Need> zones{};
+    bool one_of_several = false;
+    std::int64_t low_mm = JointNeeds().low_mm, high_mm = JointNeeds().high_mm;
+    [[nodiscard]] bool of_places() const {
+      return !zones.empty() || low_mm != JointNeeds().low_mm || high_mm != JointNeeds().high_mm;
+    }
+  };
+  [[nodiscard]] Part run() const { return of(*monitor_.return_when, monitor_.return_when->result); }
+
+ private:
+  [[nodiscard]] Part of(const ir::Block& block, ir::ValueId id) const {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) return both(of(block, v->a), of(block, v->b));
+    if (const auto* v = std::get_if<ir::Or>(&op)) return either(of(block, v->a), of(block, v->b));
+    // who stays there fulfils what is asked of its past
+    if (const auto* v = std::get_if<ir::HeldFor>(&op)) return of(block, v->a);
+    if (const auto* v = std::get_if<ir::Once>(&op)) return of(block, v->a);
+    if (const auto* v = std::get_if<ir::Historically>(&op)) {
+      return v->window.to < 0 ? Part{false} : of(block, v->a);
+    }
+    if (const auto* v = std::get_if<ir::Truth>(&op)) return {v->value};
+    if (const auto* v = std::get_if<ir::Fact>(&op)) {
+      if (!v->of_robot) return {};
+      const ir::Block& judged = decision_.facts.monitors[v->index].property;
+      return of(judged, judged.result);
+    }
+    if (std::holds_alternative<ir::InputTruth>(op) || std::holds_alternative<ir::InputIs>(op)) {
+      return {};
+    }
+    if (const auto* v = std::get_if<ir::Not>(&op)) return {told(block, v->a)};
+    if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
+      if (!v->universal) return {false};
+      return decision_.robots < 2 ? Part{} : of(*v->body, v->body->result);
+    }
+    const auto* compare = std::get_if<ir::AtLeast>(&op);
+    return compare != nullptr ? comparison(block, *compare) : Part{false};
+  }
+  static bool told(const ir::Block& block, ir::ValueId id) {
+    const auto* fact = std::get_if<ir::Fact>(&block[id].op);
+    return (fact != nullptr && !fact->of_robot) ||
+           std::holds_alternative<ir::InputTruth>(block[id].op) ||
+           std::holds_alternative<ir::InputIs>(block[id].op);
+  }
+  static Part both(Part a, const Part& b) {
+    a.known = a.known && b.known;
+    a.one_of_several = a.one_of_several || b.one_of_several;
+    for (const Need& need : b.zones) add(a.zones, need);
+    a.low_mm = std::max(a.low_mm, b.low_mm);
+    a.high_mm = std::min(a.high_mm, b.high_mm);
+    return a;
+  }
+  // Any side of which all is known, best one that asks for no place.
+  static Part either(Part a, Part b) {
+    if (!a.known || (b.known && !b.of_places())) std::swap(a, b);
+    if (!a.known) return {false};  // what both sides ask for is no more than a guess
+    a.one_of_several = a.one_of_several || a.of_places();
+    return a;
+  }
+  [[nodiscard]] Part comparison(const ir::Block& block, const ir::AtLeast& compare) const {
+    using Kind = ir::Leaf::Kind;
+    if (!ir::has_form(block, compare)) return {false};
+    const auto& params = decision_.facts.params;
+    if (ir::charge_for_way(block, compare, params)) return {};
+    const auto least = ir::lower_bound(block, compare, params);
+    if (least && least->leaf.kind == Kind::clearance) {
+      const std::int64_t mm =
+          analysis::shown_clearance_mm(decision_, motion_, least->need.strictest);
+      if (mm < 0) return {false};  // it may be outside
+      return {true, {{ir::ZoneIndex{least->leaf.table}, mm}}};
+    }
+    const auto most = ir::upper_bound(block, compare);
+    const auto is = [](const auto& bound, Kind kind) { return bound && bound->leaf.kind == kind; };
+    if (is(least, Kind::altitude) || is(most, Kind::altitude)) {
+      const std::int64_t errs_mm =
+          analysis::shown_clearance_mm(decision_, motion_, 0) - decision_.body.radius_mm;
+      Part part;
+      if (least) part.low_mm = least->need.strictest + errs_mm;
+      if (most) part.high_mm = most->most - errs_mm;
+      return part;
+    }
+    if (is(most, Kind::speed)) {
+      return {most->most >= analysis::shown_speed_mmps(decision_, motion_)};
+    }
+    return {is(least, Kind::battery) || is(least, Kind::distance) || is(least, Kind::agent) ||
+            is(most, Kind::count)};
+  }
+
+  const ir::Decision& decision_;
+  const ir::Monitor& monitor_;
+  const ir::Motion& motion_;
+};
+
+}  // namespace
+
+JointNeeds joint_needs_of(const Subject& s) {
+  JointNeeds all;
+  const auto& params = s.decision.facts.params;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    const ir::Monitor& m = s.decision.monitors[k];
+    if (m.lookahead.duration) {
+      analysis::Standoffs own;
+      analysis::ask_for_standoffs(m.property, params, own);
+      const std::int64_t mm =
+          analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own.fence_mm;
+      for (const ir::ZoneIndex zone : analysis::fences_of(m.property, params)) {
+        add(all.zones, {zone, mm});
+      }
+    }
+    if (!m.return_when) continue;
+    const AsksBack::Part part = AsksBack(s, k).run();
+    for (const Need& need : part.zones) add(all.returned, need);
+    all.low_mm = std::max(all.low_mm, part.low_mm);
+    all.high_mm = std::min(all.high_mm, part.high_mm);
+    all.one_of_several = all.one_of_several || part.one_of_several;
+    if (!part.known) all.open.push_back(m.name);
+  }
+  return all;
+}
+
+std::vector<Need> all_of(const JointNeeds& needs) {
+  std::vector<Need> all = needs.zones;
+  for (const Need& need : needs.returned) add(all, need);
+  return all;
+}
+
+std::vector<Claim> returned_claims(const Subject& s, std::int64_t x_mm, std::int64_t y_mm,
+                                   std::optional<std::int64_t> z_mm) {
+  const auto& monitors = s.decision.monitors;
+  if (std::ranges::none_of(monitors, [](const ir::Monitor& m) { return !!m.return_when; })) {
+    return {};
+  }
+  Claim claim{"returned",
+              {{"decision", s.decision.name},
+               {"x_mm", std::to_string(x_mm)},
+               {"y_mm", std::to_string(y_mm)}}};
+  if (z_mm) claim.values["z_mm"] = std::to_string(*z_mm);
+  return {claim};
+}
+
+Obligation returns_open(const JointNeeds& needs, Obligation o) {
+  std::string names;
+  for (const std::string& name : needs.open) names += (names.empty() ? "" : ", ") + quoted(name);
+  o.status = Status::unknown;
+  o.method = "no proof";
+  o.because = "whether `return when` of " + names +
+              " holds at a place where all monitors give control back is not shown";
+  return o;
+}
+
+}  // namespace rtac::verify
