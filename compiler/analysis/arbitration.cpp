@@ -239,7 +239,21 @@ class Pair {
     const bool less = !driving_.return_when && is_only_standoff(fence.zone);
     const std::int64_t back_mm =
         last.return_clearance_mm - (less ? standoff_mm(decision_, last) : 0);
-    return deep && suits(exact_(zone).intersect(*deep), back_mm);
+    const auto shared = deep ? std::optional(exact_(zone).intersect(*deep)) : std::nullopt;
+    return shared && leaves_room(*shared) && suits(*shared, back_mm);
+  }
+  // What its own monitors ask for beyond touching the boundary of their zones, which it kept as
+  // long as it moved within one of them, what is left of that keeps as well (5016).
+  [[nodiscard]] bool leaves_room(const geometry::Region& shared) const {
+    return std::ranges::all_of(decision_.monitors, [&](const ir::Monitor& m) {
+      if (m.recovery.name != recovery_.name) return true;
+      const auto asked = fence_standoffs(m.property, decision_.facts.params);
+      return std::ranges::all_of(asked, [&](const Standoff& each) {
+        if (each.mm <= touching_mm) return true;
+        const auto deep = within(exact_(each.zone), each.mm);
+        return deep && deep->contains(shared);
+      });
+    });
   }
   [[nodiscard]] bool is_only_standoff(ir::ZoneIndex fence) const {
     return std::ranges::all_of(decision_.monitors, [&](const ir::Monitor& m) {

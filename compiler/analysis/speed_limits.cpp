@@ -134,12 +134,22 @@ class Limits {
       const std::int64_t ahead_us = lookahead_us(of_.spec, written_, t.decision.period_us);
       return fastest_from_rest(t.decision, ahead_us) <= limit.most_mmps;
     });
+    // at the declared speed it would find nothing (7004)
+    const bool limits = works_mmps < decision_.motions[0].speed_mmps;
+    std::string help = limits ? "a limit of " + speed_text(works_mmps) + " works" : "";
+    if (!others.empty()) {
+      help += (help.empty() ? "" : "; ") + ("for control to return, " + joined(others) + " works");
+    }
+    if (help.empty()) {
+      help =
+          "no limit below the declared speed works: less error, a lower `accel`, or samples, a "
+          "latency and an `ahead` that are shorter";
+    }
     report(limit,
            "monitor `" + monitor_.name +
                "` can never hand control back: from rest the robot may reach " +
                speed_text(need_mmps_) + " before a recovery acts",
-           "a limit of " + speed_text(works_mmps) + " works" +
-               (others.empty() ? "" : "; for control to return, " + joined(others) + " works"));
+           std::move(help));
   }
   void report_too_fast(const Limit& limit, std::size_t k, bool of_a_choice) {
     const std::string& name = decision_.monitors[k].recovery.name;

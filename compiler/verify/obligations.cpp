@@ -202,6 +202,21 @@ void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir
   }
 }
 
+// Of a pair, what the check has tried with the whole specification, and offers (6005): a number of
+// the energy clause may take more charge than there is, and a zone be too small for another
+// property.
+void drop_untried(const std::vector<diag::Diagnostic>& found, Report& report) {
+  for (Decision& decision : report.decisions) {
+    for (Obligation& o : decision.obligations) {
+      if (o.kind != Kind::keeps || o.status == Status::acknowledged) continue;
+      const bool offered = std::ranges::any_of(found, [&](const diag::Diagnostic& d) {
+        return d.code == Code::recovery_breaks && d.help.find(o.repair) != std::string::npos;
+      });
+      if (!offered) o.repair.clear();
+    }
+  }
+}
+
 // From where a recovery that moves elsewhere leads out of the property of its own monitor, whoever
 // of those that share it has it drive.
 void add_starts(const Subject& s, Decision& decision) {
@@ -241,6 +256,7 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
       report.decisions.push_back({d.name, spec[d.kind].name, {}, {}});
     }
   }
+  drop_untried(found, report);
   for (const diag::Diagnostic& d : found) {
     if (diag::info(d.code).severity != diag::Severity::error) continue;
     const auto kind =

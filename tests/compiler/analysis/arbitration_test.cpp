@@ -80,6 +80,22 @@ TEST(Arbitration, OffersARecoveryThatWouldDo) {
   EXPECT_FALSE(left->diagnostics.has_errors()) << reports(*left);
 }
 
+// What its own monitor asks for it had as long as it moved within the zone of that: what is left of
+// the zone has to keep it as well (5016).
+TEST(Arbitration, WhatItOffersKeepsWhatItsOwnMonitorAsksFor) {
+  const std::string text = two_zones(
+      "zone pit = rectangle (6 m, 6 m) to (7 m, 7 m);\n"
+      "zone off_pit = yard - grow(pit, 50 cm);\n"
+      "controller off : safe for Rover = retreat within off_pit speed 0.2 m/s;\n"
+      "monitor no_pit for r : Rover { \"SR-5\" always distance(r, pit) >= 20 cm; recover off; }\n",
+      "priority in_yard > no_pit;");
+  const std::string asking = edited(text, "r inside yard", "clearance(r, yard) >= 10 cm");
+  const std::string said = reports(*compiled(asking));
+  EXPECT_NE(said.find("while `inwards` drives, `no_pit` may become false"), std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("yard - grow(pit"), std::string::npos) << said;
+}
+
 // What leads out of a zone is stopped by the monitor of that zone, if that ranks higher.
 TEST(Arbitration, AZoneIsLeftByARecoveryThatRanksHigher) {
   EXPECT_EQ(broken(two_zones("", "priority in_yard > in_west;")),

@@ -55,6 +55,18 @@ TEST(SpeedLimits, ARobotAtRestMayHandControlBack) {
   said(text_of("0.268 m/s", "0.1 m/s"));
 }
 
+// One that is as high as the declared speed is no limit (7004), and no help.
+TEST(SpeedLimits, NoneIsOfferedThatFindsNothing) {
+  const std::string wide = edited(text_of("0.8 m/s", "0.8 m/s"), "(6 m, 4 m)", "(30 m, 30 m)");
+  const std::string noisy = edited(wide, "error 2 cm/s", "error 0.4 m/s");
+  EXPECT_EQ(said(noisy),
+            "monitor `calm` can never hand control back: from rest the robot may reach 1 m/s "
+            "before a recovery acts");
+  const std::string help = reports(*compiled(noisy));
+  EXPECT_EQ(help.find("a limit of"), std::string::npos) << help;
+  EXPECT_NE(help.find("for control to return, "), std::string::npos) << help;
+}
+
 // On a side of an `or` a limit counts where nothing else of it holds.
 std::string choice_text(const std::string& property, const std::string& recovery) {
   const std::string zones =

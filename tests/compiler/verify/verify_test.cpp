@@ -257,5 +257,35 @@ decision fly)");
   EXPECT_EQ(statuses(o.out, "C", "walls"), Statuses{"acknowledged"}) << o.out;
 }
 
+// Of a pair, a report offers what the check has tried: no `held` that takes more than a battery
+// has.
+TEST_F(Verify, WhatIsOfferedOfAPairHasBeenTried) {
+  const std::string docks = R"(spec docks;
+zone hall = rectangle (0 m, 0 m) to (60 m, 6 m);
+robot Cart {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  sense battery : ratio error 0.5 % max_age 2 s;
+  output push : acceleration;
+  latency 30 ms;
+  energy { drive <= 1 %/m; idle <= 0.01 %/s; drain <= 0.5 %/s; charge >= 1 %/s at west; held <= 60 s; detour <= 5 m; }
+}
+fleet c : Cart;
+site west = (2 m, 3 m);
+site east = (58 m, 3 m);
+controller policy : advanced for Cart extern;
+controller go_west : safe for Cart = route to west within hall speed 0.5 m/s;
+controller go_east : safe for Cart = route to east within hall speed 0.5 m/s;
+monitor to_west for r : Cart { "R1: gets west" always r.battery >= energy_to(west) + 5 %; recover go_west; }
+monitor to_east for r : Cart { "R2: gets east" always r.battery >= energy_to(east) + 5 %; recover go_east; }
+decision go for Cart { advanced policy; period 50 ms; priority to_west > to_east; }
+)";
+  const Outcome o = verified(docks);
+  EXPECT_NE(o.out.find("the charge reckons with `held <= 60 s`"), std::string::npos) << o.out;
+  EXPECT_EQ(o.out.find("works"), std::string::npos) << o.out;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
