@@ -131,15 +131,20 @@ std::optional<ValueType> element_type(Context& context, const syntax::Name& name
   return ValueType{TypeKind::enumeration, dims::number, *id, std::nullopt};
 }
 
+void report_unit_without_effect(Context& context, const syntax::TypeRef& written,
+                                const SourceRange& range, const std::string& unit) {
+  context.report(Finding(Code::clause_without_effect, range,
+                         "the type `" + written.name.text + "` has no unit of its own")
+                     .label("has no effect")
+                     .help("leave it out, or write `real [" + unit + "]`"));
+}
+
 bool apply_unit(Context& context, const syntax::TypeRef& written, bool takes_unit,
                 ValueType& type) {
   if (!written.unit) return true;
   const syntax::Unit& unit = *written.unit;
   if (!takes_unit) {
-    context.report(Finding(Code::clause_without_effect, unit.range,
-                           "the type `" + written.name.text + "` has no unit of its own")
-                       .label("has no effect")
-                       .help("leave it out, or write `real [" + unit.text + "]`"));
+    report_unit_without_effect(context, written, unit.range, unit.text);
     return false;
   }
   const auto meaning = parse_unit(unit.text);
@@ -208,6 +213,12 @@ bool apply_length(Context& context, const syntax::TypeRef& written, ValueType& t
                        .label("the second one")
                        .help("write one array with all the elements, such as `" +
                              written.name.text + "[12]` for 3 rows of 4, or one input a row"));
+    return false;
+  }
+  // behind other types than quantities a unit in brackets is read as a length: `bool [m]`
+  const auto* name = std::get_if<syntax::NameRef>(&first.node);
+  if (name != nullptr && !is_zone && parse_unit(name->name.text)) {
+    report_unit_without_effect(context, written, first.range, name->name.text);
     return false;
   }
   const auto length = is_zone ? count(context, first, "the most edges of a zone", 3, max_zone_edges)
