@@ -175,6 +175,12 @@ bool TraceReader::read_header() {
     return fail(1, 1, "the trace is empty", "its first line names the columns: `time,...`");
   }
   if (result != CsvReader::Result::record) return fault(result);
+  for (const CsvCell& cell : record_.cells) {
+    const std::size_t at = cell.text.find('\r');
+    if (at == std::string_view::npos) continue;
+    return fail(1, cell.column + at, "a carriage return does not end a line",
+                "end lines with LF or CR LF");
+  }
   const CsvCell& first = record_.cells.front();
   if (first.text != "time") {
     return fail(1, first.column, "the first column is " + quoted(first.text) + ", not `time`",

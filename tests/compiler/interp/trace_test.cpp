@@ -71,6 +71,11 @@ TEST(Trace, QuotesBlanksMarksAndEmptyLines) {
   EXPECT_EQ(fault(header + "0,\"1\"1,2,2,park,0,0,0,0\n"), "2:6: text follows a quoted cell");
 }
 
+TEST(Trace, CarriageReturnsAloneEndNoLines) {
+  EXPECT_EQ(fault("time,open\r0,1\r"), "1:10: a carriage return does not end a line");
+  EXPECT_EQ(help("time,open\r0,1\r"), "end lines with LF or CR LF");
+}
+
 TEST(Trace, WrongMissingAndDoubleColumns) {
   EXPECT_EQ(fault(""), "1:1: the trace is empty");
   EXPECT_EQ(fault("open,time\n"), "1:1: the first column is `open`, not `time`");
