@@ -144,7 +144,7 @@ class Replay {
     while (reader.read_row(row)) {
       observations.take(row);
       if (judges_.decisions) judges_.decisions->take(row);
-      // A row between two ticks counts at the next one.
+      // A further row of a tick counts at the next one.
       const bool judged = step_watches(row.time_us, observations);
       const bool decided = judges_.decisions && judges_.decisions->step(row.time_us);
       const interp::Tick tick = base_ ? base_->at(row.time_us) : printed_;
