@@ -33,9 +33,13 @@ std::int64_t div_up(std::int64_t a, std::int64_t b) {
 }
 
 // Of a recovery, what pushes the robot included: it settles where the correction to its path (1/s)
-// makes up for the speed that it is pushed with; half of it more until then.
+// makes up for the speed that it is pushed with, and for that by which it measures itself wrong;
+// half of what pushes more until then. And corners are cut by as much as counts for being there.
 std::int64_t tracking_of_recovery_mm(const ir::Decision& decision) {
-  return tracking_mm + div_up(3 * decision.pushed_mmps, 2);
+  const ir::Body& b = decision.body;
+  const std::int64_t beside_mm =
+      std::max(tracking_mm, b.beside_mm) + div_up(3 * decision.pushed_mmps, 2);
+  return b.in_space ? beside_mm : std::max(beside_mm, b.end_reach_mm);
 }
 // Acceleration of the reference point when the speed is at most `speed`: driving and turning, or,
 // of a point mass, what any controller commands and what pushes it. A point mass that slows down as
@@ -65,7 +69,10 @@ Rational quiet_spring(const ir::Body& b, std::int64_t left_mmps2) {
 // eta b / (b - d) as measured (see the pilots) and so at the velocity error more, at most; from
 // such a speed it goes on by 1 / (e omega), a little less with the target ahead of it, and by half
 // of the delay.
-std::int64_t hold_mm(const ir::Body& b, std::int64_t delay_us) {
+struct Hold {
+  std::int64_t sways_mm, strays_mm;  // about its place, at rest; and from where it latches
+};
+Hold hold_of(const ir::Body& b, std::int64_t delay_us) {
   const Rational delay_s(delay_us, 1'000'000);
   const Rational loop_s(
       std::max<std::int64_t>(delay_us + b.position_age_us, pace::hold_delay_least_us), 1'000'000);
@@ -78,9 +85,10 @@ std::int64_t hold_mm(const ir::Body& b, std::int64_t delay_us) {
   if (b.position_error_mm > 0) omega = std::min(omega, quiet_spring(b, left_mmps2));
   const Rational eta = b.velocity_error_mmps + (b.brake_mmps2 + b.disturbance_mmps2) * delay_s;
   const Rational latched = b.velocity_error_mmps + eta * b.brake_mmps2 / left_mmps2;
-  const Rational moved = latched * (Rational(7, 25) / omega + delay_s / 2) +
-                         2 * b.velocity_error_mmps / omega + b.disturbance_mmps2 / (omega * omega);
-  return ceil_to_int(moved) + 2 * b.position_error_mm + hold_slack_mm;
+  const Rational sways = 2 * b.velocity_error_mmps / omega + b.disturbance_mmps2 / (omega * omega);
+  const Rational moved = latched * (Rational(7, 25) / omega + delay_s / 2) + sways;
+  const std::int64_t errs_mm = 2 * b.position_error_mm + hold_slack_mm;
+  return {ceil_to_int(sways) + errs_mm, ceil_to_int(moved) + errs_mm};
 }
 
 // theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h. The lag
@@ -93,7 +101,9 @@ void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
   const std::int64_t eta =
       b.velocity_error_mmps + div_up((b.brake_mmps2 + d_mmps2) * delay_us, 1'000'000);
   b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
-  b.hold_mm = div_up(eta * eta, left_mmps2) + hold_mm(b, delay_us);
+  const Hold hold = hold_of(b, delay_us);
+  b.hold_mm = div_up(eta * eta, left_mmps2) + hold.strays_mm;
+  if (b.in_space) b.end_reach_mm = hold.sways_mm;
 }
 
 }  // namespace
@@ -141,6 +151,8 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
   } else {
     add_sampled_brake(period_us, b);
   }
+  if (!b.in_space) b.end_reach_mm = end_reach_mm(kind, period_us);
+  if (!b.in_space && !kind.motion.turn) b.beside_mm = b.position_error_mm + b.velocity_error_mmps;
   return b;
 }
 

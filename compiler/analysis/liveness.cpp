@@ -12,8 +12,6 @@ namespace rtac::analysis {
 namespace {
 
 constexpr std::int64_t unreached = std::numeric_limits<std::int64_t>::max();
-// A pilot ends its way within this of the last point, or the error of the position (end_reach_m).
-constexpr std::int64_t end_reach_mm = 20;
 // More clearance than it needs that a loitering robot would like to have (LoiterManoeuvre).
 constexpr std::int64_t loiter_room_mm = 500;
 
@@ -279,7 +277,7 @@ Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decis
   // A retreat aims a little deeper than it needs, as far as a way leads there.
   const std::int64_t needed_mm = recovery.return_clearance_mm;
   const std::int64_t error_mm = decision.body.position_error_mm;
-  std::int64_t wanted_mm = needed_mm + std::max(end_reach_mm, error_mm) + error_mm;
+  std::int64_t wanted_mm = needed_mm + decision.body.end_reach_mm + error_mm;
   Ways ways = ways_to(cells, clear_cells(cells, needed_mm), body_mm, route_mm);
   for (int i = recovery.kind == ir::RecoveryKind::loiter ? 2 : 1; i > 0; --i) {
     const Ways deeper = ways_to(cells, clear_cells(cells, wanted_mm), body_mm, route_mm);
@@ -306,7 +304,7 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
   Rational seconds = travel_seconds(kind, speed, decision.period_us,
                                     static_cast<std::int32_t>(cell_mm), joined_mm);
   if (last.kind != ir::RecoveryKind::route) {  // the last leg goes straight on
-    const Rational slowest = speed - pushed_speed(kind, decision.period_us);
+    const Rational slowest = speed - lasting_speed(kind, decision.period_us);
     seconds += Rational(run_out_mm(kind, speed, decision.period_us), 1000) / slowest;
   }
   for (const ir::Recovery& step : recovery.steps) {

@@ -1,6 +1,8 @@
 #include "compiler/analysis/travel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "compiler/support/rational.h"
 
@@ -45,25 +47,33 @@ void add_turn(const sema::RobotKind& kind, const Rational& period, Leg& leg) {
   if (kind.motion.turn_accel) leg.seconds += limit / kind.motion.turn_accel->value;
 }
 
-// At least log(speed / creep), not below 0: 0.6932 a doubling.
-Rational log_of_creep(const Rational& speed) {
+// At least log(speed / least), not below 0: 0.6932 a doubling.
+Rational log_over(const Rational& speed, const Rational& least) {
   int doublings = 0;
-  for (Rational reached(pace::creep_mmps, 1000); reached < speed; reached *= 2) ++doublings;
+  for (Rational reached = least; reached < speed; reached *= 2) ++doublings;
   return Rational(6932, 10000) * doublings;
 }
 
 // Speeding up: the acceleration, and the time constant of a point mass (the mean of both would do).
 // Slowing down from w to the creep c, with r for the delay and d for the planned braking: the
-// set-point v leaves v r + v^2 / (2 d) to go, so that dt = dv / d + r dv / v. That is w / (2 d) + r
-// log(w / c) more than at full speed, at most; then the creep, over what c leaves to go.
-Leg leg_of(const sema::RobotKind& kind, const Rational& speed, const Rational& period) {
+// set-point v leaves v r + v^2 / (2 d) to go. What lasts may take W from it, so that dt = (v / d +
+// r) dv / (v - W): that is w / (2 d) + (W / d + r) log((w - W) / (u - W)) more than at full speed,
+// at most, down to a set-point u that is more than W by the margin of the arrival. Then the creep,
+// over what c leaves to go, if it is more than what is against it by as much; else the leg has
+// ended (end_reach_m).
+Leg leg_of(const sema::RobotKind& kind, const Rational& speed, const Rational& lasting,
+           const Rational& period) {
   const Rational up =
       std::min(kind.motion.accel.value, kind.motion.brake.value) - disturbance_of(kind);
   const Rational planned = up * Rational(pace::planned_braking_permille, 1000);
   const Rational creep(pace::creep_mmps, 1000), reaction = delay(kind, period);
+  const Rational margin(pace::arrival_margin_permille, 1000);
+  const Rational taken = std::min(lasting, Rational(creep / margin));
+  const Rational left = creep - taken;
   Leg leg;
-  leg.seconds = speed / up + speed / (2 * planned) + creep / (2 * planned) +
-                reaction * (log_of_creep(speed) + 1);
+  leg.seconds = speed / up + speed / (2 * planned) +
+                (lasting / planned + reaction) * log_over(speed, left) +
+                creep * (creep / (2 * planned) + reaction) / left;
   if (kind.motion.model == sema::MotionModel::point) {
     leg.seconds += settling(kind, period);
   }
@@ -83,12 +93,44 @@ Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us) {
   return disturbance_of(kind) * settling(kind, period);
 }
 
+Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us) {
+  const bool steers = kind.motion.model == sema::MotionModel::point;
+  const Rational errs = steers && kind.velocity ? kind.velocity->error.value : Rational(0);
+  return errs + pushed_speed(kind, period_us);
+}
+
+// stand_off_m of the pilots: in their steps, in doubles, and a little more.
+std::int64_t end_reach_mm(const sema::RobotKind& kind, std::int64_t period_us) {
+  constexpr double least_mm = 20, rounding_mm = 0.01;
+  constexpr int directions = 90;
+  const double error_mm = kind.position ? 1000 * kind.position->error.value.get_d() : 0;
+  double reach_mm = std::max(least_mm, error_mm);
+  const Rational steers =
+      std::min(kind.motion.accel.value, kind.motion.brake.value) - disturbance_of(kind);
+  if (kind.motion.turn || steers <= 0) return std::lround(std::ceil(reach_mm));
+  const Rational period(static_cast<long>(period_us), 1'000'000);
+  const double planned = 1e-3 * pace::planned_braking_permille * steers.get_d();
+  const double late = planned * delay(kind, period).get_d();
+  const double lasts = lasting_speed(kind, period_us).get_d();
+  for (int k = 0; k < directions; ++k) {
+    const double from = std::numbers::pi / 2 * k / directions;
+    const double to = std::numbers::pi / 2 * (k + 1) / directions;
+    const double set = 1e-3 * pace::arrival_margin_permille * lasts * std::cos(from);
+    if (set <= 1e-3 * pace::creep_mmps) break;
+    const double along = set * (set + 2 * late) / (2 * planned);
+    const double aside = 1e3 * lasts * std::sin(to) / pace::lateral_gain_milli_per_s;
+    reach_mm = std::max(reach_mm, 1e3 * std::hypot(along, aside) + rounding_mm);
+  }
+  return std::lround(std::ceil(reach_mm));
+}
+
 Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
                         std::int32_t cell_mm, std::int64_t distance_mm) {
   const Rational period(static_cast<long>(period_us), 1'000'000);
   const Rational metres(distance_mm, 1000), cells(distance_mm, cell_mm);
-  const Rational slowest = speed - pushed_speed(kind, period_us);  // above 0, see `derive`
-  const Leg leg = leg_of(kind, speed, period);
+  const Rational lasting = lasting_speed(kind, period_us);
+  const Rational slowest = speed - lasting;  // above 0, see `derive`
+  const Leg leg = leg_of(kind, speed, lasting, period);
   // at most a leg begins at each cell, the place that the way starts from included
   const Rational legs = cells + 1;
   // and turns by at most an eighth of a circle there, and half a circle at the start

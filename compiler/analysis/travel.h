@@ -13,6 +13,8 @@ inline constexpr int creep_mmps = 30;
 inline constexpr int planned_braking_permille = 400;
 inline constexpr int velocity_time_ms = 300;
 inline constexpr int velocity_time_delays = 2;
+inline constexpr int lateral_gain_milli_per_s = 1000;
+inline constexpr int arrival_margin_permille = 1250;
 inline constexpr int hold_max_mradps = 2000;
 inline constexpr int hold_mrad_per_delay = 250;
 inline constexpr int hold_delay_least_us = 10'000;
@@ -28,6 +30,11 @@ inline constexpr int waypoints = 64;  // of one piece of a way
 // By how much what pushes it makes a recovery of a point mass faster or slower than it means to be,
 // in m/s.
 Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us);
+// Upper bound of what takes speed from it for good, its velocity error included, in m/s; 0 of
+// wheels.
+Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us);
+// How near to the end of a way over cells a recovery comes, in mm (end_reach_m of the pilots).
+std::int64_t end_reach_mm(const sema::RobotKind& kind, std::int64_t period_us);
 // Upper bound of the time from taking over at full speed until a way of `distance_mm` along the
 // cells is driven at the recovery's `speed`, in s. `period_us`: of the decision.
 Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,

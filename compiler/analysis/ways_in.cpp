@@ -14,7 +14,7 @@ namespace rtac::analysis {
 namespace {
 
 // All in mm. Numbers of the runtime are named after it: retreat.cpp, loiter.cpp, grid_route.cpp.
-constexpr double end_reach_mm = 20, loss_mm = 2, connector_loss_mm = 8, loiter_room_mm = 500;
+constexpr double loss_mm = 2, connector_loss_mm = 8, loiter_room_mm = 500;
 constexpr double resolution_mm = 1;
 constexpr int cell_tests_most = 2000;
 // How far a way may leave what is allowed: by the 10 mm that a hold strays, which the look-ahead
@@ -65,7 +65,8 @@ class RuntimeWays {
       return all;
     }
     const double now = zone_.clearance(p), error = double(decision_.body.position_error_mm);
-    const double wanted = double(step_.return_clearance_mm) + std::max(end_reach_mm, error) + error;
+    const double reach = double(decision_.body.end_reach_mm);
+    const double wanted = double(step_.return_clearance_mm) + reach + error;
     if (now >= double(step_.return_clearance_mm)) return all;
     if (const auto q = straight_in(p, wanted)) return {run_out({*q}, p)};
     const auto cell = nearest_cell(p, [&](std::size_t at) {
@@ -106,7 +107,7 @@ class RuntimeWays {
   // nearest cell in sight. Where others stand in the way, any of them.
   [[nodiscard]] std::vector<P> inwards(P p) const {
     const double now = zone_.clearance(p), error = double(decision_.body.position_error_mm);
-    const double slack = std::max(end_reach_mm, error) + error;
+    const double slack = double(decision_.body.end_reach_mm) + error;
     const double back = double(step_.return_clearance_mm);
     std::vector<double> wishes = {back + slack, back, double(step_.route_clearance_mm),
                                   double(decision_.body.radius_mm) + slack};

@@ -418,9 +418,13 @@ Found Claims::legs(const Values& v) {
   if (m == nullptr || !m->recover || !zone) return wrong("no such zone or monitor");
   const auto within = moves_within(spec_[*m->recover]);
   if (within.empty() || within.back() != *zone) return wrong("the recovery moves elsewhere");
-  const auto gap = number(v, "clearance_mm");
+  const auto gap = number(v, "clearance_mm"), aim = number(v, "aim_mm");
   const std::size_t slabs = zones_.slabs(*zone);
-  if (!gap || *gap < 0 || slabs == 0) return wrong("no such clearance, or an unknown zone");
+  if (!gap || *gap < 0 || !aim || slabs == 0) return wrong("no such clearance, or an unknown zone");
+  const Rational jitter = d->jitter ? d->jitter->value : Rational(0);
+  if (milli(*aim) < milli(*gap) + numbers_of(spec_[d->kind], *d, jitter).sway) {
+    return wrong("at rest beside its aim the robot may be nearer to the boundary");
+  }
   // its looks are enough for so many heights (runtime/core/space.cpp, looks_max)
   constexpr std::size_t slabs_max = 6;
   if (slabs > slabs_max) return wrong("more slabs than the recovery looks at");
@@ -429,10 +433,10 @@ Found Claims::legs(const Values& v) {
     const auto to = number(v, "to" + of), z = number(v, "z_mm" + of);
     if (!to || *to < 0) return wrong("one of its slabs leads nowhere");
     const auto target = static_cast<std::size_t>(*to);
-    if (!zones_.leads_straight(*zone, from, target, milli(*gap))) {
+    if (!zones_.leads_straight(*zone, from, target, milli(*aim))) {
       return wrong("a slab does not lead straight to a convex one");
     }
-    if (z && !zones_.within_slab(*zone, target, milli(*z), milli(*gap))) {
+    if (z && !zones_.within_slab(*zone, target, milli(*z), milli(*aim))) {
       return wrong("the place does not lie in that slab");
     }
     if (!z && slabs > 1) return wrong("the place has no height");
@@ -441,6 +445,7 @@ Found Claims::legs(const Values& v) {
       if (const auto found = v.find(axis + of); found != v.end()) there[axis] = found->second;
     }
     if (const Found found = place(there)) return found;
+    if (const Found found = lies_clear(*zone, there, *aim)) return found;
   }
   return std::nullopt;
 }

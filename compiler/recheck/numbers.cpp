@@ -11,8 +11,12 @@ Rational value(const std::optional<sema::Quantity>& q) {
   return q ? q->value : Rational(0);
 }
 
-// Of the latched hold of a point mass (docs/templates.md, the brake that all of them begin with).
-Rational hold_of(const Numbers& n, const Rational& delay) {
+// Of the latched hold of a point mass (docs/templates.md, the brake that all of them begin with):
+// how far it may rest from its place, and from where it was latched.
+struct Hold {
+  Rational sways, strays;
+};
+Hold hold_of(const Numbers& n, const Rational& delay) {
   const Rational left = n.brake - n.disturbance;
   const Rational loop = std::max(Rational(delay + n.position_age), Rational(1, 100));
   Rational omega = std::min(Rational(2), Rational(Rational(1, 4) / loop));
@@ -24,8 +28,9 @@ Rational hold_of(const Numbers& n, const Rational& delay) {
   }
   const Rational eta = n.velocity_error + (n.brake + n.disturbance) * delay;
   const Rational latched = n.velocity_error + eta * n.brake / left;
-  return 2 * n.position_error + 2 * n.velocity_error / omega + n.disturbance / (omega * omega) +
-         latched * (Rational(7, 25) / omega + delay / 2);
+  const Rational sways =
+      2 * n.position_error + 2 * n.velocity_error / omega + n.disturbance / (omega * omega);
+  return {sways, sways + latched * (Rational(7, 25) / omega + delay / 2)};
 }
 
 }  // namespace
@@ -67,7 +72,9 @@ Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
   const Rational delay = n.velocity_age + n.period + n.jitter + n.latency;
   const Rational eta = n.velocity_error + (n.brake + n.disturbance) * delay;
   n.lag = eta / left;
-  n.hold = eta * eta / left + hold_of(n, delay);
+  const Hold hold = hold_of(n, delay);
+  n.hold = eta * eta / left + hold.strays;
+  n.sway = hold.sways;
   return n;
 }
 

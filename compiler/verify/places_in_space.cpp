@@ -262,7 +262,8 @@ Obligation not_in_sight(const Subject& s, const ir::Recovery& last, Obligation o
   o.because = "that from everywhere in " + quoted(s.module[last.zone].name) +
               " a leg leads up or down, through what gets no narrower, to a convex prism with a "
               "place to return, " +
-              metres(last.return_clearance_mm) + " from its boundary, is not shown";
+              metres(last.return_clearance_mm + s.decision.body.end_reach_mm) +
+              " from its boundary, is not shown";
   return o;
 }
 
@@ -285,14 +286,17 @@ Obligation legs_back(const Subject& s, std::size_t k) {
     return not_in_sight(s, last, std::move(o));
   }
   const ir::ZoneTable& zone = s.module[last.zone];
+  // it may come to rest beside where its legs end
+  const std::int64_t aim_mm = last.return_clearance_mm + s.decision.body.end_reach_mm;
   Claim claim = place_claim(s, last.zone, 0, 0, last.return_clearance_mm);
   claim.what = "legs";
+  claim.values["aim_mm"] = std::to_string(aim_mm);
   claim.values["monitor"] = m.name;
   for (std::size_t from = 0; from < slabs->size(); ++from) {
     std::optional<Spot> place;
     for (std::size_t to = 0; to < slabs->size() && !place; ++to) {
       if (!leads_straight(*slabs, from, to)) continue;
-      place = place_in(s, zone, to, (*slabs)[to].region, last.return_clearance_mm);
+      place = place_in(s, zone, to, (*slabs)[to].region, aim_mm);
       claim.values["to_" + std::to_string(from)] = std::to_string(to);
     }
     if (!place) return not_in_sight(s, last, std::move(o));
@@ -312,7 +316,7 @@ Obligation legs_back(const Subject& s, std::size_t k) {
           : "from everywhere in " + quoted(zone.name) +
                 " a leg leads up or down, through what gets no narrower, to a convex prism, "
                 "and another one to a clearance of ";
-  o.because += metres(last.return_clearance_mm);
+  o.because += metres(aim_mm);
   o.claims.push_back(std::move(claim));
   return o;
 }

@@ -22,7 +22,7 @@ void LoiterManoeuvre::engage(const Observation& observation) {
 // The clearance at a point is that at the centre less the distance between them, at least: within
 // `radius_m` of where it rests, every place is as clear as control asks for, errors included.
 void LoiterManoeuvre::look(const Observation& observation) {
-  const double slack_m = end_reach_m(setting_.limits) + 2 * setting_.limits.position_error_m;
+  const double slack_m = end_reach_m(setting_) + 2 * setting_.limits.position_error_m;
   const double least_m = std::max(setting_.return_clearance_m, setting_.route_clearance_m);
   const double clear_m = signed_clearance(*setting_.zone, observation.position.value);
   const double radius_m = std::min(radius_m_max, clear_m - least_m - slack_m);

@@ -11,8 +11,44 @@ namespace {
 
 // A corner sharper than this is taken from rest.
 constexpr double sharp_corner_rad = 0.35;
+// Directions of what lasts, in a quarter of a circle.
+constexpr int directions = 90;
+
+// How far from the end of a leg a point mass may come to a stand. What lasts and is against its way
+// by `back` stops it where the set-point v is no more, (v^2 + 2 v late) / (2 d) before the end as
+// approach_speed has it; what is beside it, by `aside` over the gain. Below the creep nothing stops
+// it: it passes the end.
+double stand_off_m(const RobotLimits& l, double reaction_s) {
+  const double steers_mps2 =
+      (l.accel_mps2 > 0 ? std::min(l.accel_mps2, l.brake_mps2) : l.brake_mps2) - l.disturbance_mps2;
+  const double planned_mps2 = pace::planned_braking * steers_mps2;
+  if (!(planned_mps2 > 0)) return 0;
+  const double settling_s =
+      std::max(pace::velocity_time_s, pace::velocity_time_delays * reaction_s);
+  const double lasts_mps = l.velocity_error_mps + l.disturbance_mps2 * settling_s;
+  double farthest_m = 0;
+  for (int k = 0; k < directions; ++k) {
+    const double from_rad = detail::pi / 2 * k / directions;
+    const double to_rad = detail::pi / 2 * (k + 1) / directions;
+    const double set_mps = pace::arrival_margin * lasts_mps * std::cos(from_rad);
+    if (set_mps <= pace::creep_mps) break;
+    const double late_mps = planned_mps2 * reaction_s;
+    const double along_m = set_mps * (set_mps + 2 * late_mps) / (2 * planned_mps2);
+    const double aside_m = lasts_mps * std::sin(to_rad) / pace::lateral_gain_per_s;
+    farthest_m = std::max(farthest_m, std::hypot(along_m, aside_m));
+  }
+  return farthest_m;
+}
 
 }  // namespace
+
+double end_reach_m(const Setting& setting) {
+  const RobotLimits& l = setting.limits;
+  const double least_m = std::max(0.02, l.position_error_m);
+  if (l.unicycle) return least_m;
+  const auto delay_us = l.velocity_age_us + setting.period_us + l.latency_us;
+  return std::max(least_m, stand_off_m(l, 1e-6 * static_cast<double>(delay_us)));
+}
 
 double run_out_m(const Setting& setting) {
   const RobotLimits& l = setting.limits;

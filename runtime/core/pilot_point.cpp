@@ -12,7 +12,7 @@ namespace rtac::safe {
 namespace {
 
 constexpr double s_per_us = 1e-6;
-constexpr double lateral_gain_per_s = 1.0;
+using pace::lateral_gain_per_s;
 // For what sampling adds, and the tail of its approach.
 constexpr double sway_slack_m = 0.01;
 // A leg that is no longer is a point.
@@ -32,7 +32,10 @@ Acceleration commanded(Vec3 a) {
 }  // namespace
 
 Pilot<Acceleration>::Pilot(const Setting& setting)
-    : limits_(setting.limits), period_us_(setting.period_us), speed_mps_(setting.speed_mps) {
+    : limits_(setting.limits),
+      period_us_(setting.period_us),
+      speed_mps_(setting.speed_mps),
+      end_reach_m_(safe::end_reach_m(setting)) {
   reaction_s_ =
       static_cast<double>(limits_.velocity_age_us + period_us_ + limits_.latency_us) * s_per_us;
   // theory: sampled brake, eta = eps_v + b (h + l), the age of the sample being part of the lag.
@@ -236,7 +239,7 @@ bool Pilot<Acceleration>::sets_out(const Observation& observation) {
 Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& way) {
   const Vec2 v = observation.velocity.value, p = observation.position.value;
   if (!driving_ && !sets_out(observation)) return halt(observation);
-  if (!tracker_.advance(way, p, end_reach_m(limits_))) {
+  if (!tracker_.advance(way, p, end_reach_m_)) {
     on_leg_.reset();
     return halt(observation);
   }

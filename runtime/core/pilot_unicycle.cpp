@@ -25,7 +25,10 @@ constexpr double sideways_rad = 0.1;
 }  // namespace
 
 Pilot<Twist>::Pilot(const Setting& setting)
-    : limits_(setting.limits), period_us_(setting.period_us), speed_mps_(setting.speed_mps) {
+    : limits_(setting.limits),
+      period_us_(setting.period_us),
+      speed_mps_(setting.speed_mps),
+      end_reach_m_(safe::end_reach_m(setting)) {
   reaction_s_ = static_cast<double>(period_us_ + limits_.latency_us) * s_per_us;
 }
 
@@ -65,7 +68,7 @@ Twist Pilot<Twist>::halt(const Observation& observation) {
 Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
   const Vec2 p = observation.position.value;
   if (!driving_) tracker_.begin(p);
-  if (!tracker_.advance(way, p, end_reach_m(limits_))) {
+  if (!tracker_.advance(way, p, end_reach_m_)) {
     return halt(observation);
   }
   if (!driving_) turning_ = true;

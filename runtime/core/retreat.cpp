@@ -42,7 +42,7 @@ void RetreatManoeuvre::look(const Observation& observation) {
   if (now_m >= setting_.return_clearance_m) return;
   // The way ends a little short of its last point, by a measurement: aim deeper, so that the place
   // is good when it is reached.
-  const double slack_m = end_reach_m(setting_.limits) + setting_.limits.position_error_m;
+  const double slack_m = end_reach_m(setting_) + setting_.limits.position_error_m;
   FixedList<double, 5> wanted;
   if (room_m_ > 0) (void)wanted.push(setting_.return_clearance_m + slack_m + room_m_);
   (void)wanted.push(setting_.return_clearance_m + slack_m);

@@ -194,8 +194,8 @@ Acceleration Carried::command(const Observation& observation, Gate gate) {
   if (!legs_.empty() && allowed(observation, gate)) {
     const Vec3 end = legs_[leg_];
     const double step_m = setting_.speed_mps * static_cast<double>(setting_.period_us) * s_per_us;
-    // the hold comes to the end first, and the robot after it
-    if (pilot_.carry(end, step_m) && norm(end - here) <= end_reach_m(setting_.limits)) {
+    // the hold comes to the end first, and the robot after it, as near as errors that last let it
+    if (pilot_.carry(end, step_m) && norm(end - here) <= pilot_.sway_m()) {
       if (++leg_ == legs_.size()) legs_.clear();
     }
   }
@@ -215,7 +215,7 @@ bool Carried::allowed(const Observation& observation, Gate gate) const {
 }
 
 void Land::look(Vec3 from, Legs& legs) {
-  if (from.z <= setting_.land_at_m + end_reach_m(setting_.limits)) return;
+  if (from.z <= setting_.land_at_m + sway_m()) return;
   (void)legs.push({from.x, from.y, setting_.land_at_m});
 }
 
@@ -224,8 +224,8 @@ void RetreatInSpace::look(Vec3 from, Legs& legs) {
   if (now_m >= setting_.return_clearance_m) return;
   const bool outside = now_m < setting_.limits.radius_m;
   const double least_m = (outside ? now_m : std::min(now_m, setting_.route_clearance_m)) - loss_m;
-  // it ends a little short of its aim, by a measurement: deeper is better
-  const double slack_m = end_reach_m(setting_.limits) + setting_.limits.position_error_m;
+  // it may rest as far from its aim as its hold sways: deeper is better
+  const double slack_m = sway_m();
   FixedList<double, 4> wishes;
   (void)wishes.push(setting_.return_clearance_m + slack_m);
   (void)wishes.push(setting_.return_clearance_m);

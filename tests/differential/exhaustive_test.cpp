@@ -154,7 +154,7 @@ TEST_F(SmallScope, TheKernelFollowsTheDefinitions) {
 
 TEST_F(SmallScope, TheVerdictsAloneFollowTheDefinitions) {
   const auto code = driver::kernel_code(checked_->compilation);
-  const driver::LoadedKernel loaded = load_verdicts(code);
+  const driver::LoadedKernel loaded = load_verdicts(code, {}, Speed::of_building);
   ASSERT_NE(loaded.engine, nullptr) << loaded.problem;
   compare(*loaded.engine);
 }

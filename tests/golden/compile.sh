@@ -25,15 +25,15 @@ compile_case() { # FOLDER MODE...; MODE: how far to compile
   shift
   kernel=$(find "$folder" -name '*_kernel.c')
   stem=${kernel%_kernel.c}
-  printf '#include "%s_system.h"\n' "$(basename -- "$stem")" >"$work/system.cpp"
+  # The system stands before all else, so that it includes what it needs itself.
+  printf '#include "%s"\n' "$(basename -- "$stem")_system.h" "$stem.cpp" >"$work/whole.cpp"
   try gcc -std=c99 "${strict[@]}" "$@" "$kernel"
   try clang -std=c99 "${strict[@]}" "$@" "$kernel"
   local compiler
   for compiler in g++ clang++; do
     local cpp=("$compiler" -std=c++17 "${strict[@]}" -I "$include" -I "$folder" "$@")
     try "${cpp[@]}" -x c++ "$kernel"
-    try "${cpp[@]}" "$stem.cpp"
-    try "${cpp[@]}" "$work/system.cpp"
+    try "${cpp[@]}" "$work/whole.cpp"
   done
 }
 

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
 #include "compiler/support/rational.h"
 #include "rtac/safe/pace.h"
 #include "rtac/safe/pilot.h"
@@ -27,6 +32,7 @@ sema::RobotKind kind_of(const RobotLimits& l) {
   k.motion.speed = {milli(l.speed_mps), {}};
   k.motion.accel = {milli(l.accel_mps2), {}};
   k.motion.brake = {milli(l.brake_mps2), {}};
+  k.motion.disturbance = sema::Quantity{milli(l.disturbance_mps2), {}};
   if (l.unicycle) {
     k.motion.turn = sema::Quantity{milli(l.turn_radps), {}};
     k.motion.turn_accel = sema::Quantity{milli(l.turn_accel_radps2), {}};
@@ -50,12 +56,22 @@ std::vector<Vec2> stairs(int cells) {
   }
   return points;
 }
+// What lasts and takes speed from a robot: a push, and a velocity that is measured wrong.
+struct Lasting {
+  Vec2 push_mps2, velocity_bias;
+};
 template <class Output>
-double driven_s(const RobotLimits& limits, double speed_mps, const std::vector<Vec2>& points) {
+double driven_s(const RobotLimits& limits, double speed_mps, const std::vector<Vec2>& points,
+                const std::optional<Lasting>& lasting = std::nullopt) {
   safe::Setting setting;
   setting.limits = limits, setting.period_us = period_us, setting.speed_mps = speed_mps;
   rtac::test::Plant<Output> plant(limits, {0, 0});
   plant.heading = 3.1;
+  if (lasting) {
+    plant.noisy = 0;
+    plant.push_mps2 = lasting->push_mps2;
+    plant.velocity_bias = lasting->velocity_bias;
+  }
   safe::Pilot<Output> pilot(setting);
   pilot.engage(plant.observe());
   Path way;
@@ -91,6 +107,8 @@ TEST(Pace, IsTheSameOnBothSides) {
   EXPECT_EQ(pace::planned_braking_permille, std::lround(1e3 * theirs::planned_braking));
   EXPECT_EQ(pace::velocity_time_ms, std::lround(1e3 * theirs::velocity_time_s));
   EXPECT_EQ(pace::velocity_time_delays, theirs::velocity_time_delays);
+  EXPECT_EQ(pace::lateral_gain_milli_per_s, std::lround(1e3 * theirs::lateral_gain_per_s));
+  EXPECT_EQ(pace::arrival_margin_permille, std::lround(1e3 * theirs::arrival_margin));
   EXPECT_EQ(pace::hold_max_mradps, 1000 * theirs::hold_max_radps);
   EXPECT_EQ(pace::hold_mrad_per_delay, 1000 * theirs::hold_rad_per_delay);
   EXPECT_EQ(pace::hold_delay_least_us, 1e6 * theirs::hold_delay_least_s);
@@ -119,6 +137,33 @@ TEST(Pace, RunsOutAsFarOnBothSides) {
   }
 }
 
+// Errors and pushes that last: none, small ones, and half of the brake.
+std::vector<RobotLimits> exposed() {
+  std::vector<RobotLimits> all = {rtac::test::drone_limits(), brisk(rtac::test::drone_limits())};
+  for (const double error_mps : {0.0, 0.05, 0.15}) {
+    for (const double push_mps2 : {0.0, 0.05, 0.2, 0.5}) {
+      RobotLimits l = rtac::test::drone_limits();
+      l.velocity_error_mps = error_mps, l.disturbance_mps2 = push_mps2;
+      all.push_back(l);
+    }
+  }
+  return all;
+}
+
+TEST(Pace, EndsAsNearOnBothSides) {
+  std::vector<RobotLimits> all = exposed();
+  all.push_back(rtac::test::cart_limits());
+  for (const RobotLimits& limits : all) {
+    rtac::safe::Setting setting;
+    setting.limits = limits, setting.period_us = period_us;
+    const double reach_mm = 1e3 * rtac::safe::end_reach_m(setting);
+    const auto known_mm = static_cast<double>(end_reach_mm(kind_of(limits), period_us));
+    EXPECT_GE(known_mm, reach_mm);
+    EXPECT_LE(known_mm, reach_mm + 1.1)
+        << limits.velocity_error_mps << " m/s, " << limits.disturbance_mps2 << " m/s^2";
+  }
+}
+
 // Short and long, slow and fast: the plants are never slower than the price says.
 template <class Output>
 void expect_priced(const RobotLimits& limits, double speed_mps) {
@@ -135,6 +180,28 @@ TEST(Travel, APointMassTakesNoLongerThanPriced) {
   for (const double speed_mps : {0.1, 0.3, 0.8}) {
     expect_priced<Acceleration>(rtac::test::drone_limits(), speed_mps);
     expect_priced<Acceleration>(brisk(rtac::test::drone_limits()), speed_mps);
+  }
+}
+// What lasts takes speed from it, wherever it comes from, and never all of it.
+TEST(Travel, APointMassArrivesInTimeWhateverLasts) {
+  const std::vector<Vec2> straight{{1.2, 0}};
+  for (const RobotLimits& limits : exposed()) {
+    const double lasting_mps = lasting_speed(kind_of(limits), period_us).get_d();
+    for (const double speed_mps : {std::max(0.1, 2 * lasting_mps), 0.8}) {
+      for (int k = 0; k < 24; ++k) {
+        const double angle = 2 * 3.14159265 * k / 24;
+        const Vec2 towards{std::cos(angle), std::sin(angle)};
+        const Lasting lasting{limits.disturbance_mps2 * towards,
+                              -limits.velocity_error_mps * towards};
+        for (const std::vector<Vec2>& way : {stairs(6), straight}) {
+          EXPECT_LE(driven_s<Acceleration>(limits, speed_mps, way, lasting),
+                    priced_s(limits, speed_mps, length_m(way)))
+              << speed_mps << " m/s, " << limits.velocity_error_mps << " m/s, "
+              << limits.disturbance_mps2 << " m/s^2, " << angle << " rad, " << way.size()
+              << " legs";
+        }
+      }
+    }
   }
 }
 TEST(Travel, AUnicycleTakesNoLongerThanPriced) {

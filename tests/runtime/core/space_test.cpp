@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "tests/runtime/core/test_plants.h"
 #include "tests/runtime/core/test_zone.h"
@@ -48,6 +49,46 @@ TEST(CarriedInSpace, RecedesFromRobotsThatAreHeldByHeightToo) {
   EXPECT_TRUE(is_pulled(Gate::away_only, {9, 5, 4.5}));
   EXPECT_FALSE(is_pulled(Gate::away_only, {5, 5, 2}));
   EXPECT_FALSE(is_pulled(Gate::away_only, {9, 5, 3.5}));
+}
+
+// When a landing has ended, in s, of a robot that measures its climb wrong, and that something
+// pushes up, all the time; 120: never.
+double landed_s(double bias_mps, double push_mps2) {
+  Setting setting;
+  setting.limits = test::drone_limits();
+  setting.limits.in_space = true;
+  setting.limits.velocity_error_mps = std::fabs(bias_mps);
+  setting.limits.disturbance_mps2 = std::fabs(push_mps2);
+  setting.period_us = 50'000;
+  setting.speed_mps = 0.5;
+  setting.land_at_m = 1;
+  Land land(setting);
+  Observation seen;
+  seen.robots = 1;
+  double z = 4, climb = 0;
+  land.engage(seen);
+  bool set_out = false;
+  for (TimeUs now_us = 0; now_us < 120'000'000; now_us += setting.period_us) {
+    seen.now_us = seen.position.stamp_us = seen.velocity.stamp_us = now_us;
+    seen.height_m = z, seen.climb_mps = climb + bias_mps;
+    const double up_mps2 = land.command(seen, Gate::free).up_mps2 + push_mps2;
+    set_out = set_out || !land.holding();
+    if (set_out && z < 2 && land.holding()) return 1e-6 * static_cast<double>(now_us);
+    for (TimeUs t = 0; t < setting.period_us; t += test::step_us) {
+      climb += 1e-6 * static_cast<double>(test::step_us) * up_mps2;
+      z += 1e-6 * static_cast<double>(test::step_us) * climb;
+    }
+  }
+  return 120;
+}
+
+// It rests beside the place that it holds, by as much as what lasts takes from its spring.
+TEST(CarriedInSpace, LegsEndWhateverLasts) {
+  for (const double bias_mps : {-0.1, -0.03, 0.0, 0.03, 0.1}) {
+    for (const double push_mps2 : {-0.3, 0.0, 0.3}) {
+      EXPECT_LT(landed_s(bias_mps, push_mps2), 20) << bias_mps << " m/s, " << push_mps2 << " m/s^2";
+    }
+  }
 }
 
 // Whether a robot that has come to rest sets out.

@@ -74,6 +74,7 @@ class Plant {
   double heading = 0, speed = 0, turn = 0;
   double noisy = 1;
   Vec2 velocity_bias;  // an error need not have a mean of zero
+  Vec2 push_mps2;      // of a point mass
   Observation seen;
   Noise noise;
 
@@ -85,7 +86,7 @@ class Plant {
 
 template <>
 inline void Plant<Acceleration>::move(double dt) {
-  v = v + dt * acting.value_mps2;
+  v = v + dt * (acting.value_mps2 + push_mps2);
   if (norm(v) > limits.speed_mps) v = (limits.speed_mps / norm(v)) * v;
   p = p + dt * v;
 }

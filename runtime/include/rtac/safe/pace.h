@@ -14,6 +14,10 @@ inline constexpr double planned_braking = 0.4;
 // delay keeps the loop well damped when the delay is longer.
 inline constexpr double velocity_time_s = 0.3;
 inline constexpr double velocity_time_delays = 2;
+// Point mass: the correction to its leg, and how much faster its set-point is than what lasting
+// errors and pushes take from it, until it is as near to the end of its leg as counts for being
+// there.
+inline constexpr double lateral_gain_per_s = 1, arrival_margin = 1.25;
 // Point mass: the frequency of its hold, which is critically damped: at most the first; a quarter
 // of a radian per delay, for a phase margin above 60 degrees; of a delay of at least the last.
 inline constexpr double hold_max_radps = 2, hold_rad_per_delay = 0.25, hold_delay_least_s = 0.01;

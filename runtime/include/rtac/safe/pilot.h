@@ -11,10 +11,11 @@
 
 namespace rtac::safe {
 
-// A pilot ends its way where it measures itself within this of the last point.
-inline double end_reach_m(const RobotLimits& limits) {
-  return std::max(0.02, limits.position_error_m);
-}
+// A pilot ends a leg where it measures itself within this of its end: 2 cm, or the error of the
+// position. A point mass comes no nearer than errors of its velocity and pushes let it that last:
+// beside its leg to where its correction makes up for them, and along it to where its set-point
+// does.
+double end_reach_m(const Setting& setting);
 
 // How much longer a leg has to be for its pilot to pass what was its end at the full speed of the
 // recovery: what it comes on until its brake acts, and what it plans to slow down over.
@@ -93,6 +94,8 @@ class Pilot<Acceleration> {
   [[nodiscard]] bool latched() const { return latched_; }
   // While it holds: the place to hold moves by at most `step_m` towards `to`. True: it is there.
   bool carry(Vec3 to, double step_m);
+  // How far from the place that it holds it may be measured, once it is there.
+  [[nodiscard]] double sway_m() const { return sway_m_; }
   // Latched, and slow enough to be driven off.
   [[nodiscard]] bool at_rest(const Observation& observation) const;
   // The motion that `drive` would command leads nowhere nearer to `from`: back to the leg that it
@@ -119,7 +122,8 @@ class Pilot<Acceleration> {
   double rest_mps_;     // measured speed below which the brake gives way to the position hold
   double ready_mps_;    // measured speed below which the hold may be left
   double omega_radps_;  // natural frequency of the position hold
-  double sway_m_;       // how far from the place that it holds it may be measured, once it is there
+  double sway_m_;
+  double end_reach_m_;
   LegTracker tracker_;
   std::optional<Leg> on_leg_;  // that it drives, or was stopped on
   double leg_mps_ = 0;         // of who drove it
@@ -152,6 +156,7 @@ class Pilot<Twist> {
   RobotLimits limits_;
   TimeUs period_us_;
   double speed_mps_;
+  double end_reach_m_;
   double reaction_s_;
   LegTracker tracker_;
   bool latched_ = false, driving_ = false, turning_ = false;

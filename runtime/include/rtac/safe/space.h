@@ -22,6 +22,8 @@ class Carried : public SafeController<Acceleration> {
   using Legs = FixedList<Vec3, legs_max>;  // their ends
   // Where to go from a place of rest; nowhere: it stays.
   virtual void look(Vec3 from, Legs& legs) = 0;
+  // How far from where its legs end it may be measured, once it rests there.
+  [[nodiscard]] double sway_m() const { return pilot_.sway_m(); }
 
   Setting setting_;
 
