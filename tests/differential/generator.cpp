@@ -177,17 +177,17 @@ std::string Generator::constant(Sort sort) {
   using List = std::vector<std::string>;
   switch (sort) {
     case Sort::number:
-      return one_of(List{"-2", "-1", "-0.5", "0", "0.25", "0.5", "1", "1.5", "2", "3", "(1 / 3)"});
+      return one_of(List{"-2", "-1", "-0.5", "0", "0.25", "0.5", "1", "1.5", "2", "3"});
     case Sort::whole:
       return one_of(List{"-3", "-1", "0", "1", "2", "4", "5"});
     case Sort::length:
-      return one_of(List{"-1 m", "0 m", "5 cm", "0.5 m", "1 m", "2 m", "3.5 m", "(7 m / 3)"});
+      return one_of(List{"-1 m", "0 m", "5 cm", "0.5 m", "1 m", "2 m", "3.5 m"});
     case Sort::heat:
       return one_of(List{"250 K", "290 K", "300 K", "310.5 K"});
     case Sort::share:
       return one_of(List{"0 %", "20 %", "50 %", "99.5 %"});
     case Sort::speed:
-      return one_of(List{"0 m/s", "0.3 m/s", "1 m/s", "2.5 m/s", "5 km/h"});
+      return one_of(List{"0 m/s", "0.3 m/s", "1 m/s", "2.5 m/s"});
     case Sort::time:
       return one_of(List{"0 s", "500 ms", "1 s", "2 s", "3 s"});
   }

@@ -28,6 +28,9 @@ TEST(Mutation, NothingIsNoticedInTheKernelItself) {
   ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
   const Batch::Result result = batch().compare(*kernel.engine);
   EXPECT_EQ(result.different, 0u) << result.first;
+  const driver::LoadedKernel alone = load_verdicts(batch().code());
+  ASSERT_NE(alone.engine, nullptr) << alone.problem;
+  EXPECT_EQ(batch().disagreement(*kernel.engine, *alone.engine), "");
 }
 
 // How many monitors of the batch notice a mistake in the kernel that `load_kernel` loads.
