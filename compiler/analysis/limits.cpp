@@ -103,7 +103,8 @@ void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
   b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
   const Hold hold = hold_of(b, delay_us);
   b.hold_mm = div_up(eta * eta, left_mmps2) + hold.strays_mm;
-  if (b.in_space) b.end_reach_mm = hold.sways_mm;
+  b.sway_mm = hold.sways_mm;
+  if (b.in_space) b.end_reach_mm = b.sway_mm;
 }
 
 }  // namespace

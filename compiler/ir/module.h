@@ -100,6 +100,7 @@ struct Body {
   std::int64_t position_age_us = 0, velocity_age_us = 0, battery_age_us = 0, hears_age_us = 0;
   std::int64_t latency_us = 0, tracking_mm = 0;
   std::int64_t end_reach_mm = 0;  // how far from where a recovery leads it may come to rest
+  std::int64_t sway_mm = 0;       // how far from the place that it holds it may rest, for good
   std::int64_t beside_mm = 0;     // how far beside its leg errors that last let a recovery drive
   std::optional<std::int64_t> heading_age_us;  // none: not sensed
   std::int64_t battery_error_ppm = 0, drain_ppm_per_s = 0;

@@ -142,10 +142,29 @@ Claim recovery_claim(const Subject& s, std::size_t k) {
            {"template", ir::word_of(r.kind)}}};
 }
 
+// Who goes to a site to be charged has to rest so near to it (language rule 6.7); "": it does.
+std::string off_its_dock(const Subject& s, const ir::Recovery& last) {
+  constexpr std::int64_t dock_reach_mm = 150;
+  if (last.kind != ir::RecoveryKind::route || !s.kind.energy) return "";
+  if (s.module[last.site].name != s.spec[s.kind.energy->charge_at].name) return "";
+  const ir::Body& body = s.decision.body;
+  const std::int64_t off_mm = body.end_reach_mm + body.sway_mm;
+  if (off_mm <= dock_reach_mm) return "";
+  return quoted(last.name) + " may come to rest " + metres(off_mm) + " from " +
+         quoted(s.module[last.site].name) +
+         ", where lasting errors and pushes let it come no nearer, and it is charged within " +
+         metres(dock_reach_mm);
+}
+
 // Why it is not shown that a recovery keeps a property; "": it is.
 std::string doubt_about(const Subject& s, std::size_t k, const ir::Block& property) {
-  const std::vector<ir::ZoneIndex> inner = moves_within(s.decision.monitors[k].recovery);
+  const ir::Recovery& recovery = s.decision.monitors[k].recovery;
+  const std::vector<ir::ZoneIndex> inner = moves_within(recovery);
   if (inner.empty()) return "";
+  const Atoms atoms = atoms_of(property);
+  if (atoms.charge || atoms.energy) {
+    if (std::string off = off_its_dock(s, ir::last_step(recovery)); !off.empty()) return off;
+  }
   if (speaks_of_windows(property)) {
     return "the way out of zones that come and go is checked (5030, 5031), and has no certificate";
   }
@@ -197,6 +216,11 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.repair = "a width of " + metres(2 * (last.return_clearance_mm + zone.cells.cell_mm)) +
                " there works; it has about " + metres(2 * part.clearance_mm) + ", as cells of " +
                metres(zone.cells.cell_mm) + " tell";
+    return o;
+  }
+  if (const std::string off = off_its_dock(s, last); !off.empty()) {
+    o.status = Status::unknown;
+    o.because = off;
     return o;
   }
   const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);

@@ -150,6 +150,9 @@ TEST(Rule6_5, IsAsShown) {
 TEST(Rule6_6, IsAsShown) {
   expect_as_shown("6.6");
 }
+TEST(Rule6_7, IsAsShown) {
+  expect_as_shown("6.7");
+}
 
 TEST(Rule7_1, IsAsShown) {
   expect_as_shown("7.1");

@@ -47,6 +47,25 @@ TEST_F(Verify, TheStartTellsWithinWhatARobotIsHeld) {
             calm_m + 0.1 / 4);
 }
 
+// In a wind that holds it off by more than 15 cm it may never be charged.
+TEST_F(Verify, WhoMayRestBesideItsDockIsNotShownToKeepItsCharge) {
+  const std::string calm = spec_text("tests/campaign/specs/templates/point.rta");
+  const std::string limit = "brake >= 1 m/s^2;";
+  write("point.rta", calm);
+  const std::string route = edited(spec_text("tests/campaign/specs/templates/route_point.rta"),
+                                   "dock = (1 m, 1 m)", "dock = (2 m, 2 m)");
+  EXPECT_EQ(statuses(verified(route, {"--format", "json"}).out, "P2b", "battery"),
+            Statuses{"proved"});
+  std::string windy = edited(calm, limit, limit + " disturbance <= 0.06 m/s^2;");
+  windy = edited(windy, "held <= 70 s", "held <= 300 s");
+  write("point.rta", windy);
+  const Outcome o = verified(route, {"--format", "json"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "P2a", "battery"), Statuses{"unknown"}) << o.out;
+  EXPECT_EQ(statuses(o.out, "P2b", "battery"), Statuses{"unknown"}) << o.out;
+  EXPECT_NE(o.out.find("from `dock`, where lasting errors"), std::string::npos) << o.out;
+}
+
 // What no choice avoids, and no run shows, is unknown: these retreats end long before the boundary
 // of the other zone. The report names the recoveries.
 TEST_F(Verify, CoordinatedRecoveriesThatAreNotShownToKeepEachOtherAreUnknown) {
