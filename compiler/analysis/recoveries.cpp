@@ -219,7 +219,7 @@ class Recoveries {
     for (const ir::Monitor& m : decision_.monitors) {
       const ir::Recovery& last = ir::last_step(m.recovery);
       auto zones = fences_of(m.property, decision_.facts.params);
-      if (last.kind == ir::RecoveryKind::retreat || last.kind == ir::RecoveryKind::loiter) {
+      if (ir::goes_back(last.kind)) {
         zones.push_back(last.zone);
       }
       for (const ir::ZoneIndex zone : zones) {

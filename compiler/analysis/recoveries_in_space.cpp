@@ -51,7 +51,7 @@ class InSpace {
   Found run() const {
     for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
       Found found;
-      if (step->kind == ir::RecoveryKind::retreat) found = retreat(*step);
+      if (ir::goes_back(step->kind)) found = retreat(*step);
       if (step->kind == ir::RecoveryKind::land) found = landing(*step);
       if (found) return found;
     }

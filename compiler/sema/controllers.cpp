@@ -59,14 +59,12 @@ class ControllerChecker {
   }
   Template manoeuvre(const syntax::RetreatTemplate& retreat) {
     built_in("retreat");
-    const bool in_space = kind_known_ && context_.spec[controller_.kind].in_space;
-    const auto zone = zone_in_frame(context_, retreat.zone, map_frame, Change::refused,
-                                    in_space ? Height::allowed : Height::refused);
+    const auto zone = zone_flown_in(retreat.zone);
     return Retreat{zone.value_or(ZoneId{}), speed(retreat.speed, "retreat")};
   }
   Template manoeuvre(const syntax::LoiterTemplate& loiter) {
     built_in("loiter");
-    const auto zone = zone_in_frame(context_, loiter.zone);
+    const auto zone = zone_flown_in(loiter.zone);
     return Loiter{zone.value_or(ZoneId{}), speed(loiter.speed, "loiter")};
   }
   Template manoeuvre(const syntax::RouteTemplate& route) {
@@ -85,6 +83,12 @@ class ControllerChecker {
       context_.unknown_word(yield.order, "an order of robots", {"id"});
     }
     return Yield{zone.value_or(ZoneId{}), speed(yield.speed, "yield")};
+  }
+  // Of a robot in space it may have floors and ceilings.
+  std::optional<ZoneId> zone_flown_in(const syntax::Name& zone) {
+    const bool in_space = kind_known_ && context_.spec[controller_.kind].in_space;
+    return zone_in_frame(context_, zone, map_frame, Change::refused,
+                         in_space ? Height::allowed : Height::refused);
   }
   // Of a robot in the plane nothing is known of how far below the ground is, and how fast it may
   // come nearer.
@@ -131,7 +135,8 @@ class ControllerChecker {
                                 "of your own"));
     }
     if (!kind_known_) return;
-    const bool flies = name == "brake_and_hold" || name == "retreat" || name == "land";
+    const bool flies =
+        name == "brake_and_hold" || name == "retreat" || name == "land" || name == "loiter";
     if (!flies) knows_space(name);
     const std::string user = "`" + name + "`";
     const SourceRange& range = range_;
@@ -149,8 +154,8 @@ class ControllerChecker {
         Finding(Code::not_in_space, range_, "`" + name + "` does not know robots in space yet")
             .label("`" + kind.name + "` has a height")
             .note(kind.name_range, "the robot is declared here")
-            .help("`brake_and_hold`, `retreat within Z speed 0.3 m/s` and `land to 0.5 m speed 0.3 "
-                  "m/s` work, also as steps of a `sequence`"));
+            .help("`brake_and_hold`, `retreat within Z speed 0.3 m/s`, `loiter within Z speed 0.3 "
+                  "m/s` and `land to 0.5 m speed 0.3 m/s` work, also as steps of a `sequence`"));
   }
 
   Quantity speed(const syntax::ExprPtr& expr, const std::string& name) {

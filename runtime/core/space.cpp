@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "angles.h"
 #include "rtac/safe/manoeuvre.h"
 #include "rtac/safe/pace.h"
 
@@ -23,6 +24,9 @@ constexpr int looks_max = 8000, cells_tried_max = 24;
 // Of doubles: a place that is as clear as is wanted counts as such.
 constexpr double rounding_m = 1e-6;
 
+// A rest lets the decision give control back: this many periods are more than its dwell.
+constexpr TimeUs rest_periods = 12;
+
 // How the legs of a way are looked at.
 enum class How { at_a_glance, piece_by_piece };
 
@@ -31,6 +35,11 @@ double squared(double x) {
 }
 double inner(Vec3 a, Vec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+Vec3 nearest_on(Vec3 from, Vec3 to, Vec3 at) {
+  const Vec3 way = to - from;
+  const double square = inner(way, way);
+  return square > 0 ? from + std::clamp(inner(at - from, way) / square, 0.0, 1.0) * way : to;
 }
 
 // What is around a place, looked at so many times at most.
@@ -172,40 +181,105 @@ void find_place(Sight& sight, Vec3 from, double wanted_m, double least_m, How ho
 
 void Carried::engage(const Observation& observation) {
   pilot_.engage(observation);
+  broken_off_ = legs_;
   legs_.clear();
+  leads_ = stopped_ = returning_ = false;
   next_look_us_ = never_us;
+}
+
+// Another recovery has driven in between: the leg goes on where that has left the robot near it.
+void Carried::go_on(const Halt& halt) {
+  pilot_.go_on(halt);
+  legs_ = broken_off_;
+  stopped_ = !legs_.empty();
+}
+
+std::optional<Halt> Carried::halt() const {
+  return leads_ ? Halt{} : pilot_.halting();
+}
+
+void Carried::stop() {
+  if (!leads_) return;
+  pilot_.go_on(Halt{});
+  leads_ = false;
+  stopped_ = true;
 }
 
 Acceleration Carried::command(const Observation& observation, Gate gate) {
   if (!pilot_.can_steer(observation)) {
-    legs_.clear();
+    stop();
     return pilot_.brake_blind(observation);
   }
-  if (!pilot_.latched()) {
-    legs_.clear();
-    return pilot_.halt(observation);
-  }
+  if (!pilot_.latched()) return pilot_.halt(observation);
+  if (stopped_) leave_far_leg();
   const Vec3 here = position_of(observation);
   if (legs_.empty() && observation.now_us >= next_look_us_) {
     next_look_us_ = observation.now_us + pace::look_every_us;
-    look(here, legs_);
+    look(observation.now_us, here, legs_);
     leg_ = 0;
+    leg_from_ = pilot_.halting()->place;
   }
-  if (!legs_.empty() && allowed(observation, gate)) {
-    const Vec3 end = legs_[leg_];
-    const double step_m = setting_.speed_mps * static_cast<double>(setting_.period_us) * s_per_us;
-    // the hold comes to the end first, and the robot after it, as near as errors that last let it
-    if (pilot_.carry(end, step_m) && norm(end - here) <= pilot_.sway_m()) {
-      if (++leg_ == legs_.size()) legs_.clear();
+  if (!legs_.empty()) {
+    if (allowed(observation, gate)) {
+      carry(here);
+    } else {
+      stop();
     }
   }
   return pilot_.halt(observation);
 }
 
+void Carried::carry(Vec3 here) {
+  const double step_m = setting_.speed_mps * static_cast<double>(setting_.period_us) * s_per_us;
+  const Vec3 to = aim();
+  const bool there = pilot_.carry(to, step_m);
+  const bool near = norm(pilot_.halting()->place - here) <= pilot_.sway_m();
+  leads_ = !near;
+  if (!there) return;
+  if (returning_) {
+    returning_ = false;
+    return;
+  }
+  // the hold comes to the end first, and the robot after it, as near as errors that last let it
+  if (!near) return;
+  leg_from_ = to;
+  if (++leg_ == legs_.size()) legs_.clear();
+}
+
+Vec3 Carried::aim() const {
+  return returning_ ? nearest_on(leg_from_, legs_[leg_], pilot_.halting()->place) : legs_[leg_];
+}
+
+// Within what is declared a stop ends no further beside its leg: what it bends from the straight
+// one (lemma sampled_brake), what errors of the hold lead it aside by while it stops, and its sway.
+double Carried::stray_m() const {
+  const RobotLimits& l = setting_.limits;
+  const double b = l.brake_mps2, d = l.disturbance_mps2;
+  const double reaction_s =
+      static_cast<double>(l.velocity_age_us + setting_.period_us + l.latency_us) * s_per_us;
+  const double s = setting_.speed_mps + l.velocity_error_mps;
+  const double eta_mps = l.velocity_error_mps + (b + d) * reaction_s;
+  const double bend_m = (eta_mps * (s + eta_mps) + d * s * s / (2 * b)) / (b - d);
+  const double aside_mps = 2 * (pace::hold_max_radps * l.position_error_m + l.velocity_error_mps);
+  return bend_m + aside_mps * s / (2 * b) + pilot_.sway_m();
+}
+
+// At rest after a stop. Stop by stop, noise would carry it off: it goes back to its leg, and on
+// from there. But further off than a stop explains something else has carried the robot away, and
+// nobody has looked at what lies between: its next leg begins here.
+void Carried::leave_far_leg() {
+  stopped_ = false;
+  const Vec3 place = pilot_.halting()->place;
+  const double off_m = legs_.empty() ? 0 : norm(place - nearest_on(leg_from_, legs_[leg_], place));
+  // what is not a number is not near either
+  if (!(off_m <= stray_m())) legs_.clear();
+  returning_ = !legs_.empty();
+}
+
 bool Carried::allowed(const Observation& observation, Gate gate) const {
   if (gate == Gate::free) return true;
   if (gate == Gate::hold) return false;
-  const Vec3 here = position_of(observation), way = legs_[leg_] - here;
+  const Vec3 here = position_of(observation), way = aim() - here;
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || !is_held(other, observation.now_us)) continue;
@@ -214,12 +288,12 @@ bool Carried::allowed(const Observation& observation, Gate gate) const {
   return true;
 }
 
-void Land::look(Vec3 from, Legs& legs) {
+void Land::look(TimeUs /*now_us*/, Vec3 from, Legs& legs) {
   if (from.z <= setting_.land_at_m + sway_m()) return;
   (void)legs.push({from.x, from.y, setting_.land_at_m});
 }
 
-void RetreatInSpace::look(Vec3 from, Legs& legs) {
+void RetreatInSpace::look(TimeUs /*now_us*/, Vec3 from, Legs& legs) {
   const double now_m = Sight(setting_).clearance_m(from);
   if (now_m >= setting_.return_clearance_m) return;
   const bool outside = now_m < setting_.limits.radius_m;
@@ -242,6 +316,42 @@ void RetreatInSpace::look(Vec3 from, Legs& legs) {
       if (!legs.empty()) return;
     }
   }
+}
+
+void LoiterInSpace::engage(const Observation& observation) {
+  RetreatInSpace::engage(observation);
+  rests_since_us_ = never_us;
+}
+
+// The clearance at a point is that at the centre less the distance between them, at least: within
+// the radius of where it rests, every place is as clear as control asks for, errors included.
+void LoiterInSpace::look(TimeUs now_us, Vec3 from, Legs& legs) {
+  RetreatInSpace::look(now_us, from, legs);
+  if (!legs.empty()) rests_since_us_ = never_us;
+  if (!legs.empty()) return;
+  if (rests_since_us_ == never_us) rests_since_us_ = now_us;
+  if (now_us - rests_since_us_ < rest_periods * setting_.period_us) return;
+  rests_since_us_ = never_us;
+  Sight sight(setting_);
+  const double clear_m = sight.clearance_m(from);
+  const double least_m = std::max(setting_.return_clearance_m, setting_.route_clearance_m);
+  const double asked_m = least_m + sway_m() + 2 * setting_.limits.position_error_m;
+  const double radius_m = std::min(LoiterManoeuvre::radius_m_max, clear_m - asked_m);
+  if (radius_m < LoiterManoeuvre::radius_m_max) {
+    find_place(sight, from, asked_m + LoiterManoeuvre::radius_m_max + sway_m(),
+               std::min(clear_m, least_m) - loss_m, How::at_a_glance, legs);
+  }
+  if (legs.empty() && radius_m >= LoiterManoeuvre::radius_m_min) lap(from, radius_m, legs);
+}
+
+// A level square around the centre, and back to it.
+void LoiterInSpace::lap(Vec3 centre, double radius_m, Legs& legs) {
+  constexpr int corners = 4;
+  for (int i = 0; i <= corners; ++i) {
+    const double angle_rad = 2 * detail::pi * i / corners;
+    (void)legs.push(centre + radius_m * Vec3{std::cos(angle_rad), std::sin(angle_rad), 0});
+  }
+  (void)legs.push(centre);  // never more than there may be
 }
 
 }  // namespace rtac::safe

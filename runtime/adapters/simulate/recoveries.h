@@ -61,6 +61,7 @@ class Recoveries {
       const SolidView& solid = decision_.surroundings.solids[static_cast<std::size_t>(r.zone)];
       if (solid.slab_count > 0) s.solid = &solid;
       if (r.kind == "retreat") return std::make_unique<safe::RetreatInSpace>(s);
+      if (r.kind == "loiter") return std::make_unique<safe::LoiterInSpace>(s);
       if (r.kind == "land") return std::make_unique<safe::Land>(s);
     }
     return nullptr;

@@ -88,7 +88,8 @@ class Planner {
 class TaskSource {
  public:
   virtual ~TaskSource() = default;
-  virtual bool next(int robot, Vec2& destination) = 0;  // false: no more tasks
+  // false: no more tasks, ever. The robot stands from now on and is not asked about again.
+  virtual bool next(int robot, Vec2& destination) = 0;
   virtual void completed(int robot, Vec2 destination, TimeUs now_us) = 0;
   virtual void skipped(int robot, Vec2 destination, TimeUs now_us) = 0;
 };

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "rtac/safe/controllers.h"
 #include "tests/runtime/core/test_plants.h"
 #include "tests/runtime/core/test_zone.h"
 
@@ -88,6 +92,121 @@ TEST(CarriedInSpace, LegsEndWhateverLasts) {
     for (const double push_mps2 : {-0.3, 0.0, 0.3}) {
       EXPECT_LT(landed_s(bias_mps, push_mps2), 20) << bias_mps << " m/s, " << push_mps2 << " m/s^2";
     }
+  }
+}
+
+// A robot that flies straight down at 1 m/s on `land`, and what becomes of it.
+class Stopping : public ::testing::Test {
+ protected:
+  Stopping() : land_(setting()) {
+    seen_.robots = 1;
+    sense({});
+    land_.engage(seen_);
+  }
+  static Setting setting() {
+    Setting s;
+    s.limits = test::drone_limits();
+    s.limits.in_space = true;
+    s.period_us = 50'000;
+    s.speed_mps = 1;
+    s.land_at_m = 1;
+    return s;
+  }
+  // In a straight stop from the speed of the recovery, what it comes on until its brake acts and
+  // where its hold sways included.
+  static double stop_m() {
+    const double lag_s = 0.05 + 1e-6 * double(setting().limits.latency_us);
+    return 1 / (2 * setting().limits.brake_mps2) + 2 * lag_s + 0.05;
+  }
+  void sense(Vec3 off) {
+    seen_.now_us = seen_.position.stamp_us = seen_.velocity.stamp_us = now_us_;
+    seen_.position.value = {at_.x + off.x, at_.y + off.y}, seen_.height_m = at_.z + off.z;
+    seen_.velocity.value = {v_.x, v_.y}, seen_.climb_mps = v_.z;
+  }
+  void move(const Acceleration& a) {
+    const Vec3 push{a.value_mps2.x, a.value_mps2.y, a.up_mps2};
+    for (TimeUs t = 0; t < setting().period_us; t += test::step_us) {
+      v_ = v_ + (1e-6 * double(test::step_us)) * push;
+      at_ = at_ + (1e-6 * double(test::step_us)) * v_;
+    }
+    now_us_ += setting().period_us;
+  }
+  void fly(SafeController<Acceleration>& recovery, Gate gate, double for_s, bool sees = true) {
+    for (double t = 0; t < for_s; t += 1e-6 * double(setting().period_us)) {
+      sense({});
+      if (!sees) seen_.position.stamp_us = seen_.velocity.stamp_us = blind_since_us_;
+      move(recovery.command(seen_, gate));
+      if (sees) blind_since_us_ = seen_.now_us;
+    }
+  }
+  void fly_down() {
+    fly(land_, Gate::free, 8);
+    ASSERT_GT(-v_.z, 0.9);
+    from_m_ = at_.z;
+  }
+
+  Land land_;
+  Observation seen_;
+  Vec3 at_{5, 5, 20}, v_{};
+  TimeUs now_us_ = 0, blind_since_us_ = 0;
+  double from_m_ = 0;
+};
+
+// The hold leads the robot by more than a stop takes: it brakes.
+TEST_F(Stopping, IsABrakeWhereTheGateCloses) {
+  fly_down();
+  fly(land_, Gate::hold, 10);
+  EXPECT_LT(norm(v_), 0.01);
+  EXPECT_LT(from_m_ - at_.z, stop_m());
+  fly(land_, Gate::free, 60);
+  EXPECT_NEAR(at_.z, 1, 0.05);  // and goes on afterwards
+}
+
+TEST_F(Stopping, IsABrakeWhereAnotherRecoveryTakesOver) {
+  fly_down();
+  BrakeAndHold<Acceleration> stop(setting());
+  sense({});
+  const std::optional<Halt> halt = land_.halt();
+  stop.engage(seen_);
+  if (halt) stop.go_on(*halt);
+  fly(stop, Gate::free, 10);
+  EXPECT_LT(norm(v_), 0.01);
+  EXPECT_LT(from_m_ - at_.z, stop_m());
+}
+
+TEST_F(Stopping, IsABrakeWhereItSeesNothing) {
+  fly_down();
+  fly(land_, Gate::free, 3, false);
+  EXPECT_LT(norm(v_), 0.15);  // what is left after whole periods of the brake
+  EXPECT_LT(from_m_ - at_.z, stop_m() + 0.2 + 3 * 0.15);  // and until its samples are too old
+}
+
+// Stop by stop on a leg that a gate or another recovery keeps breaking off, with every place that
+// is latched measured wrong to one side and every other one to the other: it stays on its leg.
+TEST_F(Stopping, DoesNotWanderOffStopByStop) {
+  BrakeAndHold<Acceleration> stop(setting());
+  const double error_m = setting().limits.position_error_m;
+  for (const int open_ticks : {4, 12, 24}) {
+    at_ = {5, 5, 20}, v_ = {};
+    SafeController<Acceleration>*drives = &land_, *other = &stop;
+    sense({});
+    drives->engage(seen_);
+    double aside_m = 0;
+    for (int k = 0; k < 2400 && at_.z > 2; ++k) {
+      // wrong to where it drifts while it brakes, right once it holds
+      const bool open = k % (3 * open_ticks) < open_ticks;
+      sense({open ? 0 : error_m, 0, 0});
+      if (k % 60 == 59) {
+        const std::optional<Halt> halt = drives->halt();
+        std::swap(drives, other);
+        drives->engage(seen_);
+        if (halt) drives->go_on(*halt);
+      }
+      move(drives->command(seen_, open ? Gate::free : Gate::hold));
+      aside_m = std::max(aside_m, std::hypot(at_.x - 5, at_.y - 5));
+    }
+    EXPECT_LT(at_.z, open_ticks > 4 ? 18.0 : 19.9) << open_ticks;  // it gets on
+    EXPECT_LT(aside_m, 2 * error_m + 0.01) << open_ticks;
   }
 }
 
@@ -175,6 +294,99 @@ TEST(RetreatInSpace, GlancesTakeNoLooksAwayFromPieces) {
   setting.return_clearance_m = 0.9;
   setting.solid = &solid;
   EXPECT_TRUE(sets_out(setting, {-0.05, 4.5}, 20.5));
+}
+
+// What a robot does that loiters and is never given control back, in a cube of 9 m.
+struct Laps {
+  double first_rest_s = 0;   // at rest before it sets out for the first time
+  double least_clear_m = 9;  // of all places
+  double farthest_m = 0;     // from where it came to rest at last, in the second half
+  double fastest_mps = 0;    // once it has come to rest
+  int sets_out = 0;
+};
+Laps loiter(const Setting& setting, Vec3 at, Vec3 position_off, Vec3 velocity_off, double until_s) {
+  LoiterInSpace loiters(setting);
+  Observation seen;
+  seen.robots = 1;
+  Vec3 v{};
+  const auto sense = [&](TimeUs now_us) {
+    const Vec3 p = at + position_off, w = v + velocity_off;
+    seen.now_us = seen.position.stamp_us = seen.velocity.stamp_us = now_us;
+    seen.position.value = {p.x, p.y}, seen.height_m = p.z;
+    seen.velocity.value = {w.x, w.y}, seen.climb_mps = w.z;
+  };
+  sense(0);
+  loiters.engage(seen);
+  Laps laps;
+  std::optional<Vec3> centre;
+  bool held = false;
+  for (TimeUs now_us = 0; now_us < TimeUs(1e6 * until_s); now_us += setting.period_us) {
+    sense(now_us);
+    const Acceleration a = loiters.command(seen, Gate::free);
+    const Vec3 push{a.value_mps2.x, a.value_mps2.y, a.up_mps2};
+    laps.sets_out += held && !loiters.holding() ? 1 : 0;
+    held = loiters.holding();
+    if (held && laps.sets_out == 0) laps.first_rest_s += 1e-6 * double(setting.period_us);
+    if (held && double(now_us) > 0.5e6 * until_s && !centre) centre = at;
+    if (centre) laps.farthest_m = std::max(laps.farthest_m, norm(at - *centre));
+    for (TimeUs t = 0; t < setting.period_us; t += test::step_us) {
+      v = v + (1e-6 * double(test::step_us)) * push;
+      at = at + (1e-6 * double(test::step_us)) * v;
+    }
+    laps.least_clear_m = std::min(laps.least_clear_m, signed_clearance(*setting.solid, at));
+    if (held || laps.sets_out > 0) laps.fastest_mps = std::max(laps.fastest_mps, norm(v));
+  }
+  return laps;
+}
+
+class LoiteringInSpace : public ::testing::Test {
+ protected:
+  LoiteringInSpace() {
+    setting.limits = test::drone_limits();
+    setting.limits.in_space = true;
+    setting.period_us = 50'000;
+    setting.speed_mps = 0.5;
+    setting.route_clearance_m = 0.5;
+    setting.return_clearance_m = 0.9;
+    setting.solid = &cube;
+  }
+  // Laps of half a metre, and back to their centre, with a rest before each that is longer than the
+  // dwell of a decision.
+  void expect_laps(Vec3 start, Vec3 position_off, Vec3 velocity_off, int setting_out) {
+    const Laps laps = loiter(setting, start, position_off, velocity_off, 120);
+    EXPECT_GE(laps.first_rest_s, 12 * 0.05);
+    EXPECT_GE(laps.sets_out, setting_out);
+    EXPECT_GT(laps.farthest_m, 0.3);
+    EXPECT_LT(laps.farthest_m, 1.2);
+    EXPECT_LT(laps.fastest_mps, setting.speed_mps + 0.05);
+    EXPECT_GE(laps.least_clear_m, setting.return_clearance_m - 0.1);
+  }
+
+  const test::TestZone hall{test::square_rings(9'000)};
+  const SlabView slab{&hall.view(), 0, 9};
+  const SolidView cube{"cube", &slab, 1};
+  Setting setting;
+};
+
+TEST_F(LoiteringInSpace, DrivesLapsWhereThereIsRoom) {
+  expect_laps({4.5, 4.5, 4.5}, {}, {}, 5);
+}
+
+TEST_F(LoiteringInSpace, GoesWhereThereIsRoomAfterARest) {
+  expect_laps({1.1, 4.5, 8}, {}, {}, 5);
+}
+
+TEST_F(LoiteringInSpace, DrivesLapsWhateverErrorsLast) {
+  const double p = setting.limits.position_error_m, v = setting.limits.velocity_error_mps;
+  expect_laps({4.5, 4.5, 4.5}, {p, 0, 0}, {v, 0, 0}, 4);
+  expect_laps({1.1, 4.5, 8}, {p, 0, 0}, {-v, 0, 0}, 4);
+}
+
+TEST_F(LoiteringInSpace, RestsWhereThereIsNone) {
+  setting.return_clearance_m = 4.4;
+  const Laps laps = loiter(setting, {4.5, 4.5, 4.5}, {}, {}, 60);
+  EXPECT_EQ(laps.sets_out, 0);
+  EXPECT_LT(laps.farthest_m, 0.01);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Recoveries of robots in space that move: after the brake they carry the place of their hold along
-// straight legs, so that the robot follows it as closely as it holds. Each leg ends at rest.
+// straight legs, and the robot follows it, by what its spring trails. Each leg ends at rest. A hold
+// that leads the robot is no hold: whatever stops it on a leg begins with the brake.
 #pragma once
 
 #include "rtac/controller.h"
@@ -12,41 +13,67 @@ class Carried : public SafeController<Acceleration> {
  public:
   explicit Carried(const Setting& setting) : setting_(setting), pilot_(setting) {}
   void engage(const Observation& observation) override;
-  void go_on(const Halt& halt) override { pilot_.go_on(halt); }
-  [[nodiscard]] std::optional<Halt> halt() const override { return pilot_.halting(); }
+  void go_on(const Halt& halt) override;
+  [[nodiscard]] std::optional<Halt> halt() const override;
   Acceleration command(const Observation& observation, Gate gate) override;
   [[nodiscard]] bool holding() const override { return pilot_.latched() && legs_.empty(); }
 
  protected:
-  static constexpr std::size_t legs_max = 2;
+  static constexpr std::size_t legs_max = 6;
   using Legs = FixedList<Vec3, legs_max>;  // their ends
   // Where to go from a place of rest; nowhere: it stays.
-  virtual void look(Vec3 from, Legs& legs) = 0;
+  virtual void look(TimeUs now_us, Vec3 from, Legs& legs) = 0;
   // How far from where its legs end it may be measured, once it rests there.
   [[nodiscard]] double sway_m() const { return pilot_.sway_m(); }
 
   Setting setting_;
 
  private:
-  // Past robots that are HELD the gate lets it go only on legs that bring it nearer to none of
-  // them.
+  // Past robots that are HELD the gate lets it go only where that brings it nearer to none of them.
   [[nodiscard]] bool allowed(const Observation& observation, Gate gate) const;
+  // What it makes for: first back to its leg, if it was stopped beside it.
+  [[nodiscard]] Vec3 aim() const;
+  void carry(Vec3 here);
+  // Brakes, and latches where it comes to rest, if the hold leads the robot.
+  void stop();
+  void leave_far_leg();
+  [[nodiscard]] double stray_m() const;
 
   Pilot<Acceleration> pilot_;
   Legs legs_;
+  Legs broken_off_;  // when it was engaged anew: another recovery may have driven in between
   std::size_t leg_ = 0;
+  Vec3 leg_from_;
+  bool leads_ = false;      // the hold is farther ahead of the robot than it sways
+  bool stopped_ = false;    // on its leg, and it has not come to rest since
+  bool returning_ = false;  // to its leg
   TimeUs next_look_us_ = never_us;
 };
 
 // Up or down, and then on that level, to the nearest place from which control can be given back
 // that it sees, never closer to the boundary than now, or than it may be; from outside back in the
 // same way. In a zone of the plane, `Setting::zone`, it keeps its height.
-class RetreatInSpace final : public Carried {
+class RetreatInSpace : public Carried {
  public:
   using Carried::Carried;
 
+ protected:
+  void look(TimeUs now_us, Vec3 from, Legs& legs) override;
+};
+
+// Retreats, rests long enough for control to be given back, and then drives level laps around the
+// place of rest, or first goes where there is room for them, with a rest after each. Every point of
+// a lap is a place where control can be given back: its radius is the clearance that is left over.
+class LoiterInSpace final : public RetreatInSpace {
+ public:
+  using RetreatInSpace::RetreatInSpace;
+  void engage(const Observation& observation) override;
+
  private:
-  void look(Vec3 from, Legs& legs) override;
+  void look(TimeUs now_us, Vec3 from, Legs& legs) override;
+  static void lap(Vec3 centre, double radius_m, Legs& legs);
+
+  TimeUs rests_since_us_ = never_us;
 };
 
 // Straight down to `Setting::land_at_m`, and stays there. From below it stays where it is.
@@ -55,7 +82,7 @@ class Land final : public Carried {
   using Carried::Carried;
 
  private:
-  void look(Vec3 from, Legs& legs) override;
+  void look(TimeUs now_us, Vec3 from, Legs& legs) override;
 };
 
 }  // namespace rtac::safe

@@ -27,23 +27,26 @@ const rtac::RobotLimits limits_of_Quad = [] {
 const rtac::MonitorInfo fly_monitors[] = {
   {"walls", "SR-1",
    "in the hall",
-   "spec.rta", 25, "back", "", "m"},
+   "spec.rta", 26, "back", "", "m"},
   {"lot", "SR-2",
    "over the plot",
-   "spec.rta", 26, "aside", "", "m"},
+   "spec.rta", 27, "aside", "", "m"},
   {"calm", "SR-3",
    "low",
-   "spec.rta", 27, "down", "", "m"},
+   "spec.rta", 29, "down", "", "m"},
+  {"slow", "SR-5",
+   "not fast",
+   "spec.rta", 28, "round", "", "m/s"},
   {"rules", "SR-4",
    "not higher than the rules allow",
-   "spec.rta", 28, "home", "", "m"},
+   "spec.rta", 30, "home", "", "m"},
 };
 const char* const fly_robots[] = {
   "quad",
 };
 const rtac::DecisionInfo fly_info = {
   "fly", "Quad", "pilot", "",
-  fly_monitors, 4, 50000, &limits_of_Quad,
+  fly_monitors, 5, 50000, &limits_of_Quad,
   fly_robots, 1, 1
 };
 
@@ -1696,7 +1699,7 @@ const rtac::DecisionRecord& Fly::step(rtac::TimeUs now_us, bool holding, bool su
   in_.holding = holding;
   in_.surrender = surrender;
   space_recoveries_fly_step(&state_, &in_, now_us, &out);
-  rtac::bridge::take_findings(out, 4, record_);
+  rtac::bridge::take_findings(out, 5, record_);
   record_.previous_mode = out.previous_mode;
   record_.tick = static_cast<std::uint64_t>(out.tick);
   record_.time_us = out.time_us;

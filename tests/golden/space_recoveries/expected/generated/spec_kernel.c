@@ -715,6 +715,38 @@ static margin zone_reach(const zone *z, const place *at, const reach *r, int64_t
   return margin_of(spare * WEIGHT_MM, spare * WEIGHT_MM, SPACE_RECOVERIES_REASON_MARGIN);
 }
 
+/* Millionths of the scale, 1 m/s, per mm/s. */
+#define WEIGHT_MMPS INT64_C(1000)
+
+/* The greatest speed until `us` after the sample, under the limits of whoever drives. */
+static int64_t fastest_mmps(const estimate *s, const motion *m, int64_t us) {
+  return min_of(speed_cap(s, m), s->speed_mmps + s->v_error_mmps +
+                                     div_up(m->accel_mmps2 * div_up(us, 1000), 1000));
+}
+
+static span speed_now(const estimate *s, const motion *m) {
+  if (s->input != SPACE_RECOVERIES_INPUT_NONE) {
+    return span_unknown(s->input);
+  } else {
+    const int64_t fastest = fastest_mmps(s, m, s->age_us);
+    /* 1: the measured speed is rounded up. What was faster than its cap is taken at its word. */
+    const int64_t least = s->speed_mmps - 1 - s->v_error_mmps -
+                          div_up(m->accel_mmps2 * div_up(s->age_us, 1000), 1000);
+    return span_of(min_of(max_of(least, 0), fastest), fastest);
+  }
+}
+
+/* Never above `most_mmps` before the recovery acts; from then on it only brakes. */
+static margin speed_reach(const estimate *s, const motion *m, int64_t horizon_us,
+                          int64_t most_mmps) {
+  if (s->input != SPACE_RECOVERIES_INPUT_NONE) {
+    return margin_unknown(s->input);
+  } else {
+    const int64_t spare = most_mmps - fastest_mmps(s, m, s->age_us + horizon_us);
+    return margin_of(spare * WEIGHT_MMPS, spare * WEIGHT_MMPS, SPACE_RECOVERIES_REASON_MARGIN);
+  }
+}
+
 /* What one monitor found in this tick. */
 typedef struct check {
   margin now;        /* the property */
@@ -1099,6 +1131,7 @@ static const motion MOTIONS[] = {
   {300, 1000, 1}, /* back */
   {200, 1000, 1}, /* aside */
   {300, 1000, 1}, /* down */
+  {300, 1000, 1}, /* round */
   {300, 1000, 1} /* home */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
@@ -1121,7 +1154,7 @@ typedef struct fly_view {
   place at_plot; /* of the robot itself */
 } fly_view;
 
-/* SR-1: in the hall (spec.rta:25). q inside hall */
+/* SR-1: in the hall (spec.rta:26). q inside hall */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_hall, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1135,7 +1168,7 @@ static margin fly_walls_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-2: over the plot (spec.rta:26). q inside plot */
+/* SR-2: over the plot (spec.rta:27). q inside plot */
 static margin fly_lot_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_plot, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -1149,7 +1182,7 @@ static margin fly_lot_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-3: low (spec.rta:27). q.position.z <= 9 m */
+/* SR-3: low (spec.rta:29). q.position.z <= 9 m */
 static margin fly_calm_now(const fly_view *v) {
   const span v0 = altitude_now(&v->self, &BODY, v->m);
   const span v1 = span_of(9000, 9000);
@@ -1163,7 +1196,21 @@ static margin fly_calm_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-4: not higher than the rules allow (spec.rta:28). q.position.z <= 10 m */
+/* SR-5: not fast (spec.rta:28). q.speed <= 0.9 m/s */
+static margin fly_slow_now(const fly_view *v) {
+  const span v0 = speed_now(&v->self, v->m);
+  const span v1 = span_of(900, 900);
+  const margin v2 = margin_at_least(v1, v0, WEIGHT_MMPS, 0);
+  return v2;
+}
+
+/* Everything within reach; recovery: round */
+static margin fly_slow_ahead(const fly_view *v) {
+  const margin v0 = speed_reach(&v->self, v->m, v->horizon_us, 900);
+  return v0;
+}
+
+/* SR-4: not higher than the rules allow (spec.rta:30). q.position.z <= 10 m */
 static margin fly_rules_now(const fly_view *v) {
   const span v0 = altitude_now(&v->self, &BODY, v->m);
   const span v1 = span_of(10000, 10000);
@@ -1243,12 +1290,14 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
     checks[0].safer = fly_walls_ahead(v);
     checks[1].safer = fly_lot_ahead(v);
     checks[2].safer = fly_calm_ahead(v);
-    checks[3].safer = fly_rules_ahead(v);
+    checks[3].safer = fly_slow_ahead(v);
+    checks[4].safer = fly_rules_ahead(v);
   } else {
     checks[0].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
     checks[1].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
     checks[2].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
     checks[3].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
+    checks[4].safer = margin_unknown(SPACE_RECOVERIES_INPUT_NONE);
   }
   v->legs = mode == 0;
   fly_look(v, &MOTIONS[v->driver], fly_horizons_us[0]);
@@ -1261,9 +1310,12 @@ static void fly_check(fly_view *v, int32_t mode, int32_t back, check *checks) {
   checks[2].now = fly_calm_now(v);
   checks[2].ahead = fly_calm_ahead(v);
   checks[2].gives_back = margin_true();
-  checks[3].now = fly_rules_now(v);
-  checks[3].ahead = fly_rules_ahead(v);
+  checks[3].now = fly_slow_now(v);
+  checks[3].ahead = fly_slow_ahead(v);
   checks[3].gives_back = margin_true();
+  checks[4].now = fly_rules_now(v);
+  checks[4].ahead = fly_rules_ahead(v);
+  checks[4].gives_back = margin_true();
 }
 
 /* The record of the tick. `back`: control might have been given back. */
@@ -1281,7 +1333,7 @@ static void fly_report(const fly_view *v, const space_recoveries_fly_state *s,
   out->violation_us = sooner(out->violation_us, checks[0].now, 1000);
   out->violation_us = sooner(out->violation_us, checks[1].now, 1000);
   out->violation_us = sooner(out->violation_us, checks[2].now, 1000);
-  out->violation_us = sooner(out->violation_us, checks[3].now, 1000);
+  out->violation_us = sooner(out->violation_us, checks[4].now, 1000);
   for (k = 0; k < MONITORS; ++k) {
     out->monitors[k].now = verdict_of(checks[k].now);
     out->monitors[k].ahead = verdict_of(checks[k].ahead);

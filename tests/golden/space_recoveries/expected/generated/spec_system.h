@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/safe/space.h"
@@ -36,11 +37,42 @@ class System {
     static const char* const names[] = {"quad"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : fly(self), back(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), aside(setting(0.2, plot_zone(), 0.533, 0.494, 1.641)), down(landing(0.3, 1.0)), round(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), home(
+            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RetreatInSpace>(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), 20000000},
+            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::Land>(landing(0.3, 1.0)), 0}) {}
+    Fly fly;
+    rtac::safe::RetreatInSpace back;
+    rtac::safe::RetreatInSpace aside;
+    rtac::safe::Land down;
+    rtac::safe::LoiterInSpace round;
+    rtac::safe::Sequence<rtac::Acceleration> home;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 2) return aside;
+      if (mode == 3) return down;
+      if (mode == 4) return round;
+      if (mode == 5) return home;
+      return back;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -57,17 +89,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), back(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), aside(setting(0.2, plot_zone(), 0.533, 0.494, 1.641)), down(landing(0.3, 1.0)), home(
-            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RetreatInSpace>(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), 20000000},
-            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::Land>(landing(0.3, 1.0)), 0}) {}
-    Fly fly;
-    rtac::safe::RetreatInSpace back;
-    rtac::safe::RetreatInSpace aside;
-    rtac::safe::Land down;
-    rtac::safe::Sequence<rtac::Acceleration> home;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::SolidView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double /*pass_m*/) {
@@ -105,10 +126,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.back);
-    (void)p.recoveries.push(&robot.aside);
-    (void)p.recoveries.push(&robot.down);
-    (void)p.recoveries.push(&robot.home);
+    for (int mode = 1; mode <= 5; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;
