@@ -363,8 +363,9 @@ struct Parser {
     }
     if (!options.name_space.empty() && !is_namespace(options.name_space)) {
       problem = {
-          "`" + options.name_space + "` is not a name of a C++ namespace",
-          "letters, digits and `_` make one; it is no keyword, and no name of the C library"};
+          "`" + options.name_space + "` cannot be the namespace of generated code",
+          "one word of letters, digits and `_` can that begins with a letter; no keyword, no name "
+          "of the C library, nor `std` or `rtac`"};
     }
     if (options.command == Command::verify && !options.mutant.empty() && !options.conservatism) {
       problem = {"what `rtac verify` proves of a specification is not true of its mutants",

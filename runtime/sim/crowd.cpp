@@ -8,11 +8,13 @@
 namespace rtac::sim {
 namespace {
 
-constexpr std::uint64_t crowd_stream = 2003, crowd_noise_stream = 2004;
+constexpr std::uint64_t crowd_stream = 2003, crowd_noise_stream = 2004, lasting_stream = 2006;
 constexpr double s_per_us = 1e-6;
 constexpr TimeUs phase_us_min = 300'000, phase_us_max = 4'000'000;
 constexpr double nearest_m = 1, farthest_m = 6;  // from a robot, at the start
 constexpr int tries_max = 400;
+// What rounding may have added to a unit vector stays within its bound.
+constexpr double rounded_down = 1 - 1e-12;
 
 }  // namespace
 
@@ -34,6 +36,10 @@ Crowd::Crowd(const std::vector<AgentSetup>& agents, const std::vector<Property>&
     surroundings.agent_radius_m.push_back(agent.radius_m);
     surroundings.agent_in_space.push_back(agent.in_space);
     longest_us_ = std::max(longest_us_, agent.age_us);
+  }
+  Random lasting = Random::stream(seed, lasting_stream, 0);
+  for (std::size_t k = 0; k < agents.size(); ++k) {
+    minds_[k].seen_off = rounded_down * any_way(lasting, k, 1);
   }
   place(properties, surroundings);
 }
@@ -108,8 +114,7 @@ void Crowd::move(TimeUs now_us) {
   for (std::size_t k = 0; k < agents_.size(); ++k) {
     decide(k, now_us);
     if (minds_[k].phase == Phase::stand) continue;
-    // what rounding may have added to the unit vector stays within the speed
-    places_[k] = places_[k] + (agents_[k].speed_mps * time_s * (1 - 1e-12)) * minds_[k].direction;
+    places_[k] = places_[k] + (agents_[k].speed_mps * time_s * rounded_down) * minds_[k].direction;
   }
   const auto old = std::find_if(log_.begin(), log_.end(),
                                 [&](const Moment& m) { return m.time_us > now_us - longest_us_; });
@@ -137,8 +142,10 @@ Vec3 Crowd::offset(std::size_t agent, Vec3 away) {
       return {flat.x, flat.y, 0};
     }
     case Noise::aimed:
-      if (gap > 0) return (error * (1 - 1e-12) / gap) * away;
+      if (gap > 0) return (error * rounded_down / gap) * away;
       break;
+    case Noise::lasting:
+      return error * minds_[agent].seen_off;
     case Noise::extreme:
       break;
   }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 namespace rtac::sim {
 
@@ -19,8 +20,9 @@ Eigen::Vector3d Gusts::direction(const Eigen::Vector3d& velocity) const {
 void Gusts::blow(Body& body, const RobotLimits& limits, TimeUs now_us, double dt_s) {
   if (now_us >= until_us_) {
     constexpr std::int64_t shortest_us = 200'000, longest_us = 5'000'000;
-    until_us_ = now_us + shortest_us + random_.below(longest_us - shortest_us);
-    style_ = random_.below(3);
+    until_us_ = lasting_ ? std::numeric_limits<TimeUs>::max()
+                         : now_us + shortest_us + random_.below(longest_us - shortest_us);
+    style_ = lasting_ ? 0 : random_.below(3);
     if (limits.in_space) {
       const Vec3 from = random_.on_sphere(1);
       steady_ = {from.x, from.y, from.z};

@@ -11,7 +11,8 @@ namespace rtac::sim {
 // A steady wind from anywhere, along the motion or across it: each for a while, by seed.
 class Gusts {
  public:
-  explicit Gusts(Random random) : random_(random) {}
+  // `lasting`: a steady wind that never turns.
+  Gusts(Random random, bool lasting) : random_(random), lasting_(lasting) {}
   // Moves and speeds up `body` by what a gust does in `dt_s`, within its declared speed.
   void blow(Body& body, const RobotLimits& limits, TimeUs now_us, double dt_s);
 
@@ -19,6 +20,7 @@ class Gusts {
   [[nodiscard]] Eigen::Vector3d direction(const Eigen::Vector3d& velocity) const;
 
   Random random_;
+  bool lasting_;
   TimeUs until_us_ = 0;
   std::int64_t style_ = 0;
   Eigen::Vector3d steady_ = Eigen::Vector3d::Zero();

@@ -8,10 +8,12 @@
 namespace rtac::sim {
 namespace {
 
-constexpr std::uint64_t senses_stream = 2001;
+constexpr std::uint64_t senses_stream = 2001, lasting_stream = 2005;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 // Of a run: how often aimed noise is aimed exactly.
 constexpr double aimed_share = 0.6;
+// What rounding may have added to a unit vector stays within the error.
+constexpr double rounded_down = 1 - 1e-12;
 
 Vec3 turned(Vec3 v, double angle_rad) {
   const SinCos turn = sin_cos(angle_rad);
@@ -34,7 +36,22 @@ HostileSenses::HostileSenses(const Arena& arena, const Hostility& hostility, int
       robot_(robot),
       random_(Random::stream(hostility.seed, senses_stream, static_cast<std::uint64_t>(robot))),
       old_position_(random_.sign() > 0),
-      turn_rad_(random_.uniform() < aimed_share ? 0 : random_.uniform(-pi, pi)) {}
+      turn_rad_(random_.uniform() < aimed_share ? 0 : random_.uniform(-pi, pi)),
+      lasting_(draw_lasting()) {}
+
+// What is measured of the motion points the way of the place, against it, or anywhere.
+HostileSenses::Lasting HostileSenses::draw_lasting() const {
+  Random random =
+      Random::stream(hostility_.seed, lasting_stream, static_cast<std::uint64_t>(robot_));
+  const auto any_way = [&] {
+    return arena_.limits().in_space ? random.on_sphere(1) : level_offset(random.on_circle(1));
+  };
+  Lasting lasting;
+  lasting.position = any_way();
+  lasting.velocity = random.uniform() < 0.5 ? random.sign() * lasting.position : any_way();
+  lasting.sign = random.sign();
+  return lasting;
+}
 
 TimeUs HostileSenses::age(Sense sense, TimeUs max_age_us) {
   switch (hostility_.ages) {
@@ -67,7 +84,7 @@ void HostileSenses::aim(TimeUs now_us) {
   if (threat.monitor >= 0) away_ = turned(-1.0 * threat.direction, turn_rad_);
 }
 
-Vec3 HostileSenses::offset(double error, Vec3 away) {
+Vec3 HostileSenses::offset(double error, Vec3 lasting) {
   const bool in_space = arena_.limits().in_space;
   switch (hostility_.noise) {
     case Noise::none:
@@ -77,8 +94,9 @@ Vec3 HostileSenses::offset(double error, Vec3 away) {
     case Noise::extreme:
       return in_space ? random_.on_sphere(error) : level_offset(random_.on_circle(error));
     case Noise::aimed:
-      // What rounding may have added to the unit vector stays within the error.
-      return (error * (1 - 1e-12)) * away;
+      return (error * rounded_down) * away_;
+    case Noise::lasting:
+      return (error * rounded_down) * lasting;
   }
   return {};
 }
@@ -92,6 +110,8 @@ double HostileSenses::offset(double error) {
     case Noise::extreme:
     case Noise::aimed:
       return error * random_.sign();
+    case Noise::lasting:
+      return error * lasting_.sign;
   }
   return 0;
 }
@@ -113,11 +133,11 @@ void HostileSenses::measure(TimeUs now_us, const TruthLog& log, Observation& obs
   aim(now_us);
   if (const TruthState* truth =
           take(Sense::position, now_us, limits.position_age_us, log, position_)) {
-    position_.value = position_of(*truth) + offset(limits.position_error_m, away_);
+    position_.value = position_of(*truth) + offset(limits.position_error_m, lasting_.position);
   }
   if (const TruthState* truth =
           take(Sense::velocity, now_us, limits.velocity_age_us, log, velocity_)) {
-    velocity_.value = velocity_of(*truth) + offset(limits.velocity_error_mps, away_);
+    velocity_.value = velocity_of(*truth) + offset(limits.velocity_error_mps, lasting_.velocity);
   }
   if (const TruthState* truth =
           take(Sense::heading, now_us, limits.heading_age_us, log, heading_)) {
@@ -155,8 +175,9 @@ void HostileSenses::announce(TimeUs now_us, TimeUs max_age_us, const TruthLog& l
   const TruthLog::Moment& p = stamp(old_position_ ? older_us : 0, announced_position_us_);
   const TruthLog::Moment& v = stamp(old_position_ ? 0 : older_us, announced_velocity_us_);
   const auto self = static_cast<std::size_t>(robot_);
-  const Vec3 at = position_of(p.truths[self]) + offset(limits.position_error_m, away_);
-  const Vec3 moves = velocity_of(v.truths[self]) + offset(limits.velocity_error_mps, away_);
+  const Vec3 at = position_of(p.truths[self]) + offset(limits.position_error_m, lasting_.position);
+  const Vec3 moves =
+      velocity_of(v.truths[self]) + offset(limits.velocity_error_mps, lasting_.velocity);
   announcement.position = {level(at), p.time_us};
   announcement.velocity = {level(moves), v.time_us};
   announcement.height_m = at.z;

@@ -39,7 +39,13 @@ class HostileSenses {
   template <class T>
   const TruthState* take(Sense sense, TimeUs now_us, TimeUs max_age_us, const TruthLog& log,
                          Sample<T>& sample);
-  [[nodiscard]] Vec3 offset(double error, Vec3 away);
+  // For the whole run: where the errors of position and velocity point to, and the sign of others.
+  struct Lasting {
+    Vec3 position, velocity;
+    double sign = 1;
+  };
+  [[nodiscard]] Lasting draw_lasting() const;
+  [[nodiscard]] Vec3 offset(double error, Vec3 lasting);
   [[nodiscard]] double offset(double error);
   void aim(TimeUs now_us);
 
@@ -47,8 +53,9 @@ class HostileSenses {
   Hostility hostility_;
   int robot_;
   Random random_;
-  bool old_position_;   // which sense is the old one, where they differ
-  double turn_rad_;     // by which aimed noise misses its direction
+  bool old_position_;  // which sense is the old one, where they differ
+  double turn_rad_;    // by which aimed noise misses its direction
+  Lasting lasting_;
   Vec3 away_{1, 0, 0};  // from the threat
   TimeUs aimed_us_ = never_us;
   Fault fault_;

@@ -85,7 +85,7 @@ struct Agent {
       : setup(given),
         commands(options.commands_max),
         senses(given, truth, options, robot),
-        gusts(Random::stream(options.seed, robot, 6)) {
+        gusts(Random::stream(options.seed, robot, 6), options.lasting_gusts) {
     body.position = {truth.position.x, truth.position.y, truth.height_m};
     body.heading_rad = truth.heading_rad;
   }

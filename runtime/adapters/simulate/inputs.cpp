@@ -160,6 +160,47 @@ Told draw(const DecisionCase& decision, const Scenario& scenario, sim::Random& r
   return told;
 }
 
+// The decision with the inputs that a scenario gives; the others may be anything.
+DecisionCase with_given(const DecisionCase& decision, const Scenario& scenario, const Told& told) {
+  DecisionCase d = with_inputs(decision, told);
+  for (const Mention& m : d.mentions) {
+    std::size_t first = 0;
+    for (const Input& input : d.inputs) {
+      const std::size_t next = first + input.components.size();
+      const bool own = m.component >= first && m.component < next;
+      if (own && given(scenario, input.name) == nullptr) {
+        at(d.properties[m.monitor], m.path).op = sim::PropertyOp::battery;  // may be either
+      }
+      first = next;
+    }
+  }
+  return d;
+}
+
+// What was drawn last leaves no place where every property holds.
+Problem never_hold(const DecisionCase& decision, const Scenario& scenario, const Told& told) {
+  const DecisionCase d = with_given(decision, scenario, told);
+  std::string hopeless;
+  for (std::size_t k = 0; k < d.properties.size(); ++k) {
+    if (may_be(d.properties[k], true)) continue;
+    hopeless += (hopeless.empty() ? "`" : ", `") + d.monitors[k].name + "`";
+  }
+  if (!hopeless.empty()) {
+    return {"with the inputs of the scenario no place is left where " + hopeless + " of `" +
+                decision.name + "` can hold: " + text_of(decision, told),
+            "an input that the scenario leaves out is drawn so that properties can hold", true};
+  }
+  const auto open =
+      std::find_if(decision.inputs.begin(), decision.inputs.end(),
+                   [&](const Input& input) { return given(scenario, input.name) == nullptr; });
+  const std::string name = (open == decision.inputs.end() ? decision.inputs.begin() : open)->name;
+  return {
+      "no inputs were found with which every property of `" + decision.name +
+          "` holds anywhere; the last ones were " + text_of(decision, told),
+      R"(a scenario says what they are, so that it can hold: `"inputs": {")" + name + R"(": ...}`)",
+      true};
+}
+
 }  // namespace
 
 Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed,
@@ -175,11 +216,7 @@ Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std:
       return {};
     }
   }
-  return {"no inputs were found with which every property of `" + decision.name +
-              "` holds anywhere; the last ones were " + text_of(decision, told),
-          R"(a scenario says what they are, so that it can hold: `"inputs": {")" +
-              decision.inputs.front().name + R"(": ...}`)",
-          true};
+  return never_hold(decision, scenario, told);
 }
 
 bool can_be(const DecisionCase& decision, const Told& told) {

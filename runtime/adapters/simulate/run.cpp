@@ -267,6 +267,7 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   sim::WorldOptions options;
   options.seed = setup.seed;
   options.noise = sim::NoiseModel::none;
+  options.lasting_gusts = setup.hostility.noise == sim::Noise::lasting;
   options.commands_max = commands_under_way(decision, setup);
   sim::World<Output> world(bodies(decision, setup), options);
   sim::Surroundings surroundings = decision.surroundings;

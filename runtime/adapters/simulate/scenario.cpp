@@ -32,7 +32,8 @@ struct Word {
 constexpr Word<Noise> noises[] = {{"none", Noise::none},
                                   {"uniform", Noise::uniform},
                                   {"extreme", Noise::extreme},
-                                  {"aimed", Noise::aimed}};
+                                  {"aimed", Noise::aimed},
+                                  {"lasting", Noise::lasting}};
 constexpr Word<Ages> all_ages[] = {{"fresh", Ages::fresh},
                                    {"oldest", Ages::oldest},
                                    {"unequal", Ages::unequal},
@@ -197,6 +198,8 @@ const std::vector<Adversary>& adversaries() {
        "the same with any admissible ages"},
       {"drop-outs", Drive::chase, Aim::anything, Noise::aimed, Ages::oldest, often_us,
        "the same, and samples are lost or are no numbers"},
+      {"lasting-errors", Drive::chase, Aim::anything, Noise::lasting, Ages::oldest, 0,
+       "the same with errors and a wind that stay as they are for the whole run"},
   };
   return all;
 }

@@ -40,6 +40,9 @@ double real(std::istream& in) {
   return value;
 }
 
+// The only noise that the world has to know, because of its wind.
+constexpr const char* lasting_noise = "lasting";
+
 // The lines before the tape.
 bool read_head(const std::string& word, std::istream& in, Trace& to) {
   if (word == "specification") {
@@ -66,6 +69,11 @@ bool read_head(const std::string& word, std::istream& in, Trace& to) {
     in >> name;
     to.setup.adversary = find_adversary(name);
     if (to.setup.adversary == nullptr) return false;
+  } else if (word == "noise") {
+    std::string kind;
+    in >> kind;
+    if (kind != lasting_noise) return false;
+    to.setup.hostility.noise = sim::Noise::lasting;
   } else if (word == "inputs") {
     while (in >> std::ws && !in.eof()) {
       to.setup.told.is.push_back(real(in));
@@ -113,6 +121,9 @@ std::string trace_text(const Case& all, const DecisionCase& decision, const Setu
       std::string(first_line) + "\nspecification " + all.specification + "\nmanifest " + hash +
       "\ndecision " + decision.name + "\nseed " + std::to_string(setup.seed) + "\nduration_us " +
       std::to_string(setup.duration_us) + "\nadversary " + setup.adversary->name + "\n";
+  if (setup.hostility.noise == sim::Noise::lasting) {
+    text += std::string("noise ") + lasting_noise + "\n";
+  }
   if (setup.about >= 0) {
     text += "about " + decision.monitors[static_cast<std::size_t>(setup.about)].name + "\n";
   }

@@ -202,6 +202,20 @@ TEST_F(Simulations, TheNumberOfJobsChangesNothing) {
   EXPECT_EQ(table("64"), one);
 }
 
+// The wind of a scenario blows when its run is played again, too.
+TEST_F(Simulations, ALastingWindIsPlayedAgain) {
+  write("spec.rta",
+        edited(yard("50 ms"), "brake >= 1 m/s^2;", "brake >= 1 m/s^2; disturbance <= 0.2 m/s^2;"));
+  write("wind.json", R"({"duration_s": 3, "runs": 1, "adversary": "bang-bang", "noise": "lasting",
+                        "starts": {"r1": {"at": [-0.2, 4]}, "r2": {"at": [4, 4]}}})");
+  const Outcome o = rtac({"sim", "spec.rta", "--scenario", "wind.json", "--trace", "run.trace"});
+  ASSERT_EQ(o.status, 3) << o.err;
+  EXPECT_NE(read("run.trace").find("\nnoise lasting\n"), std::string::npos);
+  const Outcome r = rtac({"sim", "spec.rta", "--replay", "run.trace", "--trace", "again.trace"});
+  EXPECT_EQ(r.status, 3) << r.err;
+  EXPECT_EQ(read("again.trace"), read("run.trace"));
+}
+
 // Starts are taken as they are; the referee sees the first moment.
 TEST_F(Simulations, AScenarioSaysWhereRobotsStart) {
   write("spec.rta", yard("50 ms"));
@@ -463,6 +477,11 @@ TEST_F(Simulations, InputsAreDrawnSoThatPropertiesCanHold) {
   const Outcome never = rtac({"sim", "told.rta", "--runs", "1", "--scenario", "said.json"});
   EXPECT_EQ(never.status, 4) << never.out;
   EXPECT_NE(never.err.find("permit = false"), std::string::npos) << never.err;
+  // no other input makes up for it, and to say what it is again is no way out
+  EXPECT_NE(never.err.find("with the inputs of the scenario no place is left where `fence`"),
+            std::string::npos)
+      << never.err;
+  EXPECT_EQ(never.err.find("a scenario says what they are"), std::string::npos) << never.err;
 }
 
 TEST_F(Simulations, RecordedInputsHaveToBePossible) {

@@ -11,11 +11,12 @@ namespace {
 struct Drift {
   double fastest_mps = 0, most_gained_mps2 = 0, moved_m = 0;
 };
-Drift drift(double disturbance_mps2, std::uint64_t seed) {
+Drift drift(double disturbance_mps2, std::uint64_t seed, bool lasting = false) {
   RobotLimits limits = drone_limits();
   limits.disturbance_mps2 = disturbance_mps2;
   WorldOptions options;
   options.seed = seed;
+  options.lasting_gusts = lasting;
   World<Acceleration> world({robot_at(limits, {0, 0})}, options);
   Drift found;
   Vec2 before{};
@@ -44,6 +45,16 @@ TEST(Gusts, PushARobotThatDeclaresThem) {
     EXPECT_GT(found.most_gained_mps2, 0.29) << seed;
     EXPECT_LE(found.fastest_mps, drone_limits().speed_mps + 1e-9) << seed;
   }
+}
+
+// Straight on for all of the time: d t² / 2, until the speed is at its limit.
+TEST(Gusts, LastForTheWholeRunWhereTheyAreAskedTo) {
+  const double speed_mps = drone_limits().speed_mps, push_mps2 = 0.3, time_s = 20;
+  const double faster_s = speed_mps / push_mps2;
+  ASSERT_LT(faster_s, time_s);
+  const double far_m = speed_mps * faster_s / 2 + speed_mps * (time_s - faster_s);
+  EXPECT_NEAR(drift(push_mps2, 3, true).moved_m, far_m, 0.01 * far_m);
+  EXPECT_LT(drift(push_mps2, 3).moved_m, 0.9 * far_m);
 }
 
 TEST(Gusts, LeaveEverybodyElseAlone) {

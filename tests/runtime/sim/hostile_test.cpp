@@ -63,7 +63,8 @@ class Hostile : public ::testing::Test {
 };
 
 TEST_F(Hostile, MeasurementsAreAsDeclared) {
-  for (const Noise noise : {Noise::none, Noise::uniform, Noise::extreme, Noise::aimed}) {
+  for (const Noise noise :
+       {Noise::none, Noise::uniform, Noise::extreme, Noise::aimed, Noise::lasting}) {
     for (const Ages ages : {Ages::fresh, Ages::oldest, Ages::unequal, Ages::wandering}) {
       Tape tape;
       TimeUs last_us[2] = {never_us, never_us};
@@ -120,6 +121,24 @@ TEST_F(Hostile, AimedNoiseHidesTheDanger) {
     if (hidden_m / count > 0.9 * limits.position_error_m) ++runs_aimed;
   }
   EXPECT_GE(runs_aimed, 5);
+}
+
+// The same error from the first sample to the last one, another one for another robot.
+TEST_F(Hostile, LastingErrorsNeitherTurnNorFade) {
+  std::vector<Vec2> off[2];
+  Tape tape;
+  fly({5, Aim::fence, Noise::lasting, Ages::oldest, 0, 0}, tape,
+      [&](const Observation& o, auto& history) {
+        const auto self = static_cast<std::size_t>(o.self);
+        const TruthState& p = history.at(o.position.stamp_us)[self];
+        off[self].push_back(o.position.value - p.position);
+      });
+  for (const auto& each : off) {
+    ASSERT_GT(each.size(), 100u);
+    EXPECT_NEAR(length(each.front()), limits.position_error_m, 1e-9);
+    for (const Vec2& other : each) EXPECT_LT(length(other - each.front()), 1e-9);
+  }
+  EXPECT_GT(length(off[0].front() - off[1].front()), 1e-3);
 }
 
 TEST_F(Hostile, FaultsLoseAndBreakSamples) {

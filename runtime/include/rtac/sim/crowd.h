@@ -40,6 +40,7 @@ class Crowd {
     Phase phase = Phase::charge;
     TimeUs until_us = 0;
     Vec3 direction{1, 0, 0};
+    Vec3 seen_off;  // where a lasting error of 1 m points to
   };
   struct Moment {
     TimeUs time_us = 0;

@@ -16,7 +16,8 @@ enum class Noise {
   none,
   uniform,  // anywhere within the errors
   extreme,  // always on the bound, in a random direction
-  aimed     // on the bound, away from where the margin falls fastest
+  aimed,    // on the bound, away from where the margin falls fastest
+  lasting   // on the bound, the same for the whole run: what no average takes away
 };
 enum class Ages {
   fresh,     // measured when asked for

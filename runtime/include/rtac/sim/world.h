@@ -42,6 +42,7 @@ struct RobotSetup {
 struct WorldOptions {
   std::uint64_t seed = 1;
   NoiseModel noise = NoiseModel::uniform;
+  bool lasting_gusts = false;      // who is pushed is pushed from one side for the whole run
   TimeUs step_us = 1000;           // clamped to 1 .. 1000
   TimeUs end_us = INT64_MAX;       // wait_until() goes no further and then returns false
   std::size_t commands_max = 256;  // of a robot under way at once; more are lost
