@@ -90,14 +90,6 @@ Place nearest_point(const PreparedEdge& e, const Corner& p) {
   return {static_cast<double>(e.ax) + part * static_cast<double>(e.dx),
           static_cast<double>(e.ay) + part * static_cast<double>(e.dy)};
 }
-// Of all these edges.
-Place nearest_point(const std::vector<PreparedEdge>& edges, const std::vector<std::uint32_t>& near,
-                    const Corner& p) {
-  const auto at = std::min_element(near.begin(), near.end(), [&](auto a, auto b) {
-    return approximate_squared(edges[a], p) < approximate_squared(edges[b], p);
-  });
-  return nearest_point(edges[*at], p);
-}
 std::array<double, 4> squared_from(const Place& b, const std::array<Corner, 4>& ends) {
   std::array<double, 4> d{};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -256,12 +248,23 @@ Candidates sharpen(const Square& square, const std::vector<PreparedEdge>& edges,
     for (std::size_t i = 0; i < 4; ++i) d[i] = approximate_squared(edges[e], ends[i]);
     squares.push_back(d);
   }
-  std::vector<std::array<double, 4>> points;  // the same, of the points b
-  const auto add = [&](const Corner& place) {
-    points.push_back(squared_from(nearest_point(edges, near.edges, place), ends));
+  std::vector<double> to_middle;
+  const Corner middle{square.x_mm + square.side_mm / 2, square.y_mm + square.side_mm / 2};
+  to_middle.reserve(near.edges.size());
+  for (const std::uint32_t e : near.edges) {
+    to_middle.push_back(approximate_squared(edges[e], middle));
+  }
+  std::vector<std::array<double, 4>> points;  // the same as `squares`, of the points b
+  const auto add = [&](auto at, const Corner& place) {
+    const PreparedEdge& edge = edges[near.edges[static_cast<std::size_t>(at)]];
+    points.push_back(squared_from(nearest_point(edge, place), ends));
   };
-  for (const Corner& corner : ends) add(corner);
-  add({square.x_mm + square.side_mm / 2, square.y_mm + square.side_mm / 2});
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto at = std::min_element(squares.begin(), squares.end(),
+                                     [&](auto& a, auto& b) { return a[i] < b[i]; });
+    add(at - squares.begin(), ends[i]);
+  }
+  add(std::min_element(to_middle.begin(), to_middle.end()) - to_middle.begin(), middle);
   Candidates result{{}, {}, near.least_nearest, near.least_farthest};
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const bool is_beaten = std::any_of(points.begin(), points.end(), [&](const auto& b) {

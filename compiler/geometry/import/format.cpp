@@ -32,9 +32,15 @@ bool has(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
+// What only ED-269 has, also when no zone of the file has a volume.
+bool is_ed269(std::string_view text) {
+  return has(text, "\"horizontalProjection\"") || has(text, "\"UASZoneList\"") ||
+         (has(text, "\"restriction\"") && has(text, "\"applicability\""));
+}
+
 // ED-318 is GeoJSON with more members, of which plain GeoJSON would lose the heights and times.
 std::optional<Format> format_of_json(std::string_view text) {
-  if (has(text, "\"horizontalProjection\"")) return Format::ed269;
+  if (is_ed269(text)) return Format::ed269;
   for (const char* member : {"\"zoneAuthority\"", "\"limitedApplicability\"", "\"lowerReference\"",
                              "\"upperReference\"", "\"subType\""}) {
     if (has(text, member)) return Format::ed318;

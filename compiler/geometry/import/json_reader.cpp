@@ -66,8 +66,12 @@ bool JsonReader::expect_version(Json object, double version) {
 bool JsonReader::read_position(Json value, Position& position) {
   const auto numbers = value.numbers();
   if (numbers.size() < 2 || numbers.size() > 3) {
+    // `["8.54", "47.39"]` is an array of two, too
+    const bool is_array = value.kind() == JsonKind::array && !value.items().empty();
+    const std::string first =
+        is_array ? ", and its first element " + value.items().front().described() : "";
     return findings_.fail(value.where(),
-                          numbers.empty() ? "is " + value.described()
+                          numbers.empty() ? "is " + value.described() + first
                                           : "has " + std::to_string(numbers.size()) + " numbers",
                           "a position is an array of two numbers, or three with a height");
   }

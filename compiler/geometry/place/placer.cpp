@@ -139,12 +139,23 @@ struct Placer::Impl {
     return found;
   }
 
+  // An edge that may as well be the shortest way passes through places of its parallel: these, and
+  // the edge that is meant, may lie on two sides of the straight line on the map, each within the
+  // bound of it. A meridian is the shortest way.
+  void leaves_the_line(const DegreeEdge& edge) {
+    const double length_m = length_m_up(edge);
+    edge_error_m = std::max(edge_error_m, 2 * length_m * length_m * bend_per_m(edge) / 8);
+  }
+
   // The points within the edge of `from` from `a` to `b`, the first of which is in `ring` already.
   std::optional<NoPlace> divide(const Position& a, const Position& b, std::size_t vertex,
                                 const import::Ring& from, PlacedRing& ring) {
     if (std::abs(a.x - b.x) > 180) return NoPlace{NoPlace::Kind::across_the_map, vertex};
     Position last = a;
-    for (const Position& knot : knots_within(a, b, from)) {
+    const std::vector<Position> knots = knots_within(a, b, from);
+    const bool of_parallel = !knots.empty() && a.y == b.y;
+    if (of_parallel && !reading.straight_in_degrees) leaves_the_line({a.x, a.y, b.x, b.y});
+    for (const Position& knot : knots) {
       if (auto fault = divide_piece(last, knot, vertex, ring)) return fault;
       const auto placed = place(knot);
       if (const auto* fault = std::get_if<NoPlace>(&placed)) return at(*fault, vertex);
@@ -186,7 +197,7 @@ Placer::Placer(const Reading& reading, const std::optional<Origin>& origin)
 Placer::~Placer() = default;
 
 void Placer::meet(const std::vector<const import::Ring*>& rings) {
-  if (!impl_->reading.degrees || !impl_->reading.straight_in_degrees) return;
+  if (!impl_->reading.degrees) return;
   for (const import::Ring* ring : rings) {
     for (const Position& read : ring->positions) {
       const Position p = impl_->position(read);

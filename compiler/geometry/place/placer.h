@@ -76,8 +76,9 @@ class Placer {
   Placer& operator=(const Placer&) = delete;
 
   // All rings that are combined, before they are placed. An edge along a meridian or a parallel
-  // that is straight in degrees then passes on the map, too, through the vertices of other rings
-  // that lie on it: what touches in the file touches there, and no gap opens between areas.
+  // then passes on the map, too, through the vertices of other rings that lie on it: what touches
+  // in the file touches there, and no gap opens between areas. Where an edge may as well be the
+  // shortest way, the error counts both.
   void meet(const std::vector<const import::Ring*>& rings);
 
   std::variant<PlacedRing, NoPlace> place(const import::Ring& ring);

@@ -46,6 +46,29 @@ TEST_F(ZoneFiles, AreInTheDependencyFile) {
   EXPECT_EQ(read("out/d"), "out/s_kernel.h: \\\n  s.rta \\\n  sites/a\\ b.geojson\n");
 }
 
+// A parallel is no straight line on the map, and formats that do not say how an edge runs are no
+// exception: a hole may touch it in a place, and share no part of it.
+TEST_F(ZoneFiles, HolesTouchAParallelInEveryFormat) {
+  const auto kml = [](const std::string& hole) {
+    const auto ring = [](const char* sort, const std::string& positions) {
+      return "<" + std::string(sort) + "><LinearRing><coordinates>" + positions +
+             "</coordinates></LinearRing></" + sort + ">";
+    };
+    return "<kml><Placemark><Polygon>" +
+           ring("outerBoundaryIs", "8.54,47.39 8.55,47.39 8.55,47.4 8.54,47.4 8.54,47.39") +
+           ring("innerBoundaryIs", hole) + "</Polygon></Placemark></kml>";
+  };
+  write("s.rta", spec("import \"z.kml\""));
+  for (const std::string latitude : {"47.39", "47.4"}) {
+    const std::string at = "8.5443," + latitude;
+    write("z.kml", kml(at + " 8.545,47.395 8.546,47.393 " + at));
+    EXPECT_EQ(rtac({"check", "s.rta"}).err, "") << latitude;
+    write("z.kml", kml(at + " 8.546," + latitude + " 8.545,47.395 " + at));
+    const Outcome o = rtac({"check", "s.rta"});
+    EXPECT_NE(o.err.find("error[4005]"), std::string::npos) << o.err;
+  }
+}
+
 // The same files give the same text wherever they lie, and no path is in it.
 TEST_F(ZoneFiles, GiveTheSameCodeEverywhere) {
   std::string first;

@@ -141,7 +141,7 @@ TEST(GeoJson, MembersOfEd318AreNotDropped) {
 
 TEST(GeoJson, WrongKindsAreToldWithValueAndPlace) {
   EXPECT_TRUE(contains(failure(polygon_text(R"([[["1",2],[3,4],[5,6],["1",2]]])")),
-                       "coordinates[0][0]: is an array"));
+                       "coordinates[0][0]: is an array, and its first element the text `1`"));
   EXPECT_TRUE(
       contains(failure(polygon_text("[[1,2],[3,4]]")), "coordinates[0]: is an array of numbers"));
   EXPECT_TRUE(contains(failure(polygon_text("[[[1,2,3,4]]]")), "has 4 numbers"));

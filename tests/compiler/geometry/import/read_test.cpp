@@ -24,6 +24,19 @@ TEST(FormatOf, ContentDecidesWhereTheExtensionDoesNot) {
             Format::kml);
 }
 
+// A zone without a volume has no `horizontalProjection`, and has `type` and `zoneAuthority` as
+// others.
+TEST(FormatOf, Ed269IsRecognisedWithoutAVolume) {
+  EXPECT_EQ(format_of("b.json", R"({"UASZoneList":[]})"), Format::ed269);
+  const std::string text =
+      R"({"features":[{"identifier":"A","country":"CHE","name":"A","type":"COMMON",)"
+      R"("restriction":"PROHIBITED","applicability":[{"permanent":"YES"}],"zoneAuthority":[],)"
+      R"("geometry":[]}]})";
+  EXPECT_EQ(format_of("b.json", text), Format::ed269);
+  EXPECT_TRUE(contains(failure_of(Format::ed269, text), "features[0].geometry"));
+  EXPECT_TRUE(contains(failure_of(Format::ed269, text), "at least one volume"));
+}
+
 // Plain GeoJSON would lose the heights and times of such a file.
 TEST(FormatOf, Ed318IsRecognisedUnderTheExtensionOfGeoJson) {
   EXPECT_EQ(format_of("b.geojson", R"({"type":"FeatureCollection","zoneAuthority":[]})"),

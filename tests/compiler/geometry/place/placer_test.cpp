@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <GeographicLib/Geodesic.hpp>
+#include <GeographicLib/GeodesicLine.hpp>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -30,6 +31,15 @@ NoPlace fault_of(Placer& placer, const import::Ring& ring) {
   if (const auto* fault = std::get_if<NoPlace>(&result)) return *fault;
   ADD_FAILURE() << "it has a place";
   return {};
+}
+
+// How far `p` is from the edge between two places of the map.
+double off_edge_m(const PlacedPoint& a, const PlacedPoint& b, const PlacedPoint& p) {
+  const double ax = a.x.get_d(), ay = a.y.get_d();
+  const double dx = b.x.get_d() - ax, dy = b.y.get_d() - ay;
+  const double qx = p.x.get_d() - ax, qy = p.y.get_d() - ay;
+  const double share = std::clamp((qx * dx + qy * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+  return std::hypot(qx - share * dx, qy - share * dy);
 }
 
 // 100 m to the north of the origin and to the east of it, by geodesics.
@@ -96,6 +106,37 @@ TEST(Placer, EdgesPassThroughTheVerticesOfOtherRingsOnThem) {
   Placer alone({}, field);
   alone.meet({&outer});
   EXPECT_EQ(placed(alone, outer).points.size(), whole.points.size());
+}
+
+// Of KML nobody knows how an edge runs: it may be the shortest way, and still passes through what
+// touches its parallel. Either way is within the error of it.
+TEST(Placer, EdgesThatMayBeTheShortestWaysMeetAsWell) {
+  const import::Ring outer = ring_of({{8.48, 47.39}, {8.61, 47.39}, {8.55, 47.40}});
+  const import::Ring hole = ring_of({{8.5443, 47.39}, {8.545, 47.395}, {8.5401, 47.39}});
+  const Reading unknown_edges{true, false, false};
+  Placer apart(unknown_edges, field), together(unknown_edges, field);
+  together.meet({&outer, &hole});
+  EXPECT_EQ(placed(apart, outer).points.size(), 3U);
+  const PlacedRing met = placed(together, outer), touching = placed(together, hole);
+  ASSERT_EQ(met.points.size(), 5U);
+  for (const auto& [on_edge, of_hole] : {std::pair<std::size_t, std::size_t>{1, 2}, {2, 0}}) {
+    EXPECT_EQ(met.points[on_edge].x, touching.points[of_hole].x);
+    EXPECT_EQ(met.points[on_edge].y, touching.points[of_hole].y);
+  }
+  EXPECT_GT(together.error(), apart.error());
+  const double error_m = together.error().get_d();
+  const auto line = Geodesic::WGS84().InverseLine(47.39, 8.48, 47.39, 8.61);
+  for (int k = 1; k < 100; ++k) {
+    Position shortest;
+    line.Position(line.Distance() * k / 100, shortest.y, shortest.x);
+    Placer pin({}, field);
+    const PlacedPoint p = placed(pin, ring_of({shortest})).points[0];
+    double off_m = 1e9;
+    for (std::size_t i = 0; i < 3; ++i) {
+      off_m = std::min(off_m, off_edge_m(met.points[i], met.points[i + 1], p));
+    }
+    EXPECT_LE(off_m, error_m);
+  }
 }
 
 // Every point of a long parallel lies as near to the placed line as is said; as one straight edge
@@ -215,11 +256,7 @@ TEST(Placer, ClearancesAreTrueWithinTheError) {
       for (std::size_t i = 0; i < ring.points.size(); ++i) {
         const PlacedPoint& a = ring.points[i];
         const PlacedPoint& b = ring.points[(i + 1) % ring.points.size()];
-        const double ax = a.x.get_d(), ay = a.y.get_d();
-        const double dx = b.x.get_d() - ax, dy = b.y.get_d() - ay;
-        const double qx = p.x.get_d() - ax, qy = p.y.get_d() - ay;
-        const double share = std::clamp((qx * dx + qy * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-        on_map = std::min(on_map, std::hypot(qx - share * dx, qy - share * dy));
+        on_map = std::min(on_map, off_edge_m(a, b, p));
       }
       // Samples lie at most half a step from the nearest place of the outline.
       double sampled = 1e9, half_step = 0;
