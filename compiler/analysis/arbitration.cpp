@@ -130,10 +130,12 @@ class Pair {
         case ir::Leaf::Kind::altitude:
           kept = kept && keeps_height(block, compare);
           break;
+        case ir::Leaf::Kind::count:
+          kept = kept && keeps_number(block, compare);
+          break;
         // Every mode that moves is gated by the distances, whatever the priority; a way costs what
         // the charge pays for; a limit of speed is compared with every recovery (5033).
         case ir::Leaf::Kind::distance:
-        case ir::Leaf::Kind::count:
         case ir::Leaf::Kind::agent:
         case ir::Leaf::Kind::energy_to:
         case ir::Leaf::Kind::speed:
@@ -143,6 +145,20 @@ class Pair {
     return kept;
   }
 
+  // What is only counted may be as near as it likes, and gates nobody: who moves may drive up to
+  // any number of others.
+  bool keeps_number(const ir::Block& block, const ir::AtLeast& compare) {
+    const auto most = ir::upper_bound(block, compare);
+    if (most && most->most + 1 >= std::int64_t{decision_.robots}) return true;
+    for (const ir::Recovery* step : ir::steps_of(recovery_)) {
+      if (step->kind == ir::RecoveryKind::brake) continue;
+      entry_.why = quoted(recovery_.name) + " may drive up to more others than " +
+                   quoted(judged_.name) + " allows: it keeps distances, and counts nobody";
+      entry_.help.clear();
+      return false;
+    }
+    return true;
+  }
   // Where a zone that is received will be nobody knows: who moves may leave it, or enter it.
   bool keeps_received(ir::ReceivedIndex zone) {
     for (const ir::Recovery* step : ir::steps_of(recovery_)) {

@@ -17,6 +17,15 @@ bool is_of(Leaf::Kind kind, const Block& block, const AtLeast& compare) {
   return form.terms.size() == 1 && form.terms.begin()->first.kind == kind;
 }
 
+// Where a monitor speaks of an agent first; null: it does not.
+const Value* first_agent(const Monitor& monitor) {
+  const auto& values = monitor.property.values;
+  const auto at = std::find_if(values.begin(), values.end(), [](const Value& v) {
+    return std::holds_alternative<AgentDistance>(v.op);
+  });
+  return at == values.end() ? nullptr : &*at;
+}
+
 // What is broken by a robot whose own check passes, of one monitor.
 class Company {
  public:
@@ -122,15 +131,17 @@ std::vector<diag::Diagnostic> unkept_company(const Decision& decision) {
   return all;
 }
 
+bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor) {
+  if (first_agent(monitor) != nullptr) return true;
+  return decision.robots > 1 && !Company(decision, monitor).run().empty();
+}
+
 std::vector<diag::Diagnostic> unkept_agents(const Decision& decision) {
   std::vector<diag::Diagnostic> all;
   for (const Monitor& monitor : decision.monitors) {
-    const auto& values = monitor.property.values;
-    const auto first = std::find_if(values.begin(), values.end(), [](const Value& v) {
-      return std::holds_alternative<AgentDistance>(v.op);
-    });
+    const Value* const first = first_agent(monitor);
     const std::string& recovery = monitor.recovery.name;
-    if (first == values.end() || acknowledged(decision, recovery, monitor.name)) continue;
+    if (first == nullptr || acknowledged(decision, recovery, monitor.name)) continue;
     const std::string& agent = decision[std::get<AgentDistance>(first->op).agent].name;
     all.push_back({diag::Code::agent_unkept,
                    first->source,

@@ -652,12 +652,12 @@ class Deriver {
     const std::int64_t back_mm = return_clearance_mm(d, longest_us);
     for (std::size_t k = 0; k < d.monitors.size(); ++k) {
       const std::int64_t cruise_mm = cruise_clearance_mm(d, d.motions[k + 1], longest_us);
-      const std::int64_t asked_mm = asked_clearance_mm(out_.module, d, k);
       const auto fill = [&](ir::Recovery& r) {
         const bool knows = ir::moves(r.kind) || r.claims;
         const std::int64_t own_mm =
             knows ? standoff_in(d, d.monitors[k], r.zone, lies_) : wanted.fence_mm;
-        r.return_clearance_mm = std::max(back_mm + own_mm, asked_mm);
+        r.return_clearance_mm =
+            std::max(back_mm + own_mm, asked_clearance_mm(out_.module, d, k, r.zone, lies_));
         r.route_clearance_mm = cruise_mm + own_mm;
         r.pass_gap_mm = pass_gap_mm(d, longest_us, wanted.separation_mm);
       };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "compiler/analysis/paces.h"
 #include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
@@ -70,7 +71,39 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
   }
 }
 
+// Whether a side of an `or` counts while inputs say so, and not otherwise.
+bool waits_for_inputs(const ir::Block& block, ir::ValueId id) {
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
+    return waits_for_inputs(block, v->a) || waits_for_inputs(block, v->b);
+  }
+  if (const auto* v = std::get_if<ir::Or>(&block[id].op)) {
+    return waits_for_inputs(block, v->a) && waits_for_inputs(block, v->b);
+  }
+  return told(block, id);
+}
+
+void collect_told(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
+                  bool either, std::vector<ir::ZoneIndex>& zones) {
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
+    collect_told(block, v->a, params, either, zones);
+    collect_told(block, v->b, params, either, zones);
+  } else if (const auto* o = std::get_if<ir::Or>(&block[id].op)) {
+    if (!waits_for_inputs(block, id)) return;
+    collect_told(block, o->a, params, true, zones);
+    collect_told(block, o->b, params, true, zones);
+  } else if (either) {
+    if (const auto zone = fence_of(block, id, params)) add(zones, *zone);
+  }
+}
+
 }  // namespace
+
+std::vector<ir::ZoneIndex> told_fences_of(const ir::Block& property,
+                                          const std::vector<ir::Param>& params) {
+  std::vector<ir::ZoneIndex> zones;
+  collect_told(property, property.result, params, false, zones);
+  return zones;
+}
 
 std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
                                      const std::vector<ir::Param>& params) {

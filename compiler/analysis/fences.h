@@ -16,6 +16,11 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
 using Choice = std::vector<ir::ZoneIndex>;
 std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params);
 
+// The zones of which inputs say when each of them counts, as in `if rain then r inside shelter else
+// r inside field`, each once: a recovery has to lead to all of them, as inputs may say either.
+std::vector<ir::ZoneIndex> told_fences_of(const ir::Block& property,
+                                          const std::vector<ir::Param>& params);
+
 // Whether some comparison of the property, of any branch, asks for a clearance or a height, or for
 // a distance; whether all that it asks of places is not to be too high; and whether something of
 // places is compared in another way, such as that a robot is not inside.

@@ -16,6 +16,9 @@ ir::Motion any_control(const sema::RobotKind& kind);
 ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
                            const Rational& speed, std::int64_t period_us);
 
+// How fast a hold of a point mass may be for a moment, whatever turns around that errs and pushes.
+std::int64_t hold_speed_mmps(const ir::Body& body, std::int64_t period_us);
+
 // Measured clearance of the centre that lets every fence of the decision hand control back to a
 // robot at rest, in spite of noise (theory: rho_ret + r_eff, plus one more position error because
 // the recovery steers by measurements).

@@ -63,6 +63,9 @@ class Places {
       kept_.push_back({c});
     }
     if (holds_nowhere()) return std::move(found_);
+    for (const ir::ZoneIndex fence : told_fences_of(monitor_.property, decision_.facts.params)) {
+      told_.push_back({{fence}});
+    }
     for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
       if (ir::moves(step->kind) || step->claims) look(*step);
     }
@@ -119,11 +122,24 @@ class Places {
     for (Kept& each : kept_) {
       if (!is_own(step, each) && elsewhere(step, each)) return;
     }
+    if (elsewhere_when_told(step)) return;
     // an external one is braked where its claim does not hold: it leads nowhere from there
     if (step.claims) return;
     for (Kept& each : kept_) {
       if (!is_own(step, each) && across(step, each)) return;
     }
+  }
+
+  // Of zones that count when inputs say so the recovery has to be in each, as in those of an `and`.
+  bool elsewhere_when_told(const ir::Recovery& step) {
+    const std::size_t at_once = kept_.size();
+    kept_.insert(kept_.end(), told_.begin(), told_.end());
+    bool found = false;
+    for (std::size_t k = at_once; k < kept_.size() && !found; ++k) {
+      found = !is_own(step, kept_[k]) && elsewhere(step, kept_[k]);
+    }
+    kept_.resize(at_once);
+    return found;
   }
 
   // A recovery keeps clear of the border of its own zone, whatever the property says of another.
@@ -277,6 +293,9 @@ class Places {
   std::string works(const ir::Recovery& step) const {
     Region all = Region::everywhere();
     for (const Kept& each : kept_) all = all.intersect(united(each));
+    if (all.empty()) {
+      return "zones that overlap work, or `brake_and_hold` with `hold when violated \"why\"`";
+    }
     // to be in one of them everywhere, and to be given back where it comes to rest, which of zones
     // that come and go is a matter of where the recovery leads to (5030)
     const auto& values = monitor_.property.values;
@@ -348,6 +367,7 @@ class Places {
   const ir::Monitor& monitor_;
   const std::int64_t radius_mm_;
   std::vector<Kept> kept_;
+  std::vector<Kept> told_;  // of which inputs say when each of them counts
   std::optional<Region> starts_;
   std::vector<diag::Diagnostic> found_;
 };

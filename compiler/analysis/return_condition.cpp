@@ -53,9 +53,13 @@ std::optional<std::int64_t> price_at(const ir::Module& module, ir::SiteIndex sit
   return most;
 }
 
-// That a value is the constant false: said so, or of two numbers that are written.
-bool is_never(const ir::Block& block, ir::ValueId id) {
+// That a value is the constant false: said so, of two numbers that are written, or that there is
+// another robot where there is none.
+bool is_never(const ir::Decision& decision, const ir::Block& block, ir::ValueId id) {
   const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
+    return !v->universal && decision.robots < 2;
+  }
   if (const auto* v = std::get_if<ir::Truth>(&op)) return !v->value;
   const auto* compare = std::get_if<ir::AtLeast>(&op);
   if (!compare) return false;
@@ -64,15 +68,12 @@ bool is_never(const ir::Block& block, ir::ValueId id) {
   return a != nullptr && b != nullptr &&
          (a->value < b->value || (compare->strict && a->value == b->value));
 }
-bool is_never_at_all(const ir::Block& block, ir::ValueId id) {
+bool is_never_at_all(const ir::Decision& decision, const ir::Block& block, ir::ValueId id) {
   const ir::Op& op = block[id].op;
-  if (const auto* v = std::get_if<ir::And>(&op)) {
-    return is_never_at_all(block, v->a) || is_never_at_all(block, v->b);
-  }
-  if (const auto* v = std::get_if<ir::Or>(&op)) {
-    return is_never_at_all(block, v->a) && is_never_at_all(block, v->b);
-  }
-  return is_never(block, id);
+  const auto is = [&](ir::ValueId side) { return is_never_at_all(decision, block, side); };
+  if (const auto* v = std::get_if<ir::And>(&op)) return is(v->a) || is(v->b);
+  if (const auto* v = std::get_if<ir::Or>(&op)) return is(v->a) && is(v->b);
+  return is_never(decision, block, id);
 }
 
 // Of the box around zones of the plane.
@@ -115,10 +116,10 @@ class Judge {
       Finding a = condition(block, v->a);
       return a && condition(block, v->b) ? a : std::nullopt;
     }
-    if (is_never(block, id)) return never(block[id].source);
+    if (is_never(decision_, block, id)) return never(block, id);
     if (const auto* v = std::get_if<ir::HeldFor>(&op)) return condition(block, v->a);
     if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
-      if (v->universal && decision_.robots < 2) return std::nullopt;  // there is no other
+      if (decision_.robots < 2) return std::nullopt;  // there is no other, and all hold
       return condition(*v->body, v->body->result);
     }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
@@ -162,9 +163,9 @@ class Judge {
       Finding a = property(block, v->a);
       return a && property(block, v->b) ? a : std::nullopt;
     }
-    if (is_never(block, id)) return never(block[id].source);
+    if (is_never(decision_, block, id)) return never(block, id);
     if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
-      if (v->universal && decision_.robots < 2) return std::nullopt;  // there is no other
+      if (decision_.robots < 2) return std::nullopt;  // there is no other, and all hold
       return property(*v->body, v->body->result);
     }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
@@ -204,17 +205,19 @@ class Judge {
   }
 
   // Of the comparisons that all have to hold, the largest clearance that can be had.
-  std::int64_t asked(const ir::Block& block, ir::ValueId id) const {
+  std::int64_t asked(const ir::Block& block, ir::ValueId id, ir::ZoneIndex place,
+                     const HowItLies& lies) const {
     const ir::Op& op = block[id].op;
     if (const auto* v = std::get_if<ir::And>(&op)) {
-      return std::max(asked(block, v->a), asked(block, v->b));
+      return std::max(asked(block, v->a, place, lies), asked(block, v->b, place, lies));
     }
-    if (const auto* v = std::get_if<ir::HeldFor>(&op)) return asked(block, v->a);
+    if (const auto* v = std::get_if<ir::HeldFor>(&op)) return asked(block, v->a, place, lies);
     const auto* compare = std::get_if<ir::AtLeast>(&op);
     const auto bound = compare ? bound_of(block, *compare) : std::nullopt;
     if (!bound || bound->leaf.kind != Leaf::Kind::clearance) return 0;
     const std::int64_t need = shown_clearance_mm(decision_, motion_, bound->need.strictest);
-    return need <= module_[ir::ZoneIndex(bound->leaf.table)].widest_mm ? need : 0;
+    const ir::ZoneIndex zone{bound->leaf.table};
+    return need <= module_[zone].widest_mm ? need - depth_mm(place, {zone, need}, lies) : 0;
   }
 
  private:
@@ -374,9 +377,12 @@ class Judge {
              " works, whatever the sample";
     return d;
   }
-  Finding never(const SourceRange& source) const {
-    diag::Diagnostic d = finding(source);
+  Finding never(const ir::Block& block, ir::ValueId id) const {
+    diag::Diagnostic d = finding(block[id].source);
     d.label = "is false, whatever the robot does";
+    if (std::holds_alternative<ir::ForOthers>(block[id].op)) {
+      d.notes.push_back({std::nullopt, "there is no other `" + decision_.kind + "`"});
+    }
     d.help = "what can be true works; nothing else of the monitor makes up for it";
     return d;
   }
@@ -397,13 +403,13 @@ class Judge {
 }  // namespace
 
 std::int64_t asked_clearance_mm(const ir::Module& module, const ir::Decision& decision,
-                                std::size_t k) {
+                                std::size_t k, ir::ZoneIndex zone, const HowItLies& lies) {
   const auto& when = decision.monitors[k].return_when;
-  return when ? Judge(module, decision, k).asked(*when, when->result) : 0;
+  return when ? Judge(module, decision, k).asked(*when, when->result, zone, lies) : 0;
 }
 
-bool never_holds(const ir::Block& property) {
-  return is_never_at_all(property, property.result);
+bool never_holds(const ir::Decision& decision, const ir::Block& property) {
+  return is_never_at_all(decision, property, property.result);
 }
 
 std::optional<diag::Diagnostic> hopeless_return(const ir::Module& module,

@@ -23,7 +23,7 @@ std::optional<ir::ZoneIndex> place_of(const ir::Module& module, const ir::Decisi
                                       const ir::Monitor& m) {
   if (!m.lookahead.duration) return std::nullopt;
   const ir::Recovery& last = ir::last_step(m.recovery);
-  if (last.kind == ir::RecoveryKind::retreat || last.kind == ir::RecoveryKind::loiter) {
+  if (ir::goes_back(last.kind)) {
     return last.zone;
   }
   std::optional<ir::ZoneIndex> narrowest;
@@ -191,8 +191,15 @@ class ReturnSet {
   diag::Diagnostic asked(const ir::Monitor& m, std::size_t k) const {
     const std::int64_t widest = widest_mm(m);
     const ir::Block& when = *m.return_when;
-    const std::int64_t least = widest - shown_clearance_mm(decision_, decision_.motions[k + 1], 0);
-    diag::Diagnostic d = finding(m, asked_clearance_mm(module_, decision_, k));
+    const ir::ZoneIndex place = *place_of(module_, decision_, m);
+    const std::int64_t asked_mm = asked_clearance_mm(module_, decision_, k, place, of_.lies);
+    // in another zone, in which it lies deep, that is as much more
+    const HowItLies beside = [](ir::ZoneIndex, const Standoff&) { return Lies::elsewhere; };
+    const std::int64_t deeper_mm =
+        asked_clearance_mm(module_, decision_, k, place, beside) - asked_mm;
+    const std::int64_t least =
+        widest + deeper_mm - shown_clearance_mm(decision_, decision_.motions[k + 1], 0);
+    diag::Diagnostic d = finding(m, asked_mm);
     d.range = when[when.result].source;
     d.notes = {note(m)};
     d.help = least >= 0 ? "a clearance of " + metres(least) + " works"
@@ -209,7 +216,7 @@ class ReturnSet {
     d.notes = {note(*retreat_)};
     if (&m != retreat_ && m.recovery.name != retreat_->recovery.name) {
       const ir::RecoveryKind kind = ir::last_step(retreat_->recovery).kind;
-      const bool goes = kind == ir::RecoveryKind::retreat || kind == ir::RecoveryKind::loiter;
+      const bool goes = ir::goes_back(kind);
       d.notes.push_back({std::nullopt, "monitor `" + retreat_->name +
                                            (goes ? "` retreats there, to where "
                                                  : "` keeps the robot there, where ") +

@@ -5,10 +5,12 @@
 #include <string>
 #include <utility>
 
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/paces.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/timing.h"
+#include "compiler/analysis/travel.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 
@@ -19,11 +21,39 @@ std::string speed_text(std::int64_t mmps) {
   return to_decimal(Rational(mmps, 1000)) + " m/s";
 }
 
-// By how much a recovery that drives is faster than it means to be, as it measures its speed. One
-// whose speed is commanded follows that within its limits.
-std::int64_t strays(const ir::Decision& decision, std::size_t k) {
-  const bool measures = decision.body.brake_lag_ms > 0;
-  return measures && decision.motions[k + 1].speed_mmps > 0 ? decision.body.velocity_error_mmps : 0;
+// How far the velocity of a point mass overshoots, in ppm of a step of what it follows. It settles
+// with a delay, half as long as it takes at most: x' = -k x(t - 1), of which k up to 1 / e passes
+// nothing, and k = 1/2 by 4.24 %. The parabola is above what lies between.
+std::int64_t overshoot_ppm(const ir::Decision& decision) {
+  constexpr std::int64_t most_ppm = 45'000, none_ppm = 370'000, half_ppm = 500'000;
+  const ir::Body& b = decision.body;
+  const std::int64_t delay_us = b.velocity_age_us + decision.period_us + b.latency_us;
+  const std::int64_t settling_us =
+      std::max<std::int64_t>(1000 * pace::velocity_time_ms, pace::velocity_time_delays * delay_us);
+  const Rational beyond =
+      Rational(delay_us * 1'000'000, settling_us) - Rational(static_cast<long>(none_ppm));
+  if (beyond <= 0) return 0;
+  const Rational share = beyond / static_cast<long>(half_ppm - none_ppm);
+  return ceil_to_int(Rational(share * share * static_cast<long>(most_ppm)));
+}
+
+// How fast a recovery may truly be that means to drive at `w_mmps`. One whose speed is commanded
+// follows that within its limits. A point mass measures it: in the plane it settles where errors of
+// its velocity and pushes let it, and overshoots that, by twice where they turn around; in space it
+// follows its hold.
+std::int64_t fastest_mmps(const ir::Decision& decision, std::int64_t w_mmps) {
+  const ir::Body& b = decision.body;
+  const std::int64_t faster_mmps = w_mmps + 2 * decision.pushed_mmps;
+  if (b.brake_lag_ms == 0) return faster_mmps;
+  if (b.in_space) {
+    return std::max(faster_mmps + b.velocity_error_mmps,
+                    w_mmps + hold_speed_mmps(b, decision.period_us));
+  }
+  const std::int64_t over_ppm = overshoot_ppm(decision);
+  const std::int64_t lasts_mmps = b.velocity_error_mmps + decision.pushed_mmps;
+  const Rational over(Rational(static_cast<long>(over_ppm * (w_mmps + 2 * lasts_mmps))) /
+                      1'000'000);
+  return std::max(faster_mmps + b.velocity_error_mmps, w_mmps + lasts_mmps + ceil_to_int(over));
 }
 
 // The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
@@ -154,11 +184,9 @@ class Limits {
   void report_too_fast(const Limit& limit, std::size_t k, bool of_a_choice) {
     const std::string& name = decision_.monitors[k].recovery.name;
     const std::int64_t mmps = fastest_while_driving(decision_, k);
-    // a recovery may be faster than it means to be by twice of what pushes it, and is no slower
-    // than it takes to make way
+    // a recovery is no slower than it takes to make way
     const ir::Body& body = decision_.body;
-    const std::int64_t slower_mmps =
-        limit.most_mmps - 2 * decision_.pushed_mmps - strays(decision_, k);
+    const std::int64_t slower_mmps = slower_for(limit.most_mmps);
     const std::int64_t least_mmps = 2 * (body.velocity_error_mmps + decision_.pushed_mmps);
     const std::string works = slower_mmps >= std::max<std::int64_t>(1, least_mmps)
                                   ? "a recovery of at most " + speed_text(slower_mmps)
@@ -168,6 +196,19 @@ class Limits {
                monitor_.name + "` allows " + speed_text(limit.most_mmps) +
                (of_a_choice ? " where nothing else of the `or` holds" : ""),
            works + " works; or `acknowledge " + name + " may break " + monitor_.name + " \"why\"`");
+  }
+  // What a recovery may mean to drive at so that it is never faster than that.
+  [[nodiscard]] std::int64_t slower_for(std::int64_t most_mmps) const {
+    std::int64_t low = 0, high = most_mmps;
+    while (low < high) {
+      const std::int64_t middle = (low + high + 1) / 2;
+      if (fastest_mmps(decision_, middle) <= most_mmps) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return low;
   }
   void report(const Limit& limit, std::string message, std::string help) {
     found_.push_back({diag::Code::speed_limit_unkept,
@@ -209,8 +250,11 @@ std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookah
 }
 
 std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) {
-  return std::min(decision.motions[0].speed_mmps,
-                  decision.motions[k + 1].speed_mmps + strays(decision, k));
+  const std::int64_t declared_mmps = decision.motions[0].speed_mmps;
+  const std::int64_t mmps = decision.motions[k + 1].speed_mmps;
+  // at the declared speed already, or standing
+  if (mmps == 0 || mmps >= declared_mmps) return mmps;
+  return std::min(declared_mmps, fastest_mmps(decision, mmps - 2 * decision.pushed_mmps));
 }
 
 namespace {

@@ -13,7 +13,7 @@ namespace rtac::analysis {
 std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us);
 
 // How fast the recovery of monitor `k` may truly be while it drives: a point mass follows the speed
-// that it measures, and is wrong about that by the error of its velocity.
+// that it measures, is wrong about that by the error of its velocity, and overshoots by its delays.
 std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k);
 
 // Whether a robot that has come to rest fulfils the property of a monitor wherever it is, and is

@@ -50,6 +50,17 @@ std::vector<Standoff> fence_standoffs(const ir::Block& property,
   return all;
 }
 
+std::int64_t depth_mm(ir::ZoneIndex inner, const Standoff& outer, const HowItLies& lies) {
+  const auto deep = [&](std::int64_t mm) { return lies(inner, {outer.zone, mm}) == Lies::deep; };
+  if (inner == outer.zone || outer.mm <= 0 || !deep(1)) return 0;
+  std::int64_t low = 1, high = outer.mm + 1;
+  while (high - low > 1) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (deep(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 std::int64_t standoff_of(const ir::Block& property, const std::vector<ir::Param>& params, bool own,
                          ir::ZoneIndex zone, const HowItLies& lies) {
   std::int64_t most = 0;

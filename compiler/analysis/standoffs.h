@@ -33,6 +33,11 @@ std::vector<Standoff> fence_standoffs(const ir::Block& property,
 enum class Lies { elsewhere, in, deep };
 using HowItLies = std::function<Lies(ir::ZoneIndex inner, const Standoff& outer)>;
 
+// How far all of `inner` is from the boundary of another zone that it lies in, at most as far as
+// `outer` asks for: who is as clear of the boundary of `inner`, is as much clearer of the other
+// one.
+std::int64_t depth_mm(ir::ZoneIndex inner, const Standoff& outer, const HowItLies& lies);
+
 // What a recovery has to keep from the boundary of its `zone`, beyond what it keeps from any: so
 // that the properties of the decision hold which the zone lies in, and that of its own monitor,
 // whatever the zone. Of other zones, their own recoveries take care.

@@ -388,7 +388,7 @@ std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decisi
         s.share = *share;
       }
       const ir::Recovery& last = ir::last_step(m.recovery);
-      if (last.kind == ir::RecoveryKind::retreat || last.kind == ir::RecoveryKind::loiter) {
+      if (ir::goes_back(last.kind)) {
         s.lookahead_max_us =
             lookahead_max_us(decision, module[last.zone].widest_mm, standoff_mm(decision, last));
       }

@@ -16,7 +16,9 @@ using protocol::Answer;
 // Enough for eight monitors (docs/protocol.md); what takes more is not known.
 constexpr const char* seconds_max = "20";  // for one claim
 constexpr const char* memory_mb_max = "2000";
-constexpr const char* depth_max = "-m1000000";  // steps of a run
+// Steps of a run. The stack for the most takes as long to clear as a small model to search.
+constexpr const char* depth_first = "-m20000";
+constexpr const char* depth_max = "-m1000000";
 // A run that breaks a claim is told shorter where there is a short one.
 constexpr const char* depth_of_story = "-m400";
 
@@ -35,8 +37,9 @@ class Checker {
   }
 
  private:
-  // Worth the time of the compiler where there are millions of states.
-  [[nodiscard]] const char* optimised() const { return model_.monitors > 5 ? " -O2" : " -O0"; }
+  // Millions of states: worth the time of the compiler, and in no need of a search that is too
+  // deep.
+  [[nodiscard]] bool is_large() const { return model_.monitors > 5; }
   [[nodiscard]] std::string said() const { return read_file(path("said")).value_or(""); }
   [[nodiscard]] std::string path(const std::string& name) const {
     return folder_.path() + "/" + name;
@@ -52,7 +55,7 @@ class Checker {
     if (made.status == 127) return "`spin` is not installed (`apt-get install spin`)";
     if (made.status != 0) return "spin does not read the model: " + said();
     const ProgramResult compiled = shell("${CC:-cc} -w -DMEMLIM=" + std::string(memory_mb_max) +
-                                         optimised() + " -o pan pan.c");
+                                         (is_large() ? " -O2" : " -O0") + " -o pan pan.c");
     return compiled.started && compiled.status == 0 ? "" : "no C compiler (`$CC` or `cc`) works";
   }
   ProgramResult search(const char* depth, const std::string& claim) const {
@@ -61,14 +64,18 @@ class Checker {
   }
   [[nodiscard]] Answer ask(const std::string& claim) const {
     constexpr int timed_out = 124;
-    const ProgramResult result = search(depth_max, claim);
+    constexpr const char* too_deep = "max search depth too small";
+    ProgramResult result = search(is_large() ? depth_max : depth_first, claim);
+    if (!is_large() && said().find(too_deep) != std::string::npos) {
+      result = search(depth_max, claim);
+    }
     const std::string text = said();
     const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
     if (!result.started || result.status == timed_out) {
       return {Answer::Kind::unknown, claim,
               std::string("spin has not ended within ") + seconds_max + " s"};
     }
-    if (has("errors: 0") && !has("max search depth too small") && !has("Search not completed")) {
+    if (has("errors: 0") && !has(too_deep) && !has("Search not completed")) {
       return {Answer::Kind::holds, claim, ""};
     }
     if (!has("errors: 0") && has("errors: ")) {

@@ -76,7 +76,7 @@ Json aimed_at_start(const Obligation& o, const verify::Start& start,
   constexpr double full_ppm = 1e6;
   Json there = Json::object();
   there["about"] = o.monitor;
-  there["runs"] = 11;  // as many as there are adversaries
+  there["runs"] = 12;  // as many as there are adversaries
   there["duration_s"] = 60;
   Json& first = there["starts"][robots.front()];
   first["at"] = place(start.place_mm);

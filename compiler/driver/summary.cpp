@@ -17,6 +17,10 @@ std::string received(const ir::Channel& c) {
          bytes(codegen::received_bytes(c)) + " of tables while it is checked\n";
 }
 
+std::string holds(const ir::Channel& c) {
+  return "  assumed: the last value of " + c.name + " holds for ever\n";
+}
+
 // What a tick of the monitors without a robot costs, and what they remember.
 std::string summary(const ir::Watch& watch) {
   std::string out = "\nmonitors without a robot, every " + millis(watch.period_us) + ", " +
@@ -31,7 +35,7 @@ std::string summary(const ir::Watch& watch) {
   }
   for (const ir::Channel& c : watch.inputs) {
     if (c.kind == ir::ChannelKind::zone) out += received(c);
-    if (c.held) out += "  assumed: the last value of " + c.name + " holds for ever\n";
+    if (c.held) out += holds(c);
   }
   return out;
 }
@@ -71,6 +75,7 @@ std::string summary(const ir::Module& module) {
              " of state for each robot\n";
     }
     for (const ir::Channel& c : d.facts.inputs) {
+      if (c.held) out += holds(c);
       if (c.kind != ir::ChannelKind::zone) continue;
       out += received(c);
       out += "  assumed: " + c.name + " does not change before a robot that looks at it stands\n";

@@ -611,6 +611,10 @@ inline bool moves(RecoveryKind kind) {
   return kind == RecoveryKind::retreat || kind == RecoveryKind::route ||
          kind == RecoveryKind::yield || kind == RecoveryKind::loiter;
 }
+// It goes back into its zone, to where control is given back.
+inline bool goes_back(RecoveryKind kind) {
+  return kind == RecoveryKind::retreat || kind == RecoveryKind::loiter;
+}
 // The recovery, or the steps of a sequence.
 inline std::vector<const Recovery*> steps_of(const Recovery& r) {
   if (r.kind != RecoveryKind::sequence) return {&r};

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "compiler/recheck/claims.h"
+#include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/turns.h"
+#include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
@@ -267,6 +269,9 @@ class Check {
       within(d, e, m, m);
       as_slow(d, e, spec_[*m.recover], m);
     }
+    if (!kept_together(spec_, d, *m.always)) {
+      fail(whom(d, e) + ": others may break it, whatever the recovery does");
+    }
     if (all_zones(*m.always).empty()) return;
     for (const char* lemma : {"capsule", "disc", "stop_difference"}) {
       need(d, e, "lemma", {{"name", lemma}}, false);
@@ -336,9 +341,21 @@ class Check {
       if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }
+      if (!kept_together(spec_, d, *m.always) && !takes_over(d, m, driving)) {
+        fail(whom(d, e) + ": others may break it, and nobody takes over");
+      }
       within(d, e, driving, m);
       as_slow(d, e, spec_[*driving.recover], m);
     }
+  }
+  // `judged` ranks higher, and has another recovery, which drives as soon as its look-ahead fails.
+  [[nodiscard]] bool takes_over(const sema::Decision& d, const sema::Monitor& judged,
+                                const sema::Monitor& driving) const {
+    if (d.coordinated || judged.recover == driving.recover) return false;
+    const auto first = std::ranges::find_if(d.priority, [&](sema::MonitorId id) {
+      return &spec_[id] == &judged || &spec_[id] == &driving;
+    });
+    return first != d.priority.end() && &spec_[*first] == &judged;
   }
 
   const sema::Spec& spec_;

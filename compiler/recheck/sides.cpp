@@ -318,8 +318,9 @@ Sides::Back Sides::back(const Rests& rests, const Part& part, bool either) {
 }
 
 Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool either) {
-  if (std::holds_alternative<sema::ForOthers>(part.expr->node)) {
-    return robots_ < 2 ? Back::yes : Back::no;
+  if (const auto* others = std::get_if<sema::ForOthers>(&part.expr->node)) {
+    // of all others, where there is none; that there is one never holds then
+    return robots_ < 2 && others->universal == part.value ? Back::yes : Back::no;
   }
   bool counts = false;
   sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {

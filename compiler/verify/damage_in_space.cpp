@@ -182,7 +182,7 @@ class DamageInSpace {
     if (step.kind == ir::RecoveryKind::land) {
       return {{from.p, std::min(from.z, double(step.land_mm))}};
     }
-    if (step.kind != ir::RecoveryKind::retreat) return {};
+    if (!ir::goes_back(step.kind)) return {};
     return Volume(s_, step.zone).inwards(from, double(step.return_clearance_mm));
   }
   // How many places of a way do not have what is judged.

@@ -100,11 +100,34 @@ class Prover {
       take([&] { return can_fail(s_, k); });
     }
   }
+  // A recovery of several monitors keeps another one for the same reasons, whomever it drives for:
+  // that is one line, which rests on what is claimed of each.
+  void say_once() {
+    auto& all = out_.obligations;
+    Obligation& last = all.back();
+    const auto same = std::find_if(all.begin(), all.end() - 1, [&](const Obligation& o) {
+      return o.kind == last.kind && o.monitor == last.monitor && o.recovery == last.recovery &&
+             o.status == last.status && o.method == last.method && o.because == last.because &&
+             o.repair == last.repair && o.by_a_run == last.by_a_run;
+    });
+    if (same == all.end() - 1) return;
+    for (Claim& claim : last.claims) {
+      const bool known = std::any_of(same->claims.begin(), same->claims.end(), [&](const Claim& c) {
+        return c.what == claim.what && c.values == claim.values;
+      });
+      if (!known) same->claims.push_back(std::move(claim));
+    }
+    if (same->starts.empty()) same->starts = std::move(last.starts);
+    same->micros += last.micros;
+    all.pop_back();
+  }
   void arbitration() {
     const analysis::Arbitration all = matrix_of(s_);
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (std::size_t j = 0; j < all.size(); ++j) {
-        if (i != j) take([&] { return keeps_others(s_, all[i][j], i, j); });
+        if (i == j) continue;
+        take([&] { return keeps_others(s_, all[i][j], i, j); });
+        say_once();
       }
     }
     take([&] { return switches_well(s_, all, check_); });
@@ -209,10 +232,33 @@ void drop_untried(const std::vector<diag::Diagnostic>& found, Report& report) {
   for (Decision& decision : report.decisions) {
     for (Obligation& o : decision.obligations) {
       if (o.kind != Kind::keeps || o.status == Status::acknowledged) continue;
+      if (o.repair.starts_with("`acknowledge ")) continue;  // changes nothing
       const bool offered = std::ranges::any_of(found, [&](const diag::Diagnostic& d) {
         return d.code == Code::recovery_breaks && d.help.find(o.repair) != std::string::npos;
       });
       if (!offered) o.repair.clear();
+    }
+  }
+}
+
+// That a recovery keeps what one of its own monitors says, whomever of them it drives for, is P2a.
+void drop_own(const sema::Spec& spec, Report& report) {
+  for (Decision& decision : report.decisions) {
+    for (Obligation& o : decision.obligations) {
+      if (o.kind != Kind::keeps || o.status != Status::proved) continue;
+      const auto m = std::ranges::find_if(spec.monitors, [&](const sema::Monitor& each) {
+        return each.name == o.monitor && each.recover && spec[*each.recover].name == o.recovery;
+      });
+      if (m == spec.monitors.end()) continue;
+      const auto own = std::ranges::find_if(decision.obligations, [&](const Obligation& other) {
+        return other.kind == Kind::p2a && other.monitor == o.monitor;
+      });
+      const bool shown = own == decision.obligations.end() || own->status == Status::proved;
+      if (shown || own->status == Status::acknowledged) continue;
+      o.status = Status::unknown;
+      o.method = "no proof";
+      o.because = "P2a of `" + o.monitor + "` is not shown, of the same recovery";
+      o.claims.clear();
     }
   }
 }
@@ -264,6 +310,7 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
     // what the matrix says already
     if (kind && *kind != Kind::keeps) add_refuted(spec, d, *kind, report);
   }
+  drop_own(spec, report);
   if (module != nullptr) {
     for_each_subject(spec, *module, tables, [&](const Subject& s) {
       for (Decision& d : report.decisions) {

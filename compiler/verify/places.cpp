@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/standoffs.h"
@@ -95,6 +96,13 @@ Rational square_to(const std::vector<geometry::Ring>& rings, const geometry::Poi
   return least;
 }
 
+analysis::HowItLies how_it_lies(const Subject& s) {
+  return [&s](ir::ZoneIndex inner, const analysis::Standoff& outer) {
+    return analysis::lies_deep(s.module, s.exact, s.solid, inner, outer) ? analysis::Lies::deep
+                                                                         : analysis::Lies::in;
+  };
+}
+
 std::vector<Need> needs_of(const Subject& s) {
   std::vector<Need> all;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
@@ -102,10 +110,11 @@ std::vector<Need> needs_of(const Subject& s) {
     if (!m.lookahead.duration) continue;
     analysis::Standoffs own;
     analysis::ask_for_standoffs(m.property, s.decision.facts.params, own);
-    const std::int64_t mm =
-        std::max(analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own.fence_mm,
-                 analysis::asked_clearance_mm(s.module, s.decision, k));
+    const std::int64_t back_mm =
+        analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own.fence_mm;
     for (const ir::ZoneIndex zone : analysis::fences_of(m.property, s.decision.facts.params)) {
+      const std::int64_t mm = std::max(
+          back_mm, analysis::asked_clearance_mm(s.module, s.decision, k, zone, how_it_lies(s)));
       const auto known =
           std::find_if(all.begin(), all.end(), [&](const Need& need) { return need.zone == zone; });
       if (known == all.end()) {
@@ -123,7 +132,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   Obligation o;
   o.kind = Kind::satisfiable;
   o.monitor = m.name;
-  if (analysis::never_holds(m.property)) {
+  if (analysis::never_holds(s.decision, m.property)) {
     o.status = Status::refuted;
     o.method = "static check";
     o.because = "it is false, whatever is measured";

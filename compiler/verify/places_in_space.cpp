@@ -282,7 +282,7 @@ Obligation legs_back(const Subject& s, std::size_t k) {
   o.monitor = m.name;
   o.method = "straight legs";
   const auto slabs = slabs_of(s, last.zone);
-  if (last.kind != ir::RecoveryKind::retreat || !slabs || slabs->size() > slabs_max) {
+  if (!ir::goes_back(last.kind) || !slabs || slabs->size() > slabs_max) {
     return not_in_sight(s, last, std::move(o));
   }
   const ir::ZoneTable& zone = s.module[last.zone];

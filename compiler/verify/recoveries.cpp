@@ -1,6 +1,7 @@
 // P2a, P2b and the matrix of arbitration.
 #include <algorithm>
 
+#include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
@@ -430,12 +431,29 @@ namespace {
 // Whether a recovery is as slow as the property of another monitor asks, whoever has accepted that
 // it is not (5033).
 bool slow_enough(const Subject& s, std::size_t driving, std::size_t judged) {
-  const analysis::HowItLies lies = [&](ir::ZoneIndex inner, const analysis::Standoff& outer) {
-    return analysis::lies_deep(s.module, s.exact, s.solid, inner, outer) ? analysis::Lies::deep
-                                                                         : analysis::Lies::in;
-  };
+  const analysis::HowItLies lies = how_it_lies(s);
   return analysis::keeps_speed_limits({s.spec, s.written, s.module, s.decision, lies}, driving,
                                       judged);
+}
+
+// Of a recovery that keeps what the other monitor says as far as its robot goes, while others may
+// break that: the other monitor's own recovery takes over, and what that may break is acknowledged
+// (6003, 6004); or nobody does.
+Obligation among_others(const Subject& s, std::size_t driving, std::size_t judged, Obligation o) {
+  const ir::Monitor& i = s.decision.monitors[driving];
+  const ir::Monitor& j = s.decision.monitors[judged];
+  const std::string why = reason(s.decision, i.recovery.name, j.name);
+  if (!why.empty()) return acknowledged(std::move(o), why);
+  const std::string itself = quoted(i.recovery.name) + " keeps " + quoted(j.name) +
+                             " as far as its own robot goes, and others may break it";
+  if (judged < driving && !s.decision.coordinated && i.recovery.name != j.recovery.name) {
+    o.because = itself + ": " + quoted(j.name) + " ranks higher, and " + quoted(j.recovery.name) +
+                " takes over as soon as they might";
+    return o;
+  }
+  o = doubted(std::move(o), itself);
+  o.repair = "`acknowledge " + i.recovery.name + " may break " + j.name + " \"why\"` accepts that";
+  return o;
 }
 
 std::string text_of(const std::vector<std::int64_t>& place_mm) {
@@ -502,7 +520,8 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   o.method = "geometry and bounds";
   o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);
   claim_zones(s, driving, j, o.claims);
-  return o;
+  return analysis::others_may_break(s.decision, j) ? among_others(s, driving, judged, std::move(o))
+                                                   : o;
 }
 
 }  // namespace rtac::verify

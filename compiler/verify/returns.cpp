@@ -54,8 +54,9 @@ class Rest {
     if (const auto* compare = std::get_if<ir::AtLeast>(&op)) {
       return comparison(block, *compare, of_choice);
     }
-    if (ir::body_of(op) != nullptr) {
-      if (s_.decision.robots < 2) return AtRest::given_back;
+    if (const auto* each = std::get_if<ir::ForOthers>(&op)) {
+      // of all others, where there is none; that there is one never holds then
+      if (s_.decision.robots < 2) return each->universal ? AtRest::given_back : AtRest::kept;
       others_ = true;
       return AtRest::kept;
     }
@@ -84,7 +85,7 @@ class Rest {
     }
     return AtRest::kept;
   }
-  AtRest comparison(const ir::Block& block, const ir::AtLeast& compare, bool of_choice) const {
+  AtRest comparison(const ir::Block& block, const ir::AtLeast& compare, bool of_choice) {
     AtRest all = AtRest::told;
     for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
       all = AtRest::given_back;
@@ -93,6 +94,10 @@ class Rest {
         return AtRest::kept;
       }
       if (leaf.kind == ir::Leaf::Kind::received) return AtRest::kept;
+      if (leaf.kind == ir::Leaf::Kind::count && s_.decision.robots > 1) {
+        others_ = true;
+        return AtRest::kept;
+      }
       if (!of_choice) continue;  // errors of the analysis are about the rest of it
       if (leaf.kind == ir::Leaf::Kind::clearance &&
           !lies_in(s_, last_.zone, ir::ZoneIndex{leaf.table})) {

@@ -8,6 +8,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
@@ -94,22 +95,27 @@ bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, std::
 // What the specification accepts counts as if it did not happen: pairs that it acknowledges, and
 // recoveries that do not lead out by themselves. Its reasons.
 std::string accept(const ir::Decision& d, protocol::Arbitration& known) {
-  std::string reasons;
+  std::vector<std::string> reasons;
+  const auto add = [&](const std::string& why) {
+    if (std::find(reasons.begin(), reasons.end(), why) == reasons.end()) reasons.push_back(why);
+  };
   for (const ir::Acknowledgement& a : d.acknowledgements) {
     for (std::size_t i = 0; i < d.monitors.size(); ++i) {
       for (std::size_t j = 0; j < d.monitors.size(); ++j) {
         if (d.monitors[i].recovery.name != a.recovery || d.monitors[j].name != a.monitor) continue;
         known.keeps[i][j] = known.settles[i][j] = true;
-        reasons += (reasons.empty() ? "" : "; ") + a.reason;
+        add(a.reason);
       }
     }
   }
   for (std::size_t i = 0; i < d.monitors.size(); ++i) {
     if (d.monitors[i].hold_reason.empty()) continue;
     known.settles[i].assign(d.monitors.size(), true);
-    reasons += (reasons.empty() ? "" : "; ") + d.monitors[i].hold_reason;
+    add(d.monitors[i].hold_reason);
   }
-  return reasons;
+  std::string all;
+  for (const std::string& why : reasons) all += (all.empty() ? "" : "; ") + why;
+  return all;
 }
 
 using Answers = std::vector<protocol::Answer>;
@@ -117,6 +123,35 @@ const protocol::Answer* first(const Answers& answers, protocol::Answer::Kind kin
   const auto at = std::find_if(answers.begin(), answers.end(),
                                [&](const protocol::Answer& a) { return a.kind == kind; });
   return at == answers.end() ? nullptr : &*at;
+}
+
+// While inputs ask for a recovery that leads out of what another monitor says, that one takes over,
+// leads back in, and gives the robot back to it, as often as it comes there: the model takes inputs
+// to let go at some time. Of a charge the same is a robot that waits where it is charged. "": none.
+std::string turns_while_told(const Subject& s, const analysis::Arbitration& matrix) {
+  const auto& monitors = s.decision.monitors;
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    const ir::Recovery& asked = monitors[i].recovery;
+    const auto steps = ir::steps_of(asked);
+    const bool moves = std::any_of(steps.begin(), steps.end(), [](const ir::Recovery* step) {
+      return step->kind != ir::RecoveryKind::brake;
+    });
+    if (!moves || !atoms_of(monitors[i].property).only_facts()) continue;
+    for (std::size_t j = 0; j < matrix.size(); ++j) {
+      const Atoms atoms = atoms_of(monitors[j].property);
+      const analysis::Keeping k = matrix[i][j].keeping;
+      if (!atoms.clearance && !atoms.altitude) continue;
+      if (k != analysis::Keeping::guarded && k != analysis::Keeping::coordinated) continue;
+      if (ir::acknowledged(s.decision, asked.name, monitors[j].name)) continue;
+      const ir::RecoveryKind back = ir::last_step(monitors[j].recovery).kind;
+      const bool stands = back == ir::RecoveryKind::brake || !monitors[j].hold_reason.empty();
+      if (stands || matrix[i][j].while_told) continue;
+      return "as long as inputs ask for " + quoted(asked.name) + ", it and " +
+             quoted(monitors[j].recovery.name) +
+             " may take over from each other: " + matrix[i][j].why;
+    }
+  }
+  return "";
 }
 
 Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answer) {
@@ -221,6 +256,10 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   }
   if (const auto* open = first(answers, protocol::Answer::Kind::unknown)) {
     return unknown(std::move(o), s, *open);
+  }
+  if (std::string why = turns_while_told(s, matrix); !why.empty()) {
+    o.because = std::move(why);
+    return o;
   }
   o.status = reasons.empty() ? Status::proved : Status::acknowledged;
   o.because = !reasons.empty() ? reasons

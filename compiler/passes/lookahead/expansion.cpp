@@ -26,11 +26,22 @@ Block Expansion::run() {
   if (units_differ_) monitor_.unit.reset();
   tell_of_idle_waypoints();
   if (look().command && !commands_judged_ && !decision_.on_plan) {
-    without_effect("`command` has no effect on monitor `" + monitor_.name + "`",
-                   "commands tell where a robot will be: `inside`, `clearance` and `distance` are "
-                   "judged under them; leave `command` out");
+    report_idle_command(ahead);
   }
   return ahead;
+}
+
+void Expansion::report_idle_command(const Block& ahead) {
+  const bool is_about_agents =
+      std::any_of(ahead.values.begin(), ahead.values.end(),
+                  [](const Value& value) { return std::holds_alternative<AgentReach>(value.op); });
+  without_effect(
+      "`command` has no effect on monitor `" + monitor_.name + "`",
+      is_about_agents
+          ? "no command tells where an agent will be: the `distance` from one is judged under any "
+            "control, whatever the robot is told; leave `command` out"
+          : "commands tell where a robot will be: `inside`, `clearance` and the `distance` from "
+            "other robots are judged under them; leave `command` out");
 }
 
 Block Expansion::transformed(const Block& property) {

@@ -58,6 +58,7 @@ class Expansion {
                      const std::string& first = "");
 
  private:
+  void report_idle_command(const ir::Block& ahead);  // 2022
   ir::Block transformed(const ir::Block& property);
   ir::ValueId margin(const ir::Block& from, ir::ValueId id, ir::Block& to);
   ir::ValueId refuse_negation(const SourceRange& source, ir::Block& to);

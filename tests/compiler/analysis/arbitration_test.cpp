@@ -160,6 +160,24 @@ TEST(Arbitration, DistancesAndBrakesAreKept) {
       Messages{});
 }
 
+// What is only counted may be near, and gates nobody: a recovery that moves may drive up to others.
+TEST(Arbitration, ANumberOfOthersIsKeptByWhoStands) {
+  const std::string few =
+      "monitor few for r : Rover { \"SR-5: nobody near\" always count(q : Rover, q != r : "
+      "distance(r, q) <= 1 m) <= 0; recover stop; hold when violated \"a test\"; }\n";
+  const std::string accepts = " acknowledge stop may break few \"a test\";";
+  EXPECT_EQ(broken(two_zones(few, "priority in_west > few;" + accepts)),
+            Messages{"while `go_west` drives, `few` may become false, and ranks lower"});
+  EXPECT_EQ(broken(two_zones(few, "priority few > in_west;" + accepts)), Messages{});
+  const std::string still =
+      "monitor slow for r : Rover { \"SR-6: slow\" always r.speed <= 0.3 m/s; recover halt; }\n"
+      "controller halt : safe for Rover = brake_and_hold;\n";
+  EXPECT_EQ(broken(two_zones(few + still, "priority slow > few;" + accepts)), Messages{});
+  // as many as there are is no condition
+  EXPECT_EQ(broken(two_zones(edited(few, "<= 0;", "<= 1;"), "priority in_west > few;" + accepts)),
+            Messages{});
+}
+
 // ---- coordinated
 
 // What leads out of a zone may rank anywhere, if the recovery of that zone keeps all above it.

@@ -72,6 +72,36 @@ TEST(Recoveries, MoveWhereTheirPropertyHolds) {
 }
 
 // A pillar in the middle of a room: the room is where the recovery may go, and the pillar is not.
+// What inputs say may be either: the recovery has to lead to where both of it hold.
+TEST(Recoveries, MoveWhereTheirPropertyHoldsWhateverInputsSay) {
+  const std::string zones =
+      "input rain : bool max_age 1 s;\nzone shelter = rectangle (0 m, 0 m) to (2.4 m, 2.4 m);\n"
+      "zone corner = rectangle (3 m, 3 m) to (5 m, 5 m);\n";
+  Text t{.zones = zones, .property = "if rain then d inside shelter else d inside room"};
+  t.recovery = "retreat within room speed 0.3 m/s";
+  EXPECT_EQ(codes(t), Codes{5016});
+  t.recovery = "extern keeps inside room speed <= 1 m/s";
+  t.clauses = "hold when violated \"a test\";";
+  EXPECT_EQ(codes(t), Codes{5016});
+  t.clauses = "";
+  t.recovery = "retreat within shelter speed 0.3 m/s";
+  EXPECT_EQ(codes(t), Codes{});
+  t.property = "(rain implies d inside shelter) and (not rain implies d inside room)";
+  EXPECT_EQ(codes(t), Codes{});
+  t.recovery = "retreat within room speed 0.3 m/s";
+  EXPECT_EQ(codes(t), Codes{5016});
+  // two zones that have nothing in common: none leads to both
+  t.property = "if rain then d inside shelter else d inside corner";
+  t.recovery = "retreat within shelter speed 0.3 m/s";
+  const auto c = compiled(text_of(t));
+  ASSERT_TRUE(has(*c, Code::recovery_elsewhere)) << reports(*c);
+  EXPECT_NE(reports(*c).find("zones that overlap work, or `brake_and_hold`"), std::string::npos)
+      << reports(*c);
+  t.recovery = "brake_and_hold";
+  t.clauses = "hold when violated \"a test\";";
+  EXPECT_EQ(codes(t), Codes{});
+}
+
 TEST(Recoveries, DoNotCrossWhatThePropertyTakesOut) {
   Text pillar;
   pillar.zones = "zone pillar = rectangle (2 m, 2 m) to (3 m, 3 m);";

@@ -36,6 +36,50 @@ TEST(ReturnCondition, AClearanceThatTheZoneDoesNotHaveIsRefusedWithTheLargestOne
   EXPECT_TRUE(is_refused(fence_returns("clearance(r, floor) > " + most + " m")));
 }
 
+// A room deep in another zone, which the condition is about: how deep it lies counts.
+TEST(ReturnCondition, AClearanceOfAZoneAroundTheRoomOfTheRecoveryIsHadThere) {
+  const auto hall = [](const std::string& room, const std::string& metres) {
+    return R"(spec deep;
+zone hall = rectangle (0 m, 0 m) to (20 m, 12 m);
+zone room = )" +
+           room + R"(;
+robot Cart {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet c : Cart;
+controller policy : advanced for Cart extern;
+controller back : safe for Cart = retreat within room speed 0.3 m/s;
+monitor fence for x : Cart { "SR-1: in" always x inside hall; recover back; return when clearance(x, hall) >= )" +
+           metres + R"( m; }
+decision go for Cart { advanced policy; period 50 ms; priority fence; }
+)";
+  };
+  // all of it is deep enough, and nothing is asked of its middle
+  const std::string narrow = "rectangle (6 m, 5 m) to (14 m, 7 m)";
+  EXPECT_FALSE(is_refused(hall(narrow, "3")));
+  const auto all = compiled(hall(narrow, "3"));
+  const auto own = compiled(hall(narrow, "0"));
+  EXPECT_EQ(all->module->decisions[0].monitors[0].recovery.return_clearance_mm,
+            own->module->decisions[0].monitors[0].recovery.return_clearance_mm);
+  // 4 m deep, and 2 m wide: from the hall its middle is 5 m off, less body and errors
+  const std::string wide = "rectangle (6 m, 4 m) to (14 m, 8 m)";
+  EXPECT_FALSE(is_refused(hall(wide, "5")));
+  const auto c = compiled(hall(wide, "5.9"));
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  const std::string off = "rectangle (1 m, 3 m) to (7 m, 5 m)";
+  const auto d = compiled(hall(off, "2.5"));
+  ASSERT_TRUE(has(*d, Code::return_set_empty)) << reports(*d);
+  const std::string most = number_in_help(*d, Code::return_set_empty, "a clearance of ", "m works");
+  EXPECT_GT(std::stod(most), 1.7);
+  EXPECT_FALSE(is_refused(hall(off, most)));
+  EXPECT_TRUE(is_refused(hall(off, std::to_string(std::stod(most) + 0.02))));
+}
+
 TEST(ReturnCondition, AChargeThatABatteryNeverShowsIsRefusedWithTheLargestOne) {
   const auto c = compiled(charge_returns("r.battery >= 120 %"));
   ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);

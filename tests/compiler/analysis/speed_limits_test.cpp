@@ -37,12 +37,12 @@ void expect_works(const std::string& text) {
   EXPECT_TRUE(c->diagnostics.all().empty()) << reports(*c);
 }
 
-// It is as much faster as the error that it measures its speed with.
+// It is as much faster as the error that it measures its speed with, and overshoots by 2 mm/s.
 TEST(SpeedLimits, ARecoveryKeepsThem) {
-  expect_works(text_of("0.5 m/s", "0.48 m/s"));
-  EXPECT_EQ(said(text_of("0.5 m/s", "0.481 m/s")),
+  expect_works(text_of("0.5 m/s", "0.478 m/s"));
+  EXPECT_EQ(said(text_of("0.5 m/s", "0.479 m/s")),
             "the recovery `back_off` drives at up to 0.501 m/s, and `calm` allows 0.5 m/s");
-  expect_works(text_of("0.5 m/s", "0.481 m/s", "acknowledge back_off may break calm \"a test\"; "));
+  expect_works(text_of("0.5 m/s", "0.479 m/s", "acknowledge back_off may break calm \"a test\"; "));
 }
 
 // Twice the error, the grid, and 1 m/s^2 over ages, period, look-ahead and latency.
@@ -79,9 +79,9 @@ std::string choice_text(const std::string& property, const std::string& recovery
                 recovery);
 }
 TEST(SpeedLimits, OfAChoiceCountWhereNothingElseHolds) {
-  expect_works(choice_text("permit or d.speed <= 0.2 m/s", "retreat within room speed 0.18 m/s"));
+  expect_works(choice_text("permit or d.speed <= 0.2 m/s", "retreat within room speed 0.179 m/s"));
   EXPECT_EQ(said(choice_text("permit or d.speed <= 0.2 m/s", "retreat within room speed 0.3 m/s")),
-            "the recovery `back_off` drives at up to 0.32 m/s, and `calm` allows 0.2 m/s where "
+            "the recovery `back_off` drives at up to 0.321 m/s, and `calm` allows 0.2 m/s where "
             "nothing else of the `or` holds");
   // it stays where it may be fast
   expect_works(
@@ -95,7 +95,7 @@ TEST(SpeedLimits, OfAChoiceCountWhereNothingElseHolds) {
 
 // What is implied is looked ahead as the comparison that it stands for, and is a limit like it.
 TEST(SpeedLimits, AreWrittenWithImpliesAndNot) {
-  const std::string slow = "retreat within room speed 0.38 m/s";
+  const std::string slow = "retreat within room speed 0.378 m/s";
   expect_works(choice_text("distance(d, slow) <= 30 cm implies d.speed <= 0.4 m/s", slow));
   expect_works(choice_text("distance(d, slow) >= 0 m or d.speed <= 0.4 m/s", slow));
   said(choice_text("distance(d, slow) <= 30 cm implies d.speed <= 0.4 m/s",
@@ -110,11 +110,11 @@ TEST(SpeedLimits, AreWrittenWithImpliesAndNot) {
 // No parameter: the strictest limit that it may become is offered, and works.
 TEST(SpeedLimits, AreConstants) {
   const std::string param = "param cap : speed in 0.5 m/s .. 0.9 m/s = 0.9 m/s;\nrobot Drone {";
-  const auto c = compiled(edited(text_of("cap", "0.48 m/s"), "robot Drone {", param));
+  const auto c = compiled(edited(text_of("cap", "0.478 m/s"), "robot Drone {", param));
   EXPECT_TRUE(has(*c, Code::atom_without_transformer)) << reports(*c);
   EXPECT_NE(reports(*c).find("`r.speed <= 0.5 m/s` works, the strictest"), std::string::npos)
       << reports(*c);
-  expect_works(text_of("0.5 m/s", "0.48 m/s"));
+  expect_works(text_of("0.5 m/s", "0.478 m/s"));
 }
 
 // Nothing is faster than the declared speed.

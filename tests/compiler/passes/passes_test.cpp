@@ -239,6 +239,22 @@ TEST(ExpandLookahead, WaypointsOnlyOfAChargeIsRefused) {
             "clause_without_effect");
 }
 
+// language, rules 9.6 and 9.8: commands tell where the robot goes, and no agent.
+TEST(ExpandLookahead, CommandsThatTellNothingAreRefusedByWhatTheMonitorSpeaksOf) {
+  Lookahead commands{true, 200'000, 0, false};
+  commands.command = true;
+  BlockMaker b;
+  const ValueId gap = b.quantity(AgentDistance{AgentIndex{0}});
+  const ValueId least = b.quantity(Const{300});
+  const Expanded agent = expand(b.done(b.margin(AtLeast{gap, least, false})), commands);
+  EXPECT_EQ(first_code(agent.diagnostics), "clause_without_effect");
+  EXPECT_NE(agent.diagnostics.all()[0].help.find("where an agent will be"), std::string::npos);
+  const Expanded charge = expand(charge_of(200'000), commands);
+  EXPECT_EQ(first_code(charge.diagnostics), "clause_without_effect");
+  EXPECT_NE(charge.diagnostics.all()[0].help.find("`distance` from other robots"),
+            std::string::npos);
+}
+
 // The margin is that of the atom that decides, in its unit: no unit fits both of these.
 TEST(ExpandLookahead, AtomsOfDifferentUnitsLeaveTheUnitOpen) {
   BlockMaker b;

@@ -93,6 +93,47 @@ decision fly for Quad { advanced policy; period 50 ms; priority radio > walls; }
   EXPECT_TRUE(refuted) << o.out;
 }
 
+// Over a ledge: it is told to land, is led back from above what it would hit, and told to land
+// again. Nobody leads it anywhere where the ground below is as wide.
+TEST_F(Told, WhatInputsAskForAndAnotherOneLeadsBackFromGoesOnForAsLong) {
+  const auto air = [](const std::string& below, const std::string& clauses = "") {
+    return R"(spec ledge;
+zone air = prism (rectangle (0 m, 0 m) to (40 m, 40 m)) from 4 m to 30 m | prism (rectangle )" +
+           below + R"() from 0 m to 4 m;
+input wind : real [m/s] in 0 .. 40 m/s error 1 m/s max_age 1 s;
+robot Quad {
+  body radius 40 cm;
+  motion point { speed <= 3 m/s; accel <= 2.5 m/s^2; brake >= 2.5 m/s^2; }
+  sense position : point3 error 8 cm max_age 50 ms;
+  sense velocity : vector3 error 8 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller down : safe for Quad = land to 1.5 m speed 0.6 m/s;
+controller back : safe for Quad = retreat within air speed 0.6 m/s;
+monitor walls for d : Quad { "R1: in the air" always d inside air; recover back; }
+monitor storm for d : Quad { "R2: lands in a storm" always wind <= 12 m/s; recover down; }
+decision fly for Quad { advanced policy; period 50 ms; priority walls > storm; )" +
+           clauses + " }\n";
+  };
+  const auto switching = [](const std::string& text) {
+    const Outcome o = verified(text, {"--format", "json"});
+    return std::pair(statuses(o.out, "switching", ""), o.out);
+  };
+  const auto [turns, why] = switching(air("(10 m, 10 m) to (30 m, 30 m)"));
+  EXPECT_EQ(turns, Statuses{"unknown"}) << why;
+  EXPECT_NE(why.find("as long as inputs ask for `down`, it and `back` may take over"),
+            std::string::npos)
+      << why;
+  EXPECT_EQ(switching(air("(0 m, 0 m) to (40 m, 40 m)")).first, Statuses{"proved"});
+  EXPECT_NE(switching(air("(10 m, 10 m) to (30 m, 30 m)",
+                          "acknowledge down may break walls \"the net\";"))
+                .first,
+            Statuses{"unknown"});
+}
+
 // Slow enough for either limit, in whatever order.
 TEST_F(Told, EitherSideOfAChoiceIsKeptByARecoveryThatIsSlowEnough) {
   expect_proved(yard_with(by_load, "0.4 m/s", "fence > told"));

@@ -306,5 +306,96 @@ decision go for Cart { advanced policy; period 50 ms; priority to_west > to_east
   EXPECT_EQ(o.out.find("works"), std::string::npos) << o.out;
 }
 
+// Two monitors that share a recovery, and one that both are to keep: it is said once, of both.
+TEST_F(Verify, ARecoveryOfSeveralMonitorsIsSaidToKeepAnotherOneOnce) {
+  const std::string text = R"(spec shared;
+zone yard = rectangle (0 m, 0 m) to (10 m, 8 m);
+robot Cart {
+  body radius 25 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; }
+  sense position : point error 2 cm max_age 100 ms;
+  sense velocity : vector error 2 cm/s max_age 100 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet c : Cart;
+input on : bool max_age inf;
+controller policy : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+controller back : safe for Cart = retreat within yard speed 0.3 m/s;
+monitor slow for r : Cart { "R1: slow" always r.speed <= 0.8 m/s; recover stop; }
+monitor told for r : Cart { "R2: on" always on; recover stop; }
+monitor fence for r : Cart { "R3: in" always r inside yard; recover back; }
+decision gate for Cart { advanced policy; period 50 ms; priority told > slow > fence; }
+)";
+  const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "C", "fence"), Statuses{"proved"}) << o.out;
+  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
+
+// A recovery that leads out of what one of its monitors says keeps that for none of them.
+TEST_F(Verify, WhatP2aRefutesIsNotProvedOfTheSameRecoveryOfAnotherMonitor) {
+  const Outcome o = verified(R"(spec own;
+zone yard = rectangle (0 m, 0 m) to (10 m, 8 m);
+zone west = rectangle (0 m, 0 m) to (5 m, 8 m);
+robot Cart {
+  body radius 25 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; }
+  sense position : point error 2 cm max_age 100 ms;
+  sense velocity : vector error 2 cm/s max_age 100 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet c : Cart;
+controller policy : advanced for Cart extern;
+controller back : safe for Cart = retreat within yard speed 0.3 m/s;
+monitor fence for r : Cart { "R1: in" always r inside yard; recover back; }
+monitor side for r : Cart { "R2: in the west" always r inside west; recover back; }
+decision gate for Cart { advanced policy; period 50 ms; priority fence > side; }
+)",
+                             {"--format", "json"});
+  EXPECT_EQ(statuses(o.out, "P2a", "side"), Statuses{"refuted"}) << o.out;
+  EXPECT_EQ(statuses(o.out, "C", "side"), Statuses{"unknown"}) << o.out;
+  EXPECT_EQ(statuses(o.out, "C", "fence"), Statuses{"proved"}) << o.out;
+}
+
+// What no sample has to confirm is taken for granted, and listed.
+TEST_F(Verify, AnInputThatHoldsForEverIsAmongTheAssumptions) {
+  write("spec.rta", R"(spec held;
+zone yard = rectangle (0 m, 0 m) to (10 m, 8 m);
+robot Cart {
+  body radius 25 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; }
+  sense position : point error 2 cm max_age 100 ms;
+  sense velocity : vector error 2 cm/s max_age 100 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet c : Cart;
+input on : bool max_age inf;
+input fresh : bool max_age 1 s;
+controller policy : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+monitor told for r : Cart { "R1: on" always on and fresh; recover stop; }
+decision gate for Cart { advanced policy; period 50 ms; priority told; }
+)");
+  const Outcome check = rtac({"check", "spec.rta"});
+  EXPECT_EQ(check.status, exit_clean) << check.err;
+  EXPECT_NE(check.out.find("  assumed: the last value of on holds for ever\n"), std::string::npos)
+      << check.out;
+  EXPECT_EQ(check.out.find("fresh holds"), std::string::npos) << check.out;
+  ASSERT_EQ(rtac({"build", "spec.rta", "-o", "generated"}).status, exit_clean);
+  const Json manifest = Json::parse(read("generated/spec_manifest.json"));
+  const auto& all = manifest["assumptions"];
+  EXPECT_EQ(std::count_if(all.begin(), all.end(),
+                          [](const Json& a) {
+                            return a["bound"] == "on max_age" && a["checked_by"] == "UNCHECKED";
+                          }),
+            1)
+      << all;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -1,0 +1,98 @@
+#include "compiler/recheck/company.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "compiler/sema/visit.h"
+
+namespace rtac::recheck {
+namespace {
+
+bool speaks_of_others(const sema::Expr& e) {
+  bool found = false;
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    found = found || std::holds_alternative<sema::ForOthers>(part.node) ||
+            std::holds_alternative<sema::CountOthers>(part.node) ||
+            std::holds_alternative<sema::Distance>(part.node) ||
+            std::holds_alternative<sema::AgentDistance>(part.node);
+  });
+  return found;
+}
+
+class Company {
+ public:
+  Company(const sema::Spec& spec, const sema::Decision& decision)
+      : open_(spec[decision.kind].open_fleet) {
+    for (const sema::Robot& robot : spec.robots) robots_ += robot.kind == decision.kind ? 1 : 0;
+  }
+
+  [[nodiscard]] bool keeps(const sema::Expr& e) const {
+    if (!speaks_of_others(e)) return true;
+    if (const auto* v = std::get_if<sema::Logic>(&e.node)) {
+      const auto is = [&](const sema::ExprPtr& x) {
+        return v->op == sema::LogicOp::logical_and ? keeps(*x) : of_both(*x);
+      };
+      const bool plain = v->op == sema::LogicOp::logical_and || v->op == sema::LogicOp::logical_or;
+      return plain && std::ranges::all_of(v->operands, is);
+    }
+    if (const auto* v = std::get_if<sema::ForOthers>(&e.node)) {
+      if (robots_ < 2) return true;
+      // one other robot that cannot be away is all and some of them
+      return (v->universal || (robots_ == 2 && !open_)) && keeps(*v->body);
+    }
+    const auto* compare = std::get_if<sema::Compare>(&e.node);
+    return compare != nullptr && (compares_pair(*compare) || any_number(*compare));
+  }
+
+ private:
+  // The same, whichever robot of the pair looks at the other one.
+  [[nodiscard]] static bool of_both(const sema::Expr& e) {
+    if (std::holds_alternative<sema::Truth>(e.node)) return true;
+    if (const auto* v = std::get_if<sema::Logic>(&e.node)) {
+      const bool plain = v->op == sema::LogicOp::logical_and || v->op == sema::LogicOp::logical_or;
+      return plain && std::ranges::all_of(v->operands, [](const auto& x) { return of_both(*x); });
+    }
+    const auto* compare = std::get_if<sema::Compare>(&e.node);
+    return compare != nullptr && compares_pair(*compare);
+  }
+  // A distance between robots, with what is the same for both of them.
+  static bool compares_pair(const sema::Compare& v) {
+    bool distance = false, other = false;
+    for (const sema::Expr* side : {v.left.get(), v.right.get()}) {
+      sema::for_each_expr(*side, [&](const sema::Expr& e) {
+        if (std::holds_alternative<sema::Distance>(e.node)) {
+          distance = true;
+        } else {
+          other = other || (!std::holds_alternative<sema::Constant>(e.node) &&
+                            !std::holds_alternative<sema::ParamRef>(e.node) &&
+                            !std::holds_alternative<sema::Arithmetic>(e.node));
+        }
+      });
+    }
+    return distance && !other;
+  }
+  // At most as many as there are is no condition.
+  [[nodiscard]] bool any_number(const sema::Compare& v) const {
+    if (robots_ < 2) return true;
+    using Op = sema::CompareOp;
+    const bool at_most = v.op == Op::less || v.op == Op::less_equal;
+    const sema::Expr& number = at_most ? *v.left : *v.right;
+    const sema::Expr& limit = at_most ? *v.right : *v.left;
+    const auto* most = std::get_if<sema::Constant>(&limit.node);
+    if (!std::holds_alternative<sema::CountOthers>(number.node) || most == nullptr) return false;
+    const bool strict = v.op == Op::less || v.op == Op::greater;
+    return strict ? most->value > robots_ - 1 : most->value >= robots_ - 1;
+  }
+
+  const bool open_;
+  int robots_ = 0;
+};
+
+}  // namespace
+
+bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
+                   const sema::Expr& property) {
+  return Company(spec, decision).keeps(property);
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,14 @@
+// Who keeps what a property says of other robots and of agents, as it is written.
+#pragma once
+
+#include "compiler/sema/spec.h"
+
+namespace rtac::recheck {
+
+// Whether nobody but the monitored robot can make the property false: what it says of other robots
+// is a condition of each pair, the same seen from either (language rule 9.7), and it says nothing
+// of agents, who obey no decision (rule 9.8).
+bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
+                   const sema::Expr& property);
+
+}  // namespace rtac::recheck

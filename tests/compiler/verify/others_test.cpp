@@ -1,0 +1,142 @@
+// What other robots and agents may break, whatever the robot itself does: no recovery is proved to
+// keep it, but where the monitor itself ranks higher, whose own recovery may break it by what is
+// acknowledged. What is proved is found once more, and what is not true is denied.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+// Three carts, or as many as are asked for, that stop for what `property` says of others.
+std::string carts_with(const std::string& property, const std::string& decides,
+                       const std::string& fleet = "Cart[3]") {
+  return R"(spec carts;
+zone yard = rectangle (0 m, 0 m) to (20 m, 10 m);
+robot Cart {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  hears other robots max_age 100 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet c : )" +
+         fleet + R"(;
+controller policy : advanced for Cart extern;
+controller back : safe for Cart = retreat within yard speed 0.3 m/s;
+controller stop : safe for Cart = brake_and_hold;
+monitor others for x : Cart { "R1: others" always )" +
+         property + R"(; recover stop; hold when violated "people look after it"; }
+monitor fence for x : Cart { "R2: in" always x inside yard; recover back; }
+decision go for Cart { advanced policy; period 50 ms; )" +
+         decides + " }\n";
+}
+const std::string other = " q : Cart, q != x : ";
+const std::string company = "exists" + other + "distance(x, q) >= 2 m";
+const std::string stops = " acknowledge stop may break others \"people look after it\";";
+
+class Others : public Verify {
+ protected:
+  // Of `back`, which is to keep what is said of others.
+  static std::string status(const std::string& text) {
+    const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
+    const Statuses all = statuses(o.out, "C", "others");
+    return all.size() == 1 ? all.front() : "";
+  }
+  static Outcome recheck() { return rtac({"verify", "--recheck", "certificates"}); }
+  // What `verify` has written of a pair that is proved, with the text and the claims of another
+  // specification.
+  static Outcome rechecked_as_proved(const std::string& kind, const Json& claims) {
+    Json report = Json::parse(read("certificates/verification.json"));
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] != kind || o.value("monitor", "") != "others") continue;
+      o["status"] = "proved";
+      o["claims"] = claims;
+    }
+    write("certificates/verification.json", report.dump());
+    return recheck();
+  }
+  static Json claims() {
+    const Json report = Json::parse(read("certificates/verification.json"));
+    for (const Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] == "C" && o.value("monitor", "") == "others") return o["claims"];
+    }
+    return {};
+  }
+};
+
+// Whom a robot relies on may leave while its recovery drives, and a robot that passes may come.
+TEST_F(Others, WhatTheyMayBreakNoRecoveryKeepsThatRanksHigher) {
+  for (const std::string& property :
+       {company, "max(" + other + "distance(x, q)) >= 2 m",
+        "forall" + other + "(distance(x, q) >= 2 m or x.speed <= 0.5 m/s)"}) {
+    EXPECT_EQ(status(carts_with(property, "priority fence > others;" + stops)), "unknown")
+        << property;
+  }
+  EXPECT_EQ(status(carts_with(company, "coordinate others > fence;" + stops)), "unknown");
+  EXPECT_EQ(status(carts_with(company, "priority fence > others;" + stops +
+                                           " acknowledge back may break others \"so may it\";")),
+            "acknowledged");
+}
+// It may come near a robot that a gate holds on its way.
+TEST_F(Others, NobodyKeepsAnAgentOff) {
+  std::string text = carts_with("distance(x, worker) >= 50 cm", "priority fence > others;" + stops);
+  text = edited(text, "controller policy",
+                "agent worker : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n"
+                "controller policy");
+  text = edited(text, " hold when violated \"people look after it\";", "");
+  EXPECT_EQ(status(text), "unknown");
+  EXPECT_EQ(status(edited(text, "fence > others", "others > fence")), "proved");
+}
+TEST_F(Others, WhatTheyMayBreakIsAnsweredByAMonitorThatRanksHigher) {
+  EXPECT_EQ(status(carts_with(company, "priority others > fence;" + stops)), "proved");
+  const Outcome again = recheck();
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
+// One recovery for both: what it may break is acknowledged, wherever the two rank.
+TEST_F(Others, TheOwnRecoveryTakesOverFromNobody) {
+  const std::string accepted = " acknowledge back may break others \"people look after it\";";
+  const std::string text = carts_with(company, "priority others > fence;" + accepted);
+  EXPECT_EQ(status(edited(text, "recover stop;", "recover back;")), "acknowledged");
+}
+// Of a pair of robots each other one is all of them: both check it.
+TEST_F(Others, WhatIsAConditionOfEachPairIsKept) {
+  const std::string low = "priority fence > others;";
+  const std::string apart = "forall" + other + "distance(x, q) >= 2 m";
+  for (const auto& [property, fleet] :
+       {std::pair(apart, "Cart[3]"), std::pair(company, "Cart[2]")}) {
+    EXPECT_EQ(status(carts_with(property, low, fleet)), "proved") << property;
+    const Outcome again = recheck();
+    EXPECT_EQ(again.status, exit_clean) << property << again.out << again.err;
+  }
+}
+TEST_F(Others, AProofOfWhatTheyMayBreakIsDenied) {
+  const std::string low = "priority fence > others;";
+  EXPECT_EQ(status(carts_with("forall" + other + "distance(x, q) >= 2 m", low)), "proved");
+  const Json kept = claims();
+  EXPECT_EQ(status(carts_with(company, low + stops)), "unknown");
+  const Outcome pair = rechecked_as_proved("C", kept);
+  EXPECT_EQ(pair.status, exit_violation) << pair.out;
+  EXPECT_NE((pair.out + pair.err).find("others may break it, and nobody takes over"),
+            std::string::npos)
+      << pair.out << pair.err;
+  EXPECT_EQ(status(carts_with(company, low + stops)), "unknown");
+  const Outcome own = rechecked_as_proved("P2a", kept);
+  EXPECT_EQ(own.status, exit_violation) << own.out;
+  EXPECT_NE((own.out + own.err).find("others may break it, whatever the recovery does"),
+            std::string::npos)
+      << own.out << own.err;
+}
+// A robot that is alone has nobody near, and no property that asks for one is ever true.
+TEST_F(Others, NobodyIsThereOfAFleetOfOne) {
+  const Outcome o =
+      verified(carts_with(company, "priority others > fence;", "Cart[1]"), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  EXPECT_NE(o.err.find("\"code\": 5007"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("there is no other `Cart`"), std::string::npos) << o.err;
+  EXPECT_EQ(statuses(o.out, "satisfiable", "others"), Statuses{"refuted"});
+  EXPECT_EQ(statuses(o.out, "P2b", "others"), Statuses{"refuted"});
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
