@@ -320,15 +320,19 @@ std::string manifest(const Module& module, const sema::Spec& spec, const Naming&
   for (const sema::RobotKind& k : spec.kinds) {
     for (auto& a : assumptions(module, k)) j["assumptions"].push_back(std::move(a));
   }
-  for (const Channel& c : module.watch ? module.watch->inputs : std::vector<Channel>{}) {
-    if (!c.held) continue;
-    j["assumptions"].push_back({{"kind", "input"},
+  const auto held = [&](const Channel& c, const std::string& kind) {
+    if (!c.held) return;
+    j["assumptions"].push_back({{"kind", kind},
                                 {"bound", c.name + " max_age"},
                                 {"value", "inf"},
                                 {"checked_by", "UNCHECKED"}});
+  };
+  for (const Channel& c : module.watch ? module.watch->inputs : std::vector<Channel>{}) {
+    held(c, "input");
   }
   for (const Decision& d : module.decisions) {
     for (const Channel& c : d.facts.inputs) {
+      held(c, d.kind);
       if (c.kind != ChannelKind::zone) continue;
       j["assumptions"].push_back({{"kind", d.kind},
                                   {"bound", c.name + " stays as it is"},

@@ -154,6 +154,7 @@ Names::Names(const ir::Module& module, const sema::Spec& spec) {
                  "s:cruise_clearance_m",
                  "s:pass_gap_m",
                  "s:robot_name",
+                 "s:robot_number",
                  "s:default_options",
                  "s:decision_of",
                  "s:run",
@@ -168,6 +169,8 @@ Names::Names(const ir::Module& module, const sema::Spec& spec) {
                  "c:tasks",
                  "r:Robot",
                  "r:self",
+                 "r:recovery",
+                 "r:mode",
                  "r:setting",
                  "r:standing",
                  "e:planner",
@@ -283,7 +286,7 @@ void Names::claim_robots(const sema::Spec& spec) {
 void Names::claim_controllers(const sema::Spec& spec) {
   for (const sema::Controller& controller : spec.controllers) {
     claim(controller.name, [&](const std::string& id) {
-      return std::vector<std::string>{"e:" + id, "r:" + id};
+      return std::vector<std::string>{"e:" + id, "r:" + id, "r:external_" + id};
     });
   }
 }

@@ -1,6 +1,7 @@
 #include "compiler/codegen/system.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "compiler/codegen/code.h"
 #include "compiler/codegen/names.h"
@@ -88,15 +89,20 @@ class SystemPrinter {
   std::vector<std::pair<std::string, std::string>> slot_list() const {
     std::vector<std::pair<std::string, std::string>> slots;
     slots.push_back({"rtac::Controller<" + output_ + ">&", names_(d().advanced)});
-    for (const Recovery* r : recoveries_) {
-      if (r->kind == RecoveryKind::external) {
-        slots.push_back({"rtac::SafeController<" + output_ + ">&", names_(r->name)});
-      }
+    for (const Recovery* r : external_recoveries()) {
+      slots.push_back({safe_controller() + "&", names_(r->name)});
     }
     slots.push_back({"rtac::Planner&", advanced_planner()});
     if (kind_.on_plan) slots.push_back({"rtac::Planner&", planner_slot(kind_.on_plan->safe)});
     return slots;
   }
+  std::vector<const Recovery*> external_recoveries() const {
+    std::vector<const Recovery*> external;
+    std::copy_if(recoveries_.begin(), recoveries_.end(), std::back_inserter(external),
+                 [](const Recovery* r) { return r->kind == RecoveryKind::external; });
+    return external;
+  }
+  std::string safe_controller() const { return "rtac::SafeController<" + output_ + ">"; }
   std::string advanced_planner() const {
     return kind_.on_plan ? planner_slot(kind_.on_plan->advanced) : "planner";
   }
@@ -154,6 +160,13 @@ class SystemPrinter {
       f.line("static const char* const names[] = {" + names + "};");
       f.line("return names[robot];");
     });
+    body.comment("The number of the robot of this name; -1: there is none.");
+    body.block("static int robot_number(const char* name)", [](Code& f) {
+      f.block("for (int robot = 0; robot < robots; ++robot)", [](Code& each) {
+        each.line("if (std::strcmp(robot_name(robot), name) == 0) return robot;");
+      });
+      f.line("return -1;");
+    });
     for (const SiteTable& s : module_.sites) {
       if (s.places.size() != count || s.places[0].robot != kind_.robots[0]->name) continue;
       body.block("static rtac::Vec2 " + names_(s.name) + "(int robot)", [&](Code& f) {
@@ -171,6 +184,8 @@ class SystemPrinter {
       f.line("options.pass_gap_m = pass_gap_m;");
       f.line("return options;");
     });
+    body.blank();
+    robot(body);
     body.blank();
     constructor(body);
     body.blank();
@@ -217,11 +232,19 @@ class SystemPrinter {
   }
 
   // What starts the robots of a slot.
-  static std::string started(const Slot& slot) {
-    if (!slot.numbered) return "(" + std::to_string(slot.first) + ")";
+  std::string started(const Slot& slot) const {
+    const auto arguments = [&](std::size_t k) {
+      const std::string at = slot.numbered ? "[" + std::to_string(k) + "]" : "";
+      std::string text = "(" + std::to_string(slot.first + k);
+      for (const Recovery* r : external_recoveries()) {
+        text += ", controllers." + slot.name + at + "." + names_(r->name);
+      }
+      return text + ")";
+    };
+    if (!slot.numbered) return arguments(0);
     std::string all;
     for (std::size_t k = 0; k < slot.count; ++k) {
-      all += (k > 0 ? ", Robot(" : "{Robot(") + std::to_string(slot.first + k) + ")";
+      all += (k > 0 ? ", Robot" : "{Robot") + arguments(k);
     }
     return all + "}";
   }
@@ -231,31 +254,66 @@ class SystemPrinter {
     const std::string id = names_(decision.name);
     return camel(id) == id ? id + "_module" : id;
   }
-  void members(Code& body) {
+  // One robot, for the system and for programs that run it alone.
+  void robot(Code& body) {
+    body.comment(
+        "One robot by its number: its decision modules and its recoveries, each once and under the "
+        "name that it has in the specification. A program that runs this robot alone, as a node of "
+        "its own, makes one of these and no " +
+        name_ + ".");
     body.block(
         "struct Robot",
         [&](Code& r) {
-          std::string inits;
-          const auto init = [&](const std::string& member, const std::string& arguments) {
-            inits += (inits.empty() ? "" : ", ") + member + "(" + arguments + ")";
-          };
-          init(member_of(d()), "self");
-          if (kind_.on_plan) init(member_of(*kind_.on_plan), "self");
-          for (const Recovery* recovery : recoveries_) {
-            if (!is_member(*recovery)) continue;
-            init(names_(recovery->name), arguments_of(*recovery));
-          }
-          r.line("explicit Robot(int self)").line("    : " + inits + " {}");
+          robot_constructor(r);
           r.line(camel(names_(d().name)) + " " + member_of(d()) + ";");
           if (kind_.on_plan) {
             r.line(camel(names_(kind_.on_plan->name)) + " " + member_of(*kind_.on_plan) + ";");
           }
           for (const Recovery* recovery : recoveries_) {
-            if (!is_member(*recovery)) continue;
             r.line(type_of(*recovery) + " " + names_(recovery->name) + ";");
           }
+          recovery_of_mode(r);
         },
         "};");
+  }
+  void robot_constructor(Code& r) {
+    std::string inits, takes;
+    std::vector<std::string> attached;
+    const auto init = [&](const std::string& member, const std::string& arguments) {
+      inits += (inits.empty() ? "" : ", ") + member + "(" + arguments + ")";
+    };
+    init(member_of(d()), "self");
+    if (kind_.on_plan) init(member_of(*kind_.on_plan), "self");
+    for (const Recovery* recovery : recoveries_) {
+      init(names_(recovery->name), arguments_of(*recovery));
+    }
+    for (const Recovery* recovery : external_recoveries()) {
+      const std::string id = names_(recovery->name);
+      takes += ", " + safe_controller() + "& external_" + id;
+      attached.push_back(id + ".attach(external_" + id + ");");
+    }
+    r.line("explicit Robot(int self" + takes + ")");
+    r.line("    : " + inits + (attached.empty() ? " {}" : " {"));
+    for (const std::string& each : attached) r.line("  " + each);
+    if (!attached.empty()) r.line("}");
+  }
+  void recovery_of_mode(Code& r) {
+    const auto name_of = [&](const Monitor& m) { return names_(m.recovery.name); };
+    const std::vector<Monitor>& monitors = d().monitors;
+    const std::string first = name_of(monitors[0]);
+    const bool differ = std::any_of(monitors.begin(), monitors.end(),
+                                    [&](const Monitor& m) { return name_of(m) != first; });
+    r.comment("The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.");
+    r.block(safe_controller() + "& recovery(int" + (differ ? " mode)" : ")"), [&](Code& f) {
+      for (std::size_t k = 1; k < monitors.size(); ++k) {
+        const std::string name = name_of(monitors[k]);
+        if (name != first)
+          f.line("if (mode == " + std::to_string(k + 1) + ") return " + name + ";");
+      }
+      f.line("return " + first + ";");
+    });
+  }
+  void members(Code& body) {
     setting(body);
     parts(body);
     body.blank();
@@ -268,11 +326,13 @@ class SystemPrinter {
   }
   // It moves up and down as well: recoveries that move are others than those of the plane.
   static bool flies(const Recovery& r, const Body& b) {
-    return b.in_space && (r.kind == RecoveryKind::retreat || r.kind == RecoveryKind::land);
+    return b.in_space && (r.kind == RecoveryKind::retreat || r.kind == RecoveryKind::loiter ||
+                          r.kind == RecoveryKind::land);
   }
   std::string type_of(const Recovery& r) const {
     if (flies(r, d().body)) {
-      return r.kind == RecoveryKind::land ? "rtac::safe::Land" : "rtac::safe::RetreatInSpace";
+      const std::string flight = r.kind == RecoveryKind::land ? "" : "InSpace";
+      return "rtac::safe::" + std::string(class_of(r.kind)) + flight;
     }
     return "rtac::safe::" + std::string(class_of(r.kind)) + "<" + output_ + ">";
   }
@@ -297,8 +357,6 @@ class SystemPrinter {
     }
     return "";
   }
-  // What nobody claims anything of is used as it comes.
-  static bool is_member(const Recovery& r) { return r.kind != RecoveryKind::external || r.claims; }
   std::string arguments_of(const Recovery& r) const {
     if (r.kind == RecoveryKind::brake) return "standing()";
     if (r.kind == RecoveryKind::land) {
@@ -365,7 +423,7 @@ class SystemPrinter {
         return step.kind == kind && (!high || module_[step.zone].has_height());
       });
     };
-    if (is(RecoveryKind::retreat, true)) {
+    if (is(RecoveryKind::retreat, true) || is(RecoveryKind::loiter, true)) {
       body.line(
           "static rtac::safe::Setting setting(double speed_mps, const rtac::SolidView& zone,");
       body.line("                                   double route_clearance_m, double give_back_m,");
@@ -419,14 +477,8 @@ class SystemPrinter {
           f.line("rtac::RobotParts<" + output_ + "> p;");
           f.line("p.name = name;");
           f.line("p.decision = &robot." + member_of(d()) + ";");
-          for (const Recovery* r : recoveries_) {
-            if (!r->claims) continue;
-            f.line("robot." + names_(r->name) + ".attach(controllers." + names_(r->name) + ");");
-          }
-          for (const Monitor& m : d().monitors) {
-            const std::string from = is_member(m.recovery) ? "robot." : "controllers.";
-            f.line("(void)p.recoveries.push(&" + from + names_(m.recovery.name) + ");");
-          }
+          f.block("for (int mode = 1; mode <= " + std::to_string(d().monitors.size()) + "; ++mode)",
+                  [](Code& each) { each.line("(void)p.recoveries.push(&robot.recovery(mode));"); });
           f.line("p.advanced = &controllers." + names_(d().advanced) + ";");
           if (kind_.on_plan) {
             f.line("p.plan_decision = &robot." + member_of(*kind_.on_plan) + ";");
@@ -482,7 +534,7 @@ std::string system_header(const Module& module, const sema::Spec& spec, const Na
   Code out;
   out.comment("Generated by rtac " RTAC_VERSION " from " + naming.source + ". Do not edit.");
   out.line("#pragma once").blank();
-  out.line("#include <array>").blank();
+  out.line("#include <array>").line("#include <cstring>").blank();
   if (any_claims(module)) out.line("#include \"rtac/safe/claim.h\"");
   out.line("#include \"rtac/safe/controllers.h\"");
   if (in_space(module)) out.line("#include \"rtac/safe/space.h\"");

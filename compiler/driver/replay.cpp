@@ -150,7 +150,10 @@ class Replay {
       const interp::Tick tick = base_ ? base_->at(row.time_us) : printed_;
       if (judged || decided) print(tick, row.time);
     }
-    return reader.error();
+    if (reader.error() || printed_ > 0) return reader.error();
+    // Only decisions on plans wait for something: findings of nothing would look like good ones.
+    return interp::TraceError{1, 1, "no row of the trace has a plan to judge",
+                              "each proposal stands in a row of its own: `1 2; 3.5 2`, or `none`"};
   }
   [[nodiscard]] bool violated() const {
     return violated_ || (judges_.decisions && judges_.decisions->violated());

@@ -182,6 +182,10 @@ bool TraceReader::read_header() {
                 "end lines with LF or CR LF");
   }
   const CsvCell& first = record_.cells.front();
+  if (first.text.starts_with("time;") || first.text.starts_with("time\t")) {
+    return fail(1, first.column + 4, "cells are separated by commas",
+                "write `,` between them, and decimals with a point");
+  }
   if (first.text != "time") {
     return fail(1, first.column, "the first column is " + quoted(first.text) + ", not `time`",
                 "the first line names the columns: `time`, in seconds, then the inputs");
@@ -271,14 +275,21 @@ bool TraceReader::assign(const CsvCell& cell, std::vector<bool>& seen) {
   }
   std::vector<std::string> names;
   for (const Column& column : declared_) names.push_back(column.name);
-  return fail(1, cell.column, "no input is called " + quoted(cell.text),
-              sema::did_you_mean(cell.text, names, "inputs"));
+  std::string help = sema::did_you_mean(cell.text, names, "inputs");
+  if (help.back() != '?') help += "; leave out the column of anything else";
+  return fail(1, cell.column, "no input is called " + quoted(cell.text), std::move(help));
 }
 
 bool TraceReader::read_row(TraceRow& row) {
   if (error_) return false;
   const auto result = csv_.next(record_);
-  if (result == CsvReader::Result::end) return false;
+  if (result == CsvReader::Result::end) {
+    // Findings without a row look like those of a run in which nothing went wrong.
+    return !before_us_ &&
+           fail(record_.line, 1, "the trace ends without a row",
+                "behind the names of the columns there is a row for each time at which samples "
+                "arrived; without one nothing can be judged");
+  }
   if (result != CsvReader::Result::record) return fault(result);
   const std::size_t due = columns_.size() + 1;
   if (record_.cells.size() != due) {
@@ -365,8 +376,13 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
     reading.kind = Reading::Kind::unknown;
     return true;
   }
+  // `NULL`, `N/A`, `-`: how others write that there is nothing
+  const bool is_word = cell.text.find_first_of("0123456789") == std::string_view::npos;
   return fail(record_.line, cell.column,
-              quoted(cell.text) + " is no value of `" + column.name + "`", expected(column));
+              quoted(cell.text) + " is no value of `" + column.name + "`",
+              expected(column) + (is_word ? "; an empty cell is no new sample, `nan` is one that "
+                                            "has no value"
+                                          : ""));
 }
 
 // What a robot would refuse is no trace of it.
@@ -399,8 +415,13 @@ bool TraceReader::read_plan(const CsvCell& cell, const Column& column, PlanReadi
     return true;
   }
   if (read_waypoints(cell.text, plan.points)) return true;
+  // `NULL`, `N/A`, `-`: how others write that there is nothing
+  const bool is_word = cell.text.find_first_of("0123456789") == std::string_view::npos;
   return fail(record_.line, cell.column,
-              quoted(cell.text) + " is no value of `" + column.name + "`", expected(column));
+              quoted(cell.text) + " is no value of `" + column.name + "`",
+              expected(column) + (is_word ? "; an empty cell is no new sample, `nan` is one that "
+                                            "has no value"
+                                          : ""));
 }
 
 }  // namespace rtac::interp

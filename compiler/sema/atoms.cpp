@@ -166,6 +166,8 @@ ExprPtr PropertyChecker::not_scalar(const syntax::Expr& expr, const syntax::Name
   } else if (field.text == "plan") {
     what = "a path";
     help = "write `" + self + ".plan inside zone`";
+  } else {
+    help += "; a limit of x or y is a zone, such as a rectangle that ends there";
   }
   context_.report(Finding(Code::signal_not_scalar, expr.range,
                           "`" + field.text + "` is " + what + ", not a quantity")

@@ -1,6 +1,7 @@
 // `==` and `!=`: on whole numbers, conditions and values of enumerations; what is measured is never
 // exactly equal to anything.
 #include "compiler/sema/property_checker.h"
+#include "compiler/syntax/print_expr.h"
 
 namespace rtac::sema {
 
@@ -109,6 +110,17 @@ ExprPtr PropertyChecker::not_comparable(const syntax::Binary& binary, const Valu
       std::holds_alternative<Pair>(left.node) || std::holds_alternative<Pair>(right.node);
   const std::string one = describe(context_.spec, left);
   const std::string other = describe(context_.spec, right);
+  // `open == 1`, as in languages where conditions are numbers
+  const auto* a = std::get_if<ExprPtr>(&left.node);
+  const auto* b = std::get_if<ExprPtr>(&right.node);
+  if (a != nullptr && b != nullptr && (*a)->boolean != (*b)->boolean) {
+    const std::string condition = syntax::print_expr((*a)->boolean ? *binary.left : *binary.right);
+    const bool is_one_word = condition.find(' ') == std::string::npos;
+    const std::string negated = is_one_word ? condition : "(" + condition + ")";
+    wrong_operand(binary.op_range, one + " and " + other + " are not compared",
+                  "a condition stands alone: `" + condition + "`, or `not " + negated + "`");
+    return nullptr;
+  }
   wrong_operand(binary.op_range,
                 one == other ? one + " is not compared with another one"
                              : one + " and " + other + " are not compared",

@@ -32,9 +32,15 @@ class MonitorChecker {
 
   void check_subject() {
     if (!written_.variable || !written_.kind) {
-      context_.missing_clause(
-          monitor_.name_range, owner(), "robot",
-          "for r : Kind` behind the name, as in `monitor " + monitor_.name + " for r : Kind");
+      Finding finding(Code::clause_missing, monitor_.name_range, owner() + " has no robot");
+      finding.label("no robot");
+      if (const auto range = clause_of_robots()) {
+        finding.note(*range, "only monitors of robots have this clause");
+      }
+      context_.report(finding.help("add `for r : Kind` behind the name, as in `monitor " +
+                                   monitor_.name +
+                                   " for r : Kind`; a monitor without a robot is "
+                                   "judged now, by `always` alone"));
       return;
     }
     self_ = *written_.variable;
@@ -48,6 +54,15 @@ class MonitorChecker {
                         .note(hidden->range, "the first one is declared here")
                         .help("give the monitored robot a name of its own, such as `r`"));
     self_taken_ = true;
+  }
+
+  // What makes it one of robots where it names none.
+  [[nodiscard]] std::optional<SourceRange> clause_of_robots() const {
+    if (!written_.ahead.empty()) return written_.ahead.front().range;
+    if (!written_.recover.empty()) return written_.recover.front().range;
+    if (!written_.return_when.empty()) return written_.return_when.front()->range;
+    if (!written_.hold.empty()) return written_.hold.front().range;
+    return std::nullopt;
   }
 
   void check_requirement() {

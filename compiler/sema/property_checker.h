@@ -89,6 +89,7 @@ class PropertyChecker {
   bool not_nested(const Head& head);
   bool quantifier_fits(const Head& head);
   bool guard_fits(const Head& head);
+  [[nodiscard]] const SourceRange* taken_at(std::string_view name) const;
   bool variable_fits(const Head& head);
   Value over_others(const syntax::Expr& expr, const syntax::OverFleet& over);
 

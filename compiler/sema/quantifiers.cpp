@@ -16,22 +16,32 @@ bool PropertyChecker::not_nested(const Head& head) {
   return false;
 }
 
+// Where a name has a meaning already; null: nowhere.
+const SourceRange* PropertyChecker::taken_at(std::string_view name) const {
+  const Symbol* hidden = context_.symbols.find(name);
+  const SourceRange* taken = hidden != nullptr ? &hidden->range : nullptr;
+  if (const Local* bound = local(name)) taken = &bound->range;
+  for (const auto& [member, robot] : members_) {
+    if (member->text == name) taken = &member->range;
+  }
+  if (scope_.of_robot() && name == scope_.self.text) taken = &scope_.self.range;
+  return taken;
+}
+
 // Is the name of the variable free?
 bool PropertyChecker::variable_fits(const Head& head) {
   const syntax::Name& variable = head.variable;
-  const Symbol* hidden = context_.symbols.find(variable.text);
-  const SourceRange* taken = hidden != nullptr ? &hidden->range : nullptr;
-  if (const Local* bound = local(variable.text)) taken = &bound->range;
-  for (const auto& [name, robot] : members_) {
-    if (name->text == variable.text) taken = &name->range;
-  }
-  if (scope_.of_robot() && variable.text == scope_.self.text) taken = &scope_.self.range;
+  const SourceRange* const taken = taken_at(variable.text);
   if (taken == nullptr) return true;
+  std::string free = variable.text + "_2";
+  for (const char* const name : {"mate", "other", "q"}) {
+    if (taken_at(name) == nullptr) free = name;
+  }
   context_.report(
       Finding(Code::duplicate_name, variable.range, "the name `" + variable.text + "` is taken")
           .label("the second meaning")
           .note(*taken, "`" + variable.text + "` is declared here")
-          .help("give the other robot a name of its own, such as `q`"));
+          .help("give the other robot a name of its own, such as `" + free + "`"));
   return false;
 }
 

@@ -220,7 +220,7 @@ void report_unit_missing(Context& context, const syntax::Expr& expr, const Dimen
                   "`" + number.text + "` has no unit where " + describe(due) + " is due");
   finding.label(what);
   // 0.9 may be a share of one or nine tenths of a per cent: the author decides.
-  if (due == dims::ratio && number.value <= 1) {
+  if (due == dims::ratio && sgn(number.value) != 0 && number.value <= 1) {
     finding.help("write `" + to_decimal(Rational(number.value * 100)) + " %` or `" + number.text +
                  " %`, whichever is meant");
   } else if (due == dims::angle && sgn(number.value) != 0) {

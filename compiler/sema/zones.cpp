@@ -128,7 +128,16 @@ class ZoneChecker {
     return false;
   }
 
+  // `circle (0 m, 0 m) radius 1 m + 2 m`: a sum or product that begins with a circle.
+  static bool computes_a_radius(const syntax::Binary& binary) {
+    return std::holds_alternative<syntax::CircleLit>(binary.left->node) &&
+           std::holds_alternative<syntax::NumberLit>(binary.right->node);
+  }
+
   ZoneExprPtr zone(const syntax::Expr& expr, const syntax::Binary& binary) {
+    if (computes_a_radius(binary)) {
+      return not_a_zone(expr, "a radius that is computed stands in brackets: `radius (2 * 1 m)`");
+    }
     switch (binary.op) {
       case BinaryOp::zone_union:
         return join(expr, binary, ZoneOp::unite);
@@ -175,7 +184,9 @@ class ZoneChecker {
     ZoneExprPtr operand = check(*call.arguments[0]);
     const auto distance =
         quantity(context_, *call.arguments[1],
-                 {dims::length, "the distance of `" + call.callee.text + "`", Limit::positive});
+                 {dims::length, "the distance of `" + call.callee.text + "`", Limit::positive,
+                  "a value of more than 0 works; `" + std::string(grows ? "shrink" : "grow") +
+                      "` makes a zone " + (grows ? "smaller" : "larger")});
     if (!operand || !distance) return nullptr;
     return make(expr.range, ZoneOffset{std::move(operand),
                                        grows ? distance->value : Rational(-distance->value)});

@@ -142,8 +142,14 @@ std::string print_node(const Binary& node) {
          std::string{spell(node.op)} + ' ' +
          operand(node.right, right_may_repeat ? own : next_above(own));
 }
+// Heights, radii and durations may have a sign without brackets.
+std::string print_signed(const ExprPtr& value) {
+  const auto* sign = std::get_if<Unary>(&value->node);
+  const bool is_signed = sign != nullptr && sign->op == UnaryOp::negate;
+  return is_signed ? '-' + print_signed(sign->operand) : operand(value, primary_level);
+}
 std::string print_node(const Held& node) {
-  return operand(node.operand, temporal_level) + " for " + operand(node.duration, primary_level);
+  return operand(node.operand, temporal_level) + " for " + print_signed(node.duration);
 }
 std::string print_interval(const Interval& interval) {
   return '[' + print_expr(*interval.from) + ", " +
@@ -164,8 +170,7 @@ std::string print_node(const Since& node) {
          operand(node.right, next_above(temporal_level));
 }
 std::string print_node(const WithinOf& node) {
-  return operand(node.operand, temporal_level) + " within " +
-         operand(node.duration, primary_level) + " of " +
+  return operand(node.operand, temporal_level) + " within " + print_signed(node.duration) + " of " +
          operand(node.trigger, next_above(temporal_level));
 }
 std::string print_node(const Aggregate& node) {
@@ -200,7 +205,7 @@ std::string print_node(const RectangleLit& node) {
   return "rectangle " + print_expr(*node.from) + " to " + print_expr(*node.to);
 }
 std::string print_node(const CircleLit& node) {
-  return "circle " + print_expr(*node.centre) + " radius " + operand(node.radius, primary_level);
+  return "circle " + print_expr(*node.centre) + " radius " + print_signed(node.radius);
 }
 std::string print_node(const PolygonLit& node) {
   std::string result = "polygon [" + print_list(node.outer.points) + ']';
@@ -208,21 +213,15 @@ std::string print_node(const PolygonLit& node) {
     result += " hole [" + print_list(hole.points) + ']';
   return result;
 }
-// A height may have a sign without brackets.
-std::string print_height(const ExprPtr& height) {
-  const auto* sign = std::get_if<Unary>(&height->node);
-  const bool is_signed = sign != nullptr && sign->op == UnaryOp::negate;
-  return is_signed ? '-' + print_height(sign->operand) : operand(height, primary_level);
-}
 std::string print_node(const PrismLit& node) {
-  return "prism " + operand(node.base, primary_level) + " from " + print_height(node.floor) +
-         " to " + print_height(node.ceiling);
+  return "prism " + operand(node.base, primary_level) + " from " + print_signed(node.floor) +
+         " to " + print_signed(node.ceiling);
 }
 std::string print_option(const ImportOption& option) {
   std::string result{spell(option.word)};
   if (option.text) result += ' ' + spell_text(option.text->text);
   for (const Name& name : option.names) result += ' ' + name.text;
-  if (option.level) result += " at " + print_height(option.level);
+  if (option.level) result += " at " + print_signed(option.level);
   return result;
 }
 std::string print_node(const ImportLit& node) {

@@ -99,6 +99,7 @@ check_readme() {
     grep -qE "^  $command\)" dev || breach "README.md: \`./dev $command\` does not exist"
   done < <(grep -ohE '\./dev [a-z]+' README.md | sed 's|.* ||' | LC_ALL=C sort -u)
   check_quotes README.md
+  if [[ -f compiler/docs/application.md ]]; then check_quotes compiler/docs/application.md; fi
 }
 
 # A block of code that names its file (```cpp examples/gate/main.cpp) stands there word for word, so

@@ -98,7 +98,12 @@ printf './dev demo, ./dev test, ./dev fly\n' >"$tree/README.md"
 refuses readme "./dev fly"
 # shellcheck disable=SC2016  # the back-ticks are those of the page
 printf './dev demo, ./dev test\n```cpp specs/notes.md\nint x;\n```\n' >"$tree/README.md"
-refuses readme 'the quotation is not in specs/notes.md'
+refuses readme 'README.md: the quotation is not in specs/notes.md'
+printf './dev demo, ./dev test\n' >"$tree/README.md"
+mkdir -p "$tree/compiler/docs"
+# shellcheck disable=SC2016  # here as well
+printf '```cpp specs/notes.md\nint x;\n```\n' >"$tree/compiler/docs/application.md"
+refuses readme 'application.md: the quotation is not in specs/notes.md'
 printf '[x](nowhere.md)\n' >"$tree/specs/notes.md"
 refuses links 'nowhere.md'
 printf 'RTAC_DIAGNOSTIC(2001, again, error, "text")\n' >>"$tree/compiler/diagnostics/codes_names.def"

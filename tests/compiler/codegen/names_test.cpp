@@ -162,7 +162,7 @@ TEST(Names, NoMemberHidesAFunctionThatItsScopeCalls) {
   s.spec.kinds.back().name = "Cart";
   s.module.zones.emplace_back();
   s.module.zones.back().name = "hall";
-  for (const char* name : {"setting", "class"}) {
+  for (const char* name : {"setting", "class", "recovery", "mode"}) {
     s.spec.controllers.emplace_back();
     s.spec.controllers.back().name = name;
   }
@@ -173,6 +173,8 @@ TEST(Names, NoMemberHidesAFunctionThatItsScopeCalls) {
   s.decision("driver");
   const Names names(s.module, s.spec);
   EXPECT_NE(names("setting"), "setting");
+  EXPECT_NE(names("recovery"), "recovery");
+  EXPECT_NE(names("mode"), "mode");
   EXPECT_NE(names("Cart_limits"), "Cart_limits");
   EXPECT_NE(names("hall_zone"), "hall_zone");
   EXPECT_NE(names("Driver"), camel(names("driver")));

@@ -110,6 +110,17 @@ TEST_F(ReplayPlans, TheIndexIsThatOfThePlanInItsRow) {
   }
 }
 
+// Rows in which nobody proposes anything are no run in which nothing went wrong.
+TEST_F(ReplayPlans, WithoutAProposalThereAreNoFindings) {
+  for (const std::string engine : {"kernel", "interp"}) {
+    const Outcome o = replay("time,d1.plan\n0,\n0.1,\n", {"--engine", engine});
+    EXPECT_EQ(o.status, 2) << o.err;
+    EXPECT_EQ(o.out, "");
+    EXPECT_NE(o.err.find("no row of the trace has a plan to judge"), std::string::npos) << o.err;
+    EXPECT_EQ(replay("time,d1.plan\n0,\n0.1,none\n", {"--engine", engine}).status, 0);
+  }
+}
+
 TEST_F(ReplayPlans, OneMonitorCanBeAskedFor) {
   const Outcome o = replay("time,d1.plan\n0,1 1\n", {"--monitor", "pillar"});
   EXPECT_EQ(o.out,

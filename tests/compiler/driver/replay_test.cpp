@@ -196,6 +196,16 @@ TEST_F(ReplayCode, bad_trace) {
             "help: did you mean `speed`?\n\n1 error\n");
 }
 
+TEST_P(ReplayBy, OfATraceWithoutARowThereAreNoFindings) {
+  write("none.csv", "time,open,speed,battery,gear\n");
+  const Outcome o = replay({"door.rta", "none.csv"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_EQ(o.out, "");
+  EXPECT_NE(o.err.find("error[9004]: none.csv:2:1: the trace ends without a row"),
+            std::string::npos)
+      << o.err;
+}
+
 TEST_F(ReplayCode, no_kernel) {
   setenv("CC", "no-such-compiler -O0", 1);
   const Outcome o = rtac({"replay", "door.rta", "ride.csv"});
@@ -225,6 +235,27 @@ TEST_F(Replay, TheInterpreterRoundsMarginsDown) {
             "1,1,true,0.000000666666,m,false,-0.000000666667,m,false,-0.299998,m\n"
             "2,2,true,333333.333,m,false,-333333.333001,m,true,999999.699,m\n")
       << o.err;
+}
+
+// Language, rule 4.4: to the side on which less is known, so that a verdict never follows from it.
+TEST_F(Replay, TheKernelCutsFarMargins) {
+  write("vast.rta",
+        "spec vast; period 1 s;\n"
+        "input x : real [m] in -1e12 m .. 1e12 m resolution 1 m;\n"
+        "monitor above { \"R1\" always x >= 0 m; }\n"
+        "monitor below { \"R2\" always x <= 0 m; }\n");
+  write("vast.csv", "time,x\n0,499999999999\n1,600000000000\n2,-600000000000\n");
+  const std::string head =
+      "tick,time,above.verdict,above.margin,above.unit,below.verdict,below.margin,below.unit\n"
+      "0,0,true,499999999999,m,false,-499999999999,m\n";
+  EXPECT_EQ(rtac({"replay", "vast.rta", "vast.csv"}).out,
+            head +
+                "1,1,true,499999999999,m,false,-inf,m\n"
+                "2,2,false,-inf,m,true,499999999999,m\n");
+  EXPECT_EQ(rtac({"replay", "vast.rta", "vast.csv", "--engine", "interp"}).out,
+            head +
+                "1,1,true,600000000000,m,false,-600000000000,m\n"
+                "2,2,false,-600000000000,m,true,600000000000,m\n");
 }
 
 TEST_F(Replay, TheFilesOfTheKernelAreRemoved) {

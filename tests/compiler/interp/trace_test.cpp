@@ -85,6 +85,30 @@ TEST(Trace, WrongMissingAndDoubleColumns) {
   EXPECT_EQ(fault("time,open,speed,n,gear,p.x,p.y,t.0\n"), "1:32: the column `t.1` is missing");
 }
 
+// A recorder that wrote nothing must not look like a run in which nothing went wrong.
+TEST(Trace, ATraceWithoutARowIsNone) {
+  EXPECT_EQ(fault(header), "2:1: the trace ends without a row");
+  EXPECT_EQ(fault(header + "\n\r\n"), "4:1: the trace ends without a row");
+  EXPECT_EQ(fault(header + "0,,,,,,,,\n"), "read");
+}
+
+TEST(Trace, FormsOfOtherTablesAreToldWhatWorks) {
+  EXPECT_EQ(fault("time;open;speed\n0;1;1\n"), "1:5: cells are separated by commas");
+  EXPECT_EQ(fault("time\topen\n"), "1:5: cells are separated by commas");
+  EXPECT_NE(help("time,open,altitude_agl\n").find("leave out the column of anything else"),
+            std::string::npos);
+  const auto cell = [](const std::string& text) {
+    const auto c = spec();
+    std::istringstream in(header + "0,1," + text + ",1,park,0,0,0,0\n");
+    TraceReader reader(in, *c->spec);
+    TraceRow row;
+    EXPECT_FALSE(reader.read_header() && reader.read_row(row)) << text;
+    return reader.error()->help;
+  };
+  EXPECT_NE(cell("N/A").find("an empty cell is no new sample"), std::string::npos);
+  EXPECT_EQ(cell("1 m").find("an empty cell"), std::string::npos);
+}
+
 TEST(Trace, TimesIncrease) {
   const std::string rest = ",1,1,1,park,0,0,0,0\n";
   EXPECT_EQ(fault(header + "0" + rest + "0.1" + rest), "read");

@@ -131,7 +131,13 @@ inline std::vector<Rule> rules_of_habits() {
        Code::unknown_type,
        "float",
        "there is no type `float`",
-       "write `real [m/s]`"},
+       "write `real`, or with a unit `real [m/s]`"},
+      {"a_velocity_is_a_speed_or_a_vector",
+       {{"input speed : real [m/s]", "input speed : velocity"}},
+       Code::unknown_type,
+       "velocity",
+       "there is no type `velocity`",
+       "write `speed`, or of a vector `vector [m/s]`"},
   });
 }
 

@@ -44,7 +44,7 @@ inline std::vector<Rule> rules_of_monitors() {
        Code::clause_missing,
        "ceiling",
        "`ceiling` has no robot",
-       "monitor ceiling for r : Kind"},
+       "monitor ceiling for r : Kind`; a monitor without a robot is judged now"},
       {"a_monitor_has_one_recovery",
        {{"recover turn_back;", "recover turn_back; recover give_way;"}},
        Code::duplicate_clause,

@@ -44,6 +44,7 @@ TEST(RoundTrip, KeepsPrisms) {
   expect_round_trip(
       "zone a = prism (b - c) from -5 m to from | rectangle (1 m, 2 m, 3 m) to (4 m, 5 m, 6 m);");
   expect_round_trip("zone from = prism (a) from -(1 m + 2 m) to --to - prism b from 0 m to c.d;");
+  expect_round_trip("zone a = circle (1 m, 2 m) radius -3 m - circle (b, c) radius -(4 m - c);");
 }
 
 TEST(RoundTrip, KeepsTemplates) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -36,11 +37,34 @@ class System {
     static const char* const names[] = {"s1", "s2"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : flit(self), wait(setting(0.3, hall_zone(), 0.838, 1.172, 3.521)), turn_in(setting(0.3, hall_zone(), 0.838, 1.172, 3.521)) {}
+    Flit flit;
+    rtac::safe::Yield<rtac::Acceleration> wait;
+    rtac::safe::Retreat<rtac::Acceleration> turn_in;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 2) return turn_in;
+      return wait;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -57,13 +81,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : flit(self), wait(setting(0.3, hall_zone(), 0.838, 1.172, 3.521)), turn_in(setting(0.3, hall_zone(), 0.838, 1.172, 3.521)) {}
-    Flit flit;
-    rtac::safe::Yield<rtac::Acceleration> wait;
-    rtac::safe::Retreat<rtac::Acceleration> turn_in;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -81,8 +98,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.flit;
-    (void)p.recoveries.push(&robot.wait);
-    (void)p.recoveries.push(&robot.turn_in);
+    for (int mode = 1; mode <= 2; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.dart;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

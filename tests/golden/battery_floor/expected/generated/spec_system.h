@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -35,6 +36,13 @@ class System {
     static const char* const names[] = {"rover"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::Vec2 home(int robot) {
     static const rtac::Vec2 places[] = {{1.0, 1.0}};
     return places[robot];
@@ -44,6 +52,22 @@ class System {
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : drive(self), inwards(setting(0.2, yard_zone(), 0.317, 0.352, 0.545)), go_home(setting(0.2, yard_zone(), 0.317, 0.352, 0.545), home(self)) {}
+    Drive drive;
+    rtac::safe::Retreat<rtac::Twist> inwards;
+    rtac::safe::Route<rtac::Twist> go_home;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Twist>& recovery(int mode) {
+      if (mode == 2) return go_home;
+      return inwards;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -60,13 +84,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : drive(self), inwards(setting(0.2, yard_zone(), 0.317, 0.352, 0.545)), go_home(setting(0.2, yard_zone(), 0.317, 0.352, 0.545), home(self)) {}
-    Drive drive;
-    rtac::safe::Retreat<rtac::Twist> inwards;
-    rtac::safe::Route<rtac::Twist> go_home;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -85,8 +102,9 @@ class System {
     rtac::RobotParts<rtac::Twist> p;
     p.name = name;
     p.decision = &robot.drive;
-    (void)p.recoveries.push(&robot.inwards);
-    (void)p.recoveries.push(&robot.go_home);
+    for (int mode = 1; mode <= 2; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.explore;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/claim.h"
 #include "rtac/safe/controllers.h"
@@ -37,16 +38,41 @@ class System {
     static const char* const names[] = {"d1"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
 
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self, rtac::SafeController<rtac::Acceleration>& external_escape)
+        : fly(self), escape(standing(), {&room_zone(), 0.5, 175000, 1.0, 0.145, 0.0, 0.143}), stop(standing()) {
+      escape.attach(external_escape);
+    }
+    Fly fly;
+    rtac::safe::Claimed<rtac::Acceleration> escape;
+    rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 3) return stop;
+      return escape;
+    }
+  };
+
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
                   rtac::SystemObserver* observer = nullptr)
-      : d1_(0),
+      : d1_(0, controllers.d1.escape),
         parts_{{parts("d1", d1_, controllers.d1)}},
         system_(controllers.tasks, parts_.data(), robots, options, observer) {}
   System(const System&) = delete;
@@ -58,13 +84,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), escape(standing(), {&room_zone(), 0.5, 175000, 1.0, 0.145, 0.0, 0.143}), stop(standing()) {}
-    Fly fly;
-    rtac::safe::Claimed<rtac::Acceleration> escape;
-    rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
-  };
   static rtac::safe::Setting standing() {
     rtac::safe::Setting s;
     s.limits = Drone_limits();
@@ -88,10 +107,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    robot.escape.attach(controllers.escape);
-    (void)p.recoveries.push(&robot.escape);
-    (void)p.recoveries.push(&robot.escape);
-    (void)p.recoveries.push(&robot.stop);
+    for (int mode = 1; mode <= 3; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -35,11 +36,36 @@ class System {
     static const char* const names[] = {"cart"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : drive(self), dash(setting(1.5, yard_zone(), 2.992, 1.383, 4.906)), go_west(setting(0.3, west_zone(), 0.841, 1.383, 4.906)), creep(setting(0.1, yard_zone(), 0.623, 1.383, 4.906)) {}
+    Drive drive;
+    rtac::safe::Retreat<rtac::Acceleration> dash;
+    rtac::safe::Retreat<rtac::Acceleration> go_west;
+    rtac::safe::Retreat<rtac::Acceleration> creep;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 2) return go_west;
+      if (mode == 3) return creep;
+      return dash;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -56,14 +82,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : drive(self), dash(setting(1.5, yard_zone(), 2.992, 1.383, 4.906)), go_west(setting(0.3, west_zone(), 0.841, 1.383, 4.906)), creep(setting(0.1, yard_zone(), 0.623, 1.383, 4.906)) {}
-    Drive drive;
-    rtac::safe::Retreat<rtac::Acceleration> dash;
-    rtac::safe::Retreat<rtac::Acceleration> go_west;
-    rtac::safe::Retreat<rtac::Acceleration> creep;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -81,9 +99,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.drive;
-    (void)p.recoveries.push(&robot.dash);
-    (void)p.recoveries.push(&robot.go_west);
-    (void)p.recoveries.push(&robot.creep);
+    for (int mode = 1; mode <= 3; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 100000;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -37,11 +38,35 @@ class System {
     static const char* const names[] = {"tasks", "parts", "this"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : int_(self), switch_(setting(0.3, reach__zone(), 0.476, 0.399, 1.43)), operator_(setting(0.3, class__zone(), 0.476, 0.399, 1.43)) {}
+    Int_ int_;
+    rtac::safe::Retreat<rtac::Acceleration> switch_;
+    rtac::safe::Retreat<rtac::Acceleration> operator_;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 2) return operator_;
+      if (mode == 3) return operator_;
+      return switch_;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -58,13 +83,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : int_(self), switch_(setting(0.3, reach__zone(), 0.476, 0.399, 1.43)), operator_(setting(0.3, class__zone(), 0.476, 0.399, 1.43)) {}
-    Int_ int_;
-    rtac::safe::Retreat<rtac::Acceleration> switch_;
-    rtac::safe::Retreat<rtac::Acceleration> operator_;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -82,9 +100,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.int_;
-    (void)p.recoveries.push(&robot.switch_);
-    (void)p.recoveries.push(&robot.operator_);
-    (void)p.recoveries.push(&robot.operator_);
+    for (int mode = 1; mode <= 3; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.planner_;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

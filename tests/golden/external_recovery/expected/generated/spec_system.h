@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/claim.h"
 #include "rtac/safe/controllers.h"
@@ -37,16 +38,39 @@ class System {
     static const char* const names[] = {"d1"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
 
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self, rtac::SafeController<rtac::Acceleration>& external_land_now)
+        : fly(self), land_now(standing(), {&room_zone(), 0.5, 125000, 1.0, 0.145, 0.0, 0.143}) {
+      land_now.attach(external_land_now);
+    }
+    Fly fly;
+    rtac::safe::Claimed<rtac::Acceleration> land_now;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int) {
+      return land_now;
+    }
+  };
+
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
                   rtac::SystemObserver* observer = nullptr)
-      : d1_(0),
+      : d1_(0, controllers.d1.land_now),
         parts_{{parts("d1", d1_, controllers.d1)}},
         system_(controllers.tasks, parts_.data(), robots, options, observer) {}
   System(const System&) = delete;
@@ -58,12 +82,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), land_now(standing(), {&room_zone(), 0.5, 125000, 1.0, 0.145, 0.0, 0.143}) {}
-    Fly fly;
-    rtac::safe::Claimed<rtac::Acceleration> land_now;
-  };
   static rtac::safe::Setting standing() {
     rtac::safe::Setting s;
     s.limits = Drone_limits();
@@ -87,8 +105,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    robot.land_now.attach(controllers.land_now);
-    (void)p.recoveries.push(&robot.land_now);
+    for (int mode = 1; mode <= 1; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -37,11 +38,34 @@ class System {
     static const char* const names[] = {"a", "b", "c"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : drive(self), give_way(setting(0.2, hall_zone(), 0.405, 0.567, 1.004)), inwards(setting(0.2, hall_zone(), 0.405, 0.567, 1.004)) {}
+    Drive drive;
+    rtac::safe::Yield<rtac::Twist> give_way;
+    rtac::safe::Retreat<rtac::Twist> inwards;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Twist>& recovery(int mode) {
+      if (mode == 2) return inwards;
+      return give_way;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -58,13 +82,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : drive(self), give_way(setting(0.2, hall_zone(), 0.405, 0.567, 1.004)), inwards(setting(0.2, hall_zone(), 0.405, 0.567, 1.004)) {}
-    Drive drive;
-    rtac::safe::Yield<rtac::Twist> give_way;
-    rtac::safe::Retreat<rtac::Twist> inwards;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -82,8 +99,9 @@ class System {
     rtac::RobotParts<rtac::Twist> p;
     p.name = name;
     p.decision = &robot.drive;
-    (void)p.recoveries.push(&robot.give_way);
-    (void)p.recoveries.push(&robot.inwards);
+    for (int mode = 1; mode <= 2; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.policy;
     p.advanced_planner = &controllers.planner;
     p.period_us = 100000;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -36,6 +37,13 @@ class System {
     static const char* const names[] = {"bots[0]", "bots[1]", "bots[2]", "spare"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::Vec2 home(int robot) {
     static const rtac::Vec2 places[] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, -1.0}, {-1.0, 1.0}};
     return places[robot];
@@ -45,6 +53,22 @@ class System {
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : fly(self), inwards(setting(0.3, field_zone(), 0.463, 0.414, 1.446)), go_home(setting(0.3, field_zone(), 0.463, 0.414, 1.446), home(self)) {}
+    Fly fly;
+    rtac::safe::Retreat<rtac::Acceleration> inwards;
+    rtac::safe::Route<rtac::Acceleration> go_home;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 3) return go_home;
+      return inwards;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -61,13 +85,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), inwards(setting(0.3, field_zone(), 0.463, 0.414, 1.446)), go_home(setting(0.3, field_zone(), 0.463, 0.414, 1.446), home(self)) {}
-    Fly fly;
-    rtac::safe::Retreat<rtac::Acceleration> inwards;
-    rtac::safe::Route<rtac::Acceleration> go_home;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -86,9 +103,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.inwards);
-    (void)p.recoveries.push(&robot.inwards);
-    (void)p.recoveries.push(&robot.go_home);
+    for (int mode = 1; mode <= 3; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.policy;
     p.advanced_planner = &controllers.planner;
     p.period_us = 20000;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -35,11 +36,34 @@ class System {
     static const char* const names[] = {"one"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : fly(self), stop(standing()), back(setting(0.3, yard_zone(), 0.673, 0.907, 2.961)) {}
+    Fly fly;
+    rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
+    rtac::safe::Retreat<rtac::Acceleration> back;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 3) return back;
+      return stop;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -62,13 +86,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), stop(standing()), back(setting(0.3, yard_zone(), 0.673, 0.907, 2.961)) {}
-    Fly fly;
-    rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
-    rtac::safe::Retreat<rtac::Acceleration> back;
-  };
   static rtac::safe::Setting standing() {
     rtac::safe::Setting s;
     s.limits = Drone_limits();
@@ -92,9 +109,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.stop);
-    (void)p.recoveries.push(&robot.stop);
-    (void)p.recoveries.push(&robot.back);
+    for (int mode = 1; mode <= 3; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

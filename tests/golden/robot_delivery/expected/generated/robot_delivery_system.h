@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -37,6 +38,13 @@ class System {
     static const char* const names[] = {"r1", "r2"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::Vec2 dock(int robot) {
     static const rtac::Vec2 places[] = {{0.8, 0.8}, {2.0, 2.0}};
     return places[robot];
@@ -46,6 +54,25 @@ class System {
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : plan_executor(self), motion_planner(self), give_way(setting(0.15, free_zone(), 0.299, 0.303, 0.597)), turn_back(setting(0.15, free_zone(), 0.299, 0.303, 0.597)), go_charge(setting(0.2, free_zone(), 0.334, 0.303, 0.597), dock(self)) {}
+    PlanExecutor plan_executor;
+    MotionPlanner motion_planner;
+    rtac::safe::Yield<rtac::Twist> give_way;
+    rtac::safe::Retreat<rtac::Twist> turn_back;
+    rtac::safe::Route<rtac::Twist> go_charge;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Twist>& recovery(int mode) {
+      if (mode == 2) return turn_back;
+      if (mode == 3) return go_charge;
+      return give_way;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -62,15 +89,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : plan_executor(self), motion_planner(self), give_way(setting(0.15, free_zone(), 0.299, 0.303, 0.597)), turn_back(setting(0.15, free_zone(), 0.299, 0.303, 0.597)), go_charge(setting(0.2, free_zone(), 0.334, 0.303, 0.597), dock(self)) {}
-    PlanExecutor plan_executor;
-    MotionPlanner motion_planner;
-    rtac::safe::Yield<rtac::Twist> give_way;
-    rtac::safe::Retreat<rtac::Twist> turn_back;
-    rtac::safe::Route<rtac::Twist> go_charge;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -89,9 +107,9 @@ class System {
     rtac::RobotParts<rtac::Twist> p;
     p.name = name;
     p.decision = &robot.plan_executor;
-    (void)p.recoveries.push(&robot.give_way);
-    (void)p.recoveries.push(&robot.turn_back);
-    (void)p.recoveries.push(&robot.go_charge);
+    for (int mode = 1; mode <= 3; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.follow_plan;
     p.plan_decision = &robot.motion_planner;
     p.advanced_planner = &controllers.rrt_star;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/safe/space.h"
@@ -36,11 +37,34 @@ class System {
     static const char* const names[] = {"quads[0]", "quads[1]"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : fly(self), stop(standing()), back(setting(0.5, shaft_zone(), 1.186, 2.081, 6.498)) {}
+    Fly fly;
+    rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
+    rtac::safe::RetreatInSpace back;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 2) return back;
+      return stop;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -57,13 +81,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), stop(standing()), back(setting(0.5, shaft_zone(), 1.186, 2.081, 6.498)) {}
-    Fly fly;
-    rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
-    rtac::safe::RetreatInSpace back;
-  };
   static rtac::safe::Setting standing() {
     rtac::safe::Setting s;
     s.limits = Quad_limits();
@@ -99,8 +116,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.stop);
-    (void)p.recoveries.push(&robot.back);
+    for (int mode = 1; mode <= 2; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.policy;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

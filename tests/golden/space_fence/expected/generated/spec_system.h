@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/safe/space.h"
@@ -36,11 +37,32 @@ class System {
     static const char* const names[] = {"quad"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : fly(self), stop(standing()) {}
+    Fly fly;
+    rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int) {
+      return stop;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -57,12 +79,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), stop(standing()) {}
-    Fly fly;
-    rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
-  };
   static rtac::safe::Setting standing() {
     rtac::safe::Setting s;
     s.limits = Quad_limits();
@@ -86,8 +102,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.stop);
-    (void)p.recoveries.push(&robot.stop);
+    for (int mode = 1; mode <= 2; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -35,6 +36,13 @@ class System {
     static const char* const names[] = {"d1"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::Vec2 loiter(int robot) {
     static const rtac::Vec2 places[] = {{4.0, 3.0}};
     return places[robot];
@@ -44,6 +52,27 @@ class System {
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : pilot(self), standing_(
+            rtac::safe::step<rtac::safe::BrakeAndHold, rtac::Acceleration>(2000000, standing()),
+            rtac::safe::step<rtac::safe::Route, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.087, 0.993, 1.64), loiter(self))), sequence(
+            rtac::safe::step<rtac::safe::Retreat, rtac::Acceleration>(5000000, setting(0.2, land_zone(), 1.087, 0.993, 1.64)),
+            rtac::safe::step<rtac::safe::Yield, rtac::Acceleration>(10000000, setting(0.1, land_zone(), 1.087, 0.993, 1.64)),
+            rtac::safe::step<rtac::safe::Loiter, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.087, 0.993, 1.64))) {}
+    Pilot pilot;
+    rtac::safe::Sequence<rtac::Acceleration> standing_;
+    rtac::safe::Sequence<rtac::Acceleration> sequence;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int mode) {
+      if (mode == 2) return sequence;
+      return standing_;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -60,18 +89,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : pilot(self), standing_(
-            rtac::safe::step<rtac::safe::BrakeAndHold, rtac::Acceleration>(2000000, standing()),
-            rtac::safe::step<rtac::safe::Route, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.087, 0.993, 1.64), loiter(self))), sequence(
-            rtac::safe::step<rtac::safe::Retreat, rtac::Acceleration>(5000000, setting(0.2, land_zone(), 1.087, 0.993, 1.64)),
-            rtac::safe::step<rtac::safe::Yield, rtac::Acceleration>(10000000, setting(0.1, land_zone(), 1.087, 0.993, 1.64)),
-            rtac::safe::step<rtac::safe::Loiter, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.087, 0.993, 1.64))) {}
-    Pilot pilot;
-    rtac::safe::Sequence<rtac::Acceleration> standing_;
-    rtac::safe::Sequence<rtac::Acceleration> sequence;
-  };
   static rtac::safe::Setting standing() {
     rtac::safe::Setting s;
     s.limits = Drone_limits();
@@ -95,8 +112,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.pilot;
-    (void)p.recoveries.push(&robot.standing_);
-    (void)p.recoveries.push(&robot.sequence);
+    for (int mode = 1; mode <= 2; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.fly;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;

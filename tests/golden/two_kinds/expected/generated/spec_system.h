@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -35,11 +36,32 @@ class DroneSystem {
     static const char* const names[] = {"d1"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no DroneSystem.
+  struct Robot {
+    explicit Robot(int self)
+        : fly(self), back_off(setting(0.3, room_zone(), 0.567, 0.473, 1.4)) {}
+    Fly fly;
+    rtac::safe::Retreat<rtac::Acceleration> back_off;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int) {
+      return back_off;
+    }
+  };
 
   explicit DroneSystem(const Controllers& controllers,
                        const rtac::SystemOptions& options = default_options(),
@@ -56,12 +78,6 @@ class DroneSystem {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.567, 0.473, 1.4)) {}
-    Fly fly;
-    rtac::safe::Retreat<rtac::Acceleration> back_off;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -79,7 +95,9 @@ class DroneSystem {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.back_off);
+    for (int mode = 1; mode <= 1; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;
@@ -120,11 +138,33 @@ class CartSystem {
     static const char* const names[] = {"c1", "c2"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no CartSystem.
+  struct Robot {
+    explicit Robot(int self)
+        : drive(self), route_check(self), inwards(setting(0.2, room_zone(), 0.405, 0.567, 0.904)) {}
+    Drive drive;
+    RouteCheck route_check;
+    rtac::safe::Retreat<rtac::Twist> inwards;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Twist>& recovery(int) {
+      return inwards;
+    }
+  };
 
   explicit CartSystem(const Controllers& controllers,
                       const rtac::SystemOptions& options = default_options(),
@@ -141,13 +181,6 @@ class CartSystem {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : drive(self), route_check(self), inwards(setting(0.2, room_zone(), 0.405, 0.567, 0.904)) {}
-    Drive drive;
-    RouteCheck route_check;
-    rtac::safe::Retreat<rtac::Twist> inwards;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -165,7 +198,9 @@ class CartSystem {
     rtac::RobotParts<rtac::Twist> p;
     p.name = name;
     p.decision = &robot.drive;
-    (void)p.recoveries.push(&robot.inwards);
+    for (int mode = 1; mode <= 1; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.policy;
     p.plan_decision = &robot.route_check;
     p.advanced_planner = &controllers.dreamer;

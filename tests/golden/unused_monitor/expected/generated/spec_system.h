@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 
 #include "rtac/safe/controllers.h"
 #include "rtac/stack/system.h"
@@ -35,11 +36,32 @@ class System {
     static const char* const names[] = {"d1"};
     return names[robot];
   }
+  // The number of the robot of this name; -1: there is none.
+  static int robot_number(const char* name) {
+    for (int robot = 0; robot < robots; ++robot) {
+      if (std::strcmp(robot_name(robot), name) == 0) return robot;
+    }
+    return -1;
+  }
   static rtac::SystemOptions default_options() {
     rtac::SystemOptions options;
     options.pass_gap_m = pass_gap_m;
     return options;
   }
+
+  // One robot by its number: its decision modules and its recoveries, each once and under the
+  // name that it has in the specification. A program that runs this robot alone, as a node of
+  // its own, makes one of these and no System.
+  struct Robot {
+    explicit Robot(int self)
+        : fly(self), back_off(setting(0.3, room_zone(), 0.576, 0.499, 1.43)) {}
+    Fly fly;
+    rtac::safe::Retreat<rtac::Acceleration> back_off;
+    // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
+    rtac::SafeController<rtac::Acceleration>& recovery(int) {
+      return back_off;
+    }
+  };
 
   explicit System(const Controllers& controllers,
                   const rtac::SystemOptions& options = default_options(),
@@ -56,12 +78,6 @@ class System {
   }
 
   private:
-  struct Robot {
-    explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.576, 0.499, 1.43)) {}
-    Fly fly;
-    rtac::safe::Retreat<rtac::Acceleration> back_off;
-  };
   static rtac::safe::Setting setting(double speed_mps, const rtac::ZoneView& zone,
                                      double route_clearance_m, double give_back_m,
                                      double pass_m) {
@@ -79,7 +95,9 @@ class System {
     rtac::RobotParts<rtac::Acceleration> p;
     p.name = name;
     p.decision = &robot.fly;
-    (void)p.recoveries.push(&robot.back_off);
+    for (int mode = 1; mode <= 1; ++mode) {
+      (void)p.recoveries.push(&robot.recovery(mode));
+    }
     p.advanced = &controllers.pilot;
     p.advanced_planner = &controllers.planner;
     p.period_us = 50000;
