@@ -130,7 +130,7 @@ TEST_F(Recheck, RobotsInSpaceAreProvedInAConvexHall) {
   const std::string annex =
       "\n          | prism (rectangle (0 m, 0 m) to (5 m, 9 m)) from 6 m to 10 m";
   const std::string stacked = spec_text("tests/golden/space_recoveries/spec.rta");
-  const std::string slow = edited(stacked, " > calm > rules", " > calm");
+  const std::string slow = edited(stacked, " > calm > slow > rules", " > calm > slow");
   ASSERT_EQ(verified(edited(slow, annex, ""), {"-o", "certificates"}).status, exit_clean);
   EXPECT_EQ(rechecked().status, exit_clean);
   report_ = Json::parse(read("certificates/verification.json"));

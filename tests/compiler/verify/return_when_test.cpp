@@ -181,8 +181,8 @@ TEST_F(ReturnWhen, APlaceBesideAZoneIsNoCounterexampleToLessThanTouchingIt) {
 TEST_F(ReturnWhen, NobodyElseIsEverThere) {
   const std::string near = "exists q : Bot, q != r : distance(r, q) >= 1 m";
   const Outcome o = verified(returning(near, "", accepted), {"-o", "certificates"});
-  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
-  EXPECT_EQ(status("P2b", "fence"), "unknown");
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_EQ(status("P2b", "fence"), "refuted");
   EXPECT_EQ(rechecked_as_proved(near).status, exit_violation);
 }
 
