@@ -8,8 +8,6 @@
 namespace rtac::analysis {
 namespace {
 
-// Lateral deviation of a moving recovery from its path, in mm: the tests of the pilots hold it.
-constexpr std::int64_t tracking_mm = 50;
 // A hold keeps within twice the position error and this, in mm (latched position, see the pilots).
 constexpr std::int64_t hold_slack_mm = 10;
 
@@ -32,14 +30,9 @@ std::int64_t div_up(std::int64_t a, std::int64_t b) {
   return (a + b - 1) / b;
 }
 
-// Of a recovery, what pushes the robot included: it settles where the correction to its path (1/s)
-// makes up for the speed that it is pushed with, and for that by which it measures itself wrong;
-// half of what pushes more until then. And corners are cut by as much as counts for being there.
-std::int64_t tracking_of_recovery_mm(const ir::Decision& decision) {
-  const ir::Body& b = decision.body;
-  const std::int64_t beside_mm =
-      std::max(tracking_mm, b.beside_mm) + div_up(3 * decision.pushed_mmps, 2);
-  return b.in_space ? beside_mm : std::max(beside_mm, b.end_reach_mm);
+// Of a recovery: beside its leg, and corners are cut by as much as counts for being there.
+std::int64_t tracking_of_recovery_mm(const ir::Body& b, const ir::Motion& motion) {
+  return b.in_space ? motion.beside_mm : std::max(motion.beside_mm, b.end_reach_mm);
 }
 // Acceleration of the reference point when the speed is at most `speed`: driving and turning, or,
 // of a point mass, what any controller commands and what pushes it. A point mass that slows down as
@@ -71,6 +64,9 @@ Rational quiet_spring(const ir::Body& b, std::int64_t left_mmps2) {
 // of the delay.
 struct Hold {
   std::int64_t sways_mm, strays_mm;  // about its place, at rest; and from where it latches
+  // From one end of what it sways to the other: who promises to stay may be at the one when it is
+  // measured, and at the other ever after.
+  std::int64_t spans_mm;
 };
 // In rad/s, `delay_us` being that of the velocity.
 Rational hold_frequency(const ir::Body& b, std::int64_t delay_us) {
@@ -94,13 +90,14 @@ Hold hold_of(const ir::Body& b, std::int64_t delay_us) {
   const Rational sways = 2 * b.velocity_error_mmps / omega + b.disturbance_mmps2 / (omega * omega);
   const Rational moved = latched * (Rational(7, 25) / omega + delay_s / 2) + sways;
   const std::int64_t errs_mm = 2 * b.position_error_mm + hold_slack_mm;
-  return {ceil_to_int(sways) + errs_mm, ceil_to_int(moved) + errs_mm};
+  return {ceil_to_int(sways) + errs_mm, ceil_to_int(moved) + errs_mm,
+          ceil_to_int(Rational(2 * sways)) + errs_mm};
 }
 
 // theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h. The lag
 // runs from the measurement on, so that the age of the sample is part of it. What pushes the robot
 // at d changes its speed in the meantime, and leaves b - d to brake with.
-void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
+void add_sampled_brake(std::int64_t period_us, bool promises, ir::Body& b) {
   const std::int64_t d_mmps2 = b.disturbance_mmps2, left_mmps2 = b.brake_mmps2 - d_mmps2;
   if (left_mmps2 <= 0) return;  // reported
   const std::int64_t delay_us = b.velocity_age_us + period_us + b.jitter_us + b.latency_us;
@@ -109,6 +106,7 @@ void add_sampled_brake(std::int64_t period_us, ir::Body& b) {
   b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
   const Hold hold = hold_of(b, delay_us);
   b.hold_mm = div_up(eta * eta, left_mmps2) + hold.strays_mm;
+  if (promises) b.hold_mm = std::max(b.hold_mm, hold.spans_mm);
   b.sway_mm = hold.sways_mm;
   if (b.in_space) b.end_reach_mm = b.sway_mm;
 }
@@ -156,10 +154,9 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
     b.brake_lag_permille = std::min<std::int64_t>(2000, up(lag, 1000));
     b.hold_mm = hold_slack_mm;
   } else {
-    add_sampled_brake(period_us, b);
+    add_sampled_brake(period_us, kind.hears_max_age.has_value(), b);
   }
   if (!b.in_space) b.end_reach_mm = end_reach_mm(kind, period_us);
-  if (!b.in_space && !kind.motion.turn) b.beside_mm = b.position_error_mm + b.velocity_error_mmps;
   return b;
 }
 
@@ -174,8 +171,8 @@ ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
   const Rational most =
       std::min(kind.motion.speed.value, Rational(speed + 2 * pushed_speed(kind, period_us)));
   // while it brakes, the recovery may still turn at the speed that it found
-  return {name, up(most, 1000), planar_accel(kind, up(kind.motion.speed.value, 1000)), true,
-          kind.motion.range};
+  return {name, up(most, 1000),    planar_accel(kind, up(kind.motion.speed.value, 1000)),
+          true, kind.motion.range, beside_mm(kind, speed, period_us)};
 }
 
 // What errs and pushes moves the hold as the velocity of a critically damped spring follows a
@@ -216,7 +213,7 @@ std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion&
   return disc_mm(decision.body, motion, motion.speed_mmps + decision.body.velocity_error_mmps,
                  t_us) +
          decision.body.position_error_mm +
-         (motion.recovery ? tracking_of_recovery_mm(decision) : 0);
+         (motion.recovery ? tracking_of_recovery_mm(decision.body, motion) : 0);
 }
 
 std::int64_t standoff_mm(const ir::Decision& decision, const ir::Recovery& recovery) {
@@ -238,7 +235,11 @@ std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us
       disc_mm(b, decision.motions[0], decision.motions[0].speed_mmps, t_us) + b.position_error_mm;
   const std::int64_t held = 2 * b.position_error_mm + 2 + b.hold_mm + b.radius_mm;
   const std::int64_t legs = 2 * b.radius_mm + 4 * b.position_error_mm + b.tracking_mm + b.hold_mm;
-  return std::max(mover + held, legs) + standoff_mm + tracking_of_recovery_mm(decision);
+  std::int64_t tracking_mm = 0;
+  for (const ir::Motion& m : decision.motions) {
+    if (m.recovery) tracking_mm = std::max(tracking_mm, tracking_of_recovery_mm(b, m));
+  }
+  return std::max(mover + held, legs) + standoff_mm + tracking_mm;
 }
 
 std::int64_t shown_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,

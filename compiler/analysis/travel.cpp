@@ -15,6 +15,11 @@ struct Leg {
   Rational turn_s_per_rad;  // 0: it need not turn
 };
 
+Rational seconds_of(std::int64_t us) {
+  Rational s(static_cast<long>(us), 1'000'000);
+  s.canonicalize();
+  return s;
+}
 Rational seconds_of(const std::optional<sema::Sense>& sense) {
   return sense ? sense->max_age.value : Rational(0);
 }
@@ -31,6 +36,36 @@ Rational settling(const sema::RobotKind& kind, const Rational& period) {
                   Rational(pace::velocity_time_delays * delay(kind, period)));
 }
 
+// A gain in 1/s: `most`, or less after a delay that leaves no room for it.
+Rational gain_of(int most_milli_per_s, int mrad_per_delay, const Rational& late) {
+  Rational gain =
+      std::min(Rational(most_milli_per_s, 1000), Rational(Rational(mrad_per_delay, 1000) / late));
+  gain.canonicalize();
+  return gain;
+}
+
+// The gain of its correction to a leg (lateral_gain_per_s of the pilots).
+Rational lateral_gain(const sema::RobotKind& kind, const Rational& period) {
+  const Rational late =
+      settling(kind, period) + kind.latency.value + period + seconds_of(kind.position);
+  return gain_of(pace::lateral_gain_milli_per_s, pace::lateral_mrad_per_delay, late);
+}
+
+// The gain of the turning of wheels; the period is never 0.
+Rational turn_gain(const sema::RobotKind& kind, const Rational& period) {
+  const Rational late = kind.latency.value + period + seconds_of(kind.heading);
+  return gain_of(pace::turn_gain_milli_per_s, pace::turn_mrad_per_delay, late);
+}
+
+// How far ahead wheels aim at the speed `speed`, in m.
+Rational aim_ahead(const sema::RobotKind& kind, const Rational& speed, const Rational& period) {
+  const Rational late = kind.latency.value + period + seconds_of(kind.position);
+  const Rational turning =
+      Rational(pace::aim_ahead_turns_permille, 1000) * speed / turn_gain(kind, period);
+  return std::max({Rational(pace::aim_ahead_mm, 1000), turning,
+                   Rational(pace::aim_ahead_delays * speed * late)});
+}
+
 // The pilot turns at a rate proportional to the error (gain g), limited, until the error is e. From
 // an error x that is log(x / e) / g, or longer where the limit binds, and never above the tangent
 // at an eighth of a circle, log(pi / 4 / e) - 1 + x / (pi / 4), over g; or than x at the limit on
@@ -38,7 +73,7 @@ Rational settling(const sema::RobotKind& kind, const Rational& period) {
 void add_turn(const sema::RobotKind& kind, const Rational& period, Leg& leg) {
   if (!kind.motion.turn) return;
   static_assert(pace::turn_end_mrad == 100, "the logarithm below");
-  const Rational gain(pace::turn_gain_milli_per_s, 1000);
+  const Rational gain = turn_gain(kind, period);
   const Rational limit = std::min(kind.motion.turn->value, Rational(pace::turn_max_mradps, 1000));
   const Rational tangent = Rational(10'000, 7853) / gain;
   leg.turn_s_per_rad = std::max(tangent, Rational(1 / limit));
@@ -89,7 +124,7 @@ Rational braking(const sema::RobotKind& kind) {
 }  // namespace
 
 Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us) {
-  const Rational period(static_cast<long>(period_us), 1'000'000);
+  const Rational period = seconds_of(period_us);
   return disturbance_of(kind) * settling(kind, period);
 }
 
@@ -97,6 +132,30 @@ Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us) {
   const bool steers = kind.motion.model == sema::MotionModel::point;
   const Rational errs = steers && kind.velocity ? kind.velocity->error.value : Rational(0);
   return errs + pushed_speed(kind, period_us);
+}
+
+// A point mass settles where its correction makes up for the errors of its place and its velocity
+// and for the speed that it is pushed with; half of what pushes more until then. Wheels set out
+// with what is left of their turn, which leads aside by 0.65 of it times how far ahead they aim; an
+// error of the heading that lasts by as much as itself, and a fifth more until it has settled; and
+// errors of the place that change at the worst rate by half of what they are more than those that
+// last.
+std::int64_t beside_mm(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us) {
+  constexpr std::int64_t least_mm = 50;  // the tests of the pilots hold it
+  const Rational period = seconds_of(period_us);
+  const Rational pushed = Rational(3, 2) * pushed_speed(kind, period_us);
+  const Rational place = kind.position ? kind.position->error.value : Rational(0);
+  Rational settled, gain(1);
+  if (kind.motion.turn) {
+    const Rational heading = kind.heading ? kind.heading->error.value : Rational(0);
+    const Rational left(65 * pace::turn_end_mrad, 100'000);
+    settled = aim_ahead(kind, speed, period) * (left + Rational(6, 5) * heading) + place / 2;
+  } else if (!kind.in_space) {
+    gain = lateral_gain(kind, period);
+    settled = place + (kind.velocity ? kind.velocity->error.value : Rational(0)) / gain;
+  }
+  return std::max(least_mm, ceil_to_int(Rational(settled * 1000))) +
+         ceil_to_int(Rational(pushed / gain * 1000));
 }
 
 // stand_off_m of the pilots: in their steps, in doubles, and a little more.
@@ -108,17 +167,18 @@ std::int64_t end_reach_mm(const sema::RobotKind& kind, std::int64_t period_us) {
   const Rational steers =
       std::min(kind.motion.accel.value, kind.motion.brake.value) - disturbance_of(kind);
   if (kind.motion.turn || steers <= 0) return std::lround(std::ceil(reach_mm));
-  const Rational period(static_cast<long>(period_us), 1'000'000);
+  const Rational period = seconds_of(period_us);
   const double planned = 1e-3 * pace::planned_braking_permille * steers.get_d();
   const double late = planned * delay(kind, period).get_d();
   const double lasts = lasting_speed(kind, period_us).get_d();
+  const double gain = lateral_gain(kind, period).get_d();
   for (int k = 0; k < directions; ++k) {
     const double from = std::numbers::pi / 2 * k / directions;
     const double to = std::numbers::pi / 2 * (k + 1) / directions;
     const double set = 1e-3 * pace::arrival_margin_permille * lasts * std::cos(from);
     if (set <= 1e-3 * pace::creep_mmps) break;
     const double along = set * (set + 2 * late) / (2 * planned);
-    const double aside = 1e3 * lasts * std::sin(to) / pace::lateral_gain_milli_per_s;
+    const double aside = lasts * std::sin(to) / gain;
     reach_mm = std::max(reach_mm, 1e3 * std::hypot(along, aside) + rounding_mm);
   }
   return std::lround(std::ceil(reach_mm));
@@ -126,7 +186,7 @@ std::int64_t end_reach_mm(const sema::RobotKind& kind, std::int64_t period_us) {
 
 Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
                         std::int32_t cell_mm, std::int64_t distance_mm) {
-  const Rational period(static_cast<long>(period_us), 1'000'000);
+  const Rational period = seconds_of(period_us);
   const Rational metres(distance_mm, 1000), cells(distance_mm, cell_mm);
   const Rational lasting = lasting_speed(kind, period_us);
   const Rational slowest = speed - lasting;  // above 0, see `derive`
@@ -149,8 +209,7 @@ std::int64_t run_out_mm(const sema::RobotKind& kind, const Rational& speed,
   const Rational steers =
       std::min(kind.motion.accel.value, kind.motion.brake.value) - disturbance_of(kind);
   const Rational planned = steers * Rational(pace::planned_braking_permille, 1000);
-  const Rational acts = kind.latency.value + Rational(static_cast<long>(period_us), 1'000'000) +
-                        seconds_of(kind.velocity);
+  const Rational acts = kind.latency.value + seconds_of(period_us) + seconds_of(kind.velocity);
   return ceil_to_int(Rational((speed * acts + speed * speed / (2 * planned)) * 1000));
 }
 

@@ -14,6 +14,7 @@ inline constexpr int planned_braking_permille = 400;
 inline constexpr int velocity_time_ms = 300;
 inline constexpr int velocity_time_delays = 2;
 inline constexpr int lateral_gain_milli_per_s = 1000;
+inline constexpr int lateral_mrad_per_delay = 500;
 inline constexpr int arrival_margin_permille = 1250;
 inline constexpr int hold_max_mradps = 2000;
 inline constexpr int hold_mrad_per_delay = 250;
@@ -22,6 +23,10 @@ inline constexpr int hold_brake_shares = 4;
 inline constexpr int turn_gain_milli_per_s = 1500;
 inline constexpr int turn_max_mradps = 1500;
 inline constexpr int turn_end_mrad = 100;
+inline constexpr int turn_mrad_per_delay = 500;
+inline constexpr int aim_ahead_mm = 200;
+inline constexpr int aim_ahead_turns_permille = 1400;
+inline constexpr int aim_ahead_delays = 2;
 inline constexpr int rest_samples = 3;
 inline constexpr int look_every_ms = 1000;
 inline constexpr int waypoints = 64;  // of one piece of a way
@@ -33,6 +38,9 @@ Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us);
 // Upper bound of what takes speed from it for good, its velocity error included, in m/s; 0 of
 // wheels.
 Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us);
+// How far beside its leg a recovery of the declared `speed` in m/s comes at most, in mm, what pushes
+// it included.
+std::int64_t beside_mm(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us);
 // How near to the end of a way over cells a recovery comes, in mm (end_reach_m of the pilots).
 std::int64_t end_reach_mm(const sema::RobotKind& kind, std::int64_t period_us);
 // Upper bound of the time from taking over at full speed until a way of `distance_mm` along the

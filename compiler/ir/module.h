@@ -101,7 +101,6 @@ struct Body {
   std::int64_t latency_us = 0, tracking_mm = 0;
   std::int64_t end_reach_mm = 0;  // how far from where a recovery leads it may come to rest
   std::int64_t sway_mm = 0;       // how far from the place that it holds it may rest, for good
-  std::int64_t beside_mm = 0;     // how far beside its leg errors that last let a recovery drive
   std::optional<std::int64_t> heading_age_us;  // none: not sensed
   std::int64_t battery_error_ppm = 0, drain_ppm_per_s = 0;
   std::int64_t jitter_us = 0;          // a step of the decision may come this much later than due
@@ -137,7 +136,8 @@ struct Motion {
   std::string name;  // "any" or the name of the recovery
   std::int64_t speed_mmps = 0, accel_mmps2 = 0;
   bool recovery = false;
-  SourceRange source;  // where the speed is declared
+  SourceRange source;          // where the speed is declared
+  std::int64_t beside_mm = 0;  // how far beside its leg a recovery comes
 };
 
 // ---- values -------------------------------------------------------------------------------------

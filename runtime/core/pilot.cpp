@@ -14,18 +14,26 @@ constexpr double sharp_corner_rad = 0.35;
 // Directions of what lasts, in a quarter of a circle.
 constexpr int directions = 90;
 
+double delay_s(const Setting& setting, TimeUs age_us) {
+  return 1e-6 * static_cast<double>(age_us + setting.period_us + setting.limits.latency_us);
+}
+double velocity_delay_s(const Setting& setting) {
+  return delay_s(setting, setting.limits.velocity_age_us);
+}
+
 // How far from the end of a leg a point mass may come to a stand. What lasts and is against its way
 // by `back` stops it where the set-point v is no more, (v^2 + 2 v late) / (2 d) before the end as
 // approach_speed has it; what is beside it, by `aside` over the gain. Below the creep nothing stops
 // it: it passes the end.
-double stand_off_m(const RobotLimits& l, double reaction_s) {
+double stand_off_m(const Setting& setting) {
+  const RobotLimits& l = setting.limits;
   const double steers_mps2 =
       (l.accel_mps2 > 0 ? std::min(l.accel_mps2, l.brake_mps2) : l.brake_mps2) - l.disturbance_mps2;
   const double planned_mps2 = pace::planned_braking * steers_mps2;
   if (!(planned_mps2 > 0)) return 0;
-  const double settling_s =
-      std::max(pace::velocity_time_s, pace::velocity_time_delays * reaction_s);
-  const double lasts_mps = l.velocity_error_mps + l.disturbance_mps2 * settling_s;
+  const double reaction_s = velocity_delay_s(setting);
+  const double lasts_mps = l.velocity_error_mps + l.disturbance_mps2 * settling_s(setting);
+  const double gain_per_s = lateral_gain_per_s(setting);
   double farthest_m = 0;
   for (int k = 0; k < directions; ++k) {
     const double from_rad = detail::pi / 2 * k / directions;
@@ -34,7 +42,7 @@ double stand_off_m(const RobotLimits& l, double reaction_s) {
     if (set_mps <= pace::creep_mps) break;
     const double late_mps = planned_mps2 * reaction_s;
     const double along_m = set_mps * (set_mps + 2 * late_mps) / (2 * planned_mps2);
-    const double aside_m = lasts_mps * std::sin(to_rad) / pace::lateral_gain_per_s;
+    const double aside_m = lasts_mps * std::sin(to_rad) / gain_per_s;
     farthest_m = std::max(farthest_m, std::hypot(along_m, aside_m));
   }
   return farthest_m;
@@ -45,18 +53,24 @@ double stand_off_m(const RobotLimits& l, double reaction_s) {
 double end_reach_m(const Setting& setting) {
   const RobotLimits& l = setting.limits;
   const double least_m = std::max(0.02, l.position_error_m);
-  if (l.unicycle) return least_m;
-  const auto delay_us = l.velocity_age_us + setting.period_us + l.latency_us;
-  return std::max(least_m, stand_off_m(l, 1e-6 * static_cast<double>(delay_us)));
+  return l.unicycle ? least_m : std::max(least_m, stand_off_m(setting));
+}
+
+double settling_s(const Setting& setting) {
+  return std::max(pace::velocity_time_s, pace::velocity_time_delays * velocity_delay_s(setting));
+}
+
+double lateral_gain_per_s(const Setting& setting) {
+  const double late_s = settling_s(setting) + delay_s(setting, setting.limits.position_age_us);
+  return std::min(pace::lateral_gain_per_s, pace::lateral_rad_per_delay / late_s);
 }
 
 double run_out_m(const Setting& setting) {
   const RobotLimits& l = setting.limits;
   const double steers_mps2 = l.accel_mps2 > 0 ? std::min(l.accel_mps2, l.brake_mps2) : l.brake_mps2;
   const double planned_mps2 = pace::planned_braking * (steers_mps2 - l.disturbance_mps2);
-  const auto delay_us = l.velocity_age_us + setting.period_us + l.latency_us;
   if (planned_mps2 <= 0) return 0;
-  return setting.speed_mps * (1e-6 * static_cast<double>(delay_us)) +
+  return setting.speed_mps * velocity_delay_s(setting) +
          setting.speed_mps * setting.speed_mps / (2 * planned_mps2);
 }
 

@@ -12,7 +12,6 @@ namespace rtac::safe {
 namespace {
 
 constexpr double s_per_us = 1e-6;
-using pace::lateral_gain_per_s;
 // For what sampling adds, and the tail of its approach.
 constexpr double sway_slack_m = 0.01;
 // A leg that is no longer is a point.
@@ -35,6 +34,8 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
     : limits_(setting.limits),
       period_us_(setting.period_us),
       speed_mps_(setting.speed_mps),
+      settling_s_(safe::settling_s(setting)),
+      lateral_gain_per_s_(safe::lateral_gain_per_s(setting)),
       end_reach_m_(safe::end_reach_m(setting)) {
   reaction_s_ =
       static_cast<double>(limits_.velocity_age_us + period_us_ + limits_.latency_us) * s_per_us;
@@ -108,10 +109,6 @@ double Pilot<Acceleration>::steering_limit() const {
                                 : limits_.brake_mps2;
 }
 
-double Pilot<Acceleration>::settling_s() const {
-  return std::max(pace::velocity_time_s, pace::velocity_time_delays * reaction_s_);
-}
-
 // Within what is declared a stop ends no further beside its leg, or its prolongation, than
 // - it drove beside it: the correction to the leg settles where it makes up for the errors of the
 //   place and of the velocity, and for what a push adds to the speed while that settles (as
@@ -122,11 +119,11 @@ double Pilot<Acceleration>::settling_s() const {
 // What legs keep clear is reckoned for such stops (cruise_clearance_mm).
 double Pilot<Acceleration>::stray_m() const {
   const double b = limits_.brake_mps2, d = limits_.disturbance_mps2, left = b - d;
-  const double pushed_mps = d * settling_s();
+  const double pushed_mps = d * settling_s_;
   const double settled_m =
-      limits_.position_error_m + (limits_.velocity_error_mps + pushed_mps) / lateral_gain_per_s;
+      limits_.position_error_m + (limits_.velocity_error_mps + pushed_mps) / lateral_gain_per_s_;
   const double beside_m = 1.5 * settled_m;
-  const double aside_mps = lateral_gain_per_s * (beside_m + settled_m);
+  const double aside_mps = lateral_gain_per_s_ * (beside_m + settled_m);
   const double s = leg_mps_ + limits_.velocity_error_mps + 2 * pushed_mps;
   const double eta_mps = rest_mps_ * left / b;
   const double bend_m = (eta_mps * (s + eta_mps) + d * s * s / (2 * b)) / left;
@@ -255,9 +252,9 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
   const double speed =
       approach_speed(leg, speed_mps_, limit - limits_.disturbance_mps2, reaction_s_);
   const Vec2 left{-leg.direction.y, leg.direction.x};
-  Vec2 wanted = speed * leg.direction + (-lateral_gain_per_s * leg.lateral_m) * left;
+  Vec2 wanted = speed * leg.direction + (-lateral_gain_per_s_ * leg.lateral_m) * left;
   if (const double size = norm(wanted); size > speed_mps_) wanted = (speed_mps_ / size) * wanted;
-  const Vec2 pull = (1 / settling_s()) * (wanted - v);
+  const Vec2 pull = (1 / settling_s_) * (wanted - v);
   return limited({pull.x, pull.y, 0}, limit);
 }
 

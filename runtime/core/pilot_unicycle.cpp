@@ -16,9 +16,6 @@ constexpr double s_per_us = 1e-6;
 constexpr double rest_mps = 0.01;
 // Turning in place begins at this heading error.
 constexpr double turn_begin_rad = 0.35;
-// The steering aims at a point of the leg's line this far ahead: a small offset gives a small
-// angle.
-constexpr double aim_ahead_m = 0.2;
 // Sideways part of a motion that the pursuit of a receding leg may have for a moment.
 constexpr double sideways_rad = 0.1;
 
@@ -30,6 +27,11 @@ Pilot<Twist>::Pilot(const Setting& setting)
       speed_mps_(setting.speed_mps),
       end_reach_m_(safe::end_reach_m(setting)) {
   reaction_s_ = static_cast<double>(period_us_ + limits_.latency_us) * s_per_us;
+  const double heading_s = reaction_s_ + static_cast<double>(limits_.heading_age_us) * s_per_us;
+  const double position_s = reaction_s_ + static_cast<double>(limits_.position_age_us) * s_per_us;
+  turn_gain_per_s_ = std::min(pace::turn_gain_per_s, pace::turn_rad_per_delay / heading_s);
+  aim_ahead_m_ = std::max({pace::aim_ahead_m, pace::aim_ahead_turns * speed_mps_ / turn_gain_per_s_,
+                           pace::aim_ahead_delays * speed_mps_ * position_s});
 }
 
 void Pilot<Twist>::engage(const Observation&) {
@@ -77,7 +79,7 @@ Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
   not_at_rest();
   const LegTracker::Bearing leg = tracker_.bearing(way, p);
   const Vec2 left{-leg.direction.y, leg.direction.x};
-  const Vec2 aim = aim_ahead_m * leg.direction + (-leg.lateral_m) * left;
+  const Vec2 aim = aim_ahead_m_ * leg.direction + (-leg.lateral_m) * left;
   const double error = detail::wrapped(detail::angle(aim) - observation.heading.value);
   if (std::fabs(error) > turn_begin_rad) turning_ = true;
   if (std::fabs(error) < pace::turn_end_rad) turning_ = false;
@@ -85,7 +87,7 @@ Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
                               ? std::min(limits_.turn_radps, pace::turn_radps_max)
                               : pace::turn_radps_max;
   Twist out;
-  out.turn_radps = std::clamp(pace::turn_gain_per_s * error, -turn_max, turn_max);
+  out.turn_radps = std::clamp(turn_gain_per_s_ * error, -turn_max, turn_max);
   if (!turning_) {
     const double brake = limits_.brake_mps2 > 0 ? limits_.brake_mps2 : limits_.accel_mps2;
     out.speed_mps = approach_speed(leg, speed_mps_, brake, reaction_s_);

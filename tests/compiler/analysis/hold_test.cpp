@@ -23,7 +23,7 @@ sema::Quantity si(double value) {
   return {Rational(static_cast<long>(std::lround(1000 * value)), 1000), {}};
 }
 
-ir::Body derived(const Case& c) {
+ir::Body derived(const Case& c, bool hears = false) {
   sema::RobotKind k;
   k.motion.model = sema::MotionModel::point;
   k.radius = si(0);
@@ -32,6 +32,7 @@ ir::Body derived(const Case& c) {
   k.position = sema::Sense{si(c.position_error), si(1e-3 * static_cast<double>(c.age_ms))};
   k.velocity = sema::Sense{si(c.velocity_error), si(1e-3 * static_cast<double>(c.age_ms))};
   k.latency = si(1e-3 * static_cast<double>(c.latency_ms));
+  if (hears) k.hears_max_age = si(0.1);
   return body_of(k, 1000 * c.period_ms);
 }
 
@@ -46,6 +47,12 @@ RobotLimits limits_of(const Case& c) {
 
 struct Excess {
   double beyond_m = 0, behind_m = 0;  // the ideal stop, the start
+  double apart_m = 0;  // where it is and where it was measured to be, at any times while it holds
+};
+// The ends of what was seen.
+struct Span {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  void add(double x) { least = std::min(least, x), most = std::max(most, x); }
 };
 
 // How far the robot gets; along a line, since that is the worst way to
@@ -61,6 +68,7 @@ Excess excess(const Case& c, double seconds, const Command& command) {
   const double stop = c.speed * c.speed / (2 * c.brake);
   double x = 0, v = c.speed, acting = 0;
   Excess worst;
+  Span places, measured;
   std::deque<std::pair<double, double>> past;  // the newest first
   std::deque<std::pair<std::int64_t, double>> coming;
   for (std::int64_t ms = 0; static_cast<double>(ms) * dt_s < seconds; ++ms) {
@@ -74,6 +82,7 @@ Excess excess(const Case& c, double seconds, const Command& command) {
       seen.position = {{past.back().first - side * c.position_error, 0}, stamp_us};
       seen.velocity = {{past.back().second - side * c.velocity_error, 0}, stamp_us};
       if (ms == 0) pilot.engage(seen);
+      if (pilot.latched()) measured.add(seen.position.value.x);
       coming.emplace_back(ms + c.latency_ms, command(pilot, seen).value_mps2.x);
     }
     while (!coming.empty() && coming.front().first <= ms) {
@@ -83,8 +92,11 @@ Excess excess(const Case& c, double seconds, const Command& command) {
     const double a = acting + side * c.push;
     x += v * dt_s + 0.5 * a * dt_s * dt_s;
     v += a * dt_s;
-    worst = {std::max(worst.beyond_m, x - stop), std::max(worst.behind_m, -x)};
+    if (pilot.latched()) places.add(x);
+    worst.beyond_m = std::max(worst.beyond_m, x - stop);
+    worst.behind_m = std::max(worst.behind_m, -x);
   }
+  worst.apart_m = std::max(places.most - measured.least, measured.most - places.least);
   return worst;
 }
 
@@ -134,6 +146,24 @@ TEST(Hold, StaysWithinWhatIsReckonedWith) {
            Case{1, 0.75, 0.005, 0.05, 50, 20, 50, 1},  // as hard as it may be pushed
        }) {
     EXPECT_LT(excess(c), allowed(c)) << "brake " << c.brake << ", push " << c.push;
+  }
+}
+
+// Who promises to stay does so from where it is measured, at the one end of what its hold sways,
+// and may be at the other ever after.
+TEST(Hold, KeepsTheNeighbourhoodThatItPromises) {
+  for (const Case& c : {
+           Case{1, 0, 0.02, 0.02, 50, 20, 50, 0},
+           Case{1.5, 0.3, 0.02, 0.02, 50, 20, 50, 0},
+           Case{2, 1.2, 0.02, 0.1, 20, 10, 20, 0.1},
+           Case{1, 0.75, 0.005, 0.05, 50, 20, 50, 0},
+       }) {
+    const auto halt = [](safe::Pilot<Acceleration>& pilot, const Observation& seen) {
+      return pilot.halt(seen);
+    };
+    const auto promised_mm = static_cast<double>(derived(c, true).hold_mm);
+    EXPECT_LE(excess(c, 96, halt).apart_m, promised_mm / 1000 + c.position_error)
+        << "brake " << c.brake << ", push " << c.push;
   }
 }
 

@@ -14,10 +14,12 @@ inline constexpr double planned_braking = 0.4;
 // delay keeps the loop well damped when the delay is longer.
 inline constexpr double velocity_time_s = 0.3;
 inline constexpr double velocity_time_delays = 2;
-// Point mass: the correction to its leg, and how much faster its set-point is than what lasting
-// errors and pushes take from it, until it is as near to the end of its leg as counts for being
-// there.
-inline constexpr double lateral_gain_per_s = 1, arrival_margin = 1.25;
+// Point mass: the correction to its leg, at most; half a radian for what its velocity takes to
+// settle and for the delay of its position, without which it would weave about its leg.
+inline constexpr double lateral_gain_per_s = 1, lateral_rad_per_delay = 0.5;
+// How much faster its set-point is than what lasting errors and pushes take from it, until it is as
+// near to the end of its leg as counts for being there.
+inline constexpr double arrival_margin = 1.25;
 // Point mass: the frequency of its hold, which is critically damped: at most the first; a quarter
 // of a radian per delay, for a phase margin above 60 degrees; of a delay of at least the last.
 inline constexpr double hold_max_radps = 2, hold_rad_per_delay = 0.25, hold_delay_least_s = 0.01;
@@ -26,9 +28,13 @@ inline constexpr double hold_max_radps = 2, hold_rad_per_delay = 0.25, hold_dela
 // frequency times the velocity, the spring for its square times the place. Without, errors of
 // decimetres saturate the brake, and the robot is carried off.
 inline constexpr double hold_brake_shares = 4;
-// Unicycle: turning in place is proportional to the heading error, within a limit, and done at
-// `turn_end_rad`.
+// Unicycle: turning is proportional to the heading error, within a limit, and in place until
+// `turn_end_rad`. By a heading that is seen late it turns more slowly, half a radian per delay.
 inline constexpr double turn_gain_per_s = 1.5, turn_radps_max = 1.5, turn_end_rad = 0.1;
+inline constexpr double turn_rad_per_delay = 0.5;
+// Unicycle: it steers for a point of the leg's line that is so far ahead, or as far as it comes in
+// 1.4 over that gain (a damping ratio of 0.59), or in twice the delay of its position.
+inline constexpr double aim_ahead_m = 0.2, aim_ahead_turns = 1.4, aim_ahead_delays = 2;
 // Unicycle: as many new measurements within the error of the speed show that it rests.
 inline constexpr int rest_samples = 3;
 // A recovery at rest looks for a way this often.

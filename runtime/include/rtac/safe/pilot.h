@@ -17,6 +17,11 @@ namespace rtac::safe {
 // does.
 double end_reach_m(const Setting& setting);
 
+// The time constant with which the velocity of a point mass follows what is wanted, and the gain of
+// the correction to its leg.
+double settling_s(const Setting& setting);
+double lateral_gain_per_s(const Setting& setting);
+
 // How much longer a leg has to be for its pilot to pass what was its end at the full speed of the
 // recovery: what it comes on until its brake acts, and what it plans to slow down over.
 double run_out_m(const Setting& setting);
@@ -107,7 +112,6 @@ class Pilot<Acceleration> {
   // The sampled brake: at full strength, until one reaction would reverse the motion.
   [[nodiscard]] Acceleration against(Vec3 v) const;
   [[nodiscard]] double steering_limit() const;  // m/s^2
-  [[nodiscard]] double settling_s() const;      // in which its velocity follows what is wanted
   // How far beside its leg it may be measured, once it was stopped on it.
   [[nodiscard]] double stray_m() const;
   void leave_far_leg();
@@ -122,6 +126,7 @@ class Pilot<Acceleration> {
   double rest_mps_;     // measured speed below which the brake gives way to the position hold
   double ready_mps_;    // measured speed below which the hold may be left
   double omega_radps_;  // natural frequency of the position hold
+  double settling_s_, lateral_gain_per_s_;
   double sway_m_;
   double end_reach_m_;
   LegTracker tracker_;
@@ -158,6 +163,7 @@ class Pilot<Twist> {
   double speed_mps_;
   double end_reach_m_;
   double reaction_s_;
+  double turn_gain_per_s_, aim_ahead_m_;  // of its steering
   LegTracker tracker_;
   bool latched_ = false, driving_ = false, turning_ = false;
   RestWitness rest_;

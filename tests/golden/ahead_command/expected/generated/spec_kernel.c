@@ -1385,11 +1385,11 @@ static const zone zone_hall = {zone_hall_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us, sway permille */
 static const body BODY = {
-  80, 1500, 20, 20, 1650, 1000, 235, 0, 309, 50000, 80000, 177
+  80, 1500, 20, 20, 1650, 1000, 235, 0, 318, 50000, 80000, 177
 };
 /* The same of another robot, whose samples are as old as `hears` allows. */
 static const body flit_heard_body = {
-  80, 1500, 20, 20, 1650, 1000, 235, 0, 309, 100000, 100000, 177
+  80, 1500, 20, 20, 1650, 1000, 235, 0, 318, 100000, 100000, 177
 };
 /* Commands that the robot follows, mm/s^2, with which error, and latency, us. */
 static const order flit_order = {1500, 152, 20000};

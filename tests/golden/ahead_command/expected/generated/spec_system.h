@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 1.172;
-  static constexpr double cruise_clearance_m = 2.372;
-  static constexpr double pass_gap_m = 3.521;
+  static constexpr double return_clearance_m = 1.181;
+  static constexpr double cruise_clearance_m = 2.381;
+  static constexpr double pass_gap_m = 3.539;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"s1", "s2"};
@@ -55,7 +55,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : flit(self), wait(setting(0.3, hall_zone(), 0.838, 1.172, 3.521)), turn_in(setting(0.3, hall_zone(), 0.838, 1.172, 3.521)) {}
+        : flit(self), wait(setting(0.3, hall_zone(), 0.847, 1.181, 3.539)), turn_in(setting(0.3, hall_zone(), 0.847, 1.181, 3.539)) {}
     Flit flit;
     rtac::safe::Yield<rtac::Acceleration> wait;
     rtac::safe::Retreat<rtac::Acceleration> turn_in;
