@@ -179,9 +179,14 @@ int draw_zones(const Options& options, Compilation& c, std::ostream& out) {
                           "`-o " + options.output + "` would overwrite the specification",
                           "give it a name that no specification has, such as `zones.svg`");
   }
+  const std::vector<ZoneSheet> sheets = zone_sheets(c);
+  if (sheets.empty()) {
+    return refuse_picture(c, diag::Code::usage, "the specification has no zone to draw",
+                          "declare one: `zone room = rectangle (0 m, 0 m) to (5 m, 5 m);`");
+  }
   const std::string name =
       options.spec == "-" ? "the specification " + c.spec->name : base_name(options.spec);
-  std::string picture = zone_svg("Zones of " + name, zone_sheets(c));
+  std::string picture = zone_svg("Zones of " + name, sheets);
   if (!to_file) {
     out << picture;
     return exit_clean;

@@ -276,6 +276,15 @@ TEST_F(CommandLine, ThePictureOfZonesOverwritesNoSpecification) {
   EXPECT_FALSE(fs::exists("faulty.svg"));
 }
 
+TEST_F(CommandLine, WithoutZonesThereIsNoPicture) {
+  write("door.rta",
+        "spec door;\nperiod 1 s;\ninput p : bool;\nmonitor m { \"R1: p\" always p; }\n");
+  const Outcome o = rtac({"zones", "door.rta", "-o", "door.svg"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("has no zone to draw"), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists("door.svg"));
+}
+
 // Text of an author could end an element, or the picture.
 TEST_F(CommandLine, ThePictureOfZonesIsWellFormed) {
   std::string spec = edited(drone_spec(), "zone room =",
