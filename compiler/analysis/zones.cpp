@@ -169,8 +169,8 @@ class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
   static std::string empty_import(const sema::ZoneImport& imported) {
     const auto& groups = imported.inclusions;
     if (std::ranges::any_of(groups, [](const auto& group) { return group.size() > 1; })) {
-      return "areas that a place has to be inside of at once must overlap; with `inclusions any` "
-             "it has to be inside of one of them";
+      return "areas that a place has to be inside of at once must overlap: in a plan all of them, "
+             "but with `inclusions any` one of them will do; among fence items those of a group";
     }
     const std::string error = "the boundary may be off by " + metres(imported.error) + ": ";
     return error + (imported.exclusions.empty()

@@ -30,6 +30,8 @@ std::string trim_blanks(const std::string& text) {
 // "write `10 m`" and "did you mean `cm`?" show what their fix-its ` m` and `cm` give.
 bool is_shown(const std::string& help, const FixIt& fixit) {
   if (fixit.replacement.empty()) return false;
+  // whole lines cannot be shown within one
+  if (trim_blanks(fixit.replacement).find('\n') != std::string::npos) return !help.empty();
   const bool is_operator = fixit.replacement.find_first_not_of("<>=!") == std::string::npos;
   return help.find(fixit.replacement + (is_operator ? "" : "`")) != std::string::npos;
 }

@@ -46,7 +46,7 @@ std::string help_of(Kind kind) {
     case Kind::no_area:
       return "move at least one vertex off the line through the others";
     case Kind::hole_outside_ring:
-      return "a notch in the edge is part of the outline, not a hole";
+      return "the outline comes first, around all holes; a notch in its edge is a part of it";
     case Kind::holes_overlap:
       return "make one hole of them";
     case Kind::cuts_area:

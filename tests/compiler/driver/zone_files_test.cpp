@@ -202,6 +202,17 @@ TEST_F(ZoneFiles, ThinnerThanTheirErrorAreEmpty) {
   expect_said("import \"a.geojson\"", "error[4007]: zone `z` is empty");
 }
 
+TEST_F(ZoneFiles, ARingAroundTheFirstOneIsNoHole) {
+  write_polygon("a.geojson", std::string(inner) + "," + square);
+  expect_said("import \"a.geojson\"", "the outline comes first, around all holes");
+}
+
+TEST_F(ZoneFiles, TheHelpOfAMissingClockIsOneLine) {
+  const std::string all = said("circle (1 m, 1 m) radius 1 m during 07:30 .. 16:00");
+  EXPECT_NE(all.find("write `clock utc;`"), std::string::npos) << all;
+  EXPECT_EQ(all.find("insert"), std::string::npos) << all;
+}
+
 TEST_F(ZoneFiles, WhyTheyAreEmptyIsSaid) {
   const auto circle = [](const char* latitude) {
     return std::string(R"({"inclusion":true,"version":1,"circle":{"center":[)") + latitude +
@@ -209,7 +220,8 @@ TEST_F(ZoneFiles, WhyTheyAreEmptyIsSaid) {
   };
   write("a.plan", R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"circles":[)" +
                       circle("47.3977") + "," + circle("47.3997") + R"(],"polygons":[]}})");
-  expect_said("import \"a.plan\" inclusions all", "must overlap; with `inclusions any`");
+  expect_said("import \"a.plan\" inclusions all",
+              "must overlap: in a plan all of them, but with `inclusions any`");
   expect_said("complement(all);\nzone all = rectangle (-536 km, -536 km) to (536 km, 536 km)",
               "nothing is outside it");
 }
