@@ -53,7 +53,10 @@ Value PropertyChecker::arithmetic(const syntax::Expr& expr, const syntax::Binary
     const auto* scalar = std::get_if<ExprPtr>(&value->node);
     const bool usable =
         scalar != nullptr ? !(*scalar)->boolean : std::holds_alternative<Pair>(value->node);
-    if (!usable) return not_a_quantity(*written, describe(context_.spec, *value));
+    if (usable) continue;
+    const auto* held = std::get_if<syntax::Held>(&binary.left->node);
+    if (held != nullptr && written == binary.left.get()) return computed_duration(*held, binary);
+    return not_a_quantity(*written, describe(context_.spec, *value));
   }
   if (one != nullptr && other != nullptr) {
     return scalars(expr, binary, op, std::move(*one), std::move(*other));

@@ -80,11 +80,15 @@ bool any_clause(const syntax::RobotItem& robot) {
   return false;
 }
 
-// A misspelt signal counts: it was reported.
+// A misspelt signal counts, and `pos` or `odom` may be any: they were reported.
 bool senses(const syntax::RobotItem& robot, const char* name) {
   for (const auto& clause : robot.clauses) {
     const auto* sense = std::get_if<syntax::SenseClause>(&clause.node);
-    if (sense != nullptr && nearest(sense->name.text, {name})) return true;
+    if (sense == nullptr) continue;
+    const std::string& written = sense->name.text;
+    const bool is_signal =
+        nearest(written, {"position", "heading", "velocity", "battery"}).has_value();
+    if (nearest(written, {name}) || !is_signal) return true;
   }
   return false;
 }

@@ -2,6 +2,7 @@
 // `5 m / s`, `5 [m]`.
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/units.h"
+#include "compiler/syntax/print_expr.h"
 
 namespace rtac::sema {
 
@@ -55,6 +56,22 @@ bool PropertyChecker::unit_in_brackets(const syntax::Expr& expr, const syntax::I
                       .help("write ` " + name->text + "` behind the number")
                       .replace(brackets, " " + name->text));
   return true;
+}
+
+// `p for 1 s + 1 s` adds to `p for 1 s`.
+ExprPtr PropertyChecker::computed_duration(const syntax::Held& held, const syntax::Binary& sum) {
+  const std::string sign = sum.op == BinaryOp::add        ? " + "
+                           : sum.op == BinaryOp::subtract ? " - "
+                           : sum.op == BinaryOp::multiply ? " * "
+                                                          : " / ";
+  const std::string whole =
+      "(" + syntax::print_expr(*held.duration) + sign + syntax::print_expr(*sum.right) + ")";
+  const SourceRange& duration = held.duration->range;
+  context_.report(Finding(Code::quantity_expected, sum.op_range, "the duration of `for` ends here")
+                      .label("joins a condition to a quantity")
+                      .help("a duration that is computed stands in brackets: `for " + whole + "`")
+                      .replace({duration.file, duration.begin, sum.right->range.end}, whole));
+  return nullptr;
 }
 
 }  // namespace rtac::sema

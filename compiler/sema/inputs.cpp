@@ -70,7 +70,12 @@ std::optional<Quantity> whole(Context& context, const std::optional<Quantity>& n
 std::optional<Range> check_range(Context& context, const syntax::Expr& least,
                                  const syntax::Expr& most, const ValueType& type) {
   if (is_error(least) || is_error(most)) return std::nullopt;
-  auto to = quantity(context, most, {type.dimension, "the largest value"});
+  const bool bare = type.dimension == dims::number;
+  const bool is_vector = type.kind == TypeKind::vector;
+  const std::string name = is_vector ? (type.space ? "vector3" : "vector") : "real";
+  const bool takes_unit = bare && (is_vector || type.kind == TypeKind::real);
+  auto to = quantity(context, most,
+                     {type.dimension, "the largest value", Limit::any, "", takes_unit ? name : ""});
   // Most often one unit goes for both: a mistake in it is not one of the lower end as well.
   if (!to) return std::nullopt;
   auto from = lower_end(context, least, most, {type.dimension, "the least value"});

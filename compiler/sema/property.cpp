@@ -139,7 +139,9 @@ ExprPtr PropertyChecker::not_a_quantity(const syntax::Expr& expr, const std::str
     help = what == "a twist" ? "write one of its components, `.linear` or `.angular`"
                              : "write one of its components, as in `at.position.x` or `at.heading`";
   } else if (what == "a condition") {
-    help = "write a quantity; `count[0 s, 1 s](...)` counts the ticks of a condition";
+    help =
+        "a condition stands alone or behind `not`, without a number; `count[0 s, 1 s](...)` counts "
+        "its ticks";
   } else if (what.rfind("an array", 0) == 0) {
     help = "write one of its elements, as in `a[0]`";
   } else if (what.rfind("a value of", 0) == 0) {

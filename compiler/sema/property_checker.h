@@ -68,6 +68,7 @@ class PropertyChecker {
   Value zones_or_conditions(const syntax::Expr& expr, const syntax::Binary& binary);
   bool unit_with_blanks(const syntax::Binary& binary);
   bool unit_in_brackets(const syntax::Expr& expr, const syntax::Index& index);
+  ExprPtr computed_duration(const syntax::Held& held, const syntax::Binary& sum);
   ExprPtr not_a_quantity(const syntax::Expr& expr, const std::string& what);
   ExprPtr as_quantity(const syntax::Expr& expr, Value value);
   Value choice(const syntax::Expr& expr, const Expr& condition, Value then_value, Value else_value);

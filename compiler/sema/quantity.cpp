@@ -252,6 +252,10 @@ std::optional<Quantity> quantity(Context& context, const syntax::Expr& expr, con
         help = "write `" + show(Rational(1 / measure->value), dims::time) +
                "`, the period of that rate";
       }
+      if (!due.type.empty()) {
+        help = "a type takes its unit in brackets: `" + due.type + " [" +
+               unit_of(measure->dimension) + "]`";
+      }
       // `162 deg` for `162 deg/s`
       const auto* literal = std::get_if<syntax::NumberLit>(&expr.node);
       if (literal != nullptr && literal->unit && measure->dimension / dims::time == due.dimension) {

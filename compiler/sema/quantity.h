@@ -21,6 +21,7 @@ struct Due {
   std::string what;  // "the radius of the body"
   Limit limit = Limit::any;
   std::string works{};  // the help, where the limit alone is not what works
+  std::string type{};   // of the value, where it is one that may have a unit and has none
 };
 
 // A number with its unit. `due` only improves the suggestion for an unknown unit.

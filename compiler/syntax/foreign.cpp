@@ -20,6 +20,7 @@ class Explainer {
     if (report_.code != Code::unexpected_token && report_.code != Code::reserved_word) return;
     if (error_.expects(T::BAD_CLAUSE)) return at_start();
     if (explain_since() || explain_brackets() || explain_signs() || explain_name()) return;
+    if (explain_inside() || explain_not() || explain_duration()) return;
     if (explain_unit() || explain_input()) return;
     if (explain_word(error_.index) || is_clause_start(error_.index)) return;
     if (!explain_word(error_.index - 1)) explain_word(window_owner());
@@ -94,6 +95,42 @@ class Explainer {
     report_.message = "`since` stands between two conditions";
     report_.label = "nothing is in front of it";
     give("write `moving since[0 s, 2 s] started`");
+    return true;
+  }
+
+  // `inside(p, room)`: it is not called either.
+  bool explain_inside() {
+    if (kind(error_.index) != T::INSIDE || !error_.expects(T::BAD_EXPR)) return false;
+    report_.code = Code::unexpected_token;
+    report_.message = "`inside` stands between a place and a zone";
+    report_.label = "nothing is in front of it";
+    give("write `p inside room`");
+    return true;
+  }
+
+  // `p not inside room`, `x not >= 1 m`
+  bool explain_not() {
+    const std::size_t at = error_.index;
+    if (kind(at) != T::NOT || is_clause_start(at)) return false;
+    const TokenKind next = kind_at(at + 1);
+    const bool of_place = next == T::INSIDE || next == T::IN;
+    const bool of_quantity =
+        next == T::LESS || next == T::LESS_EQUAL || next == T::GREATER || next == T::GREATER_EQUAL;
+    if (!of_place && !of_quantity) return false;
+    report_.message = "`not` stands in front of the whole comparison";
+    report_.label = "not between its sides";
+    give(of_place ? "write `not p inside room`" : "write `not x >= 1 m`, or `x < 1 m`");
+    return true;
+  }
+
+  // `p within 1 s + 1 s of q`
+  bool explain_duration() {
+    const TokenKind found = kind(error_.index);
+    const bool computed =
+        found == T::PLUS || found == T::MINUS || found == T::STAR || found == T::SLASH;
+    // `of` may be a name, too, where an operand is due
+    if (!computed || !error_.expects(T::OF) || error_.expects(T::BAD_EXPR)) return false;
+    give("a duration that is computed stands in brackets: `p within (1 s + 1 s) of q`");
     return true;
   }
 

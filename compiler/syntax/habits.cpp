@@ -53,6 +53,8 @@ constexpr Habit kOperators[] = {
     {"before", kFollow},
     {"is", kEqual},
     {"equals", kEqual},
+    {"contains", "the place comes first: write `p inside room`"},
+    {"outside", "write `not p inside room`"},
     {"between", "write both ends: `x >= 0 m and x <= 3 m`"},
 };
 

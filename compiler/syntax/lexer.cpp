@@ -33,7 +33,7 @@ bool is_line_end(std::string_view text) {
 // Characters that mislead a reader are refused in comments and texts too: a safety engineer who
 // reads the page must read what is compiled. True when there is none.
 bool report_hidden(FileId file, std::string_view text, diag::Engine& diagnostics) {
-  bool clean = true;
+  bool clean = true, ends_lines = false;
   for (std::size_t at = 0; at < text.size() && diagnostics.error_count() <= kErrorsMax;) {
     const diag::Character c = diag::read_character(text.substr(at));
     const diag::Look look = diag::look_of(c.code);
@@ -52,7 +52,8 @@ bool report_hidden(FileId file, std::string_view text, diag::Engine& diagnostics
       } else {
         found.fixits.push_back({range, ""});
       }
-      diagnostics.report(std::move(found));
+      // a file that ends its lines with CR has one mistake, not one a line
+      if (c.code != '\r' || !std::exchange(ends_lines, true)) diagnostics.report(std::move(found));
       clean = false;
     }
     at += c.bytes;

@@ -76,6 +76,8 @@ class Repairer {
     if (!edit || doubtful) return drop_clause(error.index);
     const std::size_t at = edit_index(error.index, *edit);
     if (edit->kind != EditKind::insert) lose(at, at + 1);
+    // `input float x`: what looks like a type may be the name
+    if (edit->kind == EditKind::insert && edit->token == T::COLON) lose(error.index, at + 2);
     // a name that is missing may be any that is used
     loss_.rest = loss_.rest || (edit->kind == EditKind::insert && edit->token == T::IDENT);
     tokens_ = apply_edit(std::move(tokens_), error.index, *edit);

@@ -32,6 +32,10 @@ TEST(HiddenCharacters, ThatOnlyAnEditorTakesForTheEndOfALineAreRefused) {
   }
 }
 
+TEST(HiddenCharacters, AtTheEndOfEveryLineAreOneMistake) {
+  EXPECT_EQ(Parsed{"zone a = b;\rzone c = d;\rzone e = f;\r"}.codes(), std::vector<int>{hidden});
+}
+
 TEST(HiddenCharacters, OfLineEndsAndTabsAreText) {
   EXPECT_EQ(Parsed{"zone a = b;\r\n\tzone c = d; // x\r\n"}.messages(), "");
 }
