@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <ostream>
 #include <utility>
+#include <vector>
 
 #include "compiler/analysis/derive.h"
+#include "compiler/analysis/zones.h"
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
 #include "compiler/ir/printer.h"
@@ -98,8 +100,13 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   }
   if (!c.spec) return;
   if (options.dump_spec) out << sema::dump(*c.spec);
-  // The interpreter shares nothing with what follows.
-  if (options.command == Command::replay && options.engine == EngineKind::interp) return;
+  // The interpreter shares nothing with what follows. A zone that is none it would take for
+  // unknown.
+  if (options.command == Command::replay && options.engine == EngineKind::interp) {
+    const std::vector<analysis::ZoneUse> of_none(c.spec->zones.size());
+    analysis::evaluate_zones(*c.spec, of_none, c.diagnostics);
+    return;
+  }
   // What is refused because it cannot work is told in full there, and played again.
   const bool played = options.command == Command::sim && !options.recorded.empty();
   const auto finding = options.command == Command::verify || played ? analysis::Finding::is_told

@@ -49,6 +49,21 @@ class ReplayBy : public Replay, public ::testing::WithParamInterface<std::string
   }
 };
 
+// A fence that is none is told, not taken for unknown in every tick.
+TEST_P(ReplayBy, FaultyZonesAreRefused) {
+  const std::string bow = "polygon [(0 m, 0 m), (5 m, 5 m), (5 m, 0 m), (0 m, 5 m)]";
+  const std::string none = "circle (0 m, 0 m) radius 1 m & circle (9 m, 9 m) radius 1 m";
+  write("walk.csv", "time,p.x,p.y\n0,1,1\n");
+  for (const auto& [zone, code] : {std::pair(bow, "error[4001]"), std::pair(none, "error[4007]")}) {
+    write("walk.rta", "spec walk;\nperiod 1 s;\ninput p : point in -9 .. 9 m;\nzone fence = " +
+                          zone + ";\nmonitor in { \"R1: in\" always p inside fence; }\n");
+    const Outcome o = replay({"walk.rta", "walk.csv"});
+    EXPECT_EQ(o.status, 1);
+    EXPECT_EQ(o.out, "");
+    EXPECT_NE(o.err.find(code), std::string::npos) << o.err;
+  }
+}
+
 // One line a tick that a row stands for; the margin is that of the deciding atom in its own unit.
 TEST_P(ReplayBy, FindingsOfEveryTick) {
   const Outcome o = replay({"door.rta", "ride.csv"});
