@@ -19,8 +19,8 @@ class Explainer {
   void run() {
     if (report_.code != Code::unexpected_token && report_.code != Code::reserved_word) return;
     if (error_.expects(T::BAD_CLAUSE)) return at_start();
+    if (explain_import() || explain_inside() || explain_not() || explain_duration()) return;
     if (explain_since() || explain_brackets() || explain_signs() || explain_name()) return;
-    if (explain_inside() || explain_not() || explain_duration()) return;
     if (explain_unit() || explain_input()) return;
     if (explain_word(error_.index) || is_clause_start(error_.index)) return;
     if (!explain_word(error_.index - 1)) explain_word(window_owner());
@@ -120,6 +120,22 @@ class Explainer {
     report_.message = "`not` stands in front of the whole comparison";
     report_.label = "not between its sides";
     give(of_place ? "write `not p inside room`" : "write `not x >= 1 m`, or `x < 1 m`");
+    return true;
+  }
+
+  // `zone a = import(a.geojson)`, `zone a = "a.geojson"`
+  bool explain_import() {
+    const std::size_t at = error_.index;
+    if (at > 0 && kind(at - 1) == T::IMPORT && !is_clause_start(at - 1)) {
+      give("the path stands in quotes, without brackets: `import \"field.geojson\"`");
+      return true;
+    }
+    const bool of_zone = at > 2 && kind(at) == T::STRING && kind(at - 1) == T::ASSIGN &&
+                         kind(at - 3) == T::ZONE && error_.expects(T::BAD_EXPR);
+    if (!of_zone) return false;
+    const std::string path{text(at)};
+    give("a file of zones is read by `import " + path + "`",
+         {{tokens_[at].range, "import " + path}});
     return true;
   }
 

@@ -266,7 +266,25 @@ class ProgramParser {
                          {}});
   }
 
+  // `import "field.geojson";` instead of `zone field = import "field.geojson";`
+  bool report_zones(const Text& import) {
+    static const std::set<std::string> endings{".geojson", ".json", ".wkt",
+                                               ".kml",     ".plan", ".waypoints"};
+    const std::filesystem::path path{import.text};
+    if (endings.count(path.extension().string()) == 0) return false;
+    program_.import_failed = true;
+    diagnostics_.report({Code::unexpected_token,
+                         import.range,
+                         quote(import.text, kPathBytesMax) + " is a file of zones, not of items",
+                         "has no name here",
+                         {},
+                         "declare a zone of it: `zone field = import \"" + import.text + "\";`",
+                         {}});
+    return true;
+  }
+
   void follow(const Text& import, FileId importer) {
+    if (report_zones(import)) return;
     const std::string path = path_from(importer, import.text);
     const std::string id = identity(path);
     if (std::any_of(open_.begin(), open_.end(),
