@@ -16,16 +16,24 @@ class HeightFinder {
   bool of(const syntax::Expr& expr) {
     return std::visit([&](const auto& node) { return zone(node); }, expr.node);
   }
+  [[nodiscard]] bool is_open() const { return is_open_; }
 
  private:
   bool zone(const syntax::PrismLit&) { return true; }
-  bool zone(const syntax::RectangleLit& box) { return is_high(*box.from) || is_high(*box.to); }
+  bool zone(const syntax::RectangleLit& box) {
+    const bool from = is_high(*box.from), to = is_high(*box.to);
+    is_open_ = is_open_ || from != to;
+    return from || to;
+  }
   bool zone(const syntax::ImportLit& file) {
     return std::ranges::any_of(file.options, [](const syntax::ImportOption& option) {
       return option.word == syntax::ImportWord::heights;
     });
   }
-  bool zone(const syntax::Binary& joined) { return of(*joined.left) || of(*joined.right); }
+  bool zone(const syntax::Binary& joined) {
+    const bool left = of(*joined.left);
+    return of(*joined.right) || left;
+  }
   bool zone(const syntax::Call& call) {
     return is_zone_function(call.callee.text) && !call.arguments.empty() &&
            of(*call.arguments.front());
@@ -47,6 +55,7 @@ class HeightFinder {
   }
 
   const Context& context_;
+  bool is_open_ = false;             // a box has a corner in the plane and one in space
   std::set<std::uint32_t> visited_;  // names may lead to themselves, which is reported elsewhere
 };
 
@@ -66,8 +75,15 @@ bool has_height(const Context& context, const syntax::Expr& expr) {
   return HeightFinder(context).of(expr);
 }
 
+bool height_is_open(const Context& context, const syntax::Expr& expr) {
+  HeightFinder finder(context);
+  finder.of(expr);
+  return finder.is_open();
+}
+
 bool lies_in_plane(Context& context, const syntax::Expr& expr, const std::string& due) {
   if (!has_height(context, expr)) return true;
+  if (height_is_open(context, expr)) return false;
   report_height(context, expr.range, called(expr), due);
   return false;
 }
@@ -87,6 +103,7 @@ bool heights_agree(Context& context, const syntax::Binary& joined) {
   if (left == right) return true;
   const syntax::Expr& flat = left ? *joined.right : *joined.left;
   const syntax::Expr& tall = left ? *joined.left : *joined.right;
+  if (height_is_open(context, tall)) return false;
   const auto* name = std::get_if<syntax::NameRef>(&flat.node);
   const std::string base = name != nullptr ? name->name.text : "...";
   context.report(

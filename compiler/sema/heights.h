@@ -11,6 +11,9 @@ namespace rtac::sema {
 // Whether the zone that is written has height; names are followed, whether they were checked or
 // not.
 bool has_height(const Context& context, const syntax::Expr& expr);
+// A box in it has a corner in the plane and one in space, which is told there: nothing else is said
+// about its height.
+bool height_is_open(const Context& context, const syntax::Expr& expr);
 
 // Whether a zone may be one with height.
 enum class Height { refused, allowed };

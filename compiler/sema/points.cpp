@@ -1,5 +1,6 @@
 // What a monitor without a robot says about places: a point or the body of a robot lies in a zone,
 // and how far from its boundary.
+#include "compiler/sema/heights.h"
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/zones.h"
 
@@ -69,6 +70,7 @@ std::optional<ZoneId> PropertyChecker::zone_around(const Pair& place, const synt
   const Change change = scope_.of_robot() ? Change::refused : Change::allowed;
   const auto id = zone_in_property(context_, zone, frame, change, Height::allowed);
   if (!id || has_height(context_, zone) == (place.z != nullptr)) return id;
+  if (height_is_open(context_, zone)) return std::nullopt;
   Finding finding(Code::spaces_differ, zone.range,
                   place.z ? "a point of space is held against a zone of the plane"
                           : "a place in the plane is held against a zone with height");

@@ -443,10 +443,11 @@ constexpr const char* robots_are = "a robot";
 
 bool lies_in_plane(Context& context, const syntax::Name& name, ZoneId id) {
   const std::uint32_t index = index_of(id);
-  const bool tall = index < context.zones.size()
-                        ? has_height(context, *context.zones[index].node->value)
-                        : context.spec[id].has_height;
+  const bool is_written = index < context.zones.size();
+  const bool tall = is_written ? has_height(context, *context.zones[index].node->value)
+                               : context.spec[id].has_height;
   if (!tall) return true;
+  if (is_written && height_is_open(context, *context.zones[index].node->value)) return false;
   report_height(context, name.range, "`" + name.text + "`", robots_are);
   return false;
 }
