@@ -422,6 +422,7 @@ class Deriver {
     d.open_fleet = kind.open_fleet;
     d.plan_capacity = kind.plan ? kind.plan->capacity : 0;
     d.body = body_of(kind, d.period_us, from.on_plan ? 0 : jitter_us(spec_, from, d.period_us));
+    keep_off_walls(spec_, from, kind, d);
     d.standing_mm = standing_mm(d.body, d.period_us);
     if (kind.energy) {
       const auto& e = *kind.energy;
@@ -567,6 +568,7 @@ class Deriver {
       if (!own) continue;
       speed = std::max(speed, *own);
       if (*own < least) report_no_way(decision, c, *own, least);
+      if (!turns_end(kind, *own, period_us)) report_no_end_of_turns(decision, c, *own);
     }
     return recovery_motion(kind, c.name, speed, period_us);
   }
@@ -615,6 +617,26 @@ class Deriver {
                              ? "no speed up to that of the robot works, nor one other number alone"
                              : joined(works) + " works",
                          {}});
+  }
+
+  void report_no_end_of_turns(const sema::Decision& decision, const sema::Controller& c,
+                              const Rational& own) {
+    const sema::RobotKind& kind = spec_[decision.kind];
+    const auto errs = [](const std::string& of, const sema::Sense& sense, const char* unit) {
+      return diag::Note{sense.error.range, "its " + of + " errs by up to " +
+                                               to_decimal(sense.error.value) + " " + unit};
+    };
+    const auto works = repairs(spec_, decision, [&](const Trial& t) {
+      return turns_end(t.kind, own, t.decision.period_us);
+    });
+    diagnostics_.report(
+        {Code::limit_contradictory,
+         c.name_range,
+         "`" + c.name + "` may turn in place for ever",
+         "it drives once it is seen to head for its way",
+         {errs("heading", *kind.heading, "rad"), errs("position", *kind.position, "m")},
+         works.empty() ? "no other number alone works" : joined(works) + " works",
+         {}});
   }
 
   // A sample of the battery is of use only with a bound on how fast it runs down.

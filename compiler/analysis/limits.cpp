@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/travel.h"
+#include "compiler/sema/templates.h"
 
 namespace rtac::analysis {
 namespace {
@@ -158,6 +159,23 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
   }
   if (!b.in_space) b.end_reach_mm = end_reach_mm(kind, period_us);
   return b;
+}
+
+// A recovery may be led along a wall as near as it has come to rest there: its legs lose none of
+// that clearance, which what steering leaves beside them would take. By its least they come nowhere
+// near a wall with what the tube of the brake has to spare.
+void keep_off_walls(const sema::Spec& spec, const sema::Decision& from, const sema::RobotKind& kind,
+                    ir::Decision& d) {
+  if (kind.in_space || from.on_plan) return;
+  for (const sema::MonitorId id : from.priority) {
+    if (!spec[id].recover) continue;
+    for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
+      const auto speed = sema::speed_of(what);
+      if (!speed) continue;
+      const std::int64_t more_mm = beside_mm(kind, *speed, d.period_us) - beside_least_mm;
+      d.body.hold_mm = std::max(d.body.hold_mm, more_mm + hold_slack_mm);
+    }
+  }
 }
 
 ir::Motion any_control(const sema::RobotKind& kind) {

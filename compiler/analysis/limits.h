@@ -10,6 +10,9 @@ namespace rtac::analysis {
 // `period_us`: of the decision; it is the sampling period of the brake. `jitter_us`: how much later
 // than due a step may come.
 ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64_t jitter_us = 0);
+// The body of `d` rests so far from walls that the recoveries of `from` may be led along them.
+void keep_off_walls(const sema::Spec& spec, const sema::Decision& from, const sema::RobotKind& kind,
+                    ir::Decision& d);
 ir::Motion any_control(const sema::RobotKind& kind);
 // Limits while the named recovery drives at most at `speed`; what pushes the robot may make it
 // faster.

@@ -29,7 +29,7 @@ sema::Quantity* in(std::optional<sema::Quantity>& q) {
   return q ? &*q : nullptr;
 }
 
-// Everything that the clearance depends on at which control can be given back.
+// Everything that the clearance depends on at which control can be given back, or a way.
 std::vector<Number> numbers() {
   using Kind = sema::RobotKind;
   using Of = std::function<sema::Quantity*(Kind&, sema::Decision&)>;
@@ -49,12 +49,14 @@ std::vector<Number> numbers() {
       {"a `latency`", "ms", 1000, 1000, 1, false, own(&Kind::latency)},
       {"a `max_age` of the position", "ms", 1000, 1000, 1, false, sensed(&Kind::position, true)},
       {"a `max_age` of the velocity", "ms", 1000, 1000, 1, false, sensed(&Kind::velocity, true)},
+      {"a `max_age` of the heading", "ms", 1000, 1000, 1, false, sensed(&Kind::heading, true)},
       {"a `period`", "ms", 1000, 1000, 1, false,
        [](Kind&, sema::Decision& d) { return in(d.period); }},
       {"a `jitter`", "ms", 1000, 1000, 1, false,
        [](Kind&, sema::Decision& d) { return in(d.jitter); }},
       {"an `error` of the position", "m", 1000, 1, 1, false, sensed(&Kind::position, false)},
       {"an `error` of the velocity", "m/s", 1000, 1, 1, false, sensed(&Kind::velocity, false)},
+      {"an `error` of the heading", "rad", 1000, 1, 1, false, sensed(&Kind::heading, false)},
       {"a `brake`", "m/s^2", 1000, 1, 1, true, motion(&sema::Motion::brake)},
       {"an `accel`", "m/s^2", 1000, 1, 1, false, motion(&sema::Motion::accel)},
       {"a `speed`", "m/s", 1000, 1, 1, false, motion(&sema::Motion::speed)},
@@ -94,6 +96,7 @@ Trial trial_of(const sema::Spec& spec, const sema::RobotKind& kind, const sema::
   d.period_us = ceil_to_int(decision.period->value * 1'000'000);
   d.return_extra_us = return_extra_us(spec, decision, d.period_us);
   d.body = body_of(kind, d.period_us, jitter_us(spec, decision, d.period_us, most_us));
+  keep_off_walls(spec, decision, kind, d);
   d.pushed_mmps = ceil_to_int(Rational(pushed_speed(kind, d.period_us) * 1000));
   d.motions.push_back(any_control(kind));
   for (const sema::MonitorId id : decision.priority) {

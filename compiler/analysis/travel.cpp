@@ -134,6 +134,42 @@ Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us) {
   return errs + pushed_speed(kind, period_us);
 }
 
+// Wheels turn in place until they are seen to be off by less than turn_end, and again from
+// turn_begin on. A heading that errs by turn_end may be seen off by as much on either side of where
+// the turn would end. An error of the place turns the direction that they are to head for, too:
+// when the two together change sides just after a turn has ended, no new one may begin.
+bool turns_end(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us) {
+  if (!kind.motion.turn || !kind.heading || !kind.position) return true;
+  const Rational end(pace::turn_end_mrad, 1000), begin(pace::turn_begin_mrad, 1000);
+  const Rational heading = kind.heading->error.value;
+  const Rational aside = kind.position->error.value / aim_ahead(kind, speed, seconds_of(period_us));
+  return heading < end && 2 * (heading + aside) < begin + end;
+}
+
+// What is left of a turn in place when wheels set out. A turn rate that runs down more slowly than
+// the gain asks for carries them past the end of the turn; where that is past the beginning of
+// another one, they turn again.
+Rational left_of_turn(const sema::RobotKind& kind, const Rational& period) {
+  const Rational end(pace::turn_end_mrad, 1000), begin(pace::turn_begin_mrad, 1000);
+  const Rational most = std::min(kind.motion.turn->value, Rational(pace::turn_max_mradps, 1000));
+  const Rational gain = turn_gain(kind, period);
+  if (!kind.motion.turn_accel || kind.motion.turn_accel->value >= gain * most) return end;
+  const Rational slows = kind.motion.turn_accel->value;
+  const Rational squared = most * most - 2 * slows * (most / gain - end);
+  const Rational late = kind.latency.value + period + seconds_of(kind.heading);
+  const Rational past = squared / (2 * slows) + most * late - end;
+  return std::clamp(past, end, Rational(begin + end));
+}
+
+// How far beside its leg what pushes a point mass brings it before its correction settles. While it
+// speeds up, that is left with a part of what it steers with only.
+Rational pushed_beside(const sema::RobotKind& kind, const Rational& speed, const Rational& period) {
+  const Rational pushes = disturbance_of(kind);
+  const Rational steers = std::min(kind.motion.accel.value, kind.motion.brake.value) - pushes;
+  if (pushes <= 0 || steers <= 0) return 0;  // reported
+  return Rational(3, 2) * pushes * std::max(settling(kind, period), Rational(speed / steers));
+}
+
 // A point mass settles where its correction makes up for the errors of its place and its velocity
 // and for the speed that it is pushed with; half of what pushes more until then. Wheels set out
 // with what is left of their turn, which leads aside by 0.65 of it times how far ahead they aim; an
@@ -141,21 +177,20 @@ Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us) {
 // errors of the place that change at the worst rate by half of what they are more than those that
 // last.
 std::int64_t beside_mm(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us) {
-  constexpr std::int64_t least_mm = 50;  // the tests of the pilots hold it
   const Rational period = seconds_of(period_us);
-  const Rational pushed = Rational(3, 2) * pushed_speed(kind, period_us);
   const Rational place = kind.position ? kind.position->error.value : Rational(0);
-  Rational settled, gain(1);
+  Rational settled, pushed = Rational(3, 2) * pushed_speed(kind, period_us);
   if (kind.motion.turn) {
     const Rational heading = kind.heading ? kind.heading->error.value : Rational(0);
-    const Rational left(65 * pace::turn_end_mrad, 100'000);
+    const Rational left = Rational(65, 100) * left_of_turn(kind, period);
     settled = aim_ahead(kind, speed, period) * (left + Rational(6, 5) * heading) + place / 2;
   } else if (!kind.in_space) {
-    gain = lateral_gain(kind, period);
+    const Rational gain = lateral_gain(kind, period);
     settled = place + (kind.velocity ? kind.velocity->error.value : Rational(0)) / gain;
+    pushed = pushed_beside(kind, speed, period) / gain;
   }
-  return std::max(least_mm, ceil_to_int(Rational(settled * 1000))) +
-         ceil_to_int(Rational(pushed / gain * 1000));
+  return std::max(beside_least_mm, ceil_to_int(Rational(settled * 1000))) +
+         ceil_to_int(Rational(pushed * 1000));
 }
 
 // stand_off_m of the pilots: in their steps, in doubles, and a little more.

@@ -18,6 +18,7 @@ struct Late {
   std::int64_t position_age_ms, other_age_ms;  // of the velocity or the heading
   double push = 0;                             // m/s^2
   std::int64_t period_ms = 50, latency_ms = 50;
+  double accel = 2, turn_accel = 10;  // m/s^2, rad/s^2
 };
 
 sema::Quantity milli_si(double value) {
@@ -27,17 +28,17 @@ sema::Sense late_sense(double error, std::int64_t age_ms) {
   return {milli_si(error), milli_si(1e-3 * static_cast<double>(age_ms))};
 }
 
-constexpr double accel_mps2 = 2, turn_radps = 2, turn_accel_radps2 = 10;
+constexpr double turn_radps = 2;
 
 sema::RobotKind late_kind(const Late& c, bool wheels) {
   sema::RobotKind k;
   k.radius = milli_si(0.1);
   k.motion.model = wheels ? sema::MotionModel::unicycle : sema::MotionModel::point;
-  k.motion.speed = milli_si(c.speed), k.motion.accel = k.motion.brake = milli_si(accel_mps2);
+  k.motion.speed = milli_si(c.speed), k.motion.accel = k.motion.brake = milli_si(c.accel);
   k.position = late_sense(c.position_error, c.position_age_ms);
   k.latency = milli_si(1e-3 * static_cast<double>(c.latency_ms));
   if (wheels) {
-    k.motion.turn = milli_si(turn_radps), k.motion.turn_accel = milli_si(turn_accel_radps2);
+    k.motion.turn = milli_si(turn_radps), k.motion.turn_accel = milli_si(c.turn_accel);
     k.heading = late_sense(c.other_error, c.other_age_ms);
     k.velocity = late_sense(0.01, 50);
   } else {
@@ -50,13 +51,13 @@ sema::RobotKind late_kind(const Late& c, bool wheels) {
 safe::Setting late_setting(const Late& c, bool wheels) {
   safe::Setting s;
   RobotLimits& l = s.limits;
-  l.speed_mps = c.speed, l.accel_mps2 = l.brake_mps2 = accel_mps2;
+  l.speed_mps = c.speed, l.accel_mps2 = l.brake_mps2 = c.accel;
   l.position_error_m = c.position_error, l.position_age_us = 1000 * c.position_age_ms;
   l.latency_us = 1000 * c.latency_ms;
   l.velocity_error_mps = wheels ? 0.01 : c.other_error;
   l.velocity_age_us = wheels ? 50'000 : 1000 * c.other_age_ms;
   if (wheels) {
-    l.unicycle = true, l.turn_radps = turn_radps, l.turn_accel_radps2 = turn_accel_radps2;
+    l.unicycle = true, l.turn_radps = turn_radps, l.turn_accel_radps2 = c.turn_accel;
     l.heading_error_rad = c.other_error, l.heading_age_us = 1000 * c.other_age_ms;
   } else {
     l.disturbance_mps2 = c.push;
@@ -69,8 +70,9 @@ struct State {
   double x = 0, y = 0, heading = 0, vx = 0, vy = 0, speed = 0, turn = 0;
 };
 
-// Sides that the errors of the place and the other measurement are on: they last, change every
-// `half_s` together or against each other, or show the robot nearer to its leg than it is.
+// Sides that the errors of the place and the other measurement are on: they last, on one side or
+// against each other, change every `half_s` in the same ways, or show the robot nearer to its leg
+// than it is.
 struct Errors {
   int kind;
   double half_s;
@@ -80,19 +82,20 @@ std::pair<double, double> sides(const Errors& e, double t_s, double beside_m) {
   if (e.kind == 0) return {1, 1};
   if (e.kind == 1) return {swings, swings};
   if (e.kind == 2) return {swings, -swings};
+  if (e.kind == 4) return {1, -1};
   return beside_m > 0 ? std::pair{-1.0, -1.0} : std::pair{1.0, 1.0};
 }
 
-void act(const Acceleration& out, double push_mps2, double dt, State& s) {
-  s.vx += out.value_mps2.x * dt, s.vy += (out.value_mps2.y + push_mps2) * dt;
+void act(const Acceleration& out, const Late& c, double side, double dt, State& s) {
+  s.vx += out.value_mps2.x * dt, s.vy += (out.value_mps2.y + side * c.push) * dt;
   s.x += s.vx * dt, s.y += s.vy * dt;
 }
-void act(const Twist& out, double, double dt, State& s) {
+void act(const Twist& out, const Late& c, double, double dt, State& s) {
   const auto slew = [&](double& value, double target, double rate) {
     value += std::clamp(target - value, -rate * dt, rate * dt);
   };
-  slew(s.speed, out.speed_mps, accel_mps2);
-  slew(s.turn, out.turn_radps, turn_accel_radps2);
+  slew(s.speed, out.speed_mps, c.accel);
+  slew(s.turn, out.turn_radps, c.turn_accel);
   s.heading += s.turn * dt;
   s.vx = s.speed * std::cos(s.heading), s.vy = s.speed * std::sin(s.heading);
   s.x += s.vx * dt, s.y += s.vy * dt;
@@ -143,7 +146,7 @@ double farthest_m(const Late& c, const Errors& errors) {
       acting = coming.front().second;
       coming.pop_front();
     }
-    act(acting, b * c.push, 1e-3, now);
+    act(acting, c, b, 1e-3, now);
     farthest = std::max(farthest, std::fabs(now.y - leg_y));
   }
   EXPECT_GT(now.x, 1) << "it does not drive";
@@ -157,7 +160,7 @@ void keeps(const Late& c) {
   const auto beside = static_cast<double>(
       beside_mm(late_kind(c, wheels), milli_si(c.speed).value, 1000 * c.period_ms));
   double worst = 0;
-  for (const int kind : {0, 1, 2, 3}) {
+  for (const int kind : {0, 1, 2, 3, 4}) {
     for (double half_s = 0.4; half_s < 25; half_s *= kind == 1 || kind == 2 ? 1.4 : 100) {
       worst = std::max(worst, farthest_m<Output>(c, {kind, half_s}));
     }
@@ -191,6 +194,27 @@ TEST(Beside, PointMassesKeepToTheirLegHoweverLateTheySee) {
            Late{0.5, 0.05, 0.05, 900, 900},
            Late{1, 0.1, 0.05, 2'000, 100, 0.1},
            Late{1, 0.05, 0.02, 1'000, 2'000},
+       }) {
+    keeps<Acceleration>(c);
+  }
+}
+
+// They pass the end of a turn by half a radian, and swing about their leg.
+TEST(Beside, WheelsMayTurnSluggishly) {
+  for (const Late& c : {
+           Late{0.782, 0.006, 0.019, 1'000, 50, 0, 5, 10, 2.904, 0.32},
+           Late{0.729, 0.001, 0.018, 300, 20, 0, 50, 100, 1.081, 0.68},
+           Late{0.624, 0.038, 0.01, 300, 20, 0, 100, 300, 0.936, 0.94},
+       }) {
+    keeps<Twist>(c);
+  }
+}
+
+// While it speeds up for nine seconds there is little left to steer with against what pushes.
+TEST(Beside, PointMassesMaySpeedUpSlowly) {
+  for (const Late& c : {
+           Late{3.863, 0.004, 0.008, 1, 50, 0.043, 50, 10, 0.437},
+           Late{2.653, 0.007, 0.012, 1'000, 20, 0.05, 10, 100, 0.522},
        }) {
     keeps<Acceleration>(c);
   }

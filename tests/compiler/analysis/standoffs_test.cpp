@@ -83,6 +83,40 @@ TEST(Standoffs, OfAnotherBoundaryAreNotKept) {
   EXPECT_FALSE(near->module);
 }
 
+// Beside a wall a leg may run along it, and lose nothing but what steering leaves beside it: who
+// turns sluggishly, or by a heading that is old, swung into it from where it had come to rest.
+TEST(Standoffs, OfWhereItRestsLeaveRoomToSteerAlongAWall) {
+  const std::string cart = R"(spec cart;
+zone hall = rectangle (0 m, 0 m) to (12 m, 12 m);
+robot Cart {
+  body     radius 15 cm;
+  motion   unicycle { speed <= 0.8 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 8 rad/s^2; }
+  sense    position : point   error 2 cm    max_age 60 ms;
+  sense    heading  : angle   error 5 deg   max_age 60 ms;
+  sense    velocity : vector  error 2 cm/s  max_age 40 ms;
+  output   drive : twist;
+  latency  30 ms;
+}
+fleet cart : Cart;
+controller work : advanced for Cart extern;
+controller back : safe for Cart = retreat within hall speed 0.2 m/s;
+monitor walls for r : Cart { "S-1: in" always r inside hall; recover back; }
+decision move for Cart { advanced work; period 50 ms; priority walls; }
+)";
+  const auto plain = compiled(cart);
+  ASSERT_TRUE(plain->module) << reports(*plain);
+  EXPECT_EQ(guard(*plain).motions[1].beside_mm, 50);
+  EXPECT_EQ(guard(*plain).body.hold_mm, 10);
+  for (const auto& [written, worse] : {std::pair{"turn_accel <= 8", "turn_accel <= 0.5"},
+                                       std::pair{"5 deg   max_age 60 ms", "5 deg max_age 2 s"}}) {
+    const auto c = compiled(edited(cart, written, worse));
+    ASSERT_TRUE(c->module) << worse << "\n" << reports(*c);
+    const std::int64_t beside_mm = guard(*c).motions[1].beside_mm;
+    EXPECT_GT(beside_mm, 70) << worse;
+    EXPECT_EQ(guard(*c).body.hold_mm, beside_mm - 40) << worse;
+  }
+}
+
 TEST(Standoffs, OfASeparationCountInEveryWayOfWritingIt) {
   const std::string atom = "distance(r, q) >= 20 cm;";
   const auto plain = compiled(probe());

@@ -31,7 +31,7 @@ class System {
   // fails a fence; and the distance at which robots pass.
   static constexpr double return_clearance_m = 1.181;
   static constexpr double cruise_clearance_m = 2.381;
-  static constexpr double pass_gap_m = 3.539;
+  static constexpr double pass_gap_m = 3.551;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"s1", "s2"};
@@ -55,7 +55,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : flit(self), wait(setting(0.3, hall_zone(), 0.847, 1.181, 3.539)), turn_in(setting(0.3, hall_zone(), 0.847, 1.181, 3.539)) {}
+        : flit(self), wait(setting(0.3, hall_zone(), 0.859, 1.181, 3.551)), turn_in(setting(0.3, hall_zone(), 0.859, 1.181, 3.551)) {}
     Flit flit;
     rtac::safe::Yield<rtac::Acceleration> wait;
     rtac::safe::Retreat<rtac::Acceleration> turn_in;
