@@ -1,6 +1,7 @@
 #include "compiler/analysis/speed_limits.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -91,16 +92,18 @@ class Limits {
     if (!bound || bound->leaf.kind != ir::Leaf::Kind::speed) return std::nullopt;
     return Limit{&block_[id], bound->most};
   }
-  // The first one below; none: the value is none of the speed.
-  [[nodiscard]] std::optional<Limit> first(ir::ValueId id) const {
+  // The first one below that does not allow `mmps`; none: the value is none of the speed.
+  [[nodiscard]] std::optional<Limit> first(
+      ir::ValueId id, std::int64_t mmps = std::numeric_limits<std::int64_t>::max()) const {
     const ir::Op& op = block_[id].op;
     const auto either = [&](ir::ValueId a, ir::ValueId b) {
-      const auto left = first(a);
-      return left ? left : first(b);
+      const auto left = first(a, mmps);
+      return left ? left : first(b, mmps);
     };
     if (const auto* v = std::get_if<ir::And>(&op)) return either(v->a, v->b);
     if (const auto* v = std::get_if<ir::Or>(&op)) return either(v->a, v->b);
-    return limit(id);
+    const auto own = limit(id);
+    return own && own->most_mmps < mmps ? own : std::nullopt;
   }
 
   void look(ir::ValueId id) {
@@ -115,7 +118,8 @@ class Limits {
     for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
       const std::string& name = decision_.monitors[k].recovery.name;
       if (keeps(k, id) || ir::acknowledged(decision_, name, monitor_.name)) continue;
-      report_too_fast(*limit, k, std::holds_alternative<ir::Or>(block_[id].op));
+      const auto exceeded = first(id, fastest_while_driving(decision_, k));
+      report_too_fast(exceeded.value_or(*limit), k, std::holds_alternative<ir::Or>(block_[id].op));
     }
   }
   // Whether some place or other lets control return, as far as speeds are concerned.
@@ -145,9 +149,26 @@ class Limits {
     const auto steps = ir::steps_of(decision_.monitors[k].recovery);
     return std::all_of(steps.begin(), steps.end(), inside);
   }
+  // No limit is exceeded, and what else counts are zones and what the robot is told: where the
+  // recovery may move is not about its speed (5016, 6005).
+  [[nodiscard]] bool is_of_zones(std::size_t k, ir::ValueId id) const {
+    const ir::Op& op = block_[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      return is_of_zones(k, v->a) && is_of_zones(k, v->b);
+    }
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      return is_of_zones(k, v->a) && is_of_zones(k, v->b);
+    }
+    if (const auto own = limit(id)) return fastest_while_driving(decision_, k) <= own->most_mmps;
+    const auto* compare = std::get_if<ir::AtLeast>(&op);
+    if (compare == nullptr) return told(block_, id);
+    const auto bound = ir::lower_bound(block_, *compare, decision_.facts.params);
+    return bound && bound->leaf.kind == ir::Leaf::Kind::clearance;
+  }
   // Of a limit that counts while the robot is told so, others than the monitor's own recovery are a
   // matter of who takes over (6005).
   [[nodiscard]] bool keeps(std::size_t k, ir::ValueId id) const {
+    if (is_of_zones(k, id)) return true;
     const Pace found = pace(k, id);
     if (found != Pace::while_told) return found != Pace::broken;
     return decision_.monitors[k].recovery.name != monitor_.recovery.name;

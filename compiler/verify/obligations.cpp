@@ -176,6 +176,26 @@ std::optional<Kind> refuted_by(Code code) {
   }
 }
 
+// A recovery that moves elsewhere leads to where its own zone has room, which says nothing of what
+// else its monitor asks for: that it leads to where control is given back is no proof any more, and
+// a run may show that it does not.
+void doubt_return(const sema::Spec& spec, const Obligation& elsewhere,
+                  std::vector<Obligation>& all) {
+  const auto back = std::ranges::find_if(all, [&](const Obligation& o) {
+    return o.kind == Kind::p2b && o.monitor == elsewhere.monitor;
+  });
+  const auto m = std::ranges::find(spec.monitors, elsewhere.monitor, &sema::Monitor::name);
+  if (back == all.end() || m == spec.monitors.end() || !m->recover) return;
+  if (back->status != Status::proved && back->status != Status::unknown) return;
+  back->status = Status::refuted;
+  back->by_a_run = true;
+  back->method = elsewhere.method;
+  back->because = "`" + spec[*m->recover].name + "` need not lead to where `" + elsewhere.monitor +
+                  "` gives control back";
+  back->repair = elsewhere.repair;
+  back->claims.clear();
+}
+
 // By the place of the report: the monitor or the decision around it.
 void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, Report& report) {
   Obligation o;
@@ -203,6 +223,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   const auto same = std::find_if(all.begin(), all.end(), [&](const Obligation& other) {
     return other.kind == kind && other.monitor == o.monitor;
   });
+  if (d.code == Code::recovery_elsewhere) doubt_return(spec, o, all);
   if (same != all.end()) {
     *same = std::move(o);
   } else {

@@ -71,7 +71,7 @@ bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, std::
   if (atoms.received) return false;
   if (!atoms.clearance && !atoms.altitude) return true;
   const ir::Recovery& last = ir::last_step(s.decision.monitors[i].recovery);
-  if (last.kind != ir::RecoveryKind::retreat && last.kind != ir::RecoveryKind::route) return false;
+  if (!ir::goes_back(last.kind) && last.kind != ir::RecoveryKind::route) return false;
   if (!leads || (atoms.altitude && !keeps_heights(s, last, m))) return false;
   return std::all_of(m.property.values.begin(), m.property.values.end(),
                      [](const ir::Value& v) {

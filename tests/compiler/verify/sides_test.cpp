@@ -128,6 +128,19 @@ TEST_F(Sides, AnotherRecoveryThatIsSlowKeepsIt) {
   EXPECT_EQ(verified(edited(text, "hall speed 0.2 m/s", "hall speed 0.7 m/s")).status,
             exit_violation);
 }
+// Beside zones, a limit that the recovery keeps everywhere refutes nothing: where it may move is
+// what is not shown.
+TEST_F(Sides, ALimitThatIsKeptBesideAZoneIsNoMatterOfSpeed) {
+  const std::string either =
+      "always (r inside west and r.speed <= 0.9 m/s) or (r inside east and r.speed <= 0.8 m/s); "
+      "recover back;";
+  const std::string text = hall_with(either, east_from("6 m"));
+  const Outcome o = verified(text, {"--format", "json"});
+  EXPECT_EQ(statuses(o.out, "P2a", "m"), Statuses{"unknown"}) << o.out;
+  EXPECT_EQ(o.err.find("5033"), std::string::npos) << o.err;
+  const Outcome fast = verified(edited(text, "speed 0.2 m/s", "speed 0.78 m/s"));
+  EXPECT_NE(fast.err.find("allows 0.8 m/s"), std::string::npos) << fast.err;
+}
 TEST_F(Sides, AProofThatLeavesOutTheSidesIsDenied) {
   expect_proved(hall_with(on_a_side, east_from("6 m")));
   Json claims = claims_of("P2a");

@@ -254,6 +254,25 @@ TEST_F(Verify, RecoveriesThatTakeOverFromEachOtherAreNotProvedToEnd) {
   EXPECT_EQ(statuses(waits.out, "switching", ""), Statuses{"unknown"}) << waits.out;
   EXPECT_NE(waits.out.find("take over from each other for ever"), std::string::npos) << waits.out;
 }
+// A robot that loiters rests between laps where its zone leaves as much room as a retreat does: a
+// monitor that waits for another one's way back is not left for ever.
+TEST_F(Verify, WhereARobotLoitersTheOthersGiveBackAsWell) {
+  const std::string text = edited(
+      edited(spec_text("tests/golden/parts/drone.rta"), "retreat within room",
+             "loiter within shrink_of_room"),
+      "controller back_off", "zone shrink_of_room = shrink(room, 30 cm);\ncontroller back_off");
+  const Outcome o = verified("spec laps;\n" + text + R"(
+input link : bool max_age 1 s;
+controller rest : safe for Drone = sequence brake_and_hold for 3 s then loiter within shrink_of_room speed 0.3 m/s;
+monitor lost for d : Drone { "SR-0: rests without a link" always link; recover rest; }
+monitor walls for d : Drone { "SR-1: in" always d inside room; recover back_off; }
+monitor inner for d : Drone { "SR-2: well in" always d inside shrink_of_room; recover back_off; }
+decision fly for Drone { advanced pilot; period 50 ms; priority lost > walls > inner; }
+)",
+                             {"--format", "json", "-o", "certificates"});
+  EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"proved"}) << o.out << o.err;
+  EXPECT_EQ(rtac({"verify", "--recheck", "certificates"}).status, exit_clean);
+}
 TEST_F(Verify, WithoutAModelCheckerNothingIsSaidOfSwitching) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nowhere", 1);
