@@ -351,7 +351,7 @@ bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, co
 }
 
 Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::ZoneId> zone,
-                                  const Rational& extra) const {
+                                  const Rational& extra) {
   const Rational jitter = d.jitter ? d.jitter->value : Rational(0);
   Numbers n = numbers_of(spec_[d.kind], d, jitter);
   // a root from below: what is claimed rounds it up
@@ -362,6 +362,8 @@ Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::Z
     if (zone) {
       const auto own = all_zones(*m.always);
       if (std::find(own.begin(), own.end(), *zone) == own.end()) continue;
+      // wherever the robot has come to rest
+      if (Sides(spec_, d, *this).holds_at_rest(m, extra)) continue;
       gap = std::max(gap, gap_of(spec_, *m.always, *zone));
     }
     if (m.ahead.waypoints_only) continue;

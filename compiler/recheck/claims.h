@@ -30,7 +30,7 @@ class Claims {
   // they look `extra` s further ahead for that.
   // No zone: of a limit of height.
   Rational return_clearance(const sema::Decision& d, std::optional<sema::ZoneId> zone,
-                            const Rational& extra) const;
+                            const Rational& extra);
 
  private:
   std::optional<Doubt> limits(const Values& v);

@@ -90,7 +90,7 @@ class Condition {
              (strict ? shown < limit : shown <= limit);
     }
     if (of.kind == Measured::Kind::clearance) return clear(sema::ZoneId{of.index}, limit);
-    return of.kind == Measured::Kind::battery && charges();
+    return of.kind == Measured::Kind::battery && charges() && limit <= shown_full();
   }
   // Agents are far away, and no robot is near that could be counted.
   static bool far(const sema::Compare& v, bool at_least) {
@@ -123,8 +123,16 @@ class Condition {
     return way && charges() &&
            is({Measured::Kind::energy_to, static_cast<std::uint32_t>(way->site)}, -1);
   }
-  // Where charge is taken up, it is taken up until it is enough; that there is enough is for errors
-  // to say (5007).
+  // What every sample of a full battery shows: its error counts twice, once for what is measured
+  // and once for what that may mean, and the charge falls as it ages.
+  [[nodiscard]] Rational shown_full() const {
+    const sema::RobotKind& kind = spec_[monitor_.kind];
+    if (!kind.battery || !kind.energy) return 0;
+    return 1 - 2 * kind.battery->error.value -
+           kind.energy->drain.value * kind.battery->max_age.value;
+  }
+  // Where charge is taken up, it is taken up until it is enough; that there is enough for the way
+  // home besides is for errors to say (5007).
   [[nodiscard]] bool charges() const {
     if (at_) return true;
     const auto way = sema::route_of(recovery_);

@@ -98,6 +98,17 @@ TEST_F(ReturnWhen, AChargeThatTheRecoveryDoesNotLeadToIsNotProved) {
   EXPECT_EQ(status("C", "charge"), "refuted");
 }
 
+// A full battery shows 0.98 at least: a proof of another specification is none of one that asks for
+// more.
+TEST_F(ReturnWhen, MoreThanAFullBatteryShowsIsDenied) {
+  EXPECT_EQ(verified(returning("r inside hall"), {"-o", "certificates"}).status, exit_clean);
+  const std::string text = read("certificates/sources/spec.rta");
+  write("certificates/sources/spec.rta", edited(text, "r.battery >= 90 %", "r.battery >= 98 %"));
+  EXPECT_EQ(rechecked().status, exit_clean);
+  write("certificates/sources/spec.rta", edited(text, "r.battery >= 90 %", "r.battery >= 98.1 %"));
+  EXPECT_EQ(rechecked().status, exit_violation);
+}
+
 // What others do may be accepted, as it is of the distance to them.
 TEST_F(ReturnWhen, ThatItMayNeverHoldIsAccepted) {
   const std::string text = returning("r.battery >= 50 %", "hold when violated \"staff\";",

@@ -128,6 +128,16 @@ TEST_F(Sides, AnotherRecoveryThatIsSlowKeepsIt) {
   EXPECT_EQ(verified(edited(text, "hall speed 0.2 m/s", "hall speed 0.7 m/s")).status,
             exit_violation);
 }
+// Who is slow enough at rest is given back wherever the other monitor lets go, nearer to the
+// boundary than its own distance.
+TEST_F(Sides, WhatIsSlowEnoughAtRestAsksForNoPlaceBesides) {
+  std::string text =
+      hall_with("always clearance(r, hall) >= 80 cm or r.speed <= 0.6 m/s; recover back;");
+  text = edited(text, "decision go",
+                "monitor fence for r : Cart { \"R2: in\" always r inside hall; recover back; }\n"
+                "decision go");
+  expect_proved(edited(text, "priority m;", "priority fence > m;"));
+}
 // Beside zones, a limit that the recovery keeps everywhere refutes nothing: where it may move is
 // what is not shown.
 TEST_F(Sides, ALimitThatIsKeptBesideAZoneIsNoMatterOfSpeed) {
