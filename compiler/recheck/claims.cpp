@@ -140,7 +140,7 @@ Found Claims::limits(const Values& v) {
   const sema::Decision* const d = decision(v);
   const auto jitter = number(v, "jitter_us");
   if (d == nullptr || !jitter || *jitter < 0) return wrong("no such decision, or no jitter");
-  if (d->jitter && micro(*jitter) < d->jitter->value) return wrong("jitter_us is too small");
+  if (micro(*jitter) < jitter_of(spec_, *d)) return wrong("jitter_us is too small");
   const Numbers n = numbers_of(spec_[d->kind], *d, micro(*jitter));
   const std::tuple<const char*, Rational, int> least[] = {
       {"radius_mm", n.radius, 1000},
@@ -176,14 +176,12 @@ Found Claims::horizon(const Values& v) {
   const auto ahead = number(v, "lookahead_us"), horizon = number(v, "horizon_us");
   if (m == nullptr || !ahead || !horizon || !d->period) return wrong("no such monitor");
   const sema::RobotKind& kind = spec_[d->kind];
-  const bool external = m->recover && sema::templates_of(spec_[*m->recover]).empty();
-  const Rational least = d->period->value * (external ? 2 : 1);
-  const Rational jitter = d->jitter ? d->jitter->value : Rational(0);
-  if (m->ahead.duration && micro(*ahead) > m->ahead.duration->value) {
+  const Rational least = least_ahead(spec_, *d, *m);
+  if (micro(*ahead) > (m->ahead.duration ? m->ahead.duration->value : least)) {
     return wrong("it looks less far ahead than " + std::to_string(*ahead) + " us");
   }
   if (micro(*ahead) < least) return wrong("the look-ahead is shorter than the period asks for");
-  if (micro(*horizon) < micro(*ahead) + kind.latency.value + jitter) {
+  if (micro(*horizon) < micro(*ahead) + kind.latency.value + jitter_of(spec_, *d)) {
     return wrong("the horizon leaves out the latency or the jitter");
   }
   return std::nullopt;
@@ -367,8 +365,7 @@ Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::Z
       gap = std::max(gap, gap_of(spec_, *m.always, *zone));
     }
     if (m.ahead.waypoints_only) continue;
-    const bool external = m.recover && sema::templates_of(spec_[*m.recover]).empty();
-    const Rational least = n.period * (external ? 2 : 1);  // rule 9.1
+    const Rational least = least_ahead(spec_, d, m);
     ahead = std::max(ahead, m.ahead.duration ? m.ahead.duration->value : least);
   }
   return resting_clearance(n, accel, ahead + extra) + gap;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/interp/number.h"
+#include "compiler/sema/templates.h"
 
 namespace rtac::recheck {
 namespace {
@@ -34,6 +35,27 @@ Hold hold_of(const Numbers& n, const Rational& delay) {
 }
 
 }  // namespace
+
+Rational least_ahead(const sema::Spec& spec, const sema::Decision& decision,
+                     const sema::Monitor& monitor) {
+  const bool external = monitor.recover && sema::templates_of(spec[*monitor.recover]).empty();
+  return value(decision.period) * (external ? 2 : 1);
+}
+
+Rational jitter_of(const sema::Spec& spec, const sema::Decision& decision) {
+  if (decision.jitter || !decision.period) return value(decision.jitter);
+  constexpr long us_per_s = 1'000'000;
+  Rational share(floor_to_int(Rational(decision.period->value * us_per_s / 10)), us_per_s);
+  share.canonicalize();
+  Rational jitter = 0;
+  for (const sema::MonitorId id : decision.priority) {
+    const sema::Monitor& m = spec[id];
+    if (!m.ahead.duration) return share;
+    const Rational room = m.ahead.duration->value - least_ahead(spec, decision, m);
+    if (room >= 0) jitter = std::max(jitter, Rational(share - room));
+  }
+  return jitter;
+}
 
 Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
                    const Rational& jitter) {

@@ -20,6 +20,13 @@ struct Numbers {
 Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
                    const Rational& jitter);
 
+// The least that a monitor may look ahead: a period, two where its recovery is external (rule 9.1).
+Rational least_ahead(const sema::Spec& spec, const sema::Decision& decision,
+                     const sema::Monitor& monitor);
+// How late a step may be: as declared, or else what a tenth of the period has beyond what the
+// look-aheads have room for.
+Rational jitter_of(const sema::Spec& spec, const sema::Decision& decision);
+
 // By how much a robot is faster than its recovery means to be where something pushes it: its
 // velocity follows with a time constant of two delays, 0.3 s at least (docs/templates.md).
 Rational pushed(const Numbers& n);

@@ -83,6 +83,19 @@ TEST_F(Recheck, AMutatedBoundIsNoticed) {
   }
 }
 
+// Where nothing is declared and a look-ahead is the least that works, a step may be late by a tenth
+// of the period: no horizon leaves that out, and no look-ahead is longer than the least.
+TEST_F(Recheck, AStepThatIsLateIsReckonedWith) {
+  const std::string least = edited(drone_spec(), "ahead   100 ms, 2 waypoints;", "");
+  ASSERT_EQ(verified(least, {"-o", "certificates"}).status, exit_clean);
+  report_ = Json::parse(read("certificates/verification.json"));
+  for (const char* const key : {"horizon_us", "lookahead_us"}) {
+    const std::int64_t by = std::string(key) == "lookahead_us" ? 1 : -1;
+    EXPECT_EQ(rechecked_with(changed("horizon", key, by)).status, exit_violation) << key;
+  }
+  EXPECT_EQ(rechecked_with(changed("limits", "jitter_us", -1)).status, exit_violation);
+}
+
 // In a park robots look for their ways over wider cells, and so does who checks them.
 TEST_F(Recheck, WaysInAWideZoneAreFoundOnceMore) {
   const std::string park = edited(drone_spec(), "(5 m, 5 m)", "(250 m, 190 m)");
