@@ -150,13 +150,15 @@ TEST(Hold, StaysWithinWhatIsReckonedWith) {
 }
 
 // Who promises to stay does so from where it is measured, at the one end of what its hold sways,
-// and may be at the other ever after.
+// and may be at the other ever after; by a sample that may be older than its rest, too.
 TEST(Hold, KeepsTheNeighbourhoodThatItPromises) {
   for (const Case& c : {
            Case{1, 0, 0.02, 0.02, 50, 20, 50, 0},
            Case{1.5, 0.3, 0.02, 0.02, 50, 20, 50, 0},
            Case{2, 1.2, 0.02, 0.1, 20, 10, 20, 0.1},
            Case{1, 0.75, 0.005, 0.05, 50, 20, 50, 0},
+           Case{1, 0.1, 0.02, 0.02, 50, 20, 400, 1},
+           Case{2, 0, 0, 0, 20, 20, 1000, 2},
        }) {
     const auto halt = [](safe::Pilot<Acceleration>& pilot, const Observation& seen) {
       return pilot.halt(seen);
