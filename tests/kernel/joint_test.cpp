@@ -147,7 +147,7 @@ TEST(EnergyAhead, WhereverTheRobotStopsTheChargeSufficesForItsWay) {
   Random random(33);
   constexpr std::int64_t drain = 10'000, reserve = 50'000;
   int passed = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 25'000; ++i) {
     const Real at = {random.real(300, 8'500), random.real(300, 9'700)};
     Mover one(random, at, 2'000 * random.in(0, 75));
     const std::int64_t age_us = 2'000 * random.in(0, 2'500);
