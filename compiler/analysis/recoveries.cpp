@@ -26,11 +26,12 @@ constexpr std::int64_t stranded_cells_least = 4;
 class Recoveries {
  public:
   Recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-             const sema::Decision& decided, const ir::Decision& decision,
+             const ExactSolid& solid, const sema::Decision& decided, const ir::Decision& decision,
              const sema::Monitor& written, const ir::Monitor& monitor, diag::Engine& diagnostics)
       : spec_(spec),
         module_(module),
         exact_(exact),
+        solid_(solid),
         decided_(decided),
         decision_(decision),
         written_(written),
@@ -39,21 +40,26 @@ class Recoveries {
         diagnostics_(diagnostics) {}
 
   void run() {
-    const auto& params = decision_.facts.params;
-    if (!decision_.body.in_space) {
-      for (diag::Diagnostic& found :
-           misplaced(written_, controller_, module_, exact_, decision_, monitor_)) {
-        diagnostics_.report(std::move(found));
-      }
-    }
+    look_at_places();
     if (!stays_for_received()) return;
-    outward(asks_of(monitor_.property, params));
+    outward(asks_of(monitor_.property, decision_.facts.params));
     claimed();
     acts_in_time();
     way_back();
   }
 
  private:
+  void look_at_places() {
+    std::vector<diag::Diagnostic> all;
+    if (decision_.body.in_space) {
+      auto found = misplaced_in_space(written_, module_, decision_, monitor_, exact_, solid_);
+      if (found) all.push_back(std::move(*found));
+    } else {
+      all = misplaced(written_, controller_, module_, exact_, decision_, monitor_);
+    }
+    misplaced_ = !all.empty();
+    for (diag::Diagnostic& found : all) diagnostics_.report(std::move(found));
+  }
   // Language rule 9.9: nobody knows a way relative to a zone that is received later. False:
   // reported.
   bool stays_for_received() {
@@ -78,7 +84,9 @@ class Recoveries {
     const ir::RecoveryKind last = ir::last_step(monitor_.recovery).kind;
     const bool stands =
         last == ir::RecoveryKind::brake || (last == ir::RecoveryKind::land && !asks.only_lower);
-    const bool at_rest = holds_at_rest(decision_, monitor_) && last == ir::RecoveryKind::brake;
+    // who yields has braked first, and moves for others alone
+    const bool brakes = last == ir::RecoveryKind::brake || last == ir::RecoveryKind::yield;
+    const bool at_rest = brakes && holds_at_rest(decision_, monitor_);
     if (at_rest && !written_.hold_reason) return;
     const bool stays = (asks.clearance || asks.distance) && stands && !at_rest;
     const bool waits = asks.clearance && last == ir::RecoveryKind::yield;
@@ -90,11 +98,12 @@ class Recoveries {
     const bool may_wait = (asks.distance && ir::moves(last)) ||
                           (asks.only_lower && last == ir::RecoveryKind::land) ||
                           monitor_.returns.how == ir::Returns::How::open;
-    // what cannot be looked ahead is reported by itself (5006)
-    if (written_.hold_reason && !holds && !may_wait) return asks.other ? void() : unneeded();
+    // what cannot be looked ahead is reported by itself (5006), and so is what leads elsewhere
+    const bool reported = asks.other || misplaced_;
+    if (written_.hold_reason && !holds && !may_wait) return reported ? void() : unneeded();
     if (written_.hold_reason || !holds) return;
     if (braked) return breaks_its_claim();
-    if (stays && last == ir::RecoveryKind::brake && holds_standing(monitor_)) return waits_slow();
+    if (brakes && holds_standing(monitor_)) return waits_slow(waits);
     const ir::Motion& any = decision_.motions[0];
     const std::int64_t farther_mm =
         disc_mm(decision_.body, any, any.speed_mmps,
@@ -121,12 +130,13 @@ class Recoveries {
     diagnostics_.report(std::move(d));
   }
   // It is slow enough there, and would not be as soon as it was given back.
-  void waits_slow() {
+  void waits_slow(bool yields) {
     const std::string mmps =
         to_decimal(Rational(fastest_from_rest(decision_, monitor_.lookahead.duration_us), 1000));
-    diag::Diagnostic d = finding(Code::recovery_stands,
-                                 "`" + controller_.name + "` only stands: where `" + monitor_.name +
-                                     "` asks it to be slow, it is never given back");
+    diag::Diagnostic d = finding(
+        Code::recovery_stands,
+        "`" + controller_.name + "` " + (yields ? "makes way for robots alone" : "only stands") +
+            ": where `" + monitor_.name + "` asks it to be slow, it is never given back");
     d.label = "does not lead to where it may be faster";
     d.notes.push_back(
         {std::nullopt, "from rest the robot may reach " + mmps + " m/s before a recovery acts"});
@@ -368,12 +378,14 @@ class Recoveries {
   const sema::Spec& spec_;
   const ir::Module& module_;
   const ExactZone& exact_;
+  const ExactSolid& solid_;
   const sema::Decision& decided_;
   const ir::Decision& decision_;
   const sema::Monitor& written_;
   const ir::Monitor& monitor_;
   const sema::Controller& controller_;
   diag::Engine& diagnostics_;
+  bool misplaced_ = false;  // it moves where its property need not hold
 };
 
 }  // namespace
@@ -386,14 +398,9 @@ void check_recoveries(const sema::Spec& spec, const ir::Module& module, const Ex
     for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
       const sema::Monitor& written = spec[spec.decisions[i].priority[k]];
       if (!written.recover) continue;
-      Recoveries(spec, module, exact, spec.decisions[i], decision, written, decision.monitors[k],
-                 diagnostics)
+      Recoveries(spec, module, exact, solid, spec.decisions[i], decision, written,
+                 decision.monitors[k], diagnostics)
           .run();
-      if (!decision.body.in_space) continue;
-      if (auto found =
-              misplaced_in_space(written, module, decision, decision.monitors[k], exact, solid)) {
-        diagnostics.report(std::move(*found));
-      }
     }
     if (decision.body.in_space || diagnostics.has_errors()) continue;
     if (auto found = apart_for_ever({spec, spec.decisions[i], module, decision, lies}, exact)) {

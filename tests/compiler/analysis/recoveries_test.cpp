@@ -251,6 +251,15 @@ TEST(Recoveries, LeadOutOfAViolationOrAreAccepted) {
   EXPECT_EQ(codes(moves), Codes{2022});
 }
 
+// One that moves where its property does not hold is told that, and not that it leads out of that.
+TEST(Recoveries, WhatLeadsElsewhereIsNotSaidToLeadOut) {
+  Text t{"retreat within room speed 0.3 m/s"};
+  t.zones = "zone pond = rectangle (2 m, 2 m) to (3 m, 3 m);";
+  t.property = "d inside room and distance(d, pond) >= 20 cm";
+  t.clauses = "hold when violated \"why\";";
+  EXPECT_EQ(codes(t), Codes{5016});
+}
+
 // Nothing to be led out of is another matter, and what cannot be looked ahead is reported alone.
 TEST(Recoveries, AReasonToStandIsOfUseWhereThereIsAPlaceToLeave) {
   Text slow{"brake_and_hold"};
@@ -277,6 +286,26 @@ TEST(Recoveries, WhoStandsIsSlowEnoughAndNotGivenBack) {
   slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.269 m/s";
   EXPECT_EQ(codes(slow), Codes{});
   slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.268 m/s";
+  EXPECT_EQ(codes(slow), Codes{5017});
+}
+
+// Who yields brakes first, and is as slow then; a reason stays of use, as robots may wait for each
+// other, which nothing shows to end.
+TEST(Recoveries, WhoYieldsIsSlowEnough) {
+  Text slow{"yield within room speed 0.1 m/s order id"};
+  slow.zones = "zone plants = rectangle (1 m, 1 m) to (2 m, 2 m);";
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.269 m/s";
+  EXPECT_EQ(codes(slow), Codes{});
+  slow.clauses = "hold when violated \"why\";";
+  EXPECT_EQ(codes(slow), Codes{});
+  slow.clauses = "";
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.268 m/s";
+  const std::string said = reports(*compiled(text_of(slow)));
+  EXPECT_NE(said.find("`rec` makes way for robots alone: where `walls` asks it to be slow, it is "
+                      "never given back"),
+            std::string::npos)
+      << said;
+  slow.property = "d inside room and d.speed <= 0.269 m/s";
   EXPECT_EQ(codes(slow), Codes{5017});
 }
 
