@@ -2,6 +2,7 @@
 
 #include "compiler/analysis/derive.h"
 #include "compiler/codegen/watch.h"
+#include "compiler/driver/explain_text.h"
 #include "compiler/support/rational.h"
 #include "compiler/support/words.h"
 
@@ -30,8 +31,8 @@ std::string summary(const ir::Watch& watch) {
                          : ", " + bytes(codegen::table_bytes(watch)) + " of tables of zones") +
                     "\n";
   for (const ir::PlainMonitor& m : watch.monitors) {
-    out += "  monitor " + m.name + ": " + std::to_string(m.property.values.size()) +
-           " operations a tick, remembers " + bytes(codegen::watch_monitor_bytes(m)) + "\n";
+    out += "  monitor " + m.name + ": " + count(m.property.values.size(), "operation") +
+           " a tick, remembers " + bytes(codegen::watch_monitor_bytes(m)) + "\n";
   }
   for (const ir::Channel& c : watch.inputs) {
     if (c.kind == ir::ChannelKind::zone) out += received(c);

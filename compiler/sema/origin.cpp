@@ -36,6 +36,7 @@ class OriginChecker {
                                 "above mean sea level `origin 47.3977 deg, 8.5456 deg, 432 m;`"));
       return;
     }
+    if (by_the_compass(values)) return;
     const auto latitude = angle(*values[0], "the latitude of the origin", latitude_max);
     const auto longitude = angle(*values[1], "the longitude of the origin", longitude_max);
     std::optional<Quantity> altitude;
@@ -47,6 +48,29 @@ class OriginChecker {
   }
 
  private:
+  // `47.4 N`: as maps are lettered.
+  bool by_the_compass(const std::vector<syntax::ExprPtr>& values) {
+    std::string places;
+    bool lettered = false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto* number = std::get_if<syntax::NumberLit>(&values[k]->node);
+      if (number == nullptr || !number->unit) return false;
+      const std::string& letter = number->unit->text;
+      const bool down = letter == "S" || letter == "W";
+      if (!down && letter != "N" && letter != "E" && letter != "deg") return false;
+      lettered = lettered || letter != "deg";
+      places += (places.empty() ? "" : ", ") + std::string(down ? "-" : "") + number->text + " deg";
+    }
+    if (!lettered) return false;
+    const SourceRange both{values[0]->range.file, values[0]->range.begin, values[1]->range.end};
+    context_.report(Finding(Code::wrong_dimension, both, "the angles of `origin` are in degrees")
+                        .label("letters of the compass are no unit")
+                        .help("write `origin " + places +
+                              ";`: north and east count up, south and west have a minus")
+                        .replace(both, places));
+    return true;
+  }
+
   static constexpr int latitude_max = static_cast<int>(geometry::latitude_deg_max);
   static constexpr int longitude_max = 180;
   // Of ground in m, with room: the shore of the Dead Sea lies at -440 m, Mount Everest at 8,849 m.

@@ -255,11 +255,29 @@ class Explainer {
            {{span(at - 1, at), name + " : " + type}});
       return true;
     }
+    if (explain_unit_first()) return true;
     const bool late = kind(at) == T::IN || kind(at) == T::ERROR || kind(at) == T::MAX_AGE;
     if (!late || !error_.expects(T::SEMICOLON)) return false;
     give(
         "the clauses of an input stand in this order: `in 0 .. 3 m/s error 1 cm/s max_age 100 ms "
         "resolution 1 mm/s`");
+    return true;
+  }
+  // `input real [m/s] speed`
+  bool explain_unit_first() {
+    const std::size_t at = error_.index;
+    if (at < 2 || kind(at) != T::LEFT_BRACKET || kind(at - 2) != T::INPUT) return false;
+    if (!item_habit(text(at - 1))) return false;
+    std::string type = std::string{text(at - 1)} + " ";
+    std::size_t next = at;
+    for (; next < tokens_.size() && kind(next) != T::SEMICOLON; ++next) {
+      type += text(next);
+      if (kind(next) == T::RIGHT_BRACKET) break;
+    }
+    if (kind_at(next) != T::RIGHT_BRACKET || kind_at(next + 1) != T::IDENT) return false;
+    const std::string name{text(next + 1)};
+    give("the name comes first: `input " + name + " : " + type + ";`",
+         {{span(at - 1, next + 1), name + " : " + type}});
     return true;
   }
   [[nodiscard]] TokenKind clause_word(std::size_t index) const {

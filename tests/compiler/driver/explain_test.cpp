@@ -198,6 +198,12 @@ TEST_F(Explain, ALineWithoutAnythingNamesTheNearestOnes) {
   }
 }
 
+TEST_F(Explain, OneOperationIsOne) {
+  write("one.rta", "spec s;\nperiod 1 s;\ninput p : bool;\nmonitor m { \"R: r\" always p; }\n");
+  const std::string summary = rtac({"check", "one.rta"}).out;
+  EXPECT_NE(summary.find("monitor m: 1 operation a tick,"), std::string::npos) << summary;
+}
+
 TEST_F(Explain, ALineThatIsNotThere) {
   for (const std::string line : {"0", "22", "4294967299", "99999999999999999999"}) {
     const Outcome o = rtac({"explain", "door.rta:" + line});
