@@ -146,8 +146,15 @@ ValueId QuantityBuilder::quantity(const sema::SensedAge& v, const sema::Expr& e)
 // Of robots, on their grids of lengths and charge.
 ValueId QuantityBuilder::quantity(const sema::SignalRef& v, const sema::Expr& e) {
   if (robot_ == nullptr || v.signal != sema::Signal::battery || v.subject != sema::Subject::self) {
-    return refuse(e, "only the robot's own `battery` can be compared directly",
-                  "compare clearance, distance or battery, or pass it as an input");
+    const bool speed = v.signal == sema::Signal::speed && v.subject == sema::Subject::self;
+    return refuse(
+        e,
+        std::string(speed ? "`speed`" : "this signal of a robot") +
+            " cannot be compared where the past or a function speaks of it",
+        "`clearance`, `distance` from a zone and the robot's own `battery` work here" +
+            std::string(speed ? "; in `return when` so does `r.speed <= c for 1 s`, which "
+                                "asks for how long that has held"
+                              : "; pass it as an input"));
   }
   return add(Battery{}, unit(e.dimension, Unit::ppm.step), e);
 }

@@ -283,7 +283,7 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
   if (one == Subject::self && names_agent(second)) return distance_from_agent(expr, second);
   if (two == Subject::self && names_agent(first)) return distance_from_agent(expr, first);
   for (const syntax::Expr* argument : {&first, &second}) {
-    if (form_of(*argument) != "a zone" && !names_zone(*argument)) continue;
+    if (!says_zone(*argument)) continue;
     if (argument == &second && one == Subject::self) return distance_from_zone(expr, second);
     context_.report(Finding(Code::wrong_argument, argument->range,
                             "`distance` from a zone takes `" + self + "` first")

@@ -214,12 +214,12 @@ bool PropertyChecker::one_dimension(const std::string& user,
 }
 
 Value PropertyChecker::math(const syntax::Expr& expr, MathOp op, const Dimension& dimension,
-                            std::vector<ExprPtr> operands) {
+                            std::vector<ExprPtr> operands, const std::string& instead) {
   if (const auto value = fold_math(op, operands)) {
     return make_quantity(expr.range, dimension, Constant{*value});
   }
   return judged_now(make_quantity(expr.range, dimension, Math{op, std::move(operands)}),
-                    "this function");
+                    "this function", instead);
 }
 
 // Of two or more quantities, or of the elements of one array.
@@ -234,7 +234,11 @@ Value PropertyChecker::minimum_or_maximum(const syntax::Expr& expr, const syntax
     auto operands = quantities(call.arguments, "`" + name + "`");
     if (!operands) return nullptr;
     const Dimension dimension = operands->front()->dimension;
-    return math(expr, op, dimension, std::move(*operands));
+    const std::string instead =
+        op == MathOp::minimum
+            ? "`min(a, b) >= c` is `a >= c and b >= c`, and `min(a, b) <= c` is `a <= c or b <= c`"
+            : "`max(a, b) <= c` is `a <= c and b <= c`, and `max(a, b) >= c` is `a >= c or b >= c`";
+    return math(expr, op, dimension, std::move(*operands), instead);
   }
   Value value = infer(*call.arguments.front());
   auto* array = std::get_if<Array>(&value.node);

@@ -45,14 +45,16 @@ const std::vector<std::string>& aggregate_names() {
   return names;
 }
 
-ExprPtr PropertyChecker::judged_now(ExprPtr built, const std::string& what) {
+ExprPtr PropertyChecker::judged_now(ExprPtr built, const std::string& what,
+                                    const std::string& instead) {
   const bool looked_ahead = scope_.place == Place::robot_always || other_ != nullptr;
   if (!built || !looked_ahead || !speaks_of_robot(*built)) return built;
-  report_looked_ahead(built->range, what);
+  report_looked_ahead(built->range, what, instead);
   return nullptr;
 }
 
-void PropertyChecker::report_looked_ahead(const SourceRange& range, const std::string& what) {
+void PropertyChecker::report_looked_ahead(const SourceRange& range, const std::string& what,
+                                          const std::string& instead) {
   const bool of_pair = other_ != nullptr && scope_.place == Place::robot_return;
   Finding finding(Code::not_for_robots, range,
                   what + (of_pair ? " of another robot cannot stand inside `forall` or `exists`"
@@ -65,6 +67,7 @@ void PropertyChecker::report_looked_ahead(const SourceRange& range, const std::s
             "over inputs and parameters it is judged now, and works here; over the robot it works "
             "in `return when`");
   }
+  if (!instead.empty()) finding.help(instead);
   if (function_ != nullptr) finding.note(call_, "it comes into the monitor by this call");
   context_.report(finding);
 }

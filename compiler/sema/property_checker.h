@@ -172,9 +172,10 @@ class PropertyChecker {
   void unknown_aggregate(const syntax::Name& name);
   bool window_fits(const syntax::Aggregate& aggregate, AggregateOp op, const Interval& interval);
   // `built`, unless it says something of a robot where that is looked ahead or where there is one
-  // for each other robot: then that is reported of `what`.
-  ExprPtr judged_now(ExprPtr built, const std::string& what);
-  void report_looked_ahead(const SourceRange& range, const std::string& what);
+  // for each other robot: then that is reported of `what`, with what says the same there, if any.
+  ExprPtr judged_now(ExprPtr built, const std::string& what, const std::string& instead = "");
+  void report_looked_ahead(const SourceRange& range, const std::string& what,
+                           const std::string& instead);
 
   // ---- signals.cpp
   Value form(const syntax::Expr& expr, const syntax::NameRef& reference);
@@ -209,7 +210,7 @@ class PropertyChecker {
   Value clamp(const syntax::Expr& expr, const syntax::Call& call);
   Value distance_of_points(const syntax::Expr& expr, const syntax::Call& call);
   Value math(const syntax::Expr& expr, MathOp op, const Dimension& dimension,
-             std::vector<ExprPtr> operands);
+             std::vector<ExprPtr> operands, const std::string& instead = "");
   std::optional<std::vector<ExprPtr>> quantities(const std::vector<syntax::ExprPtr>& arguments,
                                                  const std::string& user);
   bool one_dimension(const std::string& user, const std::vector<const syntax::Expr*>& written,

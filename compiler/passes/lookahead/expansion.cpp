@@ -87,6 +87,10 @@ ValueId Expansion::margin(const Block& from, ValueId id, Block& to) {
   if (const auto* v = std::get_if<ZoneThere>(&value.op)) {
     return window(*this, *v, true, value.source, to);
   }
+  if (const auto* v = std::get_if<Not>(&value.op)) {
+    const auto* others = std::get_if<ForOthers>(&from[v->a].op);
+    if (others != nullptr) return refuse_quantifier(others->universal, value.source, to);
+  }
   return refuse_negation(value.source, to);
 }
 
@@ -180,6 +184,23 @@ ValueId Expansion::refuse_negation(const SourceRange& source, Block& to) {
                 decision_.on_plan ? "a negated property of a plan cannot be judged"
                                   : "a negated or temporal property cannot be looked ahead",
                 to);
+}
+
+ValueId Expansion::refuse_quantifier(bool universal, const SourceRange& source, Block& to) {
+  const std::string is = universal ? "`forall`" : "`exists`";
+  const std::string says_the_same = universal ? "`exists`" : "`forall`";
+  diagnostics_.report({diag::Code::atom_without_transformer,
+                       source,
+                       "a negated " + is + " cannot be looked ahead",
+                       "denied as a whole",
+                       {},
+                       says_the_same + " with the negated comparison says the same: `" +
+                           (universal ? "not (forall q : Kind, q != r : distance(r, q) <= c)` is "
+                                        "`exists q : Kind, q != r : distance(r, q) > c`"
+                                      : "not (exists q : Kind, q != r : distance(r, q) < c)` is "
+                                        "`forall q : Kind, q != r : distance(r, q) >= c`"),
+                       {}});
+  return add(to, Truth{false}, source);
 }
 
 ValueId Expansion::refuse(const SourceRange& source, const std::string& what, Block& to,

@@ -62,6 +62,7 @@ class Expansion {
   ir::Block transformed(const ir::Block& property);
   ir::ValueId margin(const ir::Block& from, ir::ValueId id, ir::Block& to);
   ir::ValueId refuse_negation(const SourceRange& source, ir::Block& to);
+  ir::ValueId refuse_quantifier(bool universal, const SourceRange& source, ir::Block& to);
   void tell_of_idle_waypoints();
 
   const ir::Module& module_;

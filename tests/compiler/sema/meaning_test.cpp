@@ -50,6 +50,13 @@ TEST(Meaning, MeasurementsOfTheRobotHaveAnAge) {
             "(once[0 s, 1 s] (age(self.battery) <= age(self.velocity)))");
 }
 
+// The gap from what lies outside of a zone is what it is clear of its boundary.
+TEST(Meaning, ADistanceIsFromAnyZone) {
+  EXPECT_EQ(property("distance(r, complement(box)) >= 1 m"), property("clearance(r, box) >= 1 m"));
+  EXPECT_EQ(property("distance(r, grow(box, 1 m)) >= 1 m"),
+            property("clearance(r, complement(grow(box, 1 m))) >= 1 m"));
+}
+
 TEST(Meaning, QuantifiersSpeakOfTheOtherRobot) {
   EXPECT_EQ(property("exists q : Cart, r != q : distance(q, r) <= 1 m and q.speed <= 1 m/s"),
             "(exists other : ((distance(self, other) <= 1 m) and (other.speed <= 1 m/s)))");

@@ -174,7 +174,7 @@ inline std::vector<Rule> rules_of_robots_and_time() {
        Code::not_for_robots,
        "max(r.speed, 1 m/s)",
        "this function of the state of a robot cannot be looked ahead",
-       "return when"},
+       "`a <= c and b <= c`"},
       {"windows_of_robots_are_ticks_of_their_decision",
        {signals, {"r inside free", "r inside free and once[0 s, 130 ms] open"}},
        Code::duration_not_a_multiple,
