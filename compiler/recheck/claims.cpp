@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "compiler/recheck/fails.h"
+#include "compiler/recheck/lasting.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/sema/templates.h"
@@ -14,10 +15,6 @@ namespace {
 
 using Found = std::optional<Doubt>;
 
-Doubt wrong(std::string why) {
-  return {true, std::move(why)};
-}
-
 const sema::Monitor* monitor_of(const sema::Spec& spec, const sema::Decision& d,
                                 const std::string& name) {
   for (const sema::MonitorId id : d.priority) {
@@ -25,20 +22,18 @@ const sema::Monitor* monitor_of(const sema::Spec& spec, const sema::Decision& d,
   }
   return nullptr;
 }
-Rational share(std::int64_t n, std::int64_t of) {
-  Rational value(n, of);
-  value.canonicalize();
-  return value;
-}
-Rational milli(std::int64_t n) {
-  return share(n, 1000);
-}
-Rational micro(std::int64_t n) {
-  return share(n, 1'000'000);
-}
 
 }  // namespace
 
+Doubt wrong(std::string why) {
+  return {true, std::move(why)};
+}
+Rational milli(std::int64_t n) {
+  return Rational(static_cast<long>(n)) / 1000;
+}
+Rational micro(std::int64_t n) {
+  return Rational(static_cast<long>(n)) / 1'000'000;
+}
 std::optional<std::int64_t> number(const Values& v, const std::string& key) {
   const auto at = v.find(key);
   if (at == v.end()) return std::nullopt;
@@ -96,26 +91,18 @@ std::vector<sema::ZoneId> moves_within(const sema::Controller& controller) {
 
 Found Claims::check(const Claim& claim) {
   using Rule = Found (Claims::*)(const Values&);
-  static const std::map<std::string, Rule> rules = {{"limits", &Claims::limits},
-                                                    {"horizon", &Claims::horizon},
-                                                    {"return", &Claims::returns},
-                                                    {"output", &Claims::output},
-                                                    {"recovery", &Claims::recovery},
-                                                    {"contained", &Claims::contained},
-                                                    {"place", &Claims::place},
-                                                    {"seen", &Claims::seen},
-                                                    {"returned", &Claims::returned},
-                                                    {"ways", &Claims::ways},
-                                                    {"legs", &Claims::legs},
-                                                    {"height", &Claims::height},
-                                                    {"landing", &Claims::landing},
-                                                    {"outranks", &Claims::outranks},
-                                                    {"fails", &Claims::fails},
-                                                    {"start", &Claims::known},
-                                                    {"judged", &Claims::on_plan},
-                                                    {"no_fences", &Claims::no_fences},
-                                                    {"coordinated", &Claims::coordinated},
-                                                    {"sides", &Claims::sides}};
+  static const std::map<std::string, Rule> rules = {
+      {"limits", &Claims::limits},       {"horizon", &Claims::horizon},
+      {"return", &Claims::returns},      {"output", &Claims::output},
+      {"recovery", &Claims::recovery},   {"contained", &Claims::contained},
+      {"place", &Claims::place},         {"seen", &Claims::seen},
+      {"returned", &Claims::returned},   {"ways", &Claims::ways},
+      {"lasts", &Claims::lasts},         {"legs", &Claims::legs},
+      {"height", &Claims::height},       {"landing", &Claims::landing},
+      {"outranks", &Claims::outranks},   {"fails", &Claims::fails},
+      {"start", &Claims::known},         {"judged", &Claims::on_plan},
+      {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated},
+      {"sides", &Claims::sides}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -544,6 +531,13 @@ Found Claims::ways(const Values& v) {
   if (from == nullptr) return std::nullopt;
   return wrong("from (" + to_decimal(from->x) + " m, " + to_decimal(from->y) +
                " m) no way leads back");
+}
+
+Found Claims::lasts(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  if (m == nullptr || !m->recover || !d->period) return wrong("no such monitor");
+  return check_lasting(spec_, *d, *this, *m, v);
 }
 
 Found Claims::outranks(const Values& v) {

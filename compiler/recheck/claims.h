@@ -44,6 +44,7 @@ class Claims {
   std::optional<Doubt> seen(const Values& v);
   std::optional<Doubt> lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm);
   std::optional<Doubt> ways(const Values& v);
+  std::optional<Doubt> lasts(const Values& v);
   std::optional<Doubt> legs(const Values& v);
   std::optional<Doubt> height(const Values& v);
   std::optional<Doubt> landing(const Values& v);
@@ -63,6 +64,9 @@ class Claims {
   std::map<std::string, std::optional<Doubt>> lemmas_;  // each is proved once
 };
 
+Doubt wrong(std::string why);
+Rational milli(std::int64_t n);
+Rational micro(std::int64_t n);
 // nullopt: there is none, or it is no number.
 std::optional<std::int64_t> number(const Values& v, const std::string& key);
 std::string text(const Values& v, const std::string& key);

@@ -7,6 +7,7 @@
 #include "compiler/recheck/claims.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
+#include "compiler/recheck/lasting.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/turns.h"
@@ -234,10 +235,10 @@ class Check {
     }
     for (const sema::ZoneId inner : moves) {
       for (const sema::ZoneId outer : asked.zones) {
-        if (inner == outer) continue;
         const NamedZones& zones = claims_.zones();
         const Values names{{"inner", zones.name(inner)}, {"outer", zones.name(outer)}};
         need(d, e, "contained", names, false);
+        if (inner == outer) continue;
         const Rational gap = gap_of(spec_, *m.always, outer);
         // a step of the grid is no more than touching
         if (gap <= Rational(1, 1000) || sema::claim_of(recovery)) continue;
@@ -272,6 +273,10 @@ class Check {
     if (!kept_together(spec_, d, *m.always)) {
       fail(whom(d, e) + ": others may break it, whatever the recovery does");
     }
+    if (!m.recover ||
+        !std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation)) {
+      need(d, e, "lemma", {{"name", "way_pieces"}}, false);
+    }
     if (all_zones(*m.always).empty()) return;
     for (const char* lemma : {"capsule", "disc", "stop_difference"}) {
       need(d, e, "lemma", {{"name", lemma}}, false);
@@ -294,6 +299,7 @@ class Check {
     const bool moves = m.recover && !moves_within(spec_[*m.recover]).empty();
     const bool legs = has(e, "legs", {{"decision", d.name}, {"monitor", m.name}});
     if (!legs && moves && !all_zones(*m.always).empty()) need(d, e, "ways", {{"monitor", m.name}});
+    if (has(e, "ways")) need(d, e, "lemma", {{"name", "return_reached"}}, false);
     // how much further ahead control returns is said with P3
     const Entry* const ahead = find(part, "P3", m.name);
     const Claim* const claimed = ahead != nullptr ? claim_of(*ahead, "return") : nullptr;
@@ -320,8 +326,16 @@ class Check {
     for (const sema::MonitorId id : d.priority) {
       const sema::Monitor& driving = spec_[id];
       if (!driving.recover || spec_[*driving.recover].name != e.recovery) continue;
-      if (&driving == &m || guards(e, d, m, driving)) continue;
+      if (&driving == &m) continue;
+      const auto drives = [&] {
+        need(d, e, "recovery", {{"monitor", driving.name}, {"controller", e.recovery}});
+      };
+      if (guards(e, d, m, driving)) {
+        drives();
+        continue;
+      }
       if (coordinates(e, d, m, driving)) {
+        drives();
         if (in_circle(spec_, d, part, m)) {
           fail(whom(d, e) + ": recoveries that do not keep each other lead round in a circle");
         }
@@ -338,6 +352,7 @@ class Check {
                    coordinates(other, d, m, driving);
           });
       if (elsewhere) continue;
+      drives();
       if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }
@@ -346,6 +361,9 @@ class Check {
       }
       within(d, e, driving, m);
       as_slow(d, e, spec_[*driving.recover], m);
+      if (driving.recover != m.recover && spends_charge(spec_, d, claims_, driving, *m.always)) {
+        need(d, e, "lasts", {{"monitor", driving.name}});
+      }
     }
   }
   // `judged` ranks higher, and has another recovery, which drives as soon as its look-ahead fails.

@@ -14,6 +14,8 @@ namespace {
 constexpr double slack_m = 1e-6;
 // By so much the zone of a robot may be smaller than the exact one: it is on the grid.
 constexpr double snap_m = 0.003;
+// And the clearances of its cells less than exact ones: whole millimetres, rounded down.
+constexpr double table_m = snap_m + 0.001;
 
 struct Segment {
   double ax, ay, bx, by;
@@ -280,54 +282,115 @@ bool NamedZones::within_slab(sema::ZoneId zone, std::size_t slab, const Rational
   return of.floor + clearance <= z && z + clearance <= of.ceiling;
 }
 
-std::variant<std::monostate, geometry::Point, BadCells> without_way(
-    const geometry::Region& zone, const Cells& cells, const Rational& body_m,
-    const Rational& route_m, const Rational& goal_m, const std::vector<geometry::Point>& sites) {
-  const std::optional<Grid> found = grid_of(segments(zone), cells);
-  if (!found) return BadCells{};
-  const Grid& grid = *found;
-  const auto place = [&](std::size_t at) {
-    const std::size_t column = at % grid.columns, row = at / grid.columns;
-    return geometry::Point{Rational(grid.x + (double(column) + 0.5) * grid.cell),
-                           Rational(grid.y + (double(row) + 0.5) * grid.cell)};
-  };
-  // From the goals on: a cell is entered from one that asks for no more than it has. The clearest
-  // ways first, so that each cell is reached with as much as it can be.
-  const double route = route_m.get_d(), goal = goal_m.get_d() - snap_m;
-  const double body = body_m.get_d() + snap_m;
-  const auto asks = [&](std::size_t at) { return std::min(route, grid.clearance[at]); };
-  std::vector<double> reached(grid.clearance.size(), -1);  // least clearance along the best way
+namespace {
+
+geometry::Point middle_of(const Grid& grid, std::size_t at) {
+  const std::size_t column = at % grid.columns, row = at / grid.columns;
+  return {Rational(grid.x + (double(column) + 0.5) * grid.cell),
+          Rational(grid.y + (double(row) + 0.5) * grid.cell)};
+}
+template <class Visit>
+void beside(const Grid& grid, std::size_t at, const Visit& visit) {
+  const std::size_t column = at % grid.columns, row = at / grid.columns;
+  if (column > 0) visit(at - 1);
+  if (column + 1 < grid.columns) visit(at + 1);
+  if (row > 0) visit(at - grid.columns);
+  if (row + 1 < grid.rows) visit(at + grid.columns);
+}
+// What a way that starts in a cell asks of every other one.
+double asks(const Grid& grid, std::size_t at, double route) {
+  return std::min(route, grid.clearance[at]);
+}
+std::vector<std::size_t> goals_of(const Grid& grid, double goal,
+                                  const std::vector<geometry::Point>& sites) {
+  std::vector<std::size_t> goals;
+  for (std::size_t at = 0; at < grid.clearance.size(); ++at) {
+    bool is_goal = sites.empty() && grid.clearance[at] >= goal;
+    const geometry::Point middle = middle_of(grid, at);
+    for (const geometry::Point& site : sites) {
+      const double dx = site.x.get_d() - middle.x.get_d();
+      const double dy = site.y.get_d() - middle.y.get_d();
+      is_goal = is_goal || (std::abs(dx) <= grid.cell && std::abs(dy) <= grid.cell);
+    }
+    if (is_goal) goals.push_back(at);
+  }
+  return goals;
+}
+
+// The least clearance along the best way from each cell; negative: there is none. From the goals
+// on: a cell is entered from one that asks for no more than it has. The clearest ways first, so
+// that each cell is reached with as much as it can be.
+std::vector<double> best_ways(const Grid& grid, const std::vector<std::size_t>& goals) {
+  std::vector<double> reached(grid.clearance.size(), -1);
   std::priority_queue<std::pair<double, std::size_t>> open;
   const auto reach = [&](std::size_t at, double with) {
     if (grid.clearance[at] < 0 || with <= reached[at]) return;
     reached[at] = with;
     open.emplace(with, at);
   };
-  for (std::size_t at = 0; at < reached.size(); ++at) {
-    bool is_goal = sites.empty() && grid.clearance[at] >= goal;
-    for (const geometry::Point& site : sites) {
-      const double dx = site.x.get_d() - place(at).x.get_d();
-      const double dy = site.y.get_d() - place(at).y.get_d();
-      is_goal = is_goal || (std::abs(dx) <= grid.cell && std::abs(dy) <= grid.cell);
-    }
-    if (is_goal) reach(at, grid.clearance[at]);
-  }
+  for (const std::size_t at : goals) reach(at, grid.clearance[at]);
   while (!open.empty()) {
-    const double with = open.top().first;
-    const std::size_t at = open.top().second;
+    const auto [with, at] = open.top();
     open.pop();
     if (with < reached[at]) continue;
-    const std::size_t column = at % grid.columns, row = at / grid.columns;
-    const auto step = [&](std::size_t to) { reach(to, std::min(with, grid.clearance[to])); };
-    if (column > 0) step(at - 1);
-    if (column + 1 < grid.columns) step(at + 1);
-    if (row > 0) step(at - grid.columns);
-    if (row + 1 < grid.rows) step(at + grid.columns);
+    const double so_far = with;  // lambdas take no structured bindings
+    beside(grid, at, [&](std::size_t to) { reach(to, std::min(so_far, grid.clearance[to])); });
   }
+  return reached;
+}
+
+// How many steps the shortest way from each cell has on which no cell is less clear than what the
+// one before it asks for; negative: there is none. Every step is as long, so that the cells are
+// reached in the order of their numbers.
+std::vector<std::int64_t> climbs(const Grid& grid, std::vector<std::size_t> open, double route) {
+  std::vector<std::int64_t> steps(grid.clearance.size(), -1);
+  for (const std::size_t at : open) steps[at] = 0;
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const std::size_t to = open[k];
+    beside(grid, to, [&](std::size_t from) {
+      const bool enters = grid.clearance[to] >= asks(grid, from, route) - table_m;
+      if (steps[from] >= 0 || grid.clearance[from] < 0 || !enters) return;
+      steps[from] = steps[to] + 1;
+      open.push_back(from);
+    });
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::variant<std::monostate, geometry::Point, BadCells> without_way(
+    const geometry::Region& zone, const Cells& cells, const Rational& body_m,
+    const Rational& route_m, const Rational& goal_m, const std::vector<geometry::Point>& sites) {
+  const std::optional<Grid> grid = grid_of(segments(zone), cells);
+  if (!grid) return BadCells{};
+  const double route = route_m.get_d(), body = body_m.get_d() + snap_m;
+  const auto reached = best_ways(*grid, goals_of(*grid, goal_m.get_d() - snap_m, sites));
   for (std::size_t at = 0; at < reached.size(); ++at) {
-    if (grid.clearance[at] >= body && reached[at] < asks(at) - snap_m) return place(at);
+    if (grid->clearance[at] < body || reached[at] >= asks(*grid, at, route) - snap_m) continue;
+    return middle_of(*grid, at);
   }
   return std::monostate{};
+}
+
+std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
+                                    const Rational& body_m, const Rational& route_m,
+                                    const Rational& goal_m,
+                                    const std::vector<geometry::Point>& sites) {
+  const std::optional<Grid> grid = grid_of(segments(zone), cells);
+  if (!grid) return std::nullopt;
+  const double route = route_m.get_d(), body = body_m.get_d() + table_m;
+  const auto goals = goals_of(*grid, goal_m.get_d() - snap_m, sites);
+  const auto reached = best_ways(*grid, goals);
+  const auto steps = climbs(*grid, goals, route);
+  std::int64_t most = 0;
+  for (std::size_t at = 0; at < steps.size(); ++at) {
+    if (grid->clearance[at] < body) continue;
+    const bool leads = reached[at] >= asks(*grid, at, route);
+    if (steps[at] < 0 && leads) return std::nullopt;
+    most = std::max(most, steps[at]);
+  }
+  return Rational(static_cast<long>(most * cells.cell_mm)) / 1000;
 }
 
 }  // namespace rtac::recheck

@@ -57,5 +57,12 @@ struct BadCells {};
 std::variant<std::monostate, geometry::Point, BadCells> without_way(
     const geometry::Region& zone, const Cells& cells, const Rational& body_m,
     const Rational& route_m, const Rational& goal_m, const std::vector<geometry::Point>& sites);
+// The length of the longest of these ways, each the shortest one on which no cell is less clear
+// than what the one before it asks for: the search finds none that is longer. Cells from which no
+// way leads count as nothing. nullopt: of some of them nothing bounds the way.
+std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
+                                    const Rational& body_m, const Rational& route_m,
+                                    const Rational& goal_m,
+                                    const std::vector<geometry::Point>& sites);
 
 }  // namespace rtac::recheck

@@ -105,6 +105,10 @@ bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t ga
 // Of a decision on a plan.
 std::vector<Obligation> plan_obligations(const Subject& s);
 
+// How long the recovery of a monitor lasts and how far it drives, where a proof of charge rests on
+// it: within what the energy clause reckons with.
+std::optional<Claim> lasting_claim(const Subject& s, std::size_t k);
+
 // The integers that the kernel counts with, for a program that has its own idea of them.
 Claim limits_claim(const Subject& s);
 Claim lemma_claim(const std::string& lemma);

@@ -520,6 +520,9 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   o.method = "geometry and bounds";
   o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);
   claim_zones(s, driving, j, o.claims);
+  if (atoms_of(j.property).charge && i.recovery.name != j.recovery.name) {
+    if (const auto lasts = lasting_claim(s, driving)) o.claims.push_back(*lasts);
+  }
   return analysis::others_may_break(s.decision, j) ? among_others(s, driving, judged, std::move(o))
                                                    : o;
 }

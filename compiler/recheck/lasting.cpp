@@ -1,0 +1,198 @@
+#include "compiler/recheck/lasting.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "compiler/recheck/coordination.h"
+#include "compiler/recheck/return_when.h"
+#include "compiler/recheck/sides.h"
+#include "compiler/recheck/sums.h"
+#include "compiler/recheck/travel.h"
+#include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
+
+namespace rtac::recheck {
+namespace {
+
+// Whether a condition holds only after others have gone away, or inputs have changed. Of an `or`
+// the recovery may lead to either side.
+bool waits(const sema::Expr& e, bool value) {
+  using Op = sema::LogicOp;
+  const auto* logic = std::get_if<sema::Logic>(&e.node);
+  if (logic == nullptr || logic->op == Op::iff || logic->op == Op::logical_xor) {
+    bool others = false;
+    sema::for_each_expr(e, [&](const sema::Expr& part) {
+      others = others || std::holds_alternative<sema::ForOthers>(part.node) ||
+               std::holds_alternative<sema::CountOthers>(part.node) ||
+               std::holds_alternative<sema::Distance>(part.node) ||
+               std::holds_alternative<sema::AgentDistance>(part.node);
+    });
+    return others || answers_to_inputs(e);
+  }
+  const auto of = [&](const sema::ExprPtr& x) { return waits(*x, value); };
+  switch (logic->op) {
+    case Op::logical_not:
+      return waits(*logic->operands[0], !value);
+    case Op::implies: {
+      const bool first = waits(*logic->operands[0], !value), then = of(logic->operands[1]);
+      return value ? first && then : first || then;
+    }
+    default:
+      return (logic->op == Op::logical_and) == value ? std::ranges::any_of(logic->operands, of)
+                                                     : std::ranges::all_of(logic->operands, of);
+  }
+}
+
+// For how long a return condition has to hold.
+Rational holds_for(const sema::Expr& condition) {
+  Rational sum = 0;
+  sema::for_each_expr(condition, [&](const sema::Expr& e) {
+    if (const auto* held = std::get_if<sema::HeldFor>(&e.node)) sum += held->duration.value;
+    const auto* past = std::get_if<sema::Past>(&e.node);
+    if (past == nullptr) return;
+    const bool once = past->op == sema::PastOp::once;
+    if (once) sum += past->interval.from.value;
+    if (!once && past->interval.to) sum += past->interval.to->value;
+  });
+  return sum;
+}
+
+// The most clearance that a property of the decision asks for, of any zone.
+Rational most_gap(const sema::Spec& spec, const sema::Decision& d) {
+  Rational most = 0;
+  const auto ask = [&](const sema::Expr& large, const sema::Expr& small) {
+    const auto sum = difference(spec, large, small);
+    if (!sum || sum->terms.size() != 1) return;
+    const auto& [of, by] = *sum->terms.begin();
+    if (of.kind != Measured::Kind::clearance || by <= 0) return;
+    most = std::max(most, Rational(-sum->least / by));
+  };
+  for (const sema::MonitorId id : d.priority) {
+    sema::for_each_expr(*spec[id].always, [&](const sema::Expr& e) {
+      const auto* compare = std::get_if<sema::Compare>(&e.node);
+      if (compare == nullptr) return;
+      ask(*compare->left, *compare->right);
+      ask(*compare->right, *compare->left);
+    });
+  }
+  return most;
+}
+
+// What a claim says of the ways, in m.
+struct Said {
+  sema::ZoneId zone;
+  Cells cells;
+  Rational starts, route, back, aim, way;
+};
+std::optional<Said> said_of(Claims& claims, const Values& v) {
+  const auto zone = claims.zones().find(text(v, "zone"));
+  const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
+  if (!zone || !cell || *cell <= 0 || !x || !y) return std::nullopt;
+  Said said{*zone, {*cell, *x, *y}, {}, {}, {}, {}, {}};
+  for (const auto& [key, to] :
+       {std::pair("starts_mm", &said.starts), std::pair("route_mm", &said.route),
+        std::pair("return_mm", &said.back), std::pair("aim_mm", &said.aim),
+        std::pair("way_mm", &said.way)}) {
+    const auto mm = number(v, key);
+    if (!mm || *mm < 0) return std::nullopt;
+    *to = milli(*mm);
+  }
+  return said;
+}
+
+// nullopt: nothing bounds it.
+std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
+                                const sema::Spec& spec, const sema::Template& last) {
+  std::vector<geometry::Point> sites;
+  if (const auto* route = std::get_if<sema::Route>(&last)) {
+    for (const auto& place : spec[route->site].places) {
+      sites.push_back({place.position.x, place.position.y});
+    }
+  }
+  auto most = longest_way(zone, said.cells, said.starts, said.route, said.back, sites);
+  if (!sites.empty()) return most;
+  // one that loiters would like to have half a metre more; a leg in sight is taken that is no
+  // longer than twice what is wanted
+  std::vector<Rational> aims{said.aim};
+  if (std::holds_alternative<sema::Loiter>(last)) aims.emplace_back(said.aim + Rational(1, 2));
+  for (const Rational& aim : aims) {
+    const auto deeper = longest_way(zone, said.cells, said.starts, said.route, aim, sites);
+    if (!most || !deeper) return std::nullopt;
+    most = std::max({*most, *deeper, Rational(2 * aim)});
+  }
+  return most;
+}
+
+// Why one of the monitors that a recovery drives for may not let go where it has led.
+std::optional<Doubt> ends(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                          const sema::Monitor& monitor, const Rational& left, Rational& after) {
+  if (waits(*monitor.always, true)) return wrong("`" + monitor.name + "` waits for others");
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec[id];
+    if (m.recover != monitor.recover || m.return_when == nullptr) continue;
+    if (waits(*m.return_when, true) || !lets_go(spec, d, claims, m, left)) {
+      return wrong("`return when` of `" + m.name + "` may never hold");
+    }
+    after = std::max(after, holds_for(*m.return_when));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
+                   const sema::Monitor& driving, const sema::Expr& property) {
+  if (!spec[decision.kind].energy) return false;
+  const auto* logic = std::get_if<sema::Logic>(&property.node);
+  if (logic != nullptr && logic->op == sema::LogicOp::logical_and) {
+    return std::ranges::any_of(logic->operands, [&](const sema::ExprPtr& each) {
+      return spends_charge(spec, decision, claims, driving, *each);
+    });
+  }
+  bool speaks = false;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    speaks = speaks || (signal != nullptr && signal->signal == sema::Signal::battery);
+  });
+  return speaks &&
+         !Sides(spec, decision, claims).keeping(spec[*driving.recover], property).by_sides;
+}
+
+std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision& decision,
+                                   Claims& claims, const sema::Monitor& monitor, const Values& v) {
+  const sema::RobotKind& kind = spec[decision.kind];
+  const auto said = said_of(claims, v);
+  const auto held_us = number(v, "held_us"), extra_us = number(v, "extra_us");
+  if (!said || !held_us || !extra_us || *extra_us < 0) return wrong("a number is missing");
+  if (!kind.energy) return wrong("no charge is declared");
+  const Rational held = micro(*held_us);
+  if (held > kind.energy->held.value) return wrong("it lasts longer than `held`");
+  if (said->way > kind.energy->detour.value) return wrong("it drives further than `detour`");
+
+  const std::vector<sema::Template> steps = sema::templates_of(spec[*monitor.recover]);
+  const auto moves = steps.empty() ? std::nullopt : sema::moves_of(steps.back());
+  if (!moves || moves->zone != said->zone || std::holds_alternative<sema::Yield>(steps.back())) {
+    return wrong("the recovery stands, waits for others, or moves elsewhere");
+  }
+  const geometry::Region* const zone = claims.zones().region(said->zone);
+  if (zone == nullptr || zone->empty()) return Doubt{false, "the zone is not known"};
+  const Rational error = kind.position ? kind.position->error.value : Rational(0);
+  const Rational step(1, 1000);  // of the kernel
+  if (said->starts > kind.radius.value + most_gap(spec, decision) + 2 * step) {
+    return wrong("it leaves out places that a body fits");
+  }
+  if (said->back < claims.return_clearance(decision, said->zone, micro(*extra_us)) ||
+      said->aim < said->back + std::max(Rational(1, 50), error) + error) {
+    return wrong("control may not be given back with that clearance");
+  }
+  Rational after = 0;
+  if (auto doubt = ends(spec, decision, claims, monitor, said->back, after)) return doubt;
+  const auto way = longest(*zone, *said, spec, steps.back());
+  if (!way || *way > said->way) return wrong("its way may be longer");
+  const auto seconds =
+      return_seconds(kind, decision, spec[*monitor.recover], milli(said->cells.cell_mm), said->way);
+  if (!seconds || *seconds + after > held) return wrong("it may last longer");
+  return std::nullopt;
+}
+
+}  // namespace rtac::recheck

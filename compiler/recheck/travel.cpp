@@ -1,0 +1,124 @@
+#include "compiler/recheck/travel.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "compiler/sema/templates.h"
+
+namespace rtac::recheck {
+namespace {
+
+// What the pilots of the runtime pace their ways with.
+const Rational creep(3, 100);          // m/s, at the end of a leg
+const Rational planned_braking(2, 5);  // share of the brake
+const Rational arrival(5, 4);          // how much more than what is against it the set-point is
+const Rational settles(3, 10);         // s, or two delays
+const Rational turn_gain(3, 2);        // 1/s, or half a radian per delay
+const Rational turn_most(3, 2);        // rad/s
+const Rational looks_every(1);         // s
+const Rational eighth(7854, 10000);    // of a circle, from above
+constexpr int samples_at_rest = 3;
+constexpr int waypoints = 64;  // of one piece of a way
+
+Rational declared(const std::optional<sema::Quantity>& q) {
+  return q ? q->value : Rational(0);
+}
+Rational oldest(const std::optional<sema::Sense>& sense) {
+  return sense ? sense->max_age.value : Rational(0);
+}
+
+// At least log(ratio), not below 0: 0.6932 a doubling.
+Rational log_above(const Rational& ratio) {
+  Rational log = 0;
+  for (Rational reached = 1; reached < ratio; reached *= 2) log += Rational(6932, 10000);
+  return log;
+}
+
+class Travel {
+ public:
+  Travel(const sema::RobotKind& kind, const sema::Decision& decision, Rational speed)
+      : kind_(kind),
+        wheels_(kind.motion.model == sema::MotionModel::unicycle),
+        speed_(std::move(speed)),
+        acts_(kind.latency.value + decision.period->value) {
+    const Rational pushes = declared(kind.motion.disturbance) + declared(kind.output_error);
+    delay_ = wheels_ ? acts_ : Rational(acts_ + oldest(kind.velocity));
+    settling_ = std::max(settles, Rational(2 * delay_));
+    taken_ = pushes * settling_;
+    if (!wheels_ && kind.velocity) taken_ += kind.velocity->error.value;
+    steers_ = std::min(kind.motion.accel.value, kind.motion.brake.value) - pushes;
+    brakes_ = kind.motion.brake.value - pushes;
+  }
+  [[nodiscard]] bool gets_on() const { return speed_ > taken_ && steers_ > 0 && brakes_ > 0; }
+  // A leg begins at each cell at most, and turns by an eighth of a circle there, by half a circle
+  // at the start. It rests and looks before it sets out, once at its end, and where a piece of the
+  // way ends.
+  [[nodiscard]] Rational seconds(const Rational& way, const Rational& cell) const {
+    const Rational cells = way / cell;
+    const Rational rest = kind_.motion.speed.value / brakes_ +
+                          samples_at_rest * (delay_ + oldest(kind_.velocity)) + looks_every;
+    return way / slowest() + (cells + 1) * leg() + (cells + 4) * eighth * turn_per_rad() +
+           (2 + cells / waypoints) * rest;
+  }
+  // It passes the place where control comes back at full speed, and stops behind it.
+  [[nodiscard]] Rational run_out_seconds() const {
+    const Rational late = acts_ + oldest(kind_.velocity);
+    return (speed_ * late + speed_ * speed_ / (2 * planned())) / slowest();
+  }
+
+ private:
+  [[nodiscard]] Rational slowest() const { return speed_ - taken_; }
+  [[nodiscard]] Rational planned() const { return steers_ * planned_braking; }
+  // What one leg takes on top of its length at full speed: speeding up, slowing down as planned to
+  // the creep, which what lasts slows down further, the creep, and a turn in place to 0.1 rad.
+  [[nodiscard]] Rational leg() const {
+    const Rational left = creep - std::min(taken_, Rational(creep / arrival));
+    Rational sum = speed_ / steers_ + speed_ / (2 * planned()) +
+                   (taken_ / planned() + delay_) * log_above(speed_ / left) +
+                   creep * (creep / (2 * planned()) + delay_) / left;
+    if (!wheels_) return sum + settling_;
+    // from an error x: log(x / 0.1) over the gain, below its tangent at an eighth of a circle
+    sum += Rational(10'611, 10'000) / gain() + acts_ + oldest(kind_.heading);
+    if (kind_.motion.turn_accel) sum += turns() / kind_.motion.turn_accel->value;
+    return sum;
+  }
+  [[nodiscard]] Rational gain() const {
+    return std::min(turn_gain, Rational(Rational(1, 2) / (acts_ + oldest(kind_.heading))));
+  }
+  [[nodiscard]] Rational turns() const { return std::min(turn_most, declared(kind_.motion.turn)); }
+  [[nodiscard]] Rational turn_per_rad() const {
+    if (!wheels_) return 0;
+    return std::max(Rational(Rational(12'733, 10'000) / gain()), Rational(1 / turns()));
+  }
+
+  const sema::RobotKind& kind_;
+  const bool wheels_;
+  const Rational speed_, acts_;
+  Rational delay_, settling_, taken_, steers_, brakes_;
+};
+
+}  // namespace
+
+std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                       const sema::Controller& recovery, const Rational& cell,
+                                       const Rational& way) {
+  const std::vector<sema::Template> steps = sema::templates_of(recovery);
+  const auto speed = steps.empty() ? std::nullopt : sema::speed_of(steps.back());
+  if (!speed) return std::nullopt;
+  // the kernel counts in mm/s
+  const Travel travel(kind, decision, Rational(ceil_to_int(Rational(*speed * 1000))) / 1000);
+  if (!travel.gets_on()) return std::nullopt;
+  // from where it stands to the centre of a cell
+  const Rational joined = way + std::max(Rational(2, 5), Rational(2 * cell)) + cell;
+  Rational sum = travel.seconds(joined, cell);
+  if (!std::holds_alternative<sema::Route>(steps.back())) sum += travel.run_out_seconds();
+  if (const auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
+    for (const auto& step : sequence->steps) sum += declared(step.lasts);
+  }
+  // then it is seen for 50 ms, and a period before and after (language rule 10)
+  const Rational period = decision.period->value;
+  const Rational dwell(ceil_to_int(Rational(Rational(1, 20) / period)));
+  return sum + (dwell + 2) * period;
+}
+
+}  // namespace rtac::recheck

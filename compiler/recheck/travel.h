@@ -1,0 +1,17 @@
+// How long a recovery takes for its way, once more, exactly, from how the pilots pace theirs
+// (docs/templates.md, retreat and route). SI units.
+#pragma once
+
+#include <optional>
+
+#include "compiler/sema/spec.h"
+
+namespace rtac::recheck {
+
+// From taking over at full speed until control is given back, at most, when the way over cells of
+// `cell` is `way`. nullopt: it does not get on against what pushes it.
+std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                       const sema::Controller& recovery, const Rational& cell,
+                                       const Rational& way);
+
+}  // namespace rtac::recheck

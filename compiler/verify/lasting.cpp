@@ -1,0 +1,41 @@
+// What `held` and `detour` of the energy clause stand for, with what it was found from.
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/liveness.h"
+#include "compiler/support/rational.h"
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+
+std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
+  if (!s.kind.energy) return std::nullopt;
+  const ir::Monitor& m = s.decision.monitors[k];
+  const ir::Recovery& last = ir::last_step(m.recovery);
+  const auto seconds = analysis::return_seconds(s.kind, s.module, s.decision, m.recovery);
+  if (!seconds) return std::nullopt;
+  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
+  const std::int64_t way_mm = ways.longest_mm.value_or(0);
+  // of an `or` that is kept on one side, it may be more than is reckoned with
+  if (*seconds > s.kind.energy->held.value) return std::nullopt;
+  if (Rational(way_mm, 1000) > s.kind.energy->detour.value) return std::nullopt;
+  const ir::Body& body = s.decision.body;
+  const ir::ZoneTable& zone = s.module[last.zone];
+  const auto text = [](std::int64_t n) { return std::to_string(n); };
+  const std::int64_t keeps_mm = analysis::standoff_mm(s.decision, last);
+  const std::int64_t aim_mm = last.return_clearance_mm + body.end_reach_mm + body.position_error_mm;
+  return Claim{"lasts",
+               {{"decision", s.decision.name},
+                {"monitor", m.name},
+                {"zone", zone.name},
+                {"held_us", text(ceil_to_int(Rational(*seconds * 1'000'000)))},
+                {"way_mm", text(way_mm)},
+                {"cell_mm", text(zone.cells.cell_mm)},
+                {"cells_x_mm", text(zone.cells.origin_x_mm)},
+                {"cells_y_mm", text(zone.cells.origin_y_mm)},
+                {"starts_mm", text(body.radius_mm + keeps_mm)},
+                {"route_mm", text(last.route_clearance_mm)},
+                {"return_mm", text(last.return_clearance_mm)},
+                {"extra_us", text(s.decision.return_extra_us)},
+                {"aim_mm", text(aim_mm)}}};
+}
+
+}  // namespace rtac::verify

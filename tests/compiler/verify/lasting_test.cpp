@@ -1,0 +1,149 @@
+// What a charge pays for in advance is found once more: for how long other recoveries hold the
+// robot, and how far they drive.
+#include "compiler/recheck/zones.h"
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+// Two carts with batteries, which are held and driven for as long as is declared.
+std::string carts() {
+  const std::string refuted = spec_text("tests/compiler/verify/refuted/detour.rta");
+  return edited(edited(refuted, "held <= 60 s", "held <= 120 s"), "detour <= 10 cm",
+                "detour <= 2 m");
+}
+
+class Lasting : public Verify {
+ protected:
+  void prove(const std::string& text) {
+    const Outcome o = verified(text, {"-o", "certificates"});
+    ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
+    report_ = Json::parse(read("certificates/verification.json"));
+    source_ = read("certificates/sources/spec.rta");
+  }
+  static Outcome rechecked() { return rtac({"verify", "--recheck", "certificates"}); }
+  Outcome with_source(const std::string& from, const std::string& to) {
+    write("certificates/sources/spec.rta", edited(source_, from, to));
+    Outcome o = rechecked();
+    write("certificates/sources/spec.rta", source_);
+    return o;
+  }
+  static Outcome with_report(const Json& report) {
+    write("certificates/verification.json", report.dump());
+    return rechecked();
+  }
+  // The claims of one kind, to be changed.
+  static std::vector<Json*> claims_of(Json& report, const std::string& kind) {
+    std::vector<Json*> found;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      for (Json& c : o["claims"]) {
+        if (c["claim"] == kind) found.push_back(&c);
+      }
+    }
+    return found;
+  }
+  Json report_;
+  std::string source_;
+};
+
+// Wheels, and a point mass.
+TEST_F(Lasting, TheEndOfARecoveryIsFoundOnceMore) {
+  prove(carts());
+  EXPECT_EQ(claims_of(report_, "lasts").size(), 1U);
+  Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  prove(edited(carts(), "= retreat within", "= loiter within"));
+  o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  prove(edited(edited(carts(),
+                      "unicycle { speed <= 0.3 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 "
+                      "m/s^2; turn_accel <= 10 rad/s^2; }",
+                      "point { speed <= 0.3 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }"),
+               "drive    : twist", "drive    : acceleration"));
+  EXPECT_EQ(claims_of(report_, "lasts").size(), 1U);
+  o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
+// Sources beside the certificate that reckon with less, or have the recovery take longer.
+TEST_F(Lasting, AnEnergyClauseThatReckonsWithLessIsNoticed) {
+  prove(carts());
+  for (const auto& [from, to, why] :
+       {std::tuple("held <= 120 s", "held <= 20 s", "lasts longer than `held`"),
+        std::tuple("detour <= 2 m", "detour <= 10 cm", "drives further than `detour`"),
+        std::tuple("inwards  : safe for Cart = retreat within yard speed 0.2",
+                   "inwards  : safe for Cart = retreat within yard speed 0.02", "last longer"),
+        std::tuple("accel <= 1 m/s^2", "accel <= 0.5 m/s^2", "last longer")}) {
+    const Outcome o = with_source(from, to);
+    EXPECT_EQ(o.status, exit_violation) << to;
+    EXPECT_NE((o.out + o.err).find(why), std::string::npos) << to << "\n" << o.out << o.err;
+  }
+}
+
+TEST_F(Lasting, AMutatedBoundIsNoticed) {
+  prove(carts());
+  for (const auto& [key, by] :
+       {std::pair("held_us", -1'000), std::pair("way_mm", -1), std::pair("starts_mm", 10),
+        std::pair("aim_mm", -1), std::pair("return_mm", -60), std::pair("cell_mm", 10),
+        std::pair("held_us", 300'000'000), std::pair("way_mm", 3'000)}) {
+    Json report = report_;
+    for (Json* const c : claims_of(report, "lasts")) {
+      (*c)[key] = std::to_string(std::stoll((*c)[key].get<std::string>()) + by);
+    }
+    const Outcome o = with_report(report);
+    EXPECT_EQ(o.status, exit_violation) << key << " " << by << "\n" << o.out << o.err;
+  }
+}
+
+// Each of them by itself.
+TEST_F(Lasting, AProofThatLeavesOutAClaimIsNoticed) {
+  prove(carts());
+  const auto without = [&](const std::string& obligation, const std::string& claim,
+                           const std::string& name) {
+    Json report = report_;
+    bool found = false;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] != obligation) continue;
+      Json& claims = o["claims"];
+      for (std::size_t k = claims.size(); k-- > 0;) {
+        if (claims[k]["claim"] != claim || claims[k].value("name", "") != name) continue;
+        claims.erase(k);
+        found = true;
+      }
+    }
+    EXPECT_TRUE(found) << obligation << " " << claim;
+    EXPECT_EQ(with_report(report).status, exit_violation) << obligation << " " << claim << name;
+  };
+  without("C", "lasts", "");
+  without("C", "recovery", "");
+  without("C", "contained", "");
+  without("P2a", "contained", "");
+  without("P2a", "lemma", "way_pieces");
+  without("P2b", "lemma", "return_reached");
+}
+
+// A passage of 60 cm that leads 8 m along a hall: all the way back from its end.
+TEST(LongestWay, LeadsOutOfAPassage) {
+  const auto zone = geometry::Region::of_rings({{{0, 0},
+                                                 {4, 0},
+                                                 {4, Rational(17, 10)},
+                                                 {12, Rational(17, 10)},
+                                                 {12, Rational(23, 10)},
+                                                 {4, Rational(23, 10)},
+                                                 {4, 4},
+                                                 {0, 4}}});
+  const auto longest = [&](const Rational& body) {
+    return recheck::longest_way(zone, {100, 0, 0}, body, Rational(2, 10), 1, {});
+  };
+  const auto way = longest(Rational(1, 10));
+  ASSERT_TRUE(way.has_value());
+  EXPECT_GE(*way, 8);
+  EXPECT_LE(*way, 11);
+  // who does not fit into the passage has less of a way
+  const auto wide = longest(Rational(1, 2));
+  ASSERT_TRUE(wide.has_value());
+  EXPECT_LE(*wide, 2);
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
