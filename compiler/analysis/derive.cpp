@@ -568,7 +568,9 @@ class Deriver {
       if (!own) continue;
       speed = std::max(speed, *own);
       if (*own < least) report_no_way(decision, c, *own, least);
-      if (!turns_end(kind, *own, period_us)) report_no_end_of_turns(decision, c, *own);
+      if (heading_errors(kind, *own, period_us) > heading_errors_most) {
+        report_off_heading(decision, c, *own);
+      }
     }
     return recovery_motion(kind, c.name, speed, period_us);
   }
@@ -619,21 +621,25 @@ class Deriver {
                          {}});
   }
 
-  void report_no_end_of_turns(const sema::Decision& decision, const sema::Controller& c,
-                              const Rational& own) {
+  void report_off_heading(const sema::Decision& decision, const sema::Controller& c,
+                          const Rational& own) {
     const sema::RobotKind& kind = spec_[decision.kind];
     const auto errs = [](const std::string& of, const sema::Sense& sense, const char* unit) {
       return diag::Note{sense.error.range, "its " + of + " errs by up to " +
                                                to_decimal(sense.error.value) + " " + unit};
     };
+    const Rational off =
+        heading_errors(kind, own, ceil_to_int(Rational(decision.period->value * 1'000'000)));
     const auto works = repairs(spec_, decision, [&](const Trial& t) {
-      return turns_end(t.kind, own, t.decision.period_us);
+      return heading_errors(t.kind, own, t.decision.period_us) <= heading_errors_most;
     });
     diagnostics_.report(
         {Code::limit_contradictory,
          c.name_range,
-         "`" + c.name + "` may turn in place for ever",
-         "it drives once it is seen to head for its way",
+         "`" + c.name + "` cannot be steered well enough",
+         "errors show which way it heads to within " +
+             to_decimal(Rational(ceil_to_int(Rational(off * 1000)), 1000)) + " rad, and " +
+             to_decimal(heading_errors_most) + " rad is needed",
          {errs("heading", *kind.heading, "rad"), errs("position", *kind.position, "m")},
          works.empty() ? "no other number alone works" : joined(works) + " works",
          {}});

@@ -51,35 +51,59 @@ Rational lateral_gain(const sema::RobotKind& kind, const Rational& period) {
   return gain_of(pace::lateral_gain_milli_per_s, pace::lateral_mrad_per_delay, late);
 }
 
-// The gain of the turning of wheels; the period is never 0.
-Rational turn_gain(const sema::RobotKind& kind, const Rational& period) {
-  const Rational late = kind.latency.value + period + seconds_of(kind.heading);
-  return gain_of(pace::turn_gain_milli_per_s, pace::turn_mrad_per_delay, late);
+// How wheels are led along a leg (steering_of of the pilots).
+struct Steering {
+  Rational gain;         // 1/s
+  Rational turn_most;    // rad/s
+  Rational ahead;        // m
+  Rational errors, end;  // rad: of the direction that it is seen to be off, and where a turn ends
+};
+
+Steering steering(const sema::RobotKind& kind, const Rational& speed, const Rational& period) {
+  const Rational acts = kind.latency.value + period;
+  const auto ahead_of = [&](const Rational& gain) {
+    const Rational turning = Rational(pace::aim_ahead_turns_permille, 1000) * speed / gain;
+    const Rational late = acts + seconds_of(kind.position);
+    return std::max({Rational(pace::aim_ahead_mm, 1000), turning,
+                     Rational(pace::aim_ahead_delays * speed * late)});
+  };
+  Steering s;
+  s.turn_most = std::min(kind.motion.turn->value, Rational(pace::turn_max_mradps, 1000));
+  s.gain = gain_of(pace::turn_gain_milli_per_s, pace::turn_mrad_per_delay,
+                   Rational(acts + seconds_of(kind.heading)));
+  if (kind.motion.turn_accel) {
+    s.gain = std::min(s.gain, Rational(kind.motion.turn_accel->value / s.turn_most));
+  }
+  if (kind.heading) s.errors = kind.heading->error.value;
+  if (kind.position) s.errors += kind.position->error.value / ahead_of(s.gain);
+  s.end = std::max(Rational(pace::turn_end_mrad, 1000),
+                   Rational(pace::turn_end_errors_permille * s.errors / 1000));
+  const Rational begin =
+      std::max(Rational(pace::turn_begin_mrad, 1000), Rational(pace::turn_begin_errors * s.errors));
+  s.gain = std::min(s.gain, Rational(s.turn_most / begin));
+  s.ahead = ahead_of(s.gain);
+  return s;
 }
 
-// How far ahead wheels aim at the speed `speed`, in m.
-Rational aim_ahead(const sema::RobotKind& kind, const Rational& speed, const Rational& period) {
-  const Rational late = kind.latency.value + period + seconds_of(kind.position);
-  const Rational turning =
-      Rational(pace::aim_ahead_turns_permille, 1000) * speed / turn_gain(kind, period);
-  return std::max({Rational(pace::aim_ahead_mm, 1000), turning,
-                   Rational(pace::aim_ahead_delays * speed * late)});
-}
-
-// The pilot turns at a rate proportional to the error (gain g), limited, until the error is e. From
-// an error x that is log(x / e) / g, or longer where the limit binds, and never above the tangent
-// at an eighth of a circle, log(pi / 4 / e) - 1 + x / (pi / 4), over g; or than x at the limit on
-// top of the same constant. 1.0611: above log(7.8540) - 1. And a turn rate takes time to act.
-void add_turn(const sema::RobotKind& kind, const Rational& period, Leg& leg) {
+// The pilot turns at a rate proportional to what it sees, the error x and what errors add (E), with
+// the gain g, limited, until it sees less than e. Down to x = e + E that takes log((x - E) / e) /
+// g, or longer where the limit binds, and never above the tangent at an eighth of a circle, log(pi
+// / 4 / e) - 1 + (x - E) / (pi / 4), over g; or than x at the limit on top of the same constant.
+// From there to e - E, where it sees less than e for certain, it turns by g e at least: 2 E / e
+// over g. 1.0611: above log(7.8540) - 1, for e = 0.1; of u = e / 0.1 the logarithm is 3 (u^2 - 1) /
+// (u^2 + 4 u + 1) or more. And a turn rate takes time to act.
+void add_turn(const sema::RobotKind& kind, const Rational& speed, const Rational& period,
+              Leg& leg) {
   if (!kind.motion.turn) return;
   static_assert(pace::turn_end_mrad == 100, "the logarithm below");
-  const Rational gain = turn_gain(kind, period);
-  const Rational limit = std::min(kind.motion.turn->value, Rational(pace::turn_max_mradps, 1000));
-  const Rational tangent = Rational(10'000, 7853) / gain;
-  leg.turn_s_per_rad = std::max(tangent, Rational(1 / limit));
-  leg.seconds +=
-      Rational(10'611, 10'000) / gain + kind.latency.value + period + seconds_of(kind.heading);
-  if (kind.motion.turn_accel) leg.seconds += limit / kind.motion.turn_accel->value;
+  const Steering s = steering(kind, speed, period);
+  const Rational u = s.end / Rational(pace::turn_end_mrad, 1000);
+  const Rational log = Rational(10'611, 10'000) - 3 * (u * u - 1) / (u * u + 4 * u + 1);
+  const Rational errs = (2 / s.end - Rational(10'000, 7855)) * s.errors;
+  leg.turn_s_per_rad =
+      std::max(Rational(Rational(10'000, 7853) / s.gain), Rational(1 / s.turn_most));
+  leg.seconds += (log + errs) / s.gain + kind.latency.value + period + seconds_of(kind.heading);
+  if (kind.motion.turn_accel) leg.seconds += s.turn_most / kind.motion.turn_accel->value;
 }
 
 // At least log(speed / least), not below 0: 0.6932 a doubling.
@@ -112,7 +136,7 @@ Leg leg_of(const sema::RobotKind& kind, const Rational& speed, const Rational& l
   if (kind.motion.model == sema::MotionModel::point) {
     leg.seconds += settling(kind, period);
   }
-  add_turn(kind, period, leg);
+  add_turn(kind, speed, period, leg);
   return leg;
 }
 
@@ -134,31 +158,9 @@ Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us) {
   return errs + pushed_speed(kind, period_us);
 }
 
-// Wheels turn in place until they are seen to be off by less than turn_end, and again from
-// turn_begin on. A heading that errs by turn_end may be seen off by as much on either side of where
-// the turn would end. An error of the place turns the direction that they are to head for, too:
-// when the two together change sides just after a turn has ended, no new one may begin.
-bool turns_end(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us) {
-  if (!kind.motion.turn || !kind.heading || !kind.position) return true;
-  const Rational end(pace::turn_end_mrad, 1000), begin(pace::turn_begin_mrad, 1000);
-  const Rational heading = kind.heading->error.value;
-  const Rational aside = kind.position->error.value / aim_ahead(kind, speed, seconds_of(period_us));
-  return heading < end && 2 * (heading + aside) < begin + end;
-}
-
-// What is left of a turn in place when wheels set out. A turn rate that runs down more slowly than
-// the gain asks for carries them past the end of the turn; where that is past the beginning of
-// another one, they turn again.
-Rational left_of_turn(const sema::RobotKind& kind, const Rational& period) {
-  const Rational end(pace::turn_end_mrad, 1000), begin(pace::turn_begin_mrad, 1000);
-  const Rational most = std::min(kind.motion.turn->value, Rational(pace::turn_max_mradps, 1000));
-  const Rational gain = turn_gain(kind, period);
-  if (!kind.motion.turn_accel || kind.motion.turn_accel->value >= gain * most) return end;
-  const Rational slows = kind.motion.turn_accel->value;
-  const Rational squared = most * most - 2 * slows * (most / gain - end);
-  const Rational late = kind.latency.value + period + seconds_of(kind.heading);
-  const Rational past = squared / (2 * slows) + most * late - end;
-  return std::clamp(past, end, Rational(begin + end));
+Rational heading_errors(const sema::RobotKind& kind, const Rational& speed,
+                        std::int64_t period_us) {
+  return kind.motion.turn ? steering(kind, speed, seconds_of(period_us)).errors : Rational(0);
 }
 
 // How far beside its leg what pushes a point mass brings it before its correction settles. While it
@@ -171,22 +173,26 @@ Rational pushed_beside(const sema::RobotKind& kind, const Rational& speed, const
 }
 
 // A point mass settles where its correction makes up for the errors of its place and its velocity
-// and for the speed that it is pushed with; half of what pushes more until then. Wheels set out
-// with what is left of their turn, which leads aside by 0.65 of it times how far ahead they aim; an
-// error of the heading that lasts by as much as itself, and a fifth more until it has settled; and
-// errors of the place that change at the worst rate by half of what they are more than those that
-// last.
+// and for the speed that it is pushed with; half of what pushes more until then. A velocity error
+// that is a part r of its speed, half at most, takes 1 / sqrt(1 - r^2) of itself to make up for: no
+// more than 1 + 0.62 r^2. Wheels set out with what is left of their turn, which leads aside by 0.65
+// of it times how far ahead they aim; an error of the heading that lasts by as much as itself, and
+// a fifth more until it has settled; and errors of the place that change at the worst rate by half
+// of what they are more than those that last.
 std::int64_t beside_mm(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us) {
   const Rational period = seconds_of(period_us);
   const Rational place = kind.position ? kind.position->error.value : Rational(0);
   Rational settled, pushed = Rational(3, 2) * pushed_speed(kind, period_us);
   if (kind.motion.turn) {
     const Rational heading = kind.heading ? kind.heading->error.value : Rational(0);
-    const Rational left = Rational(65, 100) * left_of_turn(kind, period);
-    settled = aim_ahead(kind, speed, period) * (left + Rational(6, 5) * heading) + place / 2;
+    const Steering s = steering(kind, speed, period);
+    settled =
+        Rational(91, 100) * s.end * speed / s.gain + Rational(6, 5) * heading * s.ahead + place / 2;
   } else if (!kind.in_space) {
     const Rational gain = lateral_gain(kind, period);
-    settled = place + (kind.velocity ? kind.velocity->error.value : Rational(0)) / gain;
+    const Rational errs = kind.velocity ? kind.velocity->error.value : Rational(0);
+    const Rational part = std::min(Rational(1, 2), speed > 0 ? Rational(errs / speed) : errs);
+    settled = place + errs * (1 + Rational(62, 100) * part * part) / gain;
     pushed = pushed_beside(kind, speed, period) / gain;
   }
   return std::max(beside_least_mm, ceil_to_int(Rational(settled * 1000))) +

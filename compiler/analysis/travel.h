@@ -23,7 +23,9 @@ inline constexpr int hold_brake_shares = 4;
 inline constexpr int turn_gain_milli_per_s = 1500;
 inline constexpr int turn_max_mradps = 1500;
 inline constexpr int turn_end_mrad = 100;
-inline constexpr int turn_begin_mrad = 350;  // turn_begin_rad of the pilot
+inline constexpr int turn_end_errors_permille = 2500;
+inline constexpr int turn_begin_mrad = 350;
+inline constexpr int turn_begin_errors = 5;
 inline constexpr int turn_mrad_per_delay = 500;
 inline constexpr int aim_ahead_mm = 200;
 inline constexpr int aim_ahead_turns_permille = 1400;
@@ -39,9 +41,11 @@ Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us);
 // Upper bound of what takes speed from it for good, its velocity error included, in m/s; 0 of
 // wheels.
 Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us);
-// Whether wheels that turn in place for a way at `speed` in m/s get to drive it, whatever changes
-// of sides their errors make; true of a point mass.
-bool turns_end(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us);
+// By how much errors turn the direction in which wheels that drive at `speed` in m/s are seen to be
+// off their way, in rad; 0 of a point mass.
+Rational heading_errors(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us);
+// The most with which they keep to it: beyond, they would drive off at more than 1 rad to it.
+inline const Rational heading_errors_most(1, pace::turn_begin_errors);
 // The tests of the pilots hold it, whatever is declared.
 inline constexpr std::int64_t beside_least_mm = 50;
 // How far beside its leg a recovery of the declared `speed` in m/s comes at most, in mm, what

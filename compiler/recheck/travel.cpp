@@ -15,6 +15,9 @@ const Rational arrival(5, 4);          // how much more than what is against it 
 const Rational settles(3, 10);         // s, or two delays
 const Rational turn_gain(3, 2);        // 1/s, or half a radian per delay
 const Rational turn_most(3, 2);        // rad/s
+const Rational turn_end(1, 10);        // rad, or 2.5 of what errors turn what it heads for
+const Rational turn_begin(7, 20);      // rad, or five times as much
+const Rational aims_ahead(1, 5);       // m, or 1.4 of its speed over the gain, or 2 of its delay
 const Rational looks_every(1);         // s
 const Rational eighth(7854, 10000);    // of a circle, from above
 constexpr int samples_at_rest = 3;
@@ -77,13 +80,33 @@ class Travel {
                    (taken_ / planned() + delay_) * log_above(speed_ / left) +
                    creep * (creep / (2 * planned()) + delay_) / left;
     if (!wheels_) return sum + settling_;
-    // from an error x: log(x / 0.1) over the gain, below its tangent at an eighth of a circle
-    sum += Rational(10'611, 10'000) / gain() + acts_ + oldest(kind_.heading);
+    // From an error x by which it is seen off by x - errors at least: log((x - errors) / end) over
+    // the gain, below its tangent at an eighth of a circle, the logarithm of end over 0.1 being
+    // 3 (u^2 - 1) / (u^2 + 4 u + 1) or more; then what errors hide, at the gain times the end.
+    const Rational errs = errors(), ends = std::max(turn_end, Rational(Rational(5, 2) * errs));
+    const Rational u = ends / turn_end;
+    sum += (Rational(10'611, 10'000) - 3 * (u * u - 1) / (u * u + 4 * u + 1) + 2 * errs / ends -
+            errs * Rational(10'000, 7855)) /
+           gain();
+    sum += acts_ + oldest(kind_.heading);
     if (kind_.motion.turn_accel) sum += turns() / kind_.motion.turn_accel->value;
     return sum;
   }
+  // What leaves room for the delay and for a turn rate that changes slowly.
+  [[nodiscard]] Rational free_gain() const {
+    Rational most = std::min(turn_gain, Rational(Rational(1, 2) / (acts_ + oldest(kind_.heading))));
+    if (!kind_.motion.turn_accel) return most;
+    return std::min(most, Rational(kind_.motion.turn_accel->value / turns()));
+  }
+  [[nodiscard]] Rational errors() const {
+    const Rational sees = kind_.heading ? kind_.heading->error.value : Rational(0);
+    if (!kind_.position) return sees;
+    const Rational ahead = std::max({aims_ahead, Rational(Rational(7, 5) * speed_ / free_gain()),
+                                     Rational(2 * speed_ * (acts_ + oldest(kind_.position)))});
+    return sees + kind_.position->error.value / ahead;
+  }
   [[nodiscard]] Rational gain() const {
-    return std::min(turn_gain, Rational(Rational(1, 2) / (acts_ + oldest(kind_.heading))));
+    return std::min(free_gain(), Rational(turns() / std::max(turn_begin, Rational(5 * errors()))));
   }
   [[nodiscard]] Rational turns() const { return std::min(turn_most, declared(kind_.motion.turn)); }
   [[nodiscard]] Rational turn_per_rad() const {

@@ -9,14 +9,9 @@
 namespace rtac::safe {
 namespace {
 
-// A corner sharper than this is taken from rest.
-constexpr double sharp_corner_rad = 0.35;
 // Directions of what lasts, in a quarter of a circle.
 constexpr int directions = 90;
 
-double delay_s(const Setting& setting, TimeUs age_us) {
-  return 1e-6 * static_cast<double>(age_us + setting.period_us + setting.limits.latency_us);
-}
 double velocity_delay_s(const Setting& setting) {
   return delay_s(setting, setting.limits.velocity_age_us);
 }
@@ -49,6 +44,10 @@ double stand_off_m(const Setting& setting) {
 }
 
 }  // namespace
+
+double delay_s(const Setting& setting, TimeUs age_us) {
+  return 1e-6 * static_cast<double>(age_us + setting.period_us + setting.limits.latency_us);
+}
 
 double end_reach_m(const Setting& setting) {
   const RobotLimits& l = setting.limits;
@@ -110,7 +109,7 @@ LegTracker::Bearing LegTracker::bearing(const Path& way, Vec2 at) const {
 // the full one, which would leave it to creep over a stretch that it takes seconds for.
 double approach_speed(const LegTracker::Bearing& leg, double speed_mps, double brake_mps2,
                       double reaction_s) {
-  const double corner_mps = speed_mps * std::max(0.0, 1 - leg.corner_rad / sharp_corner_rad);
+  const double corner_mps = speed_mps * std::max(0.0, 1 - leg.corner_rad / pace::sharp_corner_rad);
   const double planned_mps2 = pace::planned_braking * brake_mps2;
   const double late_mps = planned_mps2 * reaction_s;
   const double room_m = std::max(0.0, leg.remaining_m - corner_mps * reaction_s);

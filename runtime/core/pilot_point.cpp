@@ -34,11 +34,10 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
     : limits_(setting.limits),
       period_us_(setting.period_us),
       speed_mps_(setting.speed_mps),
+      reaction_s_(delay_s(setting, setting.limits.velocity_age_us)),
       settling_s_(safe::settling_s(setting)),
       lateral_gain_per_s_(safe::lateral_gain_per_s(setting)),
       end_reach_m_(safe::end_reach_m(setting)) {
-  reaction_s_ =
-      static_cast<double>(limits_.velocity_age_us + period_us_ + limits_.latency_us) * s_per_us;
   // theory: sampled brake, eta = eps_v + b (h + l), the age of the sample being part of the lag.
   // What pushes the robot changes the speed in the meantime, too. It takes over at eta b / (b - d):
   // below that speed the velocity may be wrong by an angle at which the push makes up for what is
@@ -47,9 +46,10 @@ Pilot<Acceleration>::Pilot(const Setting& setting)
   const double eta_mps =
       limits_.velocity_error_mps + (limits_.brake_mps2 + limits_.disturbance_mps2) * reaction_s_;
   rest_mps_ = eta_mps * limits_.brake_mps2 / (limits_.brake_mps2 - limits_.disturbance_mps2);
-  const double age_s = static_cast<double>(limits_.position_age_us) * s_per_us;
-  const double delay_s = std::max(reaction_s_ + age_s, pace::hold_delay_least_s);
-  omega_radps_ = std::min(pace::hold_max_radps, pace::hold_rad_per_delay / delay_s);
+  const double late_s =
+      std::max(delay_s(setting, limits_.velocity_age_us + limits_.position_age_us),
+               pace::hold_delay_least_s);
+  omega_radps_ = std::min(pace::hold_max_radps, pace::hold_rad_per_delay / late_s);
   const double share_mps2 =
       (limits_.brake_mps2 - limits_.disturbance_mps2) / pace::hold_brake_shares;
   if (limits_.velocity_error_mps > 0) {

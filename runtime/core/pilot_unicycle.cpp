@@ -11,28 +11,45 @@
 namespace rtac::safe {
 namespace {
 
-constexpr double s_per_us = 1e-6;
 // At rest: measured speed within its error and this, for as many new measurements in a row.
 constexpr double rest_mps = 0.01;
-// Turning in place begins at this heading error.
-constexpr double turn_begin_rad = 0.35;
 // Sideways part of a motion that the pursuit of a receding leg may have for a moment.
 constexpr double sideways_rad = 0.1;
 
 }  // namespace
 
+// The gain leaves room for the delay of the heading and for a turn rate that changes slowly, and
+// asks for no more than the turn limit while it drives.
+Steering steering_of(const Setting& setting) {
+  const RobotLimits& l = setting.limits;
+  const double heading_s = delay_s(setting, l.heading_age_us);
+  const double position_s = delay_s(setting, l.position_age_us);
+  Steering s;
+  s.turn_max_radps = pace::turn_radps_max;
+  if (l.turn_radps > 0) s.turn_max_radps = std::min(s.turn_max_radps, l.turn_radps);
+  const auto ahead_m = [&](double gain_per_s) {
+    return std::max({pace::aim_ahead_m, pace::aim_ahead_turns * setting.speed_mps / gain_per_s,
+                     pace::aim_ahead_delays * setting.speed_mps * position_s});
+  };
+  s.gain_per_s = std::min(pace::turn_gain_per_s, pace::turn_rad_per_delay / heading_s);
+  if (l.turn_accel_radps2 > 0) {
+    s.gain_per_s = std::min(s.gain_per_s, l.turn_accel_radps2 / s.turn_max_radps);
+  }
+  const double errors_rad = l.heading_error_rad + l.position_error_m / ahead_m(s.gain_per_s);
+  s.turn_end_rad = std::max(pace::turn_end_rad, pace::turn_end_errors * errors_rad);
+  s.turn_begin_rad = std::max(pace::turn_begin_rad, pace::turn_begin_errors * errors_rad);
+  s.gain_per_s = std::min(s.gain_per_s, s.turn_max_radps / s.turn_begin_rad);
+  s.aim_ahead_m = ahead_m(s.gain_per_s);
+  return s;
+}
+
 Pilot<Twist>::Pilot(const Setting& setting)
     : limits_(setting.limits),
       period_us_(setting.period_us),
       speed_mps_(setting.speed_mps),
-      end_reach_m_(safe::end_reach_m(setting)) {
-  reaction_s_ = static_cast<double>(period_us_ + limits_.latency_us) * s_per_us;
-  const double heading_s = reaction_s_ + static_cast<double>(limits_.heading_age_us) * s_per_us;
-  const double position_s = reaction_s_ + static_cast<double>(limits_.position_age_us) * s_per_us;
-  turn_gain_per_s_ = std::min(pace::turn_gain_per_s, pace::turn_rad_per_delay / heading_s);
-  aim_ahead_m_ = std::max({pace::aim_ahead_m, pace::aim_ahead_turns * speed_mps_ / turn_gain_per_s_,
-                           pace::aim_ahead_delays * speed_mps_ * position_s});
-}
+      end_reach_m_(safe::end_reach_m(setting)),
+      reaction_s_(delay_s(setting, 0)),
+      steering_(steering_of(setting)) {}
 
 void Pilot<Twist>::engage(const Observation&) {
   latched_ = driving_ = turning_ = false;
@@ -73,21 +90,21 @@ Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
   if (!tracker_.advance(way, p, end_reach_m_)) {
     return halt(observation);
   }
-  if (!driving_) turning_ = true;
-  driving_ = true;
   latched_ = false;
   not_at_rest();
   const LegTracker::Bearing leg = tracker_.bearing(way, p);
+  const bool sharp = dot(leg.direction, leg_direction_) < std::cos(pace::sharp_corner_rad);
+  if (!driving_ || sharp) turning_ = true;
+  driving_ = true;
+  leg_direction_ = leg.direction;
   const Vec2 left{-leg.direction.y, leg.direction.x};
-  const Vec2 aim = aim_ahead_m_ * leg.direction + (-leg.lateral_m) * left;
+  const Vec2 aim = steering_.aim_ahead_m * leg.direction + (-leg.lateral_m) * left;
   const double error = detail::wrapped(detail::angle(aim) - observation.heading.value);
-  if (std::fabs(error) > turn_begin_rad) turning_ = true;
-  if (std::fabs(error) < pace::turn_end_rad) turning_ = false;
-  const double turn_max = limits_.turn_radps > 0
-                              ? std::min(limits_.turn_radps, pace::turn_radps_max)
-                              : pace::turn_radps_max;
+  if (std::fabs(error) > steering_.turn_begin_rad) turning_ = true;
+  if (std::fabs(error) < steering_.turn_end_rad) turning_ = false;
   Twist out;
-  out.turn_radps = std::clamp(turn_gain_per_s_ * error, -turn_max, turn_max);
+  out.turn_radps =
+      std::clamp(steering_.gain_per_s * error, -steering_.turn_max_radps, steering_.turn_max_radps);
   if (!turning_) {
     const double brake = limits_.brake_mps2 > 0 ? limits_.brake_mps2 : limits_.accel_mps2;
     out.speed_mps = approach_speed(leg, speed_mps_, brake, reaction_s_);

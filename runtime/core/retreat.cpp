@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "rtac/safe/manoeuvre.h"
+#include "rtac/safe/pace.h"
 #include "rtac/safe/pilot.h"
 
 namespace rtac::safe {
 namespace {
 
-constexpr TimeUs look_every_us = 1'000'000;
 // Below the resolution of a millimetre grid: the clearance "does not fall" up to this.
 constexpr double loss_m = 2e-3;
 
@@ -31,7 +31,7 @@ void RetreatManoeuvre::engage(const Observation&) {
 void RetreatManoeuvre::update(const Observation& observation, Gate, bool at_rest) {
   // On the way nothing is reconsidered; the pilot comes to rest at its end or when the gate closes.
   if (!at_rest || observation.now_us < next_look_us_) return;
-  next_look_us_ = observation.now_us + look_every_us;
+  next_look_us_ = observation.now_us + pace::look_every_us;
   look(observation);
 }
 

@@ -255,8 +255,7 @@ Vec3 Carried::aim() const {
 double Carried::stray_m() const {
   const RobotLimits& l = setting_.limits;
   const double b = l.brake_mps2, d = l.disturbance_mps2;
-  const double reaction_s =
-      static_cast<double>(l.velocity_age_us + setting_.period_us + l.latency_us) * s_per_us;
+  const double reaction_s = delay_s(setting_, l.velocity_age_us);
   const double s = setting_.speed_mps + l.velocity_error_mps;
   const double eta_mps = l.velocity_error_mps + (b + d) * reaction_s;
   const double bend_m = (eta_mps * (s + eta_mps) + d * s * s / (2 * b)) / (b - d);

@@ -1,10 +1,10 @@
 #include "passage.h"
 #include "rtac/safe/manoeuvre.h"
+#include "rtac/safe/pace.h"
 
 namespace rtac::safe {
 namespace {
 
-constexpr TimeUs look_every_us = 1'000'000;
 // Time for the other robots to notice the hold and go on, before this one makes room.
 constexpr TimeUs patience_us = 2'000'000;
 // Longest time without a lease: after it the wish is given up, so that the others may rely on the
@@ -51,7 +51,7 @@ void YieldManoeuvre::update(const Observation& observation, Gate gate, bool at_r
   }
   if (held_since_us_ == never_us) start_waiting(observation);
   if (now_us < next_look_us_) return;
-  next_look_us_ = now_us + look_every_us;
+  next_look_us_ = now_us + pace::look_every_us;
   cornered_ = false;
   if (const int asker = asks_for_passage(observation); asker >= 0) {
     make_passage(observation, gate, asker);
@@ -64,7 +64,7 @@ void YieldManoeuvre::update(const Observation& observation, Gate gate, bool at_r
 // At rest although it wants to move: the lease is still running, or the gate is closed.
 void YieldManoeuvre::reconsider(const Observation& observation, Gate gate) {
   const TimeUs now_us = observation.now_us;
-  next_look_us_ = now_us + look_every_us;
+  next_look_us_ = now_us + pace::look_every_us;
   const int asker = asks_for_passage(observation);
   const bool reason_left = asker >= 0 || must_back_off(observation);
   if (!reason_left || now_us - wanting_since_us_ > wanting_us_max) {

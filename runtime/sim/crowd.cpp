@@ -13,8 +13,6 @@ constexpr double s_per_us = 1e-6;
 constexpr TimeUs phase_us_min = 300'000, phase_us_max = 4'000'000;
 constexpr double nearest_m = 1, farthest_m = 6;  // from a robot, at the start
 constexpr int tries_max = 400;
-// What rounding may have added to a unit vector stays within its bound.
-constexpr double rounded_down = 1 - 1e-12;
 
 }  // namespace
 

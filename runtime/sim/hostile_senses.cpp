@@ -12,8 +12,6 @@ constexpr std::uint64_t senses_stream = 2001, lasting_stream = 2005;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 // Of a run: how often aimed noise is aimed exactly.
 constexpr double aimed_share = 0.6;
-// What rounding may have added to a unit vector stays within the error.
-constexpr double rounded_down = 1 - 1e-12;
 
 Vec3 turned(Vec3 v, double angle_rad) {
   const SinCos turn = sin_cos(angle_rad);

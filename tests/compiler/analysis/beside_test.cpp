@@ -185,6 +185,20 @@ TEST(Beside, WheelsKeepToTheirLegHoweverLateTheySee) {
   }
 }
 
+// Their turns end earlier, and they set out by as much as they err on top.
+TEST(Beside, WheelsMaySeeBadly) {
+  for (const Late& c : {
+           Late{0.11, 0.02, 0.035, 100, 100},
+           Late{0.2, 0.03, 0.05, 60, 60},
+           Late{0.5, 0.02, 0.15, 100, 100},
+           Late{0.8, 0.1, 0.05, 300, 20},
+           Late{1.5, 0.05, 0.16, 20, 300},
+           Late{0.05, 0.01, 0.15, 1'000, 200},
+       }) {
+    keeps<Twist>(c);
+  }
+}
+
 // With the gain of 1/s of a place that is new, a point mass weaves.
 TEST(Beside, PointMassesKeepToTheirLegHoweverLateTheySee) {
   for (const Late& c : {

@@ -92,7 +92,7 @@ robot Cart {
   body     radius 15 cm;
   motion   unicycle { speed <= 0.8 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 8 rad/s^2; }
   sense    position : point   error 2 cm    max_age 60 ms;
-  sense    heading  : angle   error 5 deg   max_age 60 ms;
+  sense    heading  : angle   error 1 deg   max_age 60 ms;
   sense    velocity : vector  error 2 cm/s  max_age 40 ms;
   output   drive : twist;
   latency  30 ms;
@@ -108,7 +108,7 @@ decision move for Cart { advanced work; period 50 ms; priority walls; }
   EXPECT_EQ(guard(*plain).motions[1].beside_mm, 50);
   EXPECT_EQ(guard(*plain).body.hold_mm, 10);
   for (const auto& [written, worse] : {std::pair{"turn_accel <= 8", "turn_accel <= 0.5"},
-                                       std::pair{"5 deg   max_age 60 ms", "5 deg max_age 2 s"}}) {
+                                       std::pair{"1 deg   max_age 60 ms", "1 deg max_age 2 s"}}) {
     const auto c = compiled(edited(cart, written, worse));
     ASSERT_TRUE(c->module) << worse << "\n" << reports(*c);
     const std::int64_t beside_mm = guard(*c).motions[1].beside_mm;

@@ -123,6 +123,9 @@ TEST(Pace, IsTheSameOnBothSides) {
   EXPECT_EQ(pace::turn_gain_milli_per_s, std::lround(1e3 * theirs::turn_gain_per_s));
   EXPECT_EQ(pace::turn_max_mradps, std::lround(1e3 * theirs::turn_radps_max));
   EXPECT_EQ(pace::turn_end_mrad, std::lround(1e3 * theirs::turn_end_rad));
+  EXPECT_EQ(pace::turn_end_errors_permille, 1000 * theirs::turn_end_errors);
+  EXPECT_EQ(pace::turn_begin_mrad, std::lround(1e3 * theirs::turn_begin_rad));
+  EXPECT_EQ(pace::turn_begin_errors, theirs::turn_begin_errors);
   EXPECT_EQ(pace::turn_mrad_per_delay, std::lround(1e3 * theirs::turn_rad_per_delay));
   EXPECT_EQ(pace::aim_ahead_mm, std::lround(1e3 * theirs::aim_ahead_m));
   EXPECT_EQ(pace::aim_ahead_turns_permille, std::lround(1e3 * theirs::aim_ahead_turns));
@@ -225,6 +228,76 @@ TEST(Travel, AUnicycleTakesNoLongerThanPriced) {
     expect_priced<Twist>(slow, speed_mps);
     expect_priced<Twist>(brisk(slow), speed_mps);
     expect_priced<Twist>(late, speed_mps);
+  }
+}
+
+// Who knows where it truly heads shows it off its way by least while it turns and by most while it
+// drives, so as to keep it turning.
+double shown_off(double truly_rad, double errors_rad, double end_rad, bool turning) {
+  const double side = truly_rad < 0 ? -1 : 1, off = side * truly_rad;
+  if (!turning) return side * (off + errors_rad);
+  if (off - errors_rad <= -end_rad) return side * (off - errors_rad);
+  return side * std::min(std::max(off - errors_rad, end_rad), off + errors_rad);
+}
+
+// Drives `points`, each after a turn, and says how long that takes. The errors of the heading and
+// of the place add up.
+double misled_s(const RobotLimits& limits, double speed_mps, const std::vector<Vec2>& points) {
+  safe::Setting setting;
+  setting.limits = limits, setting.period_us = period_us, setting.speed_mps = speed_mps;
+  const safe::Steering steering = safe::steering_of(setting);
+  const double errors_rad =
+      limits.heading_error_rad + std::atan(limits.position_error_m / steering.aim_ahead_m);
+  rtac::test::Plant<Twist> plant(limits, {0, 0});
+  plant.noisy = 0;
+  plant.heading = 3.1;
+  safe::Pilot<Twist> pilot(setting);
+  pilot.engage(plant.observe());
+  Path way;
+  for (const Vec2 p : points) (void)way.points.push(p);
+  safe::LegTracker truth;
+  truth.begin(plant.p);
+  bool turning = true;
+  while (!way.finished() && plant.now_us < 600'000'000) {
+    Observation seen = plant.observe();
+    const std::size_t leg = way.index;
+    const safe::LegTracker::Bearing b = truth.bearing(way, plant.p);
+    const double along = std::atan2(b.direction.y, b.direction.x);
+    const double truly =
+        std::remainder(along - std::atan(b.lateral_m / steering.aim_ahead_m) - plant.heading,
+                       2 * 3.14159265358979);
+    const double kept_rad = 1.02 * steering.turn_end_rad;  // so that nothing rounds below
+    const double n = shown_off(truly, errors_rad, kept_rad, turning) - truly;
+    const double share = n / errors_rad;
+    seen.heading.value -= share * limits.heading_error_rad;
+    if (plant.now_us > 0) {  // where the first leg begins is seen as it is
+      const Vec2 right{b.direction.y, -b.direction.x};
+      seen.position.value = plant.p + share * limits.position_error_m * right;
+    }
+    const Twist out = pilot.drive(seen, way);
+    turning = out.speed_mps == 0;
+    if (way.index != leg) {
+      truth.begin(points[way.index - 1]);
+      turning = true;
+    }
+    plant.apply(out, period_us);
+  }
+  return 1e-6 * static_cast<double>(plant.now_us);
+}
+TEST(Travel, TurnsEndWhateverErrorsShow) {
+  for (const double heading_rad : {0.0, 0.035, 0.1, 0.15}) {
+    for (const double speed_mps : {0.05, 0.22}) {
+      RobotLimits limits = rtac::test::cart_limits();
+      limits.heading_error_rad = heading_rad;
+      for (const int cells : {1, 3, 12}) {
+        const std::vector<Vec2> straight{{0.1 * cells, 0}};
+        for (const std::vector<Vec2>& way : {stairs(cells), straight}) {
+          EXPECT_LE(misled_s(limits, speed_mps, way), priced_s(limits, speed_mps, length_m(way)))
+              << heading_rad << " rad, " << speed_mps << " m/s, " << way.size() << " legs of "
+              << cells << " cells";
+        }
+      }
+    }
   }
 }
 

@@ -28,10 +28,16 @@ inline constexpr double hold_max_radps = 2, hold_rad_per_delay = 0.25, hold_dela
 // frequency times the velocity, the spring for its square times the place. Without, errors of
 // decimetres saturate the brake, and the robot is carried off.
 inline constexpr double hold_brake_shares = 4;
-// Unicycle: turning is proportional to the heading error, within a limit, and in place until
-// `turn_end_rad`. By a heading that is seen late it turns more slowly, half a radian per delay.
-inline constexpr double turn_gain_per_s = 1.5, turn_radps_max = 1.5, turn_end_rad = 0.1;
-inline constexpr double turn_rad_per_delay = 0.5;
+// A corner sharper than this is taken from rest, and wheels turn there in place.
+inline constexpr double sharp_corner_rad = 0.35;
+// Unicycle: turning is proportional to the heading error, within a limit. By a heading that is seen
+// late it turns more slowly, half a radian per delay.
+inline constexpr double turn_gain_per_s = 1.5, turn_radps_max = 1.5, turn_rad_per_delay = 0.5;
+// Unicycle: a turn in place ends at this heading error, or at 2.5 times what errors turn the
+// direction that it is seen to head for: they cannot keep it turning. It would begin again at 0.35
+// rad, or at five times those errors: while it drives they show it off by up to 4.7 times as much.
+inline constexpr double turn_end_rad = 0.1, turn_end_errors = 2.5;
+inline constexpr double turn_begin_rad = 0.35, turn_begin_errors = 5;
 // Unicycle: it steers for a point of the leg's line that is so far ahead, or as far as it comes in
 // 1.4 over that gain (a damping ratio of 0.59), or in twice the delay of its position.
 inline constexpr double aim_ahead_m = 0.2, aim_ahead_turns = 1.4, aim_ahead_delays = 2;

@@ -17,6 +17,9 @@ namespace rtac::safe {
 // does.
 double end_reach_m(const Setting& setting);
 
+// From a measurement of the age `age_us` until a command by it acts.
+double delay_s(const Setting& setting, TimeUs age_us);
+
 // The time constant with which the velocity of a point mass follows what is wanted, and the gain of
 // the correction to its leg.
 double settling_s(const Setting& setting);
@@ -77,6 +80,14 @@ class RestWitness {
  private:
   TimeUs since_us_ = never_us, last_us_ = never_us;
 };
+
+// How wheels are led along a leg (pace.h).
+struct Steering {
+  double gain_per_s = 0, turn_max_radps = 0;
+  double aim_ahead_m = 0;
+  double turn_end_rad = 0, turn_begin_rad = 0;
+};
+Steering steering_of(const Setting& setting);
 
 template <class Output>
 class Pilot;
@@ -163,8 +174,9 @@ class Pilot<Twist> {
   double speed_mps_;
   double end_reach_m_;
   double reaction_s_;
-  double turn_gain_per_s_, aim_ahead_m_;  // of its steering
+  Steering steering_;
   LegTracker tracker_;
+  Vec2 leg_direction_;
   bool latched_ = false, driving_ = false, turning_ = false;
   RestWitness rest_;
   int still_samples_ = 0;

@@ -8,6 +8,8 @@
 namespace rtac::sim {
 
 inline constexpr double pi = 3.14159265358979323846;
+// Times this, a unit vector scaled by a bound is no longer than the bound, rounding included.
+inline constexpr double rounded_down = 1 - 1e-12;
 
 struct SinCos {
   double sin = 0, cos = 1;

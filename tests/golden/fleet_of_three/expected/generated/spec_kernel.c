@@ -1183,11 +1183,11 @@ static const zone zone_hall = {zone_hall_edges, 4};
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  200, 500, 20, 20, 1415, 1000, 0, 400, 10, 100000, 100000
+  200, 500, 20, 20, 1415, 1000, 0, 400, 20, 100000, 100000
 };
 /* The same of another robot, whose samples are as old as `hears` allows. */
 static const body drive_heard_body = {
-  200, 500, 20, 20, 1415, 1000, 0, 400, 10, 150000, 150000
+  200, 500, 20, 20, 1415, 1000, 0, 400, 20, 150000, 150000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
@@ -1240,7 +1240,7 @@ static margin drive_apart_now(const drive_view *v) {
 /* Of one other robot, number j of the fleet; joined below. */
 static margin drive_apart_ahead_v0(const drive_view *v, int32_t j) {
   const margin v0 = pair_reach(&v->within, &v->others[j], &BODY, 100, j);
-  const margin v1 = v->legs != 0 ? legs_apart(&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, 2, 602, 10, 100, v->in->others[j].goes_first, j) : margin_true();
+  const margin v1 = v->legs != 0 ? legs_apart(&v->self, &v->in->plan, &v->others[j], &v->in->others[j].plan, 2, 602, 20, 100, v->in->others[j].goes_first, j) : margin_true();
   const margin v2 = margin_and(v0, v1);
   return v2;
 }

@@ -30,9 +30,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.567;
-  static constexpr double cruise_clearance_m = 0.552;
-  static constexpr double pass_gap_m = 1.004;
+  static constexpr double return_clearance_m = 0.577;
+  static constexpr double cruise_clearance_m = 0.562;
+  static constexpr double pass_gap_m = 1.034;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"a", "b", "c"};
@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : drive(self), give_way(setting(0.2, hall_zone(), 0.405, 0.567, 1.004)), inwards(setting(0.2, hall_zone(), 0.405, 0.567, 1.004)) {}
+        : drive(self), give_way(setting(0.2, hall_zone(), 0.425, 0.577, 1.034)), inwards(setting(0.2, hall_zone(), 0.425, 0.577, 1.034)) {}
     Drive drive;
     rtac::safe::Yield<rtac::Twist> give_way;
     rtac::safe::Retreat<rtac::Twist> inwards;

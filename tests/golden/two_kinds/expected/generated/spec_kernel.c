@@ -1259,7 +1259,7 @@ void two_kinds_fly_step(two_kinds_fly_state *s, const two_kinds_fly_in *in, int6
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  200, 500, 20, 20, 1415, 1000, 0, 400, 10, 100000, 100000
+  200, 500, 20, 20, 1415, 1000, 0, 400, 20, 100000, 100000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {

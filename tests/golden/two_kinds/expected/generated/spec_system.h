@@ -130,9 +130,9 @@ class CartSystem {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.567;
-  static constexpr double cruise_clearance_m = 0.552;
-  static constexpr double pass_gap_m = 0.904;
+  static constexpr double return_clearance_m = 0.577;
+  static constexpr double cruise_clearance_m = 0.562;
+  static constexpr double pass_gap_m = 0.934;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"c1", "c2"};
@@ -156,7 +156,7 @@ class CartSystem {
   // its own, makes one of these and no CartSystem.
   struct Robot {
     explicit Robot(int self)
-        : drive(self), route_check(self), inwards(setting(0.2, room_zone(), 0.405, 0.567, 0.904)) {}
+        : drive(self), route_check(self), inwards(setting(0.2, room_zone(), 0.425, 0.577, 0.934)) {}
     Drive drive;
     RouteCheck route_check;
     rtac::safe::Retreat<rtac::Twist> inwards;
