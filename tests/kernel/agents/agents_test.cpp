@@ -19,7 +19,7 @@ constexpr double cart_radius_m = 0.2, walker_radius_m = 0.3, truck_radius_m = 1;
 constexpr double walker_mps = 1.5, truck_mps = 4, truck_error_m = 0.2;
 constexpr TimeUs now_us = 10'000'000;
 constexpr double s_per_us = 1e-6;
-// The hold of a base whose speed is commanded is within 1 cm; a turn of 1 mrad/s bends the stop by
+// The hold of a base whose speed is commanded is within 1 cm; a turn of 10 mrad/s bends the stop by
 // a permille at most; each of about ten terms is rounded up to 1 mm.
 constexpr double hold_m = 0.01, rounding_m = 0.02;
 
