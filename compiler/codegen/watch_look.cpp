@@ -152,7 +152,7 @@ void WatchLook::channels() {
 void WatchLook::channel(std::size_t index, Code& out) {
   const std::string& name = members_.channels[index];
   const std::string of = "in->" + sample(index);
-  const std::string counts = fresh(index, of, out) + " && " + of + ".valid != 0;";
+  const std::string counts = fresh(index, of, out) + " && " + valid(index) + " != 0;";
   if (is_at_a_glance(index)) {
     wrapped(out, "v->fresh_" + name + " = " + counts);
     if (always_[index]) out.line(see(index, "v", "in", "v->fresh_" + name));
@@ -175,11 +175,17 @@ void WatchLook::numbers(std::size_t index, Code& out) {
   const std::size_t count = watch_.inputs[index].components.size();
   for (std::uint32_t k = 0; k < count; ++k) component(index, k, out);
 }
+bool WatchLook::is_plain(std::size_t channel) const {
+  return !keeps_stamp(watch_, asked_, channel) && !asked_.age[channel] && !is_zone(channel);
+}
+std::string WatchLook::arrived(std::size_t channel) {
+  return use("sample_arrived", "in->" + sample(channel) + ".stamp_us, v->since_us, v->now_us");
+}
 // Whether the newest sample counts now, if there is one.
 std::string WatchLook::fresh(std::size_t index, const std::string& of, Code& out) {
   const Channel& c = watch_.inputs[index];
   if (!keeps_stamp(watch_, asked_, index)) {
-    return use("sample_arrived", of + ".stamp_us, v->since_us, v->now_us");
+    return arrived(index);
   }
   const std::string& name = members_.channels[index];
   const std::string good = "good_" + name;

@@ -53,6 +53,13 @@ class WatchLook {
 
   [[nodiscard]] const WatchKernel& kernel() const { return kernel_; }
   [[nodiscard]] const WatchNames& members() const { return members_; }
+  // Whether a sample counts is told by its stamp and that of the last tick alone, and nothing else
+  // is asked of it but its numbers; and how it is told.
+  [[nodiscard]] bool is_plain(std::size_t channel) const;
+  std::string arrived(std::size_t channel);
+  [[nodiscard]] std::string valid(std::size_t channel) const {
+    return "in->" + sample(channel) + ".valid";
+  }
   [[nodiscard]] bool is_used(std::size_t channel) const { return asked_.used[channel]; }
   [[nodiscard]] const std::string& view_type() const { return view_; }
 

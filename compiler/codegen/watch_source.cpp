@@ -8,8 +8,8 @@
 #include "compiler/codegen/repeat_printer.h"
 #include "compiler/codegen/repeats.h"
 #include "compiler/codegen/watch.h"
-#include "compiler/codegen/watch_glance.h"
 #include "compiler/codegen/watch_look.h"
+#include "compiler/codegen/watch_told.h"
 #include "compiler/codegen/watch_values.h"
 #include "compiler/codegen/watch_verdicts.h"
 
@@ -36,16 +36,15 @@ class WatchSource {
         look_(kernel_of_monitors(module, telling), uses, out),
         side_(look_.kernel()),
         uses_(uses),
-        out_(out) {
-    if (!side_.is_full()) glance();
-  }
+        out_(out),
+        told_(module, names, look_, uses, out) {}
 
   void print() {
     look_.view();
     for (const PlainMonitor& m : watch_.monitors) monitor(m);
     look_.channels();
-    for (std::size_t k = 0; k < glances_.size(); ++k) {
-      if (glances_[k]) told(watch_.monitors[k], *glances_[k]);
+    for (std::size_t k = 0; k < watch_.monitors.size(); ++k) {
+      if (told_.is_told(k)) told_.print(k, function_of(watch_.monitors[k]));
     }
     if (has_past(watch_, side_.telling)) {
       look_.blind();
@@ -105,106 +104,6 @@ class WatchSource {
     out_.blank();
   }
 
-  // Which monitors are told at a glance, and what of the inputs the others see.
-  void glance() {
-    const std::size_t inputs = watch_.inputs.size();
-    std::vector<bool> at_a_glance(inputs, false), always(inputs, false);
-    for (const PlainMonitor& m : watch_.monitors) {
-      const bool repeats = !find_repeats(module_, m.property).all.empty();
-      glances_.push_back(repeats ? std::nullopt : glance_at(side_, look_.members(), m.property));
-      for (const std::uint32_t c : channels_of(watch_, m)) {
-        (glances_.back() ? at_a_glance : always)[c] = true;
-      }
-    }
-    look_.glance_at(std::move(at_a_glance), std::move(always));
-  }
-  [[nodiscard]] std::string fresh(std::uint32_t channel) const {
-    return "fresh_" + look_.members().channels[channel];
-  }
-  void told(const PlainMonitor& m, const Glance& glance) {
-    closely(m, glance);
-    uses_.insert({"number_inside", "usually"});
-    std::vector<std::string> counted, inside;
-    std::string given;
-    for (const auto& [channel, components] : glance.components) {
-      const std::string counts = "v->" + fresh(channel);
-      if (!glance.needs_each) counted.push_back(counts + " != 0");
-      if (!glance.needs_each) given += ", " + counts;
-      for (const std::uint32_t k : components) {
-        const Range& range = watch_.inputs[channel].grid(k).range;
-        inside.push_back("number_inside(in->" + look_.members().signal(channel, k).name + ", " +
-                         num(range.lo) + ", " + num(range.hi) + ")");
-      }
-    }
-    out_.comment("Far from where it turns, that is told at a glance.");
-    look_.function("static inline int32_t " + names_(m.name) + "_told",
-                   {"const " + view() + " *v", inputs()}, [&](Code& body) {
-                     missing(glance, body);
-                     glanced(glance, counted, inside, body);
-                     wrapped(body, "return " + names_(m.name) + "_closely(v->s, in" + given + ");");
-                   });
-    out_.blank();
-  }
-  // Whether samples count and numbers are inside their ranges is asked where it matters.
-  void glanced(const Glance& glance, const std::vector<std::string>& counted,
-               const std::vector<std::string>& inside, Code& to) const {
-    const std::string join = " &&\n      ";
-    std::vector<std::string> surely = counted, there = counted;
-    const bool is_any = glance.surely.find(" || ") != std::string::npos;
-    surely.push_back(is_any && !counted.empty() ? "(" + glance.surely + ")" : glance.surely);
-    there.insert(there.end(), inside.begin(), inside.end());
-    if (glance.surely_inside) {
-      verdict_if(usually(all_of(surely, " && ")), "TRUE", to);
-      if (glance.never.empty()) return;
-    }
-    const std::string all = all_of(there, join);
-    to.block("if (" + (glance.surely_inside ? all : usually(all)) + ")", [&](Code& far) {
-      for (const std::string& line : glance.names) wrapped(far, line);
-      if (!glance.surely_inside && !glance.surely.empty()) {
-        verdict_if(usually(glance.surely), "TRUE", far);
-      }
-      verdict_if(glance.never, "FALSE", far);
-    });
-  }
-  static std::string usually(const std::string& condition) { return "USUALLY(" + condition + ")"; }
-  static std::string all_of(const std::vector<std::string>& conditions, const std::string& join) {
-    std::string text;
-    for (const std::string& each : conditions) text += (text.empty() ? "" : join) + each;
-    return text;
-  }
-  // Without inputs nothing is known, whatever it would take to see.
-  void missing(const Glance& glance, Code& to) const {
-    if (!glance.needs_each && !glance.needs_some) return;
-    std::vector<std::string> some;
-    for (const auto& [channel, components] : glance.components) {
-      some.push_back("v->" + fresh(channel) + " != 0");
-    }
-    const std::string enough = all_of(some, glance.needs_each ? " && " : " || ");
-    verdict_if("!" + usually(enough), "UNKNOWN", to);
-  }
-  void verdict_if(const std::string& condition, const std::string& verdict, Code& to) const {
-    if (condition.empty()) return;
-    wrapped(to, "if (" + condition + ") {");
-    to.line("  return " + up_ + "_VERDICT_" + verdict + ";").line("}");
-  }
-  void closely(const PlainMonitor& m, const Glance& glance) {
-    uses_.insert("seldom");
-    std::vector<std::string> parameters = {side_.state + " *s", inputs()};
-    for (const auto& [channel, components] : glance.components) {
-      if (!glance.needs_each) parameters.push_back("int32_t " + fresh(channel));
-    }
-    look_.function("static SELDOM int32_t " + names_(m.name) + "_closely", parameters,
-                   [&](Code& body) {
-                     body.line(view() + " v;");
-                     body.line("v.s = s;");
-                     for (const auto& [channel, components] : glance.components) {
-                       const std::string counts = glance.needs_each ? "1" : fresh(channel);
-                       body.line(look_.see(channel, "&v", "in", counts));
-                     }
-                     body.line("return " + function_of(m) + "(&v);");
-                   });
-    out_.blank();
-  }
   [[nodiscard]] std::string inputs() const { return "const " + p_ + "_monitors_in *in"; }
 
   void catch_up() {
@@ -295,17 +194,20 @@ class WatchSource {
     for (std::size_t k = 0; k < watch_.monitors.size(); ++k) {
       const PlainMonitor& m = watch_.monitors[k];
       for (const std::uint32_t c : channels_of(watch_, m)) {
-        if (seen[c]) continue;
+        if (seen[c] || told_.is_alone(k)) continue;
         seen[c] = true;
         body.line(look_.call(c, "&v", "in"));
       }
-      const bool is_told = !side_.is_full() && glances_[k];
-      std::string found = is_told ? names_(m.name) + "_told(&v, in)" : function_of(m) + "(&v)";
+      const std::string to = target + "[" + up_ + "_MONITORS_" + upper(names_(m.name)) + "]";
+      if (told_.is_told(k)) {
+        wrapped(body, told_.call(k, to));
+        continue;
+      }
+      std::string found = function_of(m) + "(&v)";
       if (side_.is_full()) {
         uses_.insert("finding_judged");
         found = "finding_judged(" + found + ")";
       }
-      const std::string to = target + "[" + up_ + "_MONITORS_" + upper(names_(m.name)) + "]";
       wrapped(body, to + " = " + found + ";");
     }
     look_.next_tick("s->", body);
@@ -414,9 +316,9 @@ class WatchSource {
   const std::string p_, up_;
   WatchLook look_;
   const WatchKernel& side_;
-  std::vector<std::optional<Glance>> glances_;  // by monitor, for verdicts alone
   std::set<std::string>& uses_;
   Code& out_;
+  WatchTold told_;
 };
 
 }  // namespace

@@ -126,6 +126,12 @@ static inline int32_t number_within(int64_t at, int64_t between, int64_t least, 
 static inline int32_t number_inside(int64_t at, int64_t least, int64_t most) {
   return (uint64_t)at - (uint64_t)least < (uint64_t)most - (uint64_t)least;
 }
+/*= steps_above */
+/* How far a number lies above `least`, in steps; below it that wraps around, and is more than any
+ * range. All of several are below a power of 2 when what has the bits of all of them is. */
+static inline uint64_t steps_above(int64_t at, int64_t least) {
+  return (uint64_t)at - (uint64_t)least;
+}
 /*= bounds_measured : bounds_of */
 /* What is measured, widened by the declared error. */
 static inline bounds bounds_measured(int64_t at, int64_t between, int64_t error) {

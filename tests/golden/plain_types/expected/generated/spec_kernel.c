@@ -1046,54 +1046,63 @@ static inline void test_stand_verdicts_look_charge(test_stand_verdicts_view *v,
   v->age_of_charge = bounds_age(in->charge.stamp_us, whole_charge, v->now_us);
 }
 
-static SELDOM int32_t clean_closely(test_stand_monitors_verdicts_state *s,
-                                    const test_stand_monitors_in *in) {
+static SELDOM void clean_closely(test_stand_monitors_verdicts_state *s,
+                                 const test_stand_monitors_in *in, int64_t now_us,
+                                 int32_t *verdict, int64_t since_us) {
   test_stand_verdicts_view v;
   v.s = s;
-  test_stand_verdicts_see_errors(&v, in, 1);
-  return clean_verdict(&v);
+  v.now_us = now_us;
+  v.since_us = since_us;
+  test_stand_verdicts_look_errors(&v, in);
+  test_stand_verdicts_see_errors(&v, in, v.fresh_errors);
+  *verdict = clean_verdict(&v);
 }
 
 /* Far from where it turns, that is told at a glance. */
-static inline int32_t clean_told(const test_stand_verdicts_view *v,
-                                 const test_stand_monitors_in *in) {
-  if (!USUALLY(v->fresh_errors != 0)) {
-    return TEST_STAND_VERDICT_UNKNOWN;
-  }
-  if (USUALLY(number_inside(in->errors.value, 0, 100))) {
-    if (USUALLY(in->errors.value <= 2)) {
-      return TEST_STAND_VERDICT_TRUE;
+static inline void clean_told(const test_stand_verdicts_view *v,
+                              const test_stand_monitors_in *in, int32_t *verdict) {
+  if (USUALLY(sample_arrived(in->errors.stamp_us, v->since_us, v->now_us) &&
+      in->errors.valid != 0)) {
+    if (USUALLY(number_inside(in->errors.value, 0, 100))) {
+      if (USUALLY(in->errors.value <= 2)) {
+        *verdict = TEST_STAND_VERDICT_TRUE;
+        return;
+      }
+      if (in->errors.value >= 4) {
+        *verdict = TEST_STAND_VERDICT_FALSE;
+        return;
+      }
     }
-    if (in->errors.value >= 4) {
-      return TEST_STAND_VERDICT_FALSE;
-    }
   }
-  return clean_closely(v->s, in);
+  clean_closely(v->s, in, v->now_us, verdict, v->since_us);
 }
 
-static SELDOM int32_t alive_closely(test_stand_monitors_verdicts_state *s,
-                                    const test_stand_monitors_in *in) {
+static SELDOM void alive_closely(test_stand_monitors_verdicts_state *s,
+                                 const test_stand_monitors_in *in, int32_t *verdict) {
   test_stand_verdicts_view v;
   v.s = s;
   test_stand_verdicts_see_charge(&v, in, 1);
-  return alive_verdict(&v);
+  *verdict = alive_verdict(&v);
 }
 
 /* Far from where it turns, that is told at a glance. */
-static inline int32_t alive_told(const test_stand_verdicts_view *v,
-                                 const test_stand_monitors_in *in) {
+static inline void alive_told(const test_stand_verdicts_view *v,
+                              const test_stand_monitors_in *in, int32_t *verdict) {
   if (!USUALLY(v->fresh_charge != 0)) {
-    return TEST_STAND_VERDICT_UNKNOWN;
+    *verdict = TEST_STAND_VERDICT_UNKNOWN;
+    return;
   }
   if (USUALLY(number_inside(in->charge.value, 0, 1000000))) {
     if (USUALLY(in->charge.value >= 10000)) {
-      return TEST_STAND_VERDICT_TRUE;
+      *verdict = TEST_STAND_VERDICT_TRUE;
+      return;
     }
     if (in->charge.value <= 9998) {
-      return TEST_STAND_VERDICT_FALSE;
+      *verdict = TEST_STAND_VERDICT_FALSE;
+      return;
     }
   }
-  return alive_closely(v->s, in);
+  alive_closely(v->s, in, verdict);
 }
 
 /* A tick that does not follow the last one; 0: there is none since then. */
@@ -1144,9 +1153,8 @@ static inline void test_stand_verdicts_judge(test_stand_monitors_verdicts_state 
   verdicts[TEST_STAND_MONITORS_COOL] = cool_verdict(&v);
   test_stand_verdicts_look_charge(&v, in);
   verdicts[TEST_STAND_MONITORS_FED] = fed_verdict(&v);
-  test_stand_verdicts_look_errors(&v, in);
-  verdicts[TEST_STAND_MONITORS_CLEAN] = clean_told(&v, in);
-  verdicts[TEST_STAND_MONITORS_ALIVE] = alive_told(&v, in);
+  clean_told(&v, in, &verdicts[TEST_STAND_MONITORS_CLEAN]);
+  alive_told(&v, in, &verdicts[TEST_STAND_MONITORS_ALIVE]);
 }
 
 static SELDOM void test_stand_verdicts_late(test_stand_monitors_verdicts_state *s,
