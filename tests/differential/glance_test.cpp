@@ -18,7 +18,7 @@ namespace {
 
 const char* const spec = R"(spec s;
 period 10 ms;
-input p, q : point in -1 m .. 1 m;
+input p, q, a, b, c : point in -1 m .. 1 m;
 input x : real [m] in -0.1 m .. 0.2 m error 2 mm max_age 1 s;
 param gap : length in 0.1 m .. 0.3 m = 0.2 m;
 monitor box { "R1" always p.x >= 0 m and p.x <= 5 mm and p.y > -3 mm and p.y < 4 mm; }
@@ -39,6 +39,8 @@ monitor beyond { "R16" always p.x >= -2 m and p.x <= 3 mm; }
 monitor last { "R17" always q.x >= -3 mm and q.x <= 1001 mm; }
 monitor pairs { "R18" always (p.x >= 0 m and p.x <= 3 mm and q.y >= 0 m and q.y <= 3 mm) or
                              (p.x >= 4 mm and p.x <= 7 mm and q.y >= -5 mm and q.y <= -1 mm); }
+monitor alone { "R19" always distance(a, b) >= 5 mm; }
+monitor lone_box { "R20" always c.x >= -1 mm and c.x <= 5 mm and c.y >= -2 mm and c.y <= 6 mm; }
 monitor outside { "R15" always not (q.x > -4 mm and q.x < 4 mm) and q.x >= -6 mm and q.x <= 6 mm; }
 )";
 
@@ -67,6 +69,8 @@ static int64_t stamp(int64_t now_us) {
     default: return now_us - below(10000);
   }
 }
+/* Any number but 0 says that it was. */
+static int32_t received(void) { return below(16) > 0 ? (below(4) > 0 ? 1 : (int32_t)below(5) - 2) : 0; }
 void run(int64_t ticks, int64_t *found) {
   static P_monitors_state s;
   static P_monitors_verdicts_state alone;
@@ -85,6 +89,12 @@ void run(int64_t ticks, int64_t *found) {
     in.p.x = number(-1000, 1000); in.p.y = number(-1000, 1000);
     in.q.x = number(-1000, 1000); in.q.y = number(-1000, 1000);
     in.x.value = number(-100, 200);
+    in.a.stamp_us = stamp(now_us); in.a.valid = received(); in.a.between = (uint32_t)below(4);
+    in.b.stamp_us = stamp(now_us); in.b.valid = received(); in.b.between = (uint32_t)below(4);
+    in.c.stamp_us = stamp(now_us); in.c.valid = received(); in.c.between = (uint32_t)below(4);
+    in.a.x = number(-1000, 1000); in.a.y = number(-1000, 1000);
+    in.b.x = number(-1000, 1000); in.b.y = number(-1000, 1000);
+    in.c.x = number(-1000, 1000); in.c.y = number(-1000, 1000);
     if (below(1000) == 0) in.gap = 100 + below(300);
     P_monitors_step(&s, &in, now_us, &out);
     P_monitors_verdicts(&alone, &in, now_us, verdicts);
@@ -192,7 +202,12 @@ std::vector<Mistake> mistakes() {
       {"missing_is_surely", instead(R"(\(USUALLY\(v->fresh_\w+ != 0 && )", "(USUALLY(")},
       {"one_missing_is_all", instead(R"((USUALLY\(v->fresh_\w+ != 0) \|\| )", "$1 && ")},
       {"surely_is_out_of_range", instead(R"( && in->p.x <= 4\b)", "")},
-      {"never_is_surely", instead(R"(_VERDICT_FALSE;\n    \})", "_VERDICT_TRUE;\n    }")},
+      {"never_is_surely", instead(R"((\*verdict = \w+)_VERDICT_FALSE;)", "$1_VERDICT_TRUE;")},
+      {"one_axis_in_the_middle", instead(R"(steps_above\(in->\w+\.y[^)]*\))", "0")},
+      {"the_middle_is_twice_as_wide", instead(R"(\) < ([0-9]+)U)", ") < 2 * $1U")},
+      {"the_middle_is_elsewhere", instead(R"((steps_above\(in->\w+\.x, )-512\))", "$1 512)")},
+      {"any_arrives", instead(R"(USUALLY\(sample_arrived\([^)]*\))", "USUALLY(1")},
+      {"one_flag_is_enough", instead(R"((\.valid) & )", "$1 | ")},
   };
 }
 class Mistakes : public ::testing::TestWithParam<std::size_t> {};

@@ -96,8 +96,7 @@ Count generated(void (*init)(State*),
       step(state, &now, now_us[i], found);
       keep(found);
     };
-    return inputs == Inputs::copied ? pass_ns(trace_ticks, copied)
-                                    : pass_ns(trace_ticks, in_place);
+    return inputs == Inputs::copied ? pass_ns(trace_ticks, copied) : pass_ns(trace_ticks, in_place);
   };
   State state;
   init(&state);
