@@ -135,14 +135,31 @@ bool is_rectangle(const geometry::Region& region) {
   return true;
 }
 
-// The middle of an edge of the region that `from` lies outside of: who sets out there for `from`
-// leaves the region at once. None: every place of it is seen from there.
-std::optional<geometry::Point> hidden_from(const geometry::Region& region,
-                                           const geometry::Point& from) {
-  for (const geometry::Ring& ring : region.rings()) {  // the region on their left
+bool is_on(const geometry::Ring& ring, const geometry::Point& a, const geometry::Point& b) {
+  const auto off = [](const geometry::Point& from, const geometry::Point& to,
+                      const geometry::Point& p) {
+    return (to.x - from.x) * (p.y - from.y) != (to.y - from.y) * (p.x - from.x);
+  };
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const geometry::Point &from = ring[i], &to = ring[(i + 1) % ring.size()];
+    if (!off(from, to, a) && !off(from, to, b)) return true;
+  }
+  return false;
+}
+// The middle of an edge of what is left of the convex zone `own`, to the line of which `from` is no
+// nearer than `room_m` on the side that is left: who sets out beside it, with so much room, for
+// `from` may come nearer to what ends there. None: whoever has so much room keeps it.
+std::optional<geometry::Point> hidden_from(const geometry::Region& left,
+                                           const geometry::Point& from, const geometry::Region& own,
+                                           const Rational& room_m) {
+  const geometry::Ring walls = own.polygons().front().outer;  // they hide nothing
+  for (const geometry::Ring& ring : left.rings()) {           // the region on their left
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const geometry::Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      if ((b.x - a.x) * (from.y - a.y) >= (b.y - a.y) * (from.x - a.x)) continue;
+      if (is_on(walls, a, b)) continue;
+      const Rational dx = b.x - a.x, dy = b.y - a.y;
+      const Rational across = dx * (from.y - a.y) - dy * (from.x - a.x);  // distance by length
+      if (across > 0 && across * across >= room_m * room_m * (dx * dx + dy * dy)) continue;
       return geometry::Point{(a.x + b.x) / 2, (a.y + b.y) / 2};
     }
   }
@@ -251,7 +268,8 @@ class Planner {
   // A way knows its zone alone, and leads through what comes or goes: before its time, as it has to
   // lead out of it, and all the time else. What is left of the zone then, at the worst, is not left
   // by ways over cells if it is a rectangle: none of them is longer than it has to be in either
-  // direction; nor if the zone is convex, so that ways are straight, and the site sees all of it.
+  // direction; nor if the zone is convex, so that ways are straight, and the site sees all of it,
+  // and past its corners with the room that the property asks for.
   void crosses(const ir::Monitor& monitor) {
     const ir::Recovery& way = monitor.recovery;
     if (ir::acknowledged(decision_, way.name, monitor.name)) return;
@@ -259,13 +277,15 @@ class Planner {
     const auto left = own.intersect(AllowedAtWorst(decision_, monitor.property, tables_).region());
     if (left.contains(own) || is_rectangle(left)) return;
     const bool straight = is_convex(own);
+    Rational room_m(decision_.body.radius_mm + asked_most_mm(monitor), 1000);
+    room_m.canonicalize();
     std::optional<geometry::Point> hidden;
     for (const ir::SiteTable::Place& home : module_[way.site].places) {
-      if (hidden) break;
+      if (hidden || !straight) break;
       Rational x_m(home.x_mm, 1000), y_m(home.y_mm, 1000);
       x_m.canonicalize();
       y_m.canonicalize();
-      hidden = hidden_from(left, {x_m, y_m});
+      hidden = hidden_from(left, {x_m, y_m}, own, room_m);
     }
     if (straight && !hidden) return;
     diag::Diagnostic d{};
@@ -274,13 +294,15 @@ class Planner {
     d.message = "the way of `" + way.name + "` may lead through where `" + monitor.name +
                 "` does not hold, whether `" + zone_name(monitor) + "` is there or not";
     if (straight) {
-      d.notes.push_back({std::nullopt, "such as from " + text_of(*hidden) + ", straight to `" +
-                                           module_[way.site].name + "`"});
+      d.notes.push_back({std::nullopt, "such as from beside " + text_of(*hidden) +
+                                           ", straight to `" + module_[way.site].name + "`"});
     }
     d.help =
         "a zone of ways of which a rectangle is left without it works, such as a strip beside "
         "it" +
-        std::string(straight ? ", or a site that sees all of what is left" : "") +
+        std::string(straight ? ", or a site that sees all of what is left, past its corners by " +
+                                   metres(decision_.body.radius_mm + asked_most_mm(monitor))
+                             : "") +
         "; or `acknowledge " + way.name + " may break " + monitor.name + " \"why\"`";
     diagnostics_.report(std::move(d));
   }
