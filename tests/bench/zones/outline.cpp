@@ -1,6 +1,7 @@
 #include "tests/bench/zones/outline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <random>
 
@@ -95,6 +96,32 @@ std::vector<GridPlace> near_places(const Outline& outline, std::int32_t near_mm,
     const std::int64_t y = a.y_mm + (std::int64_t{b.y_mm} - a.y_mm) * part / 1000;
     const std::int64_t dx = random.in(-near_mm, near_mm);
     places.push_back(place(x + dx, y + random.in(-near_mm, near_mm)));
+  }
+  return places;
+}
+
+std::vector<GridPlace> way_places(const Outline& outline, std::int32_t near_mm,
+                                  std::int32_t step_mm, std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  const auto& ring = outline.rings.front();
+  std::vector<GridPlace> places;
+  std::int64_t off_x = 0, off_y = 0;
+  const auto wander = [&](std::int64_t& off) {
+    off = std::clamp<std::int64_t>(off + random.in(-step_mm, step_mm), -near_mm, near_mm);
+  };
+  double along_mm = 0;  // of the present edge
+  for (std::size_t i = static_cast<std::size_t>(random.in(0, std::int64_t(ring.size()) - 1));
+       places.size() < count; i = (i + 1) % ring.size()) {
+    const GridPlace &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    const double dx = double(b.x_mm) - a.x_mm, dy = double(b.y_mm) - a.y_mm;
+    const double length_mm = std::hypot(dx, dy);
+    for (; along_mm < length_mm && places.size() < count; along_mm += step_mm) {
+      wander(off_x);
+      wander(off_y);
+      places.push_back(place(std::llround(a.x_mm + dx * along_mm / length_mm) + off_x,
+                             std::llround(a.y_mm + dy * along_mm / length_mm) + off_y));
+    }
+    along_mm -= length_mm;
   }
   return places;
 }

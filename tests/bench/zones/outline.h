@@ -28,6 +28,10 @@ std::vector<GridPlace> uniform_places(const Outline& outline, std::size_t count,
 // Within `near_mm` of places on its edges, each vertex as likely as the other.
 std::vector<GridPlace> near_places(const Outline& outline, std::int32_t near_mm, std::size_t count,
                                    std::uint64_t seed);
+// As one robot sees them that moves along the outline, `step_mm` from tick to tick, and by a step
+// at most towards it or off it, within `near_mm`.
+std::vector<GridPlace> way_places(const Outline& outline, std::int32_t near_mm,
+                                  std::int32_t step_mm, std::size_t count, std::uint64_t seed);
 // Legs of up to `length_mm` from such places: from places[2 i] to places[2 i + 1].
 std::vector<GridPlace> legs_from(const std::vector<GridPlace>& starts, std::int32_t length_mm,
                                  std::uint64_t seed);
