@@ -52,6 +52,28 @@ std::optional<geometry::Point> any_place(const Subject& s, std::vector<Need> all
   return common_place(s, all);
 }
 
+// Zones lie within 100 km of the origin: what is widest farther off is a complement.
+constexpr std::int64_t zones_within_mm = 100'000'000;
+
+bool is_far(const ir::ZoneTable& zone) {
+  return std::max(std::abs(std::int64_t{zone.widest_x_mm}),
+                  std::abs(std::int64_t{zone.widest_y_mm})) > zones_within_mm;
+}
+
+// The widest place of a zone; of a complement rather one beside the zones of the decision, where
+// somebody looks, if one of them is as clear.
+geometry::Point shown_place(const Subject& s, const Need& need) {
+  const ir::ZoneTable& table = s.module[need.zone];
+  if (is_far(table) && !s.decision.body.in_space) {
+    for (const Need& other : needs_of(s)) {
+      if (other.zone == need.zone || is_far(s.module[other.zone])) continue;
+      const auto at = common_place(s, {need, {other.zone, s.decision.body.radius_mm}});
+      if (at) return *at;
+    }
+  }
+  return {Rational(table.widest_x_mm, 1000), Rational(table.widest_y_mm, 1000)};
+}
+
 }  // namespace
 
 namespace {
@@ -162,11 +184,13 @@ Obligation can_hold(const Subject& s, std::size_t k) {
       o.claims.clear();
       return o;
     }
+    const geometry::Point at = shown_place(s, {zone, need});
+    const std::int64_t x_mm = in_mm(at.x), y_mm = in_mm(at.y);
     const std::string height = table.has_height() ? ", " + metres(table.widest_z_mm) : "";
     o.because = std::string(s.decision.on_plan ? "a plan to (" : "a robot at rest at (") +
-                metres(table.widest_x_mm) + ", " + metres(table.widest_y_mm) + height +
-                ") is seen to be in " + quoted(table.name) + ", whatever the errors";
-    Claim claim = place_claim(s, zone, table.widest_x_mm, table.widest_y_mm, need);
+                metres(x_mm) + ", " + metres(y_mm) + height + ") is seen to be in " +
+                quoted(table.name) + ", whatever the errors";
+    Claim claim = place_claim(s, zone, x_mm, y_mm, need);
     claim.what = "seen";
     claim.values.erase("extra_us");
     claim.values["monitor"] = m.name;

@@ -125,6 +125,25 @@ TEST_F(Verify, UnsoundLookAheadIsAcknowledged) {
   EXPECT_EQ(statuses(o.out, "P1a", "walls"), Statuses{"acknowledged"});
 }
 
+// The widest place of what lies outside of a pit is hundreds of kilometres off.
+TEST_F(Verify, AWitnessLiesWhereTheZonesDo) {
+  std::string text = edited(drone_spec(), "monitor walls",
+                            "zone pit = rectangle (0.5 m, 0.5 m) to (0.6 m, 0.6 m);\n"
+                            "monitor off for d : Drone { \"SR-2: off the pit\" always "
+                            "distance(d, pit) >= 0 m; recover back_off; }\nmonitor walls");
+  text = edited(text, "priority walls", "priority walls > off");
+  const Json report = Json::parse(verified(text, {"--format", "json"}).out);
+  for (const Json& each : report["decisions"][0]["obligations"]) {
+    if (each["obligation"] != "satisfiable" || each["monitor"] != "off") continue;
+    EXPECT_EQ(each["status"], "proved");
+    EXPECT_NE(each["because"].get<std::string>().find("at rest at (2.5 m, 2.5 m)"),
+              std::string::npos)
+        << each["because"];
+    return;
+  }
+  FAIL() << report;
+}
+
 // Two halls and a gate, in which robots cannot get round each other: it is named, with its width
 // and what would do. Without the gate nothing is narrow, and that robots find a way is not shown.
 TEST_F(Verify, WhereRobotsCannotPassIsNamed) {
