@@ -1,6 +1,5 @@
 #include "compiler/codegen/watch_told.h"
 
-#include <algorithm>
 #include <bit>
 #include <map>
 
@@ -59,8 +58,7 @@ WatchTold::Glances WatchTold::find() const {
 bool WatchTold::is_alone(std::size_t monitor) const {
   if (!is_told(monitor) || !glances_[monitor]->needs_each) return false;
   const auto is_asked_by = [&](std::size_t other, std::uint32_t channel) {
-    const auto asked = channels_of(watch_, watch_.monitors[other]);
-    return std::find(asked.begin(), asked.end(), channel) != asked.end();
+    return channels_of(watch_, watch_.monitors[other]).contains(channel);
   };
   for (const std::uint32_t c : channels_of(watch_, watch_.monitors[monitor])) {
     if (!glances_[monitor]->components.contains(c) || !look_.is_plain(c)) return false;

@@ -9,7 +9,7 @@
  * included: sqrt(1.0^2 + (0.22 * 2.84)^2). A turn of 10 rad/s^2 bends this share of the stop away.
  */
 static const double radius = 0.11, position_error = 0.02, velocity_error = 0.01, any_accel = 1.18,
-                    brake = 1.0, brake_bend = 0.807, hold = 0.01, standoff = 0.08, tracking = 0.05,
+                    brake = 1.0, brake_bend = 0.807, hold = 0.02, standoff = 0.08, tracking = 0.05,
                     speed_max = 0.22;
 /* What is certain on the grid of 1 mm: for position, way-points and root; for the speed. */
 static const double grid = 0.008, speed_grid = 0.004;
