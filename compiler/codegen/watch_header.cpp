@@ -86,7 +86,7 @@ class WatchHeader {
   [[nodiscard]] std::vector<std::string> state_fields(Telling telling) const {
     std::vector<std::string> fields = {p_ + "_clock clock;", "int64_t until_us;"};
     if (keeps_due_tick(watch_, telling)) fields.emplace_back("int64_t synced_us;");
-    if (keeps_due_tick(watch_, telling)) fields.emplace_back("uint64_t due_us;");
+    if (keeps_due_tick(watch_, telling)) fields.emplace_back("int64_t due_us;");
     for (std::string& field : watch_memory_fields(kernel_of_monitors(module_, telling))) {
       fields.push_back(std::move(field));
     }

@@ -255,13 +255,12 @@ class WatchSource {
     });
     out_.blank();
     look_.function("void " + name, parameters, [&](Code& body) {
-      const std::string due = "tick_due(s->due_us, s->synced_us, now_us)";
+      const std::string due = "tick_due(&s->due_us, now_us, " + period + ")";
       const std::string at_due = "(s, in, now_us, now_us - " + period + ", " + given + ");";
       body.block(
           "if (" + (keeps_due() ? due : follows) + ")",
           [&](Code& usual) {
             if (side_.is_full()) usual.line("tick_counted(&s->clock, now_us);");
-            if (keeps_due()) usual.line("s->due_us = (uint64_t)now_us + " + period + ";");
             usual.line(judge + (keeps_due() ? at_due : arguments));
           },
           "");
@@ -274,7 +273,7 @@ class WatchSource {
     const std::string period = num(watch_.period_us);
     body.line("int32_t begun = 0;");
     body.block("if (s->clock.started != 0)", [&](Code& started) {
-      started.line("tick_synced(&s->clock, &s->until_us, &s->synced_us, s->due_us, " + period +
+      started.line("tick_synced(&s->clock, &s->until_us, &s->synced_us, &s->due_us, " + period +
                    ");");
       started.line("begun = " + follows + ";");
     });

@@ -55,6 +55,29 @@ class Model {
 using StepAll = void (*)(const std::int64_t* now_us, std::int32_t count, std::int64_t* tick,
                          std::int32_t* new_tick);
 
+// Every tick comes when it is due, up to the last one that there can be; then the clock wraps
+// around. What is not as it should be: 1 one of them was not judged, 2 that of the other side of
+// time was.
+using ToTheEnd = std::int32_t (*)(std::int64_t now_us);
+constexpr const char* to_the_end = R"(
+int32_t to_the_end(int64_t now_us) {
+  P_monitors_verdicts_state alone;
+  P_monitors_in in = {{0, 1, 0, 1}, {0, 1, 0, 1}};
+  int32_t verdict[2], wrong = 0;
+  P_monitors_verdicts_init(&alone);
+  for (;; now_us += PERIOD) {
+    in.p.stamp_us = in.q.stamp_us = now_us;
+    P_monitors_verdicts(&alone, &in, now_us, verdict);
+    wrong |= verdict[0] != 2 || verdict[1] != 2;
+    if (now_us > INT64_MAX - PERIOD) break;
+  }
+  now_us = (int64_t)((uint64_t)now_us + PERIOD);
+  in.p.stamp_us = in.q.stamp_us = now_us;
+  P_monitors_verdicts(&alone, &in, now_us, verdict);
+  return wrong | 2 * (verdict[0] == 2 || verdict[1] == 2);
+}
+)";
+
 // `each_tick`: another input has to arrive every tick, so that the time of the last one is kept.
 driver::BuiltObject built(const std::string& period, std::int64_t period_us, bool each_tick) {
   const std::string another = each_tick ? "input q : bool;\n"
@@ -98,6 +121,7 @@ void run(const int64_t *now_us, int32_t count, int64_t *tick, int32_t *new_tick)
     new_tick[k] = (out.monitors[0].verdict == 2) + 2 * (verdict[0] == 2);
 )" + (each_tick ? compared : "") +
                      "  }\n}\n";
+  if (each_tick) glue += to_the_end;
   for (std::size_t at = 0; (at = glue.find("P_monitors", at)) != std::string::npos;) {
     glue.replace(at, 1, p);
   }
@@ -199,6 +223,17 @@ TEST_P(Ticks, AreThoseOfThePlainModel) {
 }
 TEST_P(Ticks, AreThoseOfThePlainModelWhereSamplesMustArriveEveryTick) {
   are_those_of_the_plain_model(GetParam(), true);
+}
+
+// From where 2^62 us are left: 146,000 years of days.
+TEST(TicksOfDays, AreDueUpToTheEndOfTime) {
+  constexpr std::int64_t day_us = 86'400'000'000;
+  driver::BuiltObject object = built("86400 s", day_us, true);
+  ASSERT_TRUE(object.object) << object.problem;
+  const ToTheEnd run = object.object->function<ToTheEnd>("to_the_end");
+  ASSERT_NE(run, nullptr);
+  EXPECT_EQ(run(last / 2 - day_us), 0);
+  EXPECT_EQ(run(last - 10 * day_us), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Periods, Ticks,

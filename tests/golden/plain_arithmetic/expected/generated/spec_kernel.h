@@ -104,7 +104,7 @@ typedef struct arm_monitors_verdicts_state {
   arm_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
 } arm_monitors_verdicts_state;
 
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;

@@ -116,7 +116,7 @@ typedef struct door_monitors_verdicts_state {
   door_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
   door_ticks ticks;
   int64_t last_speed_us;
   /* no_run_with_open_door */

@@ -162,7 +162,7 @@ typedef struct gripper_monitors_verdicts_state {
   gripper_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
   gripper_ticks ticks;
   int64_t last_at_us;
   int64_t last_goal_us;

@@ -212,7 +212,7 @@ typedef struct signal_monitors_verdicts_state {
   signal_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
   int64_t last_a__us;
   /* Clock */
   int32_t previously_0;

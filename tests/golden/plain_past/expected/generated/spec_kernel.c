@@ -788,6 +788,14 @@ static span change_over(span x, span none, pump_change *s, pump_pair *ring, int6
 #define SELDOM
 #endif
 
+/* What nearly every tick finds: it comes first in the code, so that no jump leads there. Negated
+ * twice, the hint is about each part of a condition; compared with 0, gcc loses it. */
+#if defined(__GNUC__)
+#define USUALLY(condition) __builtin_expect(!!(condition), 1)
+#else
+#define USUALLY(condition) (condition)
+#endif
+
 /* Whether a sample has come since the last tick. It is no older than any before it: those were not
  * from the future. One that is has an age that wraps around, and is more than any period. */
 static inline int32_t sample_arrived(int64_t stamp_us, int64_t since_us, int64_t now_us) {
@@ -805,35 +813,50 @@ static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t pe
   return 1;
 }
 
+/* Whether `us` after a time is past the end of time, which costs no comparison where compilers can
+ * ask the sum itself; into `*sum_us` unless it is. */
+#if defined(__GNUC__)
+#define PAST_END(time_us, us, sum_us) __builtin_add_overflow(time_us, us, sum_us)
+#else
+#define PAST_END(time_us, us, sum_us) \
+  ((time_us) > INT64_MAX - (us) ? 1 : (*(sum_us) = (time_us) + (us), 0))
+#endif
+
 /* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
- * nothing is kept but when the next one is due. `synced_us`: of the last tick that did not come so.
- * Nothing is after that before the first tick, and when none is due. */
-static inline int32_t tick_due(uint64_t due_us, int64_t synced_us, int64_t now_us) {
-  return (uint64_t)now_us == due_us && now_us > synced_us;
+ * nothing is kept but when the next one is due. Where that would be past the end of time, a clock
+ * that wraps around comes when it is due: it is not taken for one that goes on. */
+static inline int32_t tick_due(int64_t *due_us, int64_t now_us, int64_t period_us) {
+  int64_t next_us;
+  if (!USUALLY(now_us == *due_us) || PAST_END(now_us, period_us, &next_us)) {
+    return 0;
+  }
+  *due_us = next_us;
+  return 1;
 }
 
-#define NEVER_DUE ((uint64_t)INT64_MIN)
+#define NEVER_DUE INT64_MAX
 
 /* When the next tick is due; NEVER_DUE, from when in 146,000 years ticks might be too many to be
- * counted, or the clock might wrap around: that time itself is never due before. */
-static uint64_t due_after(const pump_clock *clock, int64_t now_us, int64_t period_us) {
+ * counted. */
+static int64_t due_after(const pump_clock *clock, int64_t now_us, int64_t period_us) {
   if (now_us > INT64_MAX / 2 || elapsed_us(clock->origin_us, now_us) > INT64_MAX / 2) {
     return NEVER_DUE;
   }
-  return (uint64_t)now_us + (uint64_t)period_us;
+  return now_us + period_us;
 }
 
 /* Time, number and end of the last tick, when those that are kept are of the one at `*synced_us`:
  * all after it came when they were due, and the next one is due a period after the last. */
 static void tick_synced(pump_clock *clock, int64_t *until_us, int64_t *synced_us,
-                        uint64_t due_us, int64_t period_us) {
+                        int64_t *due_us, int64_t period_us) {
   int64_t passed_us = 0;
-  if (due_us != NEVER_DUE) {
-    passed_us = (int64_t)(due_us - (uint64_t)period_us - (uint64_t)*synced_us);
+  if (due_after(clock, *synced_us, period_us) != NEVER_DUE) {
+    passed_us = (int64_t)((uint64_t)*due_us - (uint64_t)period_us - (uint64_t)*synced_us);
   }
   clock->tick += passed_us / period_us;
   *until_us = later(*until_us, passed_us);
   *synced_us += passed_us;
+  *due_us = due_after(clock, *synced_us, period_us);
   clock->last_us = *synced_us;
 }
 
@@ -1457,7 +1480,7 @@ static SELDOM void pump_verdicts_late(pump_monitors_verdicts_state *s,
   int32_t k;
   int32_t begun = 0;
   if (s->clock.started != 0) {
-    tick_synced(&s->clock, &s->until_us, &s->synced_us, s->due_us, 100000);
+    tick_synced(&s->clock, &s->until_us, &s->synced_us, &s->due_us, 100000);
     begun = tick_follows(&s->until_us, now_us, 100000);
   }
   if (begun != 0) {
@@ -1479,8 +1502,7 @@ static SELDOM void pump_verdicts_late(pump_monitors_verdicts_state *s,
 
 void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors_in *in,
                             int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
-  if (tick_due(s->due_us, s->synced_us, now_us)) {
-    s->due_us = (uint64_t)now_us + 100000;
+  if (tick_due(&s->due_us, now_us, 100000)) {
     pump_verdicts_judge(s, in, now_us, now_us - 100000, verdicts);
   } else {
     pump_verdicts_late(s, in, now_us, verdicts);

@@ -186,7 +186,7 @@ typedef struct pump_monitors_verdicts_state {
   pump_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
   pump_ticks ticks;
   /* starts_once */
   int32_t previously_0;

@@ -127,7 +127,7 @@ typedef struct crane_monitors_verdicts_state {
   crane_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
   crane_ticks ticks;
   int64_t last_hook_us;
   int64_t last_swing_us;

@@ -102,7 +102,7 @@ typedef struct airfield_monitors_verdicts_state {
   airfield_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
   int64_t last_at_us;
   int64_t last_other_us;
 } airfield_monitors_verdicts_state;

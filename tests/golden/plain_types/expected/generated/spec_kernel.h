@@ -131,7 +131,7 @@ typedef struct test_stand_monitors_verdicts_state {
   test_stand_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
   int64_t last_wheel_us;
   int64_t last_target_us;
   int64_t last_charge_us;

@@ -330,7 +330,7 @@ typedef struct facts_monitors_verdicts_state {
   facts_clock clock;
   int64_t until_us;
   int64_t synced_us;
-  uint64_t due_us;
+  int64_t due_us;
   facts_ticks ticks;
   int64_t last_permit_us;
   /* twin */
