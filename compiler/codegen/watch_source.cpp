@@ -215,7 +215,7 @@ class WatchSource {
   // The usual tick has the path without calls; what is unusual ends in the same one.
   void entry(const std::string& name, const std::string& result, const std::string& given,
              const std::function<void(Code&)>& none, const std::function<void(Code&)>& judged) {
-    uses_.insert({"seldom", "tick_follows"});
+    uses_.insert({"often", "seldom", "usually", "tick_follows"});
     if (side_.is_full()) uses_.insert("tick_counted");
     const std::vector<std::string> parameters = {side_.state + " *s", inputs(), "int64_t now_us",
                                                  result};
@@ -254,11 +254,11 @@ class WatchSource {
       if (side_.is_full()) body.line("out->tick = s->clock.tick;");
     });
     out_.blank();
-    look_.function("void " + name, parameters, [&](Code& body) {
+    look_.function("OFTEN void " + name, parameters, [&](Code& body) {
       const std::string due = "tick_due(&s->due_us, now_us, " + period + ")";
       const std::string at_due = "(s, in, now_us, now_us - " + period + ", " + given + ");";
       body.block(
-          "if (" + (keeps_due() ? due : follows) + ")",
+          "if (" + (keeps_due() ? due : "USUALLY(" + follows + ")") + ")",
           [&](Code& usual) {
             if (side_.is_full()) usual.line("tick_counted(&s->clock, now_us);");
             usual.line(judge + (keeps_due() ? at_due : arguments));

@@ -9,6 +9,14 @@
 #else
 #define SELDOM
 #endif
+/*= often */
+/* What every tick calls begins where processors begin to fetch: nothing else is to decide that, such
+ * as how long the functions before it are. */
+#if defined(__GNUC__)
+#define OFTEN __attribute__((aligned(64)))
+#else
+#define OFTEN
+#endif
 /*= usually */
 /* What nearly every tick finds: it comes first in the code, so that no jump leads there. Negated
  * twice, the hint is about each part of a condition; compared with 0, gcc loses it. */
@@ -17,14 +25,14 @@
 #else
 #define USUALLY(condition) (condition)
 #endif
-/*= sample_good */
+/*= sample_good : usually */
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
-  if (stamp_us > now_us) {
+  if (!USUALLY(stamp_us <= now_us)) {
     return 0;
   }
-  if (stamp_us < *last_us) {
+  if (!USUALLY(stamp_us >= *last_us)) {
     return 0;
   }
   *last_us = stamp_us;

@@ -394,6 +394,14 @@ static int64_t next_tick(arm_clock *clock, int64_t now_us, int64_t period_us,
 #define SELDOM
 #endif
 
+/* What every tick calls begins where processors begin to fetch: nothing else is to decide that, such
+ * as how long the functions before it are. */
+#if defined(__GNUC__)
+#define OFTEN __attribute__((aligned(64)))
+#else
+#define OFTEN
+#endif
+
 /* What nearly every tick finds: it comes first in the code, so that no jump leads there. Negated
  * twice, the hint is about each part of a condition; compared with 0, gcc loses it. */
 #if defined(__GNUC__)
@@ -833,9 +841,9 @@ static SELDOM void arm_late(arm_monitors_state *s, const arm_monitors_in *in, in
   out->tick = s->clock.tick;
 }
 
-void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t now_us,
-                       arm_monitors_out *out) {
-  if (tick_follows(&s->until_us, now_us, 10000)) {
+OFTEN void arm_monitors_step(arm_monitors_state *s, const arm_monitors_in *in, int64_t now_us,
+                             arm_monitors_out *out) {
+  if (USUALLY(tick_follows(&s->until_us, now_us, 10000))) {
     tick_counted(&s->clock, now_us);
     arm_judge(s, in, now_us, out);
   } else {
@@ -1026,8 +1034,8 @@ static SELDOM void arm_verdicts_late(arm_monitors_verdicts_state *s, const arm_m
   }
 }
 
-void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in *in,
-                           int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
+OFTEN void arm_monitors_verdicts(arm_monitors_verdicts_state *s, const arm_monitors_in *in,
+                                 int64_t now_us, int32_t verdicts[ARM_MONITORS]) {
   if (tick_due(&s->due_us, now_us, 10000)) {
     arm_verdicts_judge(s, in, now_us, now_us - 10000, verdicts);
   } else {

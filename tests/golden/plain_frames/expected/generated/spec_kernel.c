@@ -766,6 +766,14 @@ static bounds bounds_span(span a) {
 #define SELDOM
 #endif
 
+/* What every tick calls begins where processors begin to fetch: nothing else is to decide that, such
+ * as how long the functions before it are. */
+#if defined(__GNUC__)
+#define OFTEN __attribute__((aligned(64)))
+#else
+#define OFTEN
+#endif
+
 /* What nearly every tick finds: it comes first in the code, so that no jump leads there. Negated
  * twice, the hint is about each part of a condition; compared with 0, gcc loses it. */
 #if defined(__GNUC__)
@@ -777,10 +785,10 @@ static bounds bounds_span(span a) {
 /* The newest sample counts unless its stamp is from the future or before that of an earlier one;
  * that of one without a value is a stamp like others. */
 static int32_t sample_good(int64_t stamp_us, int64_t *last_us, int64_t now_us) {
-  if (stamp_us > now_us) {
+  if (!USUALLY(stamp_us <= now_us)) {
     return 0;
   }
-  if (stamp_us < *last_us) {
+  if (!USUALLY(stamp_us >= *last_us)) {
     return 0;
   }
   *last_us = stamp_us;
@@ -1402,9 +1410,9 @@ static SELDOM void gripper_late(gripper_monitors_state *s, const gripper_monitor
   out->tick = s->clock.tick;
 }
 
-void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in *in,
-                           int64_t now_us, gripper_monitors_out *out) {
-  if (tick_follows(&s->until_us, now_us, 100000)) {
+OFTEN void gripper_monitors_step(gripper_monitors_state *s, const gripper_monitors_in *in,
+                                 int64_t now_us, gripper_monitors_out *out) {
+  if (USUALLY(tick_follows(&s->until_us, now_us, 100000))) {
     tick_counted(&s->clock, now_us);
     gripper_judge(s, in, now_us, out);
   } else {
@@ -1780,8 +1788,9 @@ static SELDOM void gripper_verdicts_late(gripper_monitors_verdicts_state *s,
   }
 }
 
-void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s, const gripper_monitors_in *in,
-                               int64_t now_us, int32_t verdicts[GRIPPER_MONITORS]) {
+OFTEN void gripper_monitors_verdicts(gripper_monitors_verdicts_state *s,
+                                     const gripper_monitors_in *in, int64_t now_us,
+                                     int32_t verdicts[GRIPPER_MONITORS]) {
   if (tick_due(&s->due_us, now_us, 100000)) {
     gripper_verdicts_judge(s, in, now_us, now_us - 100000, verdicts);
   } else {

@@ -788,6 +788,14 @@ static span change_over(span x, span none, pump_change *s, pump_pair *ring, int6
 #define SELDOM
 #endif
 
+/* What every tick calls begins where processors begin to fetch: nothing else is to decide that, such
+ * as how long the functions before it are. */
+#if defined(__GNUC__)
+#define OFTEN __attribute__((aligned(64)))
+#else
+#define OFTEN
+#endif
+
 /* What nearly every tick finds: it comes first in the code, so that no jump leads there. Negated
  * twice, the hint is about each part of a condition; compared with 0, gcc loses it. */
 #if defined(__GNUC__)
@@ -1245,9 +1253,9 @@ static SELDOM void pump_late(pump_monitors_state *s, const pump_monitors_in *in,
   out->tick = s->clock.tick;
 }
 
-void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int64_t now_us,
-                        pump_monitors_out *out) {
-  if (tick_follows(&s->until_us, now_us, 100000)) {
+OFTEN void pump_monitors_step(pump_monitors_state *s, const pump_monitors_in *in, int64_t now_us,
+                              pump_monitors_out *out) {
+  if (USUALLY(tick_follows(&s->until_us, now_us, 100000))) {
     tick_counted(&s->clock, now_us);
     pump_judge(s, in, now_us, out);
   } else {
@@ -1500,8 +1508,8 @@ static SELDOM void pump_verdicts_late(pump_monitors_verdicts_state *s,
   }
 }
 
-void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors_in *in,
-                            int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
+OFTEN void pump_monitors_verdicts(pump_monitors_verdicts_state *s, const pump_monitors_in *in,
+                                  int64_t now_us, int32_t verdicts[PUMP_MONITORS]) {
   if (tick_due(&s->due_us, now_us, 100000)) {
     pump_verdicts_judge(s, in, now_us, now_us - 100000, verdicts);
   } else {
