@@ -5,6 +5,7 @@
 
 #include "compiler/recheck/fails.h"
 #include "compiler/recheck/lasting.h"
+#include "compiler/recheck/leaving.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/sema/templates.h"
@@ -102,7 +103,7 @@ Found Claims::check(const Claim& claim) {
       {"outranks", &Claims::outranks},   {"fails", &Claims::fails},
       {"start", &Claims::known},         {"judged", &Claims::on_plan},
       {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated},
-      {"sides", &Claims::sides}};
+      {"sides", &Claims::sides},         {"leaves", &Claims::leaves}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -538,6 +539,13 @@ Found Claims::lasts(const Values& v) {
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
   if (m == nullptr || !m->recover || !d->period) return wrong("no such monitor");
   return check_lasting(spec_, *d, *this, *m, v);
+}
+
+Found Claims::leaves(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  if (m == nullptr || !m->recover || !d->period) return wrong("no such monitor");
+  return check_leaving(spec_, *d, *this, *m, v);
 }
 
 Found Claims::outranks(const Values& v) {

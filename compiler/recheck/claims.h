@@ -45,6 +45,7 @@ class Claims {
   std::optional<Doubt> lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm);
   std::optional<Doubt> ways(const Values& v);
   std::optional<Doubt> lasts(const Values& v);
+  std::optional<Doubt> leaves(const Values& v);
   std::optional<Doubt> legs(const Values& v);
   std::optional<Doubt> height(const Values& v);
   std::optional<Doubt> landing(const Values& v);

@@ -224,12 +224,19 @@ class Check {
   }
   // Each zone that a recovery moves within lies in each zone that the property keeps the robot in,
   // or it keeps a side of it; and as far from their boundaries as the property asks, unless that
-  // of the monitor that it drives for has the robot as far from the boundary of its own zone.
+  // of the monitor that it drives for has the robot as far from the boundary of its own zone. Of
+  // zones that come and go it leads out, as its own monitor asks.
   void within(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
               const sema::Monitor& m) {
     const sema::Controller& recovery = spec_[*driving.recover];
     const std::vector<sema::ZoneId> moves = moves_within(recovery);
     const Keeping asked = Sides(spec_, d, claims_).keeping(recovery, *m.always);
+    if (asked.windows) {
+      need(d, e, "leaves", {{"monitor", m.name}});
+      if (driving.recover != m.recover) {
+        fail(whom(d, e) + ": `" + recovery.name + "` is not what leads out for `" + m.name + "`");
+      }
+    }
     if (asked.by_sides && !moves.empty()) {
       need(d, e, "sides", {{"controller", recovery.name}, {"monitor", m.name}});
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/recheck/leaving.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -92,6 +93,10 @@ Keeping Sides::keeping(const sema::Controller& recovery, const sema::Expr& prope
 void Sides::collect(const sema::Controller& recovery, const Part& part, bool either,
                     Keeping& asked) {
   const Split parts = split(part);
+  if (!parts.all && speaks_of_windows(*part.expr)) {
+    asked.windows = true;
+    return;
+  }
   if (parts.any && keeps_a_side(recovery, part, parts)) {
     asked.by_sides = true;
     return;
@@ -255,12 +260,7 @@ bool Sides::one_holds(sema::ZoneId own, const std::vector<sema::ZoneId>& zones,
 }
 
 bool Sides::gives_back(const sema::Monitor& m, const Rational& extra) {
-  bool windows = false;  // where a recovery leads to they do not matter (5030)
-  sema::for_each_expr(*m.always, [&](const sema::Expr& e) {
-    windows = windows || std::holds_alternative<sema::ZoneOpen>(e.node) ||
-              std::holds_alternative<sema::WhileOpen>(e.node);
-  });
-  if (windows) return true;
+  if (speaks_of_windows(*m.always)) return true;  // where it leads to they do not matter (5030)
   const Back found = back(rests_of(m, extra), plain({m.always.get(), true}), false);
   return found != Back::no && found != Back::slow;
 }

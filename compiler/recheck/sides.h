@@ -9,16 +9,21 @@
 namespace rtac::recheck {
 
 // What a recovery has to stay in to keep a property; `by_sides`: some `or` is kept as one side of
-// it always holds, whose zones are none of these.
+// it always holds, whose zones are none of these; `windows`: some part speaks of zones that come
+// and go, which is a matter of leading out (leaving.h).
 struct Keeping {
   std::vector<sema::ZoneId> zones;
-  bool by_sides = false;
+  bool by_sides = false, windows = false;
 };
 
 class Sides {
  public:
   Sides(const sema::Spec& spec, const sema::Decision& decision, Claims& claims);
   Keeping keeping(const sema::Controller& recovery, const sema::Expr& property);
+  // That every body in a zone lies in one of others.
+  bool in_one_of(sema::ZoneId own, const std::vector<sema::ZoneId>& zones) {
+    return one_holds(own, zones, numbers_.radius);
+  }
   // That a recovery is no faster than the limits of a property that count wherever the robot is,
   // and whatever it is told.
   bool keeps_limits(const sema::Controller& recovery, const sema::Expr& property);

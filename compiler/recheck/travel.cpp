@@ -58,10 +58,12 @@ class Travel {
   // way ends.
   [[nodiscard]] Rational seconds(const Rational& way, const Rational& cell) const {
     const Rational cells = way / cell;
-    const Rational rest = kind_.motion.speed.value / brakes_ +
-                          samples_at_rest * (delay_ + oldest(kind_.velocity)) + looks_every;
     return way / slowest() + (cells + 1) * leg() + (cells + 4) * eighth * turn_per_rad() +
-           (2 + cells / waypoints) * rest;
+           (2 + cells / waypoints) * rest();
+  }
+  // Of few legs, each of which may begin with half a circle.
+  [[nodiscard]] Rational seconds_of_legs(const Rational& way, int legs) const {
+    return way / slowest() + legs * (leg() + 4 * eighth * turn_per_rad()) + 2 * rest();
   }
   // It passes the place where control comes back at full speed, and stops behind it.
   [[nodiscard]] Rational run_out_seconds() const {
@@ -70,6 +72,11 @@ class Travel {
   }
 
  private:
+  // It brakes, and looks for its way.
+  [[nodiscard]] Rational rest() const {
+    return kind_.motion.speed.value / brakes_ +
+           samples_at_rest * (delay_ + oldest(kind_.velocity)) + looks_every;
+  }
   [[nodiscard]] Rational slowest() const { return speed_ - taken_; }
   [[nodiscard]] Rational planned() const { return steers_ * planned_braking; }
   // What one leg takes on top of its length at full speed: speeding up, slowing down as planned to
@@ -122,19 +129,36 @@ class Travel {
 
 }  // namespace
 
+namespace {
+
+// Of the last step of a recovery, in what the kernel counts with, mm/s.
+std::optional<Travel> travel_of(const sema::RobotKind& kind, const sema::Decision& decision,
+                                const std::vector<sema::Template>& steps) {
+  const auto speed = steps.empty() ? std::nullopt : sema::speed_of(steps.back());
+  if (!speed) return std::nullopt;
+  const Travel travel(kind, decision, Rational(ceil_to_int(Rational(*speed * 1000))) / 1000);
+  return travel.gets_on() ? std::optional(travel) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                        const sema::Controller& recovery, const Rational& way) {
+  const auto travel = travel_of(kind, decision, sema::templates_of(recovery));
+  constexpr int legs = 3;
+  return travel ? std::optional(travel->seconds_of_legs(way, legs)) : std::nullopt;
+}
+
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                        const sema::Controller& recovery, const Rational& cell,
                                        const Rational& way) {
   const std::vector<sema::Template> steps = sema::templates_of(recovery);
-  const auto speed = steps.empty() ? std::nullopt : sema::speed_of(steps.back());
-  if (!speed) return std::nullopt;
-  // the kernel counts in mm/s
-  const Travel travel(kind, decision, Rational(ceil_to_int(Rational(*speed * 1000))) / 1000);
-  if (!travel.gets_on()) return std::nullopt;
+  const auto travel = travel_of(kind, decision, steps);
+  if (!travel) return std::nullopt;
   // from where it stands to the centre of a cell
   const Rational joined = way + std::max(Rational(2, 5), Rational(2 * cell)) + cell;
-  Rational sum = travel.seconds(joined, cell);
-  if (!std::holds_alternative<sema::Route>(steps.back())) sum += travel.run_out_seconds();
+  Rational sum = travel->seconds(joined, cell);
+  if (!std::holds_alternative<sema::Route>(steps.back())) sum += travel->run_out_seconds();
   if (const auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
     for (const auto& step : sequence->steps) sum += declared(step.lasts);
   }

@@ -13,5 +13,9 @@ namespace rtac::recheck {
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                        const sema::Controller& recovery, const Rational& cell,
                                        const Rational& way);
+// From taking over at full speed until a way of `way` has been driven that has three legs at most.
+// nullopt: as above.
+std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                        const sema::Controller& recovery, const Rational& way);
 
 }  // namespace rtac::recheck

@@ -12,6 +12,7 @@
 #include "compiler/ir/words.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
+#include "compiler/verify/leaving.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -59,12 +60,10 @@ bool has(const ir::Block& property, bool (*is)(const ir::Op&)) {
 bool has_choice(const ir::Block& property) {
   return has(property, [](const ir::Op& op) { return std::holds_alternative<ir::Or>(op); });
 }
-bool speaks_of_windows(const ir::Block& property) {
-  return has(property, [](const ir::Op& op) { return std::holds_alternative<ir::ZoneThere>(op); });
-}
 // What the recovery of monitor `k` has to stay in to keep a property: the zones that hold the robot
 // wherever it holds; of an `or` all that it names, since the side that holds has to go on to hold,
-// but where the recovery keeps some side or other.
+// but where the recovery keeps some side or other. What speaks of zones that come and go is another
+// matter (leaving.h).
 struct Keeping {
   std::vector<analysis::Standoff> zones;  // with what is asked for beyond touching
   bool by_sides = false;
@@ -76,6 +75,8 @@ void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueI
   if (const auto* both = std::get_if<ir::And>(&op)) {
     ask_for(s, k, block, both->a, any, asked);
     ask_for(s, k, block, both->b, any, asked);
+  } else if (speaks_of_windows(block, id)) {
+    return;
   } else if (const auto* either = std::get_if<ir::Or>(&op)) {
     if (analysis::keeps_a_side(s.module, s.decision, s.exact, k, block, id)) {
       asked.by_sides = true;
@@ -157,17 +158,26 @@ std::string off_its_dock(const Subject& s, const ir::Recovery& last) {
          metres(dock_reach_mm);
 }
 
-// Why it is not shown that a recovery keeps a property; "": it is.
-std::string doubt_about(const Subject& s, std::size_t k, const ir::Block& property) {
+// Of zones that come and go; each of the monitors that a recovery drives for leads out as well.
+std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t judged) {
+  const ir::Monitor& m = s.decision.monitors[judged];
+  if (!speaks_of_windows(m.property, m.property.result)) return "";
+  const std::string& recovery = s.decision.monitors[driving].recovery.name;
+  if (recovery == m.recovery.name) return doubt_of_leaving(s, judged);
+  return quoted(recovery) + " does not lead out of zones that come and go in time";
+}
+
+// Why it is not shown that the recovery of one monitor keeps the property of another one, or its
+// own; "": it is.
+std::string doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
+  const ir::Block& property = s.decision.monitors[judged].property;
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
   const std::vector<ir::ZoneIndex> inner = moves_within(recovery);
+  if (std::string windows = doubt_of_windows(s, k, judged); !windows.empty()) return windows;
   if (inner.empty()) return "";
   const Atoms atoms = atoms_of(property);
   if (atoms.charge || atoms.energy) {
     if (std::string off = off_its_dock(s, ir::last_step(recovery)); !off.empty()) return off;
-  }
-  if (speaks_of_windows(property)) {
-    return "the way out of zones that come and go is checked (5030, 5031), and has no certificate";
   }
   const Keeping asked = keeping_of(s, k, property);
   if (asked.received) return "where the zone that is received will be is not known";
@@ -190,6 +200,13 @@ std::string doubt_about(const Subject& s, std::size_t k, const ir::Block& proper
     }
   }
   return "";
+}
+void claim_windows(const Subject& s, std::size_t judged, Obligation& o) {
+  const ir::Monitor& m = s.decision.monitors[judged];
+  if (!speaks_of_windows(m.property, m.property.result)) return;
+  o.because += ", and leads out before a zone comes or goes, within " +
+               seconds(Rational(static_cast<long>(m.recovery.leave_us), 1'000'000));
+  o.claims.push_back(leaves_claim(s, judged));
 }
 Obligation doubted(Obligation o, std::string why) {
   o.status = Status::unknown;
@@ -272,12 +289,13 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
                   "stays as it is";
     }
   }
-  if (std::string doubt = doubt_about(s, k, m.property); !doubt.empty()) {
+  if (std::string doubt = doubt_about(s, k, k); !doubt.empty()) {
     return doubted(std::move(o), std::move(doubt));
   }
   o.claims.push_back(limits_claim(s));
   o.claims.push_back(recovery_claim(s, k));
   claim_zones(s, k, m, o.claims);
+  claim_windows(s, k, o);
   if (m.recovery.kind != ir::RecoveryKind::brake) o.claims.push_back(lemma_claim("way_pieces"));
   for (const std::string& lemma : lemmas_of(atoms, s.decision, m)) {
     o.claims.push_back(lemma_claim(lemma));
@@ -456,6 +474,13 @@ Obligation among_others(const Subject& s, std::size_t driving, std::size_t judge
   return o;
 }
 
+// Of zones that come and go, whose monitor takes over from every recovery that it outranks.
+bool leads_out_itself(const Subject& s, std::size_t driving, std::size_t judged) {
+  const ir::Monitor &i = s.decision.monitors[driving], &j = s.decision.monitors[judged];
+  return judged < driving && !s.decision.coordinated && i.recovery.name != j.recovery.name &&
+         speaks_of_windows(j.property, j.property.result);
+}
+
 std::string text_of(const std::vector<std::int64_t>& place_mm) {
   std::string text;
   for (const std::int64_t mm : place_mm) text += (text.empty() ? "(" : ", ") + metres(mm);
@@ -492,10 +517,13 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   }
   o.claims.push_back(recovery_claim(s, driving));
   o.status = Status::proved;
-  if (entry.keeping == analysis::Keeping::guarded) {
+  const bool waits =
+      entry.keeping == analysis::Keeping::kept && leads_out_itself(s, driving, judged);
+  if (entry.keeping == analysis::Keeping::guarded || waits) {
     o.method = "priority";
     o.because = quoted(j.name) + " ranks higher, is judged under the motion of " +
-                quoted(i.recovery.name) + " and takes over: " + entry.why;
+                quoted(i.recovery.name) +
+                " and takes over: " + (waits ? doubt_of_windows(s, driving, judged) : entry.why);
     o.claims.push_back(
         {"outranks", {{"decision", s.decision.name}, {"higher", j.name}, {"lower", i.name}}});
     return o;
@@ -508,7 +536,7 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
         {"coordinated", {{"decision", s.decision.name}, {"driving", i.name}, {"judged", j.name}}});
     return o;
   }
-  std::string doubt = doubt_about(s, driving, j.property);
+  std::string doubt = doubt_about(s, driving, judged);
   if (!slow_enough(s, driving, judged)) {
     const Rational fastest(analysis::fastest_while_driving(s.decision, driving), 1000);
     doubt = quoted(i.recovery.name) + " drives at up to " + to_decimal(fastest) + " m/s, and " +
@@ -520,6 +548,7 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   o.method = "geometry and bounds";
   o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);
   claim_zones(s, driving, j, o.claims);
+  claim_windows(s, judged, o);
   if (atoms_of(j.property).charge && i.recovery.name != j.recovery.name) {
     if (const auto lasts = lasting_claim(s, driving)) o.claims.push_back(*lasts);
   }

@@ -182,8 +182,12 @@ namespace {
 // because of who drives. Its recovery holds the robot until they let it go on.
 bool keeps(const Subject& s, const analysis::Entry& entry, std::size_t i, std::size_t j) {
   if (entry.while_told && atoms_of(s.decision.monitors[j].property).only_speed()) return true;
-  return entry.keeping == analysis::Keeping::kept &&
-         keeps_others(s, entry, i, j).status == Status::proved;
+  if (entry.keeping != analysis::Keeping::kept) return false;
+  const Obligation kept = keeps_others(s, entry, i, j);
+  // who has to take over is not kept
+  return kept.status == Status::proved &&
+         std::none_of(kept.claims.begin(), kept.claims.end(),
+                      [](const Claim& c) { return c.what == "outranks"; });
 }
 
 }  // namespace
