@@ -14,9 +14,6 @@ namespace {
 
 using geometry::Point;
 
-// By so much a way may lose what it has where it sets out: as much as a hold may stray, and what
-// robots know of a zone may be off.
-const Rational loss(12, 1000);
 // What robots know of a zone may be off by, with the clearances of its cells.
 const Rational table(4, 1000);
 
@@ -195,11 +192,15 @@ Point back(const Point& p) {
 // direction lies between the two, or no further than half a cell beside the place.
 class Ways {
  public:
-  Ways(Rectangle own, const Cells& cells, Rational route, std::vector<Point> sites)
+  // The robot sets out from places that are `starts` from the walls; its hold has `room` to spare.
+  Ways(Rectangle own, const Cells& cells, Rational starts, Rational route, Rational room,
+       std::vector<Point> sites)
       : own_(std::move(own)),
         cells_(cells),
         cell_(milli(cells.cell_mm)),
+        starts_(std::move(starts)),
         route_(std::move(route)),
+        room_(std::move(room)),
         sites_(std::move(sites)),
         ring_({{own_.left, own_.low},
                {own_.right, own_.low},
@@ -217,7 +218,7 @@ class Ways {
   // So far the first leg leads from a place that is `starts` from the walls; nullopt: it may know
   // no way.
   [[nodiscard]] std::optional<Rational> joins(const Rational& starts) const {
-    const Rational reach = std::max(Rational(2, 5), Rational(2 * cell_)) + cell_ * 4 / 5;
+    const Rational reach = this->reach();
     const Rational x = deepest(true) - starts, y = deepest(false) - starts;
     if (x < 0 || y < 0) return reach;
     if (!has_cells(true) || !has_cells(false) || x * x + y * y > reach * reach) return std::nullopt;
@@ -233,8 +234,9 @@ class Ways {
     }
     return most;
   }
-  // Whether a way keeps `asked` of the boundary of a zone wherever the robot has that when it sets
-  // out, and of what it has beyond that as much as its legs keep of a wall.
+  // Why a way may lead nearer to the boundary of a zone than where it sets out, where that is
+  // `asked` from it at least, and than legs keep off walls; by half a cell where a hold has room
+  // for that.
   [[nodiscard]] std::optional<std::string> near(const geometry::Region& zone,
                                                 const Rational& asked) const {
     const Rational keeps = std::max(route_, asked);
@@ -243,7 +245,8 @@ class Ways {
         const Point &a = ring[i], &b = ring[(i + 1) % ring.size()],
                     &c = ring[(i + 2) % ring.size()];
         if (lies_before(a, b, keeps) && !passes(a, b, keeps)) return "the site does not see it";
-        if (lies_before(a, b, keeps) && begins_nearer(a, b, asked)) {
+        if (lies_before(a, b, keeps) && joins_near(a, b, asked, keeps) && room_ < cell_ / 2 &&
+            !joins_across(a, b, keeps)) {
           return "a way may begin with a leg that leads nearer";
         }
         if (lies_round(a, b, c, keeps) && !goes_round(a, b, c, keeps)) {
@@ -255,6 +258,10 @@ class Ways {
   }
 
  private:
+  // Of the centres of cells that a way may begin with (runtime/core/grid_route.cpp).
+  [[nodiscard]] Rational reach() const {
+    return std::max(Rational(2, 5), Rational(2 * cell_)) + cell_ * 4 / 5;
+  }
   [[nodiscard]] bool all_sites_off(const Rational& by) const {
     return std::ranges::all_of(sites_, [&](const Point& p) {
       return p.x - own_.left >= by && own_.right - p.x >= by && p.y - own_.low >= by &&
@@ -315,27 +322,52 @@ class Ways {
     return std::ranges::all_of(
         sites_, [&](const Point& p) { return in_front(a, b, p) >= keeps + cell_ / 2; });
   }
-  [[nodiscard]] bool begins_nearer(const Point& a, const Point& b, const Rational& asked) const {
-    bool nearer = false;
+  // The centre of a cell that a way may begin with lies nearer to it than legs keep off walls.
+  [[nodiscard]] bool joins_near(const Point& a, const Point& b, const Rational& asked,
+                                const Rational& keeps) const {
+    bool is_near = false;
     const bool column = a.x == b.x;
     for_each_centre(column, route_ - table, [&](const Rational& at) {
       const Rational off = in_front(a, b, column ? Point{at, a.y} : Point{a.x, at});
-      nearer = nearer || (off >= asked - cell_ / 2 && off < asked - loss);
+      is_near = is_near || (off >= asked - cell_ / 2 && off < keeps - table);
     });
-    return nearer;
+    return is_near;
+  }
+  // All cells that a way may begin with are in reach of the search, with those beside them, and
+  // from each of them a step away from the edge shortens the way over cells by all of its length:
+  // it is farther to the site across the edge than along it.
+  [[nodiscard]] bool joins_across(const Point& a, const Point& b, const Rational& keeps) const {
+    const Rational reach = this->reach();
+    for (const bool column : {true, false}) {
+      const Rational deep = deepest(column) - starts_;
+      if (deep > 0 && deep * deep + cell_ * cell_ > reach * reach) return false;
+    }
+    const bool column = a.x == b.x;
+    const Rational &low = column ? own_.low : own_.left, &high = column ? own_.top : own_.right;
+    return std::ranges::all_of(sites_, [&](const Point& p) {
+      const Rational at = column ? p.y : p.x;
+      const Rational along = std::max(Rational(at - low), Rational(high - at)) - route_ + cell_ / 2;
+      return in_front(a, b, p) - cell_ / 2 - keeps >= along + cell_;
+    });
   }
   // What is near the corner is so far from the walls that ways from there are straight.
   [[nodiscard]] bool goes_round(const Point& a, const Point& b, const Point& c,
                                 const Rational& keeps) const {
     if (!passes(a, b, keeps) || !passes(b, c, keeps)) return false;
-    const Rational by = route_ + keeps + 2 * cell_;
-    return b.x - own_.left >= by && own_.right - b.x >= by && b.y - own_.low >= by &&
-           own_.top - b.y >= by;
+    Rectangle open{b.x, b.y, b.x, b.y};
+    for (const Point& to : {minus(b, a), minus(b, c)}) {
+      const Rational by = (keeps + cell_ * 3 / 2) / size_above(to);
+      (to.x < 0 ? open.left : open.right) += by * to.x;
+      (to.y < 0 ? open.low : open.top) += by * to.y;
+    }
+    const Rational bend = route_ + cell_;
+    return open.left - own_.left >= bend && own_.right - open.right >= bend &&
+           open.low - own_.low >= bend && own_.top - open.top >= bend;
   }
 
   const Rectangle own_;
   const Cells cells_;
-  const Rational cell_, route_;
+  const Rational cell_, starts_, route_, room_;
   const std::vector<Point> sites_;
   const geometry::Ring ring_;
 };
@@ -354,6 +386,52 @@ std::optional<Doubt> is_free(const sema::Spec& spec, const sema::Decision& d,
     if (!accepted) return wrong("while the recovery of `" + m.name + "` drives, nobody leads out");
   }
   return std::nullopt;
+}
+
+// How far from the boundary of a zone in the plane the centre of a robot surely is, wherever
+// something that is said of zones holds; nullopt: it may be anywhere.
+std::optional<Rational> kept_off(Claims& claims, const sema::Expr& e, sema::ZoneId own) {
+  if (const auto* logic = std::get_if<sema::Logic>(&e.node)) {
+    const bool all = logic->op == sema::LogicOp::logical_and;
+    if (!all && logic->op != sema::LogicOp::logical_or) return std::nullopt;
+    std::optional<Rational> kept;
+    for (const sema::ExprPtr& each : logic->operands) {
+      const auto part = kept_off(claims, *each, own);
+      if (!part && !all) return std::nullopt;
+      if (part && (!kept || (all ? *part > *kept : *part < *kept))) kept = part;
+    }
+    return kept;
+  }
+  const auto zones = kept_in(e);
+  if (zones.size() != 1) return std::nullopt;
+  const geometry::Region *const in = claims.zones().region(zones.front()), *const out =
+                                                                               claims.zones()
+                                                                                   .region(own);
+  if (in == nullptr || out == nullptr || !out->contains(*in)) return std::nullopt;
+  return sure_gap_of(e, zones.front());
+}
+// By what any monitor says that nobody may break.
+std::optional<Rational> starts_off(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                                   sema::ZoneId own) {
+  std::optional<Rational> most;
+  for (const sema::MonitorId id : d.priority) {
+    const bool broken =
+        std::ranges::any_of(d.acknowledgements, [&](const auto& a) { return a.monitor == id; });
+    const auto kept = broken ? std::nullopt : kept_off(claims, *spec[id].always, own);
+    if (kept && (!most || *kept > *most)) most = kept;
+  }
+  if (most) *most += spec[d.kind].radius.value;
+  return most;
+}
+
+// What the look-ahead finds clear around a stop for the hold, but for what steering leaves beside a
+// leg, and for what a way loses as it joins its cells; a point mass stays within that of its place.
+Rational room_of(const sema::Spec& spec, const sema::Decision& d,
+                 const sema::Controller& recovery) {
+  const Rational strays(1, 100);
+  const auto beside = beside_leg(spec[d.kind], d, recovery);
+  if (!beside) return 0;
+  return numbers_of(spec[d.kind], d, jitter_of(spec, d)).hold - *beside - strays;
 }
 
 // What is asked with all zones at their worst is kept on every way.
@@ -417,7 +495,10 @@ std::optional<Doubt> check_leaving(const sema::Spec& spec, const sema::Decision&
   for (const auto& place : spec[way->site].places) {
     sites.push_back({place.position.x, place.position.y});
   }
-  const Ways ways(*own, {*cell, *x, *y}, milli(*route), sites);
+  const auto off = starts_off(spec, decision, claims, *zone);
+  if (!off) return wrong("nothing keeps the robot in the zone of the ways");
+  const Ways ways(*own, {*cell, *x, *y}, *off, milli(*route), room_of(spec, decision, recovery),
+                  sites);
   if (!ways.are_its_cells()) return wrong("the cells are not those of the zone");
   if (!ways.end_straight()) return wrong("the site is too near to the boundary of the zone");
   if (auto doubt = keeps_off(spec, decision, claims, monitor, ways, *zone)) return doubt;

@@ -10,6 +10,7 @@ namespace {
 
 // What the pilots of the runtime pace their ways with.
 const Rational creep(3, 100);          // m/s, at the end of a leg
+const Rational beside_least(1, 20);    // m, beside a leg
 const Rational planned_braking(2, 5);  // share of the brake
 const Rational arrival(5, 4);          // how much more than what is against it the set-point is
 const Rational settles(3, 10);         // s, or two delays
@@ -70,6 +71,22 @@ class Travel {
     const Rational late = acts_ + oldest(kind_.velocity);
     return (speed_ * late + speed_ * speed_ / (2 * planned())) / slowest();
   }
+  // Where its correction makes up for the errors of its place and velocity, of which a part r of
+  // its speed takes 1 / sqrt(1 - r^2) of itself, 1 + 0.62 r^2 at most; and what pushes it, half as
+  // far again until then.
+  [[nodiscard]] Rational beside() const {
+    const Rational gain = std::min(
+        Rational(1), Rational(Rational(1, 2) / (settling_ + acts_ + oldest(kind_.position))));
+    const Rational errs = kind_.velocity ? kind_.velocity->error.value : Rational(0);
+    const Rational part = std::min(Rational(1, 2), Rational(errs / speed_));
+    const Rational place = kind_.position ? kind_.position->error.value : Rational(0);
+    const Rational pushes = declared(kind_.motion.disturbance) + declared(kind_.output_error);
+    const Rational settled = place + errs * (1 + Rational(62, 100) * part * part) / gain;
+    const Rational pushed =
+        Rational(3, 2) * pushes * std::max(settling_, Rational(speed_ / steers_));
+    return std::max(beside_least, settled) + pushed / gain;
+  }
+  [[nodiscard]] bool has_wheels() const { return wheels_; }
 
  private:
   // It brakes, and looks for its way.
@@ -147,6 +164,12 @@ std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema:
   const auto travel = travel_of(kind, decision, sema::templates_of(recovery));
   constexpr int legs = 3;
   return travel ? std::optional(travel->seconds_of_legs(way, legs)) : std::nullopt;
+}
+
+std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Decision& decision,
+                                   const sema::Controller& recovery) {
+  const auto travel = travel_of(kind, decision, sema::templates_of(recovery));
+  return travel && !travel->has_wheels() ? std::optional(travel->beside()) : std::nullopt;
 }
 
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,

@@ -17,5 +17,9 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
 // nullopt: as above.
 std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                         const sema::Controller& recovery, const Rational& way);
+// How far beside its leg a point mass comes at most, what pushes it included. nullopt: as above, or
+// it has wheels.
+std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Decision& decision,
+                                   const sema::Controller& recovery);
 
 }  // namespace rtac::recheck
