@@ -11,6 +11,7 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/waits.h"
+#include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
@@ -55,6 +56,8 @@ class Pair {
     // Whichever side holds at the take-over, it goes on to hold, or another one does. That a zone
     // lies in the union of two is not enough: a body on their seam is in neither.
     if (const auto* v = std::get_if<ir::Or>(&op)) {
+      // Of zones that come and go, only the monitor's own recovery leads out in time, and whoever
+      // outranks it needs an acknowledgement of its own (5031).
       if (speaks_of_windows(block, id)) return !decision_.coordinated || keeps_windows();
       if (keeps_a_side(module_, decision_, exact_, drives_, block, id)) return true;
       if (!decision_.coordinated && too_fast_while_told(block, id)) return false;
@@ -89,20 +92,6 @@ class Pair {
                  " says of inputs";
     entry_.help =
         quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
-    return false;
-  }
-  // Of zones that come and go, only the monitor's own recovery leads out in time, and whoever
-  // outranks it needs an acknowledgement of its own (5031).
-  static bool speaks_of_windows(const ir::Block& block, ir::ValueId id) {
-    const ir::Op& op = block[id].op;
-    if (std::holds_alternative<ir::ZoneThere>(op)) return true;
-    if (const auto* v = std::get_if<ir::Not>(&op)) return speaks_of_windows(block, v->a);
-    if (const auto* v = std::get_if<ir::And>(&op)) {
-      return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
-    }
-    if (const auto* v = std::get_if<ir::Or>(&op)) {
-      return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
-    }
     return false;
   }
   // Who coordinates has to know who leads out.

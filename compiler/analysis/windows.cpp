@@ -428,6 +428,20 @@ bool has_windows(const ir::Block& property) {
   });
 }
 
+bool speaks_of_windows(const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (std::holds_alternative<ir::ZoneThere>(op)) return true;
+  if (const auto* v = std::get_if<ir::Not>(&op)) return speaks_of_windows(block, v->a);
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
+  }
+  if (const auto* v = std::get_if<ir::Or>(&op)) {
+    return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
+  }
+  const ir::Block* const others = ir::body_of(op);
+  return others != nullptr && speaks_of_windows(*others, others->result);
+}
+
 void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
                   ir::Decision& decision, const WindowTables& tables, diag::Engine& diagnostics) {
   if (decision.on_plan) return;

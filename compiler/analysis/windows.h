@@ -25,5 +25,6 @@ void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::
 
 // Whether a property speaks of a zone that is there at certain times.
 bool has_windows(const ir::Block& property);
+bool speaks_of_windows(const ir::Block& block, ir::ValueId id);  // of a part of it
 
 }  // namespace rtac::analysis

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <variant>
 
+#include "compiler/recheck/at_worst.h"
 #include "compiler/recheck/sides.h"
-#include "compiler/recheck/sums.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
-#include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
 namespace {
@@ -16,120 +15,6 @@ using geometry::Point;
 
 // What robots know of a zone may be off by, with the clearances of its cells.
 const Rational table(4, 1000);
-
-// ---- what a property asks for with every zone that comes and goes at its worst
-
-struct Limit {
-  sema::ZoneId zone;
-  Rational gap;  // beyond touching
-};
-// `fails`: whether it is there or not; `limit`: wherever that is kept; `other`: it depends.
-struct AtWorst {
-  enum class Kind { holds, fails, limit, other } kind = Kind::other;
-  std::optional<Limit> limit;
-};
-
-// The limit of a comparison, or of being in a zone.
-std::optional<Limit> limit_of(const sema::Spec& spec, const sema::Expr& e) {
-  if (const auto* in = std::get_if<sema::InsideZone>(&e.node)) return Limit{in->zone, 0};
-  const auto* compare = std::get_if<sema::Compare>(&e.node);
-  if (compare == nullptr) return std::nullopt;
-  using Op = sema::CompareOp;
-  const bool at_least = compare->op == Op::greater || compare->op == Op::greater_equal;
-  const auto sum = at_least ? difference(spec, *compare->left, *compare->right)
-                            : difference(spec, *compare->right, *compare->left);
-  if (!sum || sum->terms.size() != 1) return std::nullopt;
-  const auto& [of, by] = *sum->terms.begin();
-  if (of.kind != Measured::Kind::clearance || by <= 0) return std::nullopt;
-  return Limit{sema::ZoneId{of.index}, std::max(Rational(0), Rational(-sum->least / by))};
-}
-
-class Worst {
- public:
-  explicit Worst(const sema::Spec& spec) : spec_(spec) {}
-
-  [[nodiscard]] AtWorst of(const sema::Expr& e, bool value) const {
-    using Kind = AtWorst::Kind;
-    if (std::holds_alternative<sema::ZoneOpen>(e.node)) return {Kind::fails, {}};
-    if (const auto* truth = std::get_if<sema::Truth>(&e.node)) {
-      return {truth->value == value ? Kind::holds : Kind::fails, {}};
-    }
-    const auto* logic = std::get_if<sema::Logic>(&e.node);
-    if (logic == nullptr) {
-      const auto limit = value ? limit_of(spec_, e) : std::nullopt;
-      return limit ? AtWorst{Kind::limit, limit} : AtWorst{};
-    }
-    using Op = sema::LogicOp;
-    const auto& sides = logic->operands;
-    if (logic->op == Op::logical_not) return of(*sides[0], !value);
-    if (logic->op == Op::implies) {
-      return joined({of(*sides[0], !value), of(*sides[1], value)}, !value);
-    }
-    if (logic->op != Op::logical_and && logic->op != Op::logical_or) return {};
-    std::vector<AtWorst> all;
-    for (const sema::ExprPtr& side : sides) all.push_back(of(*side, value));
-    return joined(all, (logic->op == Op::logical_and) == value);
-  }
-
- private:
-  // Of parts that all have to hold, or of which one has to.
-  static AtWorst joined(const std::vector<AtWorst>& parts, bool all) {
-    using Kind = AtWorst::Kind;
-    const Kind decides = all ? Kind::fails : Kind::holds, nothing = all ? Kind::holds : Kind::fails;
-    AtWorst left{nothing, {}};
-    int others = 0;
-    for (const AtWorst& part : parts) {
-      if (part.kind == decides) return {decides, {}};
-      if (part.kind == nothing) continue;
-      left = part;
-      ++others;
-    }
-    return others > 1 ? AtWorst{} : left;
-  }
-
-  const sema::Spec& spec_;
-};
-
-// The parts of a property that all have to hold, and that speak of zones that come and go.
-void parts_of(const sema::Expr& e, std::vector<const sema::Expr*>& parts) {
-  if (!speaks_of_windows(e)) return;
-  const auto* logic = std::get_if<sema::Logic>(&e.node);
-  if (logic == nullptr || logic->op != sema::LogicOp::logical_and) return parts.push_back(&e);
-  for (const sema::ExprPtr& each : logic->operands) parts_of(*each, parts);
-}
-// That a zone is there is asked for somewhere, and not only what holds meanwhile.
-bool waits_for_gates(const sema::Expr& e, bool value) {
-  if (std::holds_alternative<sema::ZoneOpen>(e.node)) return value;
-  const auto* logic = std::get_if<sema::Logic>(&e.node);
-  if (logic == nullptr) return false;
-  for (std::size_t k = 0; k < logic->operands.size(); ++k) {
-    const bool turned =
-        logic->op == sema::LogicOp::logical_not || (logic->op == sema::LogicOp::implies && k == 0);
-    if (waits_for_gates(*logic->operands[k], value != turned)) return true;
-  }
-  return false;
-}
-// The zones of which a body is to be in one, with nothing else asked, some of them while they are
-// there. False: it is more than that.
-bool gates_of(const sema::Spec& spec, const sema::Expr& e, std::vector<sema::ZoneId>& zones) {
-  if (std::holds_alternative<sema::ZoneOpen>(e.node)) return true;
-  const auto* logic = std::get_if<sema::Logic>(&e.node);
-  if (logic == nullptr) {
-    const auto limit = limit_of(spec, e);
-    if (!limit || limit->gap != 0) return false;
-    zones.push_back(limit->zone);
-    return true;
-  }
-  const bool all = logic->op == sema::LogicOp::logical_and;
-  if (!all && logic->op != sema::LogicOp::logical_or) return false;
-  const std::size_t before = zones.size();
-  for (const sema::ExprPtr& each : logic->operands) {
-    if (!gates_of(spec, *each, zones)) return false;
-  }
-  return !all || zones.size() <= before + 1;
-}
-
-// ---- places, exactly, in m
 
 struct Rectangle {
   Rational left, low, right, top;
@@ -410,13 +295,17 @@ std::optional<Rational> kept_off(Claims& claims, const sema::Expr& e, sema::Zone
   if (in == nullptr || out == nullptr || !out->contains(*in)) return std::nullopt;
   return sure_gap_of(e, zones.front());
 }
-// By what any monitor says that nobody may break.
+// By what any monitor says that looks ahead, and that nobody may break.
 std::optional<Rational> starts_off(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                                    sema::ZoneId own) {
   std::optional<Rational> most;
   for (const sema::MonitorId id : d.priority) {
-    const bool broken =
-        std::ranges::any_of(d.acknowledgements, [&](const auto& a) { return a.monitor == id; });
+    const sema::Ahead& ahead = spec[id].ahead;
+    const bool looks =
+        !ahead.waypoints_only && !ahead.duration_unsound && ahead.unsound_reason.empty();
+    const bool broken = !looks || std::ranges::any_of(d.acknowledgements, [&](const auto& a) {
+      return a.monitor == id;
+    });
     const auto kept = broken ? std::nullopt : kept_off(claims, *spec[id].always, own);
     if (kept && (!most || *kept > *most)) most = kept;
   }
@@ -437,11 +326,10 @@ Rational room_of(const sema::Spec& spec, const sema::Decision& d,
 // What is asked with all zones at their worst is kept on every way.
 std::optional<Doubt> keeps_off(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                                const sema::Monitor& monitor, const Ways& ways, sema::ZoneId moves) {
-  std::vector<const sema::Expr*> parts;
-  parts_of(*monitor.always, parts);
+  const std::vector<const sema::Expr*> parts = parts_of(*monitor.always);
   if (parts.empty()) return wrong("its property speaks of no zone that comes and goes");
   for (const sema::Expr* part : parts) {
-    const AtWorst worst = Worst(spec).of(*part, true);
+    const AtWorst worst = at_worst(spec, *part);
     if (worst.kind == AtWorst::Kind::holds) continue;
     if (worst.kind != AtWorst::Kind::limit) return wrong("it asks for more than one limit at once");
     const geometry::Region* const zone = claims.zones().region(worst.limit->zone);
@@ -450,9 +338,9 @@ std::optional<Doubt> keeps_off(const sema::Spec& spec, const sema::Decision& d, 
     if (const auto why = ways.near(*zone, asked)) {
       return wrong("of `" + claims.zones().name(worst.limit->zone) + "`: " + *why);
     }
-    if (!waits_for_gates(*part, true)) continue;
-    std::vector<sema::ZoneId> zones;
-    if (!gates_of(spec, *part, zones) || !Sides(spec, d, claims).in_one_of(moves, zones)) {
+    if (!waits_for_gates(*part)) continue;
+    const auto zones = gates_of(spec, *part);
+    if (!zones || !Sides(spec, d, claims).in_one_of(moves, *zones)) {
       return wrong("on its way a body may be in none of its zones");
     }
   }
@@ -460,15 +348,6 @@ std::optional<Doubt> keeps_off(const sema::Spec& spec, const sema::Decision& d, 
 }
 
 }  // namespace
-
-bool speaks_of_windows(const sema::Expr& e) {
-  bool found = false;
-  sema::for_each_expr(e, [&](const sema::Expr& part) {
-    found = found || std::holds_alternative<sema::ZoneOpen>(part.node) ||
-            std::holds_alternative<sema::WhileOpen>(part.node);
-  });
-  return found;
-}
 
 std::optional<Doubt> check_leaving(const sema::Spec& spec, const sema::Decision& decision,
                                    Claims& claims, const sema::Monitor& monitor, const Values& v) {

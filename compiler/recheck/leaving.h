@@ -6,9 +6,6 @@
 
 namespace rtac::recheck {
 
-// Whether an expression speaks of such a zone.
-bool speaks_of_windows(const sema::Expr& e);
-
 // The claim that the recovery of `monitor` has led out `leave_us` after it took over, whenever a
 // zone comes or goes, and keeps what the property says on its way. Taken from the claim: the
 // clearance that its legs keep.

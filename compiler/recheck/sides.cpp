@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/recheck/leaving.h"
+#include "compiler/recheck/at_worst.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 

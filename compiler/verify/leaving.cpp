@@ -12,6 +12,7 @@
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
+#include "compiler/verify/at_worst.h"
 
 namespace rtac::verify {
 namespace {
@@ -21,98 +22,6 @@ constexpr std::int64_t grid_mm = 4;
 
 // What a way loses of its clearance as it joins its cells, with some to spare.
 constexpr std::int64_t stray_mm = 10;
-
-// ---- what a property asks for with every zone that comes and goes at its worst
-
-struct Limit {
-  ir::ZoneIndex zone{};
-  std::int64_t mm = 0;  // beyond touching
-};
-struct Term {
-  Limit kept;                         // whatever comes or goes
-  std::vector<ir::ZoneIndex> either;  // a body is to lie in one of them, that one included
-};
-
-class Terms {
- public:
-  Terms(const ir::Decision& decision, const ir::Block& property)
-      : decision_(decision), property_(property) {}
-
-  // Of the parts that speak of such zones. nullopt: one of them is of another kind.
-  std::optional<std::vector<Term>> all() {
-    if (!collect(property_.result)) return std::nullopt;
-    return std::move(found_);
-  }
-
- private:
-  bool collect(ir::ValueId id) {
-    if (!speaks_of_windows(property_, id)) return true;
-    if (const auto* both = std::get_if<ir::And>(&property_[id].op)) {
-      return collect(both->a) && collect(both->b);
-    }
-    const auto term = term_of(id);
-    if (term) found_.push_back(*term);
-    return term.has_value();
-  }
-  void flatten(ir::ValueId id, std::vector<ir::ValueId>& sides) const {
-    const auto* either = std::get_if<ir::Or>(&property_[id].op);
-    if (either == nullptr) return sides.push_back(id);
-    flatten(either->a, sides);
-    flatten(either->b, sides);
-  }
-  [[nodiscard]] bool is_there(ir::ValueId id) const {
-    return std::holds_alternative<ir::ZoneThere>(property_[id].op);
-  }
-  [[nodiscard]] std::optional<Limit> limit_of(ir::ValueId id) const {
-    const auto* compare = std::get_if<ir::AtLeast>(&property_[id].op);
-    const auto bound =
-        compare ? ir::lower_bound(property_, *compare, decision_.facts.params) : std::nullopt;
-    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return std::nullopt;
-    return Limit{ir::ZoneIndex{bound->leaf.table},
-                 std::max<std::int64_t>(bound->need.strictest, 0)};
-  }
-  // While a zone is there, to be in it.
-  [[nodiscard]] std::optional<Limit> gated(ir::ValueId id) const {
-    const auto* both = std::get_if<ir::And>(&property_[id].op);
-    if (both == nullptr) return std::nullopt;
-    if (is_there(both->a)) return limit_of(both->b);
-    return is_there(both->b) ? limit_of(both->a) : std::nullopt;
-  }
-  // One limit, but for while a zone is gone; or one zone to be in, or others while they are there.
-  [[nodiscard]] std::optional<Term> term_of(ir::ValueId id) const {
-    std::vector<ir::ValueId> sides;
-    flatten(id, sides);
-    std::vector<Limit> always, at_times;
-    bool goes = false;
-    for (const ir::ValueId side : sides) {
-      const auto* no = std::get_if<ir::Not>(&property_[side].op);
-      if (no != nullptr && is_there(no->a)) {
-        goes = true;
-      } else if (const auto limit = limit_of(side)) {
-        always.push_back(*limit);
-      } else if (const auto gate = gated(side)) {
-        at_times.push_back(*gate);
-      } else {
-        return std::nullopt;
-      }
-    }
-    if (always.size() != 1 || (goes && !at_times.empty())) return std::nullopt;
-    Term term{always.front(), {}};
-    if (at_times.empty()) return term;
-    at_times.push_back(term.kept);
-    for (const Limit& each : at_times) {
-      if (each.mm > 0) return std::nullopt;
-      term.either.push_back(each.zone);
-    }
-    return term;
-  }
-
-  const ir::Decision& decision_;
-  const ir::Block& property_;
-  std::vector<Term> found_;
-};
-
-// ---- where ways lead, in mm
 
 struct Box {
   std::int64_t left, low, right, top;
@@ -351,7 +260,7 @@ class Ways {
 };
 
 // How far from the boundary of the zone of the ways the centre of the robot surely is, by what any
-// monitor says that nobody may break; nullopt: it may be anywhere.
+// monitor says that looks ahead, and that nobody may break; nullopt: it may be anywhere.
 class Starts {
  public:
   Starts(const Subject& s, ir::ZoneIndex own) : s_(s), own_(own) {}
@@ -359,7 +268,8 @@ class Starts {
     std::optional<std::int64_t> most;
     for (const ir::Monitor& m : s_.decision.monitors) {
       const auto& accepted = s_.decision.acknowledgements;
-      const bool broken = std::any_of(accepted.begin(), accepted.end(),
+      const bool broken = m.lookahead.too_short || m.lookahead.points_only ||
+                          std::any_of(accepted.begin(), accepted.end(),
                                       [&](const auto& a) { return a.monitor == m.name; });
       const auto mm = broken ? std::nullopt : kept_mm(m.property, m.property.result);
       if (mm) most = std::max(most.value_or(0), s_.decision.body.radius_mm + *mm);
@@ -420,20 +330,6 @@ std::string outranked(const Subject& s, std::size_t k) {
 
 }  // namespace
 
-bool speaks_of_windows(const ir::Block& block, ir::ValueId id) {
-  const ir::Op& op = block[id].op;
-  if (std::holds_alternative<ir::ZoneThere>(op)) return true;
-  if (const auto* v = std::get_if<ir::Not>(&op)) return speaks_of_windows(block, v->a);
-  if (const auto* v = std::get_if<ir::And>(&op)) {
-    return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
-  }
-  if (const auto* v = std::get_if<ir::Or>(&op)) {
-    return speaks_of_windows(block, v->a) || speaks_of_windows(block, v->b);
-  }
-  const ir::Block* const others = ir::body_of(op);
-  return others != nullptr && speaks_of_windows(*others, others->result);
-}
-
 std::string doubt_of_leaving(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::Recovery& way = m.recovery;
@@ -449,7 +345,7 @@ std::string doubt_of_leaving(const Subject& s, std::size_t k) {
     return "ways are known to be straight in a rectangle along the axes alone, and " +
            quoted(s.module[way.zone].name) + " is none";
   }
-  const auto terms = Terms(s.decision, m.property).all();
+  const auto terms = at_worst(s.decision, m.property);
   if (!terms) return "what it says of zones that come and go is more than one limit at a time";
   const auto starts_mm = Starts(s, way.zone).least_mm();
   if (!starts_mm) {

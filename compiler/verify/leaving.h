@@ -8,9 +8,6 @@
 
 namespace rtac::verify {
 
-// Whether a value speaks of such a zone.
-bool speaks_of_windows(const ir::Block& block, ir::ValueId id);
-
 // Why it is not shown that the recovery of monitor `k` leads out in time, and keeps what the
 // monitor says on its way; "": it is. Of the parts of its property that speak of such zones.
 std::string doubt_of_leaving(const Subject& s, std::size_t k);
