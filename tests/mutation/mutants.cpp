@@ -134,8 +134,8 @@ std::vector<Mutant> mutants_of_inputs() {
        "fresh_$1 = good_$1 && v->s->last_$1_us > v->since_us && in->"},
       {"arrived_once_is_enough", R"(< \(uint64_t\)now_us - \(uint64_t\)since_us;)",
        "<= (uint64_t)INT64_MAX || since_us;"},
-      {"future_stamps_count", R"(\(stamp_us > now_us\))", "(0)"},
-      {"stamps_may_go_backwards", R"(\(stamp_us < \*last_us\))", "(0)"},
+      {"future_stamps_count", R"(USUALLY\(stamp_us <= now_us\))", "(1)"},
+      {"stamps_may_go_backwards", R"(USUALLY\(stamp_us >= \*last_us\))", "(1)"},
       {"age_of_no_number", R"( != INT64_MIN;)", " != INT64_MIN + 2;"},
       // parameters
       {"parameters_stay", R"(up \? max_of\(so_far, given\) : min_of\(so_far, given\))", "so_far"},
