@@ -1,11 +1,15 @@
 // KML (OGC 07-147r2): Placemarks are areas; longitude, latitude and, of polygons that are not
 // clamped to the ground, a height. A polygon with heights is a sheet in the air; only with
-// `<extrude>` it is the solid from the ground up to them, with the ground as its floor. Styles,
-// views and overlays of pictures are no zones.
+// `<extrude>` it is the solid from the ground up to them, with the ground as its floor. What has no
+// say in areas is listed in kml_elements.cpp; an element that is in no list fails, since it may be
+// a hole, or a zone of its own.
 #include <algorithm>
 #include <array>
 #include <pugixml.hpp>
+#include <utility>
+#include <vector>
 
+#include "compiler/geometry/import/kml_elements.h"
 #include "compiler/geometry/import/numbers.h"
 #include "compiler/geometry/import/outlines.h"
 #include "compiler/geometry/import/readers.h"
@@ -25,19 +29,15 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Without the prefix of a namespace: programs write `kml:Polygon` and `gx:altitudeMode`, too.
 std::string_view name_of(xml_node node) {
-  const std::string_view name = node.name();
-  const std::size_t colon = name.find(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+  return local_name(node.name());
 }
-
-bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+std::string tag(xml_node node) {
+  return quote("<" + std::string(node.name()) + ">");
 }
 
 bool is_time(xml_node node) {
-  return is_one_of(name_of(node), {"TimeSpan", "TimeStamp"});
+  return element_of(KmlPlace::container, name_of(node)) == KmlElement::time;
 }
 
 class KmlReader {
@@ -49,46 +49,111 @@ class KmlReader {
   Areas take_areas() { return std::move(areas_); }
 
  private:
-  // A ring with the lowest and highest of its heights.
+  // The lowest and highest of all positions of a polygon.
   struct Heights {
     double least = 0, most = 0;
     bool is_set = false;
+  };
+  // What a polygon says of its heights, and its rings once more.
+  struct Altitudes {
+    Heights heights;
+    xml_node mode, extrude;
+    std::vector<xml_node> of_rings;
   };
 
   std::string place(xml_node node) const {
     return lines_.place(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug())));
   }
+  // Calls `visit(element, child)` for every child with a say in areas; fails on unknown ones.
+  template <class Visit>
+  bool each_child(xml_node parent, KmlPlace in, const Visit& visit);
+  bool is_foreign(KmlElement element, xml_node node) const;
+  bool fail_unknown(xml_node child, KmlPlace in);
+  // All of its text: a comment in between makes two pieces.
+  bool read_text(xml_node node, std::string& text);
+  bool fail_second(xml_node node, const std::string& help) {
+    return findings_.fail(place(node), "a second " + tag(node), help);
+  }
+
   // `time`: what tells when an outer container is shown, if any does.
-  bool read_features(xml_node container, xml_node time, std::size_t depth);
+  bool read_features(xml_node container, KmlPlace in, xml_node time, std::size_t depth);
+  bool read_feature(KmlElement element, xml_node node, xml_node time, std::size_t depth);
   bool read_placemark(xml_node placemark, xml_node time);
+  bool read_placemark_child(KmlElement element, xml_node node, Area& area, xml_node& geometry);
   void refuse_time(xml_node time, Area& area);
-  bool read_geometry(xml_node geometry, Area& area, std::size_t depth);
+  bool read_geometry(KmlElement element, xml_node node, Area& area, std::size_t depth);
   bool read_polygon(xml_node node, Area& area);
-  bool read_boundary(xml_node boundary, Polygon& polygon, Heights& heights);
-  bool read_ring(xml_node node, Ring& ring, Heights& heights);
+  bool read_boundary(xml_node boundary, Polygon& polygon, Altitudes& altitudes);
+  bool read_ring(xml_node node, Ring& ring, Altitudes& altitudes);
   bool read_position(std::string_view tuple, Ring& ring, Heights& heights);
-  bool read_band(xml_node polygon, const Heights& heights, Area& area, Band& band);
+  bool read_band(xml_node polygon, const Altitudes& altitudes, Area& area, Band& band);
+  bool read_mode(const Altitudes& altitudes, Area& area, std::string& mode);
   bool refuse_link(xml_node link);
+  bool check_control(xml_node control);
+  void note_overlay(xml_node overlay);
 
   Lines lines_;
   const Limits& limits_;
   Findings& findings_;
   Areas areas_;
   std::size_t positions_ = 0;
+  xml_node root_;
+  bool has_overlay_ = false;
 };
 
-xml_node child_of(xml_node node, std::string_view name) {
-  for (const xml_node child : node.children()) {
-    if (name_of(child) == name) return child;
+// Elements of another vocabulary may have the names of KML. Google's extensions are no geometries
+// with an inside.
+bool KmlReader::is_foreign(KmlElement element, xml_node node) const {
+  const std::string_view prefix = prefix_of(node.name());
+  if (prefix == "gx") {
+    return element != KmlElement::altitude_mode && element != KmlElement::time &&
+           element != KmlElement::no_area;
   }
-  return {};
+  if (!prefix.empty()) return prefix != "kml" && prefix != prefix_of(root_.name());
+  const pugi::xml_attribute redeclared = node.attribute("xmlns");
+  return redeclared && !is_kml_namespace(redeclared.value()) &&
+         std::string_view(redeclared.value()) != root_.attribute("xmlns").value();
 }
 
-// All of it: a comment in between makes two pieces.
-std::string text_of(xml_node node) {
-  std::string result;
-  for (const xml_node child : node.children()) result += child.value();
-  return std::string(trimmed(result));
+bool KmlReader::fail_unknown(xml_node child, KmlPlace in) {
+  const xml_node parent = child.parent();
+  const std::string_view spelling = other_spelling(in, name_of(child));
+  if (child.type() != pugi::node_element) {
+    return findings_.fail(place(child), "text within " + tag(parent) + ": " + quote(child.value()),
+                          "what is read there is " + std::string(read_there(in)) +
+                              ": take the text out, or make a comment of it");
+  }
+  return findings_.fail(
+      place(child), tag(child) + " is no element of KML within " + tag(parent),
+      spelling.empty() || spelling == name_of(child)
+          ? "an area or a hole may be lost with it; what is read there is " +
+                std::string(read_there(in)) +
+                ": take it out if no zone depends on it, and data for people into <ExtendedData>"
+          : "KML spells it `" + std::string(spelling) + "`");
+}
+
+template <class Visit>
+bool KmlReader::each_child(xml_node parent, KmlPlace in, const Visit& visit) {
+  for (const xml_node child : parent.children()) {
+    const auto element =
+        child.type() == pugi::node_element ? element_of(in, name_of(child)) : std::nullopt;
+    if (element == KmlElement::no_matter) continue;
+    if (!element || is_foreign(*element, child)) return fail_unknown(child, in);
+    if (!visit(*element, child)) return false;
+  }
+  return true;
+}
+
+bool KmlReader::read_text(xml_node node, std::string& text) {
+  for (const xml_node child : node.children()) {
+    if (child.type() == pugi::node_element) {
+      return findings_.fail(place(child), tag(child) + " within " + tag(node),
+                            "there is text alone: take it out");
+    }
+    text += child.value();
+  }
+  text = std::string(trimmed(text));
+  return true;
 }
 
 bool KmlReader::read_position(std::string_view tuple, Ring& ring, Heights& heights) {
@@ -120,42 +185,70 @@ bool KmlReader::read_position(std::string_view tuple, Ring& ring, Heights& heigh
   return true;
 }
 
-bool KmlReader::read_ring(xml_node node, Ring& ring, Heights& heights) {
+bool KmlReader::read_ring(xml_node node, Ring& ring, Altitudes& altitudes) {
   ring.where = place(node);
-  const xml_node coordinates = child_of(node, "coordinates");
+  xml_node coordinates;
+  const auto take = [&](KmlElement element, xml_node child) {
+    if (element == KmlElement::altitude_mode) {
+      altitudes.of_rings.push_back(child);
+      return true;
+    }
+    if (coordinates) return fail_second(child, "write all positions of the ring into one");
+    coordinates = child;
+    return true;
+  };
+  if (!each_child(node, KmlPlace::ring, take)) return false;
   if (!coordinates) {
     return findings_.fail(ring.where, "a LinearRing without <coordinates>", "add them");
   }
-  const std::string all = text_of(coordinates);
+  std::string all;
+  if (!read_text(coordinates, all)) return false;
   for (std::string_view text = all; !text.empty(); text = trimmed(text)) {
     const auto end = std::find_if(text.begin(), text.end(), is_space);
     const auto length = static_cast<std::size_t>(end - text.begin());
-    if (!read_position(text.substr(0, length), ring, heights)) return false;
+    if (!read_position(text.substr(0, length), ring, altitudes.heights)) return false;
     text.remove_prefix(length);
   }
   return finish_ring(ring, Closing::required, findings_);
 }
 
-bool KmlReader::read_boundary(xml_node boundary, Polygon& polygon, Heights& heights) {
+bool KmlReader::read_boundary(xml_node boundary, Polygon& polygon, Altitudes& altitudes) {
   const bool is_outer = name_of(boundary) == "outerBoundaryIs";
   bool has_ring = false;
-  for (const xml_node node : boundary.children()) {
-    if (name_of(node) != "LinearRing") continue;
+  const auto take = [&](KmlElement /*ring*/, xml_node node) {
     if (is_outer && !polygon.outer.where.empty()) {
       return findings_.fail(place(node), "a second outline of one polygon",
                             "write a polygon for each of them");
     }
     has_ring = true;
-    if (!read_ring(node, is_outer ? polygon.outer : polygon.holes.emplace_back(), heights)) {
-      return false;
-    }
-  }
+    return read_ring(node, is_outer ? polygon.outer : polygon.holes.emplace_back(), altitudes);
+  };
+  if (!each_child(boundary, KmlPlace::boundary, take)) return false;
   return has_ring || findings_.fail(place(boundary), "a boundary without a LinearRing", "add it");
 }
 
-bool KmlReader::read_band(xml_node polygon, const Heights& heights, Area& area, Band& band) {
-  const std::string mode = text_of(child_of(polygon, "altitudeMode"));
-  if (mode.empty() || mode == "clampToGround") return true;  // whose heights mean nothing
+// That of the polygon counts; what a ring says besides must not differ.
+bool KmlReader::read_mode(const Altitudes& altitudes, Area& area, std::string& mode) {
+  if (altitudes.mode && !read_text(altitudes.mode, mode)) return false;
+  if (mode.empty()) mode = "clampToGround";
+  for (const xml_node node : altitudes.of_rings) {
+    std::string of_ring;
+    if (!read_text(node, of_ring)) return false;
+    if (of_ring.empty() || of_ring == mode) continue;
+    refuse(area, place(node),
+           "the altitude mode of the ring is " + quote(of_ring) + ", that of the polygon " +
+               quote(mode),
+           "give the polygon the one that is meant, and take that of the ring out");
+  }
+  return true;
+}
+
+bool KmlReader::read_band(xml_node polygon, const Altitudes& altitudes, Area& area, Band& band) {
+  const Heights& heights = altitudes.heights;
+  std::string mode, extrude;
+  if (!read_mode(altitudes, area, mode)) return false;
+  if (altitudes.extrude && !read_text(altitudes.extrude, extrude)) return false;
+  if (mode == "clampToGround") return true;  // whose heights mean nothing
   const bool is_above_ground = mode == "relativeToGround";
   if (!is_above_ground && mode != "absolute") {
     refuse(area, place(polygon), "the altitude mode is " + quote(mode),
@@ -163,7 +256,6 @@ bool KmlReader::read_band(xml_node polygon, const Heights& heights, Area& area, 
     return true;
   }
   if (is_above_ground && heights.least == 0 && heights.most == 0) return true;
-  const std::string extrude = text_of(child_of(polygon, "extrude"));
   if (extrude != "1" && extrude != "true") {
     refuse(area, place(polygon),
            "a sheet at a height of " + shown(heights.most) + " m, which is no solid",
@@ -184,36 +276,41 @@ bool KmlReader::read_band(xml_node polygon, const Heights& heights, Area& area, 
 bool KmlReader::read_polygon(xml_node node, Area& area) {
   Part part;
   auto& polygon = part.shape.emplace<Polygon>();
-  Heights heights;
-  for (const xml_node child : node.children()) {
-    if (!is_one_of(name_of(child), {"outerBoundaryIs", "innerBoundaryIs"})) continue;
-    if (!read_boundary(child, polygon, heights)) return false;
-  }
+  Altitudes altitudes;
+  const auto take = [&](KmlElement element, xml_node child) {
+    if (element != KmlElement::altitude_mode && element != KmlElement::extrude) {
+      return read_boundary(child, polygon, altitudes);
+    }
+    xml_node& first = element == KmlElement::extrude ? altitudes.extrude : altitudes.mode;
+    if (first) {
+      refuse(area, place(child), "a second " + tag(child) + " of the polygon",
+             "keep the one that is meant");
+    }
+    first = child;
+    return true;
+  };
+  if (!each_child(node, KmlPlace::polygon, take)) return false;
   if (polygon.outer.where.empty()) {
     return findings_.fail(place(node), "a Polygon without <outerBoundaryIs>", "add it");
   }
-  if (!read_band(node, heights, area, part.band)) return false;
+  if (!read_band(node, altitudes, area, part.band)) return false;
   area.parts.push_back(std::move(part));
   return true;
 }
 
-bool KmlReader::read_geometry(xml_node geometry, Area& area, std::size_t depth) {
-  const std::string_view name = name_of(geometry);
-  if (name == "Polygon") return read_polygon(geometry, area);
-  if (name == "MultiGeometry") {
+bool KmlReader::read_geometry(KmlElement element, xml_node node, Area& area, std::size_t depth) {
+  if (element == KmlElement::polygon) return read_polygon(node, area);
+  if (element == KmlElement::multi_geometry) {
     if (depth > limits_.nesting_max) {
-      return findings_.fail(place(geometry), "nested too deeply", "flatten the collections");
+      return findings_.fail(place(node), "nested too deeply", "flatten the collections");
     }
-    for (const xml_node child : geometry.children()) {
-      if (!read_geometry(child, area, depth + 1)) return false;
-    }
-  } else if (is_one_of(name,
-                       {"Point", "LineString", "LinearRing", "Model", "Track", "MultiTrack"})) {
-    refuse(area, place(geometry), "a " + std::string(name) + " encloses nothing",
-           name == "LinearRing" ? "make it the <outerBoundaryIs> of a Polygon" : take_other_areas);
-  } else if (is_time(geometry)) {
-    refuse_time(geometry, area);
+    return each_child(node, KmlPlace::multi_geometry, [&](KmlElement inner, xml_node child) {
+      return read_geometry(inner, child, area, depth + 1);
+    });
   }
+  const std::string_view name = name_of(node);
+  refuse(area, place(node), "a " + std::string(name) + " encloses nothing",
+         name == "LinearRing" ? "make it the <outerBoundaryIs> of a Polygon" : take_other_areas);
   return true;
 }
 
@@ -222,18 +319,37 @@ void KmlReader::refuse_time(xml_node time, Area& area) {
          "take it out, and say in the specification when the area applies");
 }
 
+bool KmlReader::read_placemark_child(KmlElement element, xml_node node, Area& area,
+                                     xml_node& geometry) {
+  if (element == KmlElement::name) {
+    if (!area.name.empty()) return fail_second(node, "keep the one by which it is selected");
+    return read_text(node, area.name);
+  }
+  if (element == KmlElement::time) {
+    refuse_time(node, area);
+    return true;
+  }
+  if (geometry) {
+    refuse(area, place(node), "a second geometry of one Placemark, " + tag(node),
+           "write a Placemark for each, or put them into a <MultiGeometry>");
+  }
+  geometry = node;
+  return read_geometry(element, node, area, 1);
+}
+
 bool KmlReader::read_placemark(xml_node placemark, xml_node time) {
   Area area;
   area.where = place(placemark);
-  area.name = text_of(child_of(placemark, "name"));
+  xml_node geometry;
+  const auto take = [&](KmlElement element, xml_node child) {
+    return read_placemark_child(element, child, area, geometry);
+  };
+  if (!each_child(placemark, KmlPlace::placemark, take)) return false;
   const std::string id = placemark.attribute("id").value();
   if (area.name.empty()) {
     area.name = id;
   } else if (!id.empty()) {
     area.other_names.push_back(id);
-  }
-  for (const xml_node child : placemark.children()) {
-    if (!read_geometry(child, area, 1)) return false;
   }
   if (time) refuse_time(time, area);
   if (area.parts.empty()) {
@@ -246,28 +362,51 @@ bool KmlReader::read_placemark(xml_node placemark, xml_node time) {
 bool KmlReader::refuse_link(xml_node link) {
   Area area;
   area.where = place(link);
-  area.name = text_of(child_of(link, "name"));
+  for (const xml_node child : link.children()) {
+    if (name_of(child) == "name" && area.name.empty() && !read_text(child, area.name)) return false;
+  }
   refuse(area, area.where, "a NetworkLink is not followed",
          "save what it links to as a file of its own");
   return add_area(std::move(area), limits_, areas_, findings_);
 }
 
-bool KmlReader::read_features(xml_node container, xml_node time, std::size_t depth) {
+// It says when to look again, and may change what another file says.
+bool KmlReader::check_control(xml_node control) {
+  for (const xml_node child : control.children()) {
+    if (name_of(child) != "Update") continue;
+    return findings_.fail(place(child), "an Update changes the features of another file",
+                          "save the other file with its changes, and take the "
+                          "<NetworkLinkControl> out");
+  }
+  return true;
+}
+
+void KmlReader::note_overlay(xml_node overlay) {
+  if (std::exchange(has_overlay_, true)) return;
+  areas_.notes.push_back({place(overlay), "overlays are pictures, and are left out"});
+}
+
+bool KmlReader::read_feature(KmlElement element, xml_node node, xml_node time, std::size_t depth) {
+  if (element == KmlElement::placemark) return read_placemark(node, time);
+  if (element == KmlElement::network_link) return refuse_link(node);
+  if (element == KmlElement::network_link_control) return check_control(node);
+  if (element == KmlElement::container) {
+    return read_features(node, KmlPlace::container, time, depth + 1);
+  }
+  if (element == KmlElement::overlay) note_overlay(node);
+  return true;
+}
+
+bool KmlReader::read_features(xml_node container, KmlPlace in, xml_node time, std::size_t depth) {
   if (depth > limits_.nesting_max) {
     return findings_.fail(place(container), "nested too deeply", "flatten the folders");
   }
   for (const xml_node child : container.children()) {
     if (is_time(child)) time = child;  // of all features in the container
   }
-  for (const xml_node child : container.children()) {
-    const std::string_view name = name_of(child);
-    if (name == "Placemark" && !read_placemark(child, time)) return false;
-    if (name == "NetworkLink" && !refuse_link(child)) return false;
-    if (is_one_of(name, {"Document", "Folder"}) && !read_features(child, time, depth + 1)) {
-      return false;
-    }
-  }
-  return true;
+  return each_child(container, in, [&](KmlElement element, xml_node child) {
+    return read_feature(element, child, time, depth);
+  });
 }
 
 bool KmlReader::read_root(const pugi::xml_document& document) {
@@ -277,12 +416,12 @@ bool KmlReader::read_root(const pugi::xml_document& document) {
                             "KML has none: take the line `<!DOCTYPE ...>` out");
     }
   }
-  const xml_node root = document.document_element();
-  if (name_of(root) != "kml") {
-    return findings_.fail(place(root), "the outermost element is " + quote(name_of(root)),
+  root_ = document.document_element();
+  if (name_of(root_) != "kml") {
+    return findings_.fail(place(root_), "the outermost element is " + quote(name_of(root_)),
                           "KML starts with `<kml>`");
   }
-  return read_features(root, {}, 1);
+  return read_features(root_, KmlPlace::root, {}, 1);
 }
 
 }  // namespace

@@ -50,6 +50,95 @@ TEST(Kml, PrefixesAreNoMatter) {
             "");
 }
 
+// Of another vocabulary a name of KML says nothing.
+TEST(Kml, ElementsOfOtherNamespacesAreUnknown) {
+  EXPECT_TRUE(
+      contains(failure(kml("<x:Placemark xmlns:x=\"y\"/>")), "`<x:Placemark>` is no element"));
+  EXPECT_TRUE(contains(failure(kml("<gx:Placemark/>")), "`<gx:Placemark>` is no element"));
+  EXPECT_TRUE(contains(failure(kml("<Placemark xmlns=\"y\"/>")), "`<Placemark>` is no element"));
+  EXPECT_EQ(failure(kml("<Placemark xmlns=\"http://earth.google.com/kml/2.1\"/><kml:Folder/>")),
+            "");
+}
+
+// Each of them may be a hole, or a zone of its own.
+TEST(Kml, UnknownElementsAreToldByName) {
+  const auto told = [](const std::string& content) { return failure(kml(content)); };
+  const std::string hole = ring("1,1 2,1 2,2 1,1");
+  const std::string in_polygon =
+      placemark(polygon(triangle, "<innerboundaryIs>" + hole + "</innerboundaryIs>"));
+  EXPECT_TRUE(contains(told(in_polygon), "line 2, column "));
+  EXPECT_TRUE(contains(told(in_polygon),
+                       "`<innerboundaryIs>` is no element of KML within `<Polygon>` (KML spells it "
+                       "`innerBoundaryIs`)"));
+  EXPECT_TRUE(
+      contains(told(placemark(polygon(triangle, "<innerBoundary>" + hole + "</innerBoundary>"))),
+               "`<innerBoundary>` is no element of KML within `<Polygon>` (an area or a hole "
+               "may be lost with it; what is read there is `outerBoundaryIs`, "));
+  EXPECT_TRUE(contains(told("<placemark>" + polygon(triangle) + "</placemark>"),
+                       "KML spells it `Placemark`"));
+  EXPECT_TRUE(contains(told("<Foo>" + placemark(polygon(triangle)) + "</Foo>"),
+                       "`<Foo>` is no element of KML within `<Folder>`"));
+  EXPECT_TRUE(contains(told("<Schema parent=\"Placemark\" name=\"S_zone\"/><S_zone>" +
+                            polygon(triangle) + "</S_zone>"),
+                       "`<S_zone>` is no element"));
+  EXPECT_TRUE(contains(told(placemark("<MultiGeometry><polygon/></MultiGeometry>")),
+                       "within `<MultiGeometry>` (KML spells it `Polygon`)"));
+  EXPECT_TRUE(contains(told(placemark(polygon(triangle) + placemark(polygon(triangle)))),
+                       "`<Placemark>` is no element of KML within `<Placemark>`"));
+  EXPECT_TRUE(contains(told(placemark("<Polygon><outerBoundaryIs>" + ring(triangle) +
+                                      "<linearRing/></outerBoundaryIs></Polygon>")),
+                       "KML spells it `LinearRing`"));
+  EXPECT_TRUE(contains(told(placemark("<Polygon><outerBoundaryIs><LinearRing><Coordinates/>"
+                                      "</LinearRing></outerBoundaryIs></Polygon>")),
+                       "KML spells it `coordinates`"));
+  EXPECT_TRUE(contains(failure("<kml><Update/></kml>"), "within `<kml>`"));
+}
+
+TEST(Kml, TextBetweenElementsIsTold) {
+  EXPECT_TRUE(contains(failure(kml("&lt;Placemark&gt;")), "text within `<Folder>`: `<Placemark>`"));
+  EXPECT_TRUE(contains(failure(kml(placemark("<Polygon>" + triangle + "</Polygon>"))),
+                       "text within `<Polygon>`: `8.5,47.1"));
+  EXPECT_TRUE(contains(failure(kml(placemark(polygon("0,0 9,0 <b>1,1</b> 9,9 0,0")))),
+                       "`<b>` within `<coordinates>`"));
+}
+
+// What Google Earth, QGIS and ArcGIS write besides areas.
+TEST(Kml, WhatHasNoSayInAreasIsLeftOut) {
+  const std::string feature =
+      "<name>n</name><visibility>0</visibility><open>1</open><atom:author/><atom:link/>"
+      "<address>a</address><xal:AddressDetails/><phoneNumber/><Snippet maxLines=\"0\"/><snippet/>"
+      "<description>d <b>e</b></description><LookAt><gx:TimeSpan/></LookAt><Camera/>"
+      "<styleUrl>#s</styleUrl><Style><PolyStyle/></Style><StyleMap/><Region/><Metadata/>"
+      "<ExtendedData><SchemaData><SimpleData name=\"x\">1</SimpleData></SchemaData><y:z/>"
+      "</ExtendedData><gx:balloonVisibility>1</gx:balloonVisibility>";
+  const std::string shape =
+      "<Polygon "
+      "id=\"g\"><extrude>0</extrude><tessellate>1</tessellate><gx:drawOrder>1</gx:drawOrder>"
+      "<altitudeMode>clampToGround</altitudeMode><outerBoundaryIs><LinearRing><extrude>0</extrude>"
+      "<tessellate>1</tessellate><altitudeMode>clampToGround</altitudeMode><coordinates>" +
+      triangle + "</coordinates></LinearRing></outerBoundaryIs></Polygon>";
+  const Areas areas =
+      areas_of(Format::kml,
+               "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><NetworkLinkControl><expires/>"
+               "</NetworkLinkControl><Document>" +
+                   feature +
+                   "<Schema name=\"t\"><SimpleField/></Schema><gx:CascadingStyle/><gx:Tour/>"
+                   "<GroundOverlay/><Folder>" +
+                   feature + "<Placemark id=\"p\">" + feature + shape +
+                   "</Placemark><ScreenOverlay/></Folder></Document></kml>");
+  ASSERT_EQ(areas.areas.size(), 1U);
+  EXPECT_FALSE(areas.areas[0].refusal);
+  EXPECT_EQ(areas.areas[0].parts.size(), 1U);
+  ASSERT_EQ(areas.notes.size(), 1U);
+  EXPECT_EQ(areas.notes[0].message, "overlays are pictures, and are left out");
+}
+
+TEST(Kml, UpdatesOfOtherFilesAreRefused) {
+  EXPECT_TRUE(contains(failure("<kml><NetworkLinkControl><Update/></NetworkLinkControl>" +
+                               placemark(polygon(triangle)) + "</kml>"),
+                       "an Update changes the features of another file"));
+}
+
 TEST(Kml, CommentsDoNotCutCoordinates) {
   const Area area = only_area(
       Format::kml, kml(placemark(polygon("0,0 9,0 <!-- corner --> 9,9 <![CDATA[0,9 ]]>0,0"))));
@@ -90,6 +179,29 @@ TEST(Kml, SheetsInTheAirRefuseToBeUsed) {
                        "heights from 1 to 2 m"));
   EXPECT_TRUE(contains(refusal(high, "<gx:altitudeMode>relativeToSeaFloor</gx:altitudeMode>"),
                        "the altitude mode is `relativeToSeaFloor`"));
+}
+
+// Which of the two counts is a guess.
+TEST(Kml, ContradictoryAltitudesRefuseToBeUsed) {
+  const std::string ground = "<altitudeMode>clampToGround</altitudeMode>";
+  const std::string absolute = "<altitudeMode>absolute</altitudeMode>";
+  const auto refusal = [](const std::string& shape) {
+    return refusal_of(only_area(Format::kml, kml(placemark(shape))));
+  };
+  EXPECT_TRUE(contains(refusal(polygon(high, ground + absolute)),
+                       "a second `<altitudeMode>` of the polygon"));
+  EXPECT_TRUE(contains(refusal(polygon(triangle, ground + "<gx:altitudeMode>clampToSeaFloor"
+                                                          "</gx:altitudeMode>")),
+                       "a second `<gx:altitudeMode>`"));
+  EXPECT_TRUE(
+      contains(refusal(polygon(high, absolute + "<extrude>1</extrude><extrude>0</extrude>")),
+               "a second `<extrude>`"));
+  const std::string in_ring = "<Polygon><outerBoundaryIs><LinearRing>" + absolute +
+                              "<coordinates>" + high +
+                              "</coordinates></LinearRing></outerBoundaryIs></Polygon>";
+  EXPECT_TRUE(contains(refusal(in_ring),
+                       "the altitude mode of the ring is `absolute`, that of the "
+                       "polygon `clampToGround`"));
 }
 
 TEST(Kml, HeightsOfNoneAboveGroundAreNoSheet) {
@@ -145,6 +257,15 @@ TEST(Kml, WhatIsMissingOrTwiceIsTold) {
   EXPECT_TRUE(contains(failure(kml(placemark(
                            "<Polygon><outerBoundaryIs><LinearRing/></outerBoundaryIs></Polygon>"))),
                        "without <coordinates>"));
+  EXPECT_TRUE(contains(failure(kml(placemark("<Polygon><outerBoundaryIs><LinearRing><coordinates>" +
+                                             triangle + "</coordinates><coordinates>" + triangle +
+                                             "</coordinates></LinearRing></outerBoundaryIs>"
+                                             "</Polygon>"))),
+                       "a second `<coordinates>`"));
+  EXPECT_TRUE(contains(failure(kml(placemark("<name>pond</name>"))), "a second `<name>`"));
+  EXPECT_TRUE(contains(
+      refusal_of(only_area(Format::kml, kml(placemark(polygon(triangle) + polygon(triangle))))),
+      "a second geometry of one Placemark, `<Polygon>`"));
   EXPECT_TRUE(contains(failure("<gpx/>"), "the outermost element is `gpx`"));
   EXPECT_TRUE(contains(failure(kml("")), "has no areas"));
 }
