@@ -142,6 +142,10 @@ bool Ed269Reader::read_zone(Json zone) {
 bool Ed269Reader::read_root(Json root) {
   if (!json_.expect_object(root)) return false;
   const bool is_list = root.member("UASZoneList").has_value();
+  if (is_list && root.member("features")) {
+    return findings_.fail("features", "stands beside `UASZoneList`, which has zones as well",
+                          "write all zones into one of the two");
+  }
   const auto zones = json_.required_array(root, is_list ? "UASZoneList" : "features");
   if (!zones) return false;
   if (zones->kind() == JsonKind::numbers) return json_.wrong_kind(*zones, "an array of zones");

@@ -2,9 +2,13 @@
 // developer guide (docs/en/qgc-dev-guide/file_formats/plan.md of mavlink/qgroundcontrol): version 1
 // of the plan, 2 of `geoFence`, 1 of each polygon and circle; positions are [latitude, longitude],
 // rings are not closed. The guide calls `inclusion` "enabled"; the program (QGCFencePolygon.cpp)
-// keeps the vehicle in where it is true and out where it is false.
+// keeps the vehicle in where it is true and out where it is false. What it reads and writes besides
+// is nothing: GeoFenceController.cc has `version`, `polygons`, `circles` and `breachReturn`, each
+// shape `inclusion` and `version`, and QGCMapCircle.cc the `center` and `radius` of a circle.
 #include <algorithm>
-#include <array>
+#include <cctype>
+#include <initializer_list>
+#include <string>
 
 #include "compiler/geometry/import/json_reader.h"
 #include "compiler/geometry/import/readers.h"
@@ -28,7 +32,8 @@ class PlanReader {
   bool read_item(Json item, std::string_view shape);
   bool read_polygon(Json positions, Area& area);
   bool read_circle(Json circle, Area& area);
-  void refuse_unknown(Json item, std::string_view shape, Area& area);
+  bool check_root(Json root);
+  bool check_fence(Json fence);
 
   Findings& findings_;
   JsonReader json_;
@@ -39,15 +44,56 @@ Position swapped(Position position) {
   return {position.y, position.x};
 }
 
+using Names = std::initializer_list<std::string_view>;
+
+// The first member that is none of these.
+std::optional<Json> first_unknown(Json object, Names known) {
+  for (const Json member : object.items()) {
+    if (std::find(known.begin(), known.end(), member.name()) == known.end()) return member;
+  }
+  return std::nullopt;
+}
+
+std::string no_such_member(Json member) {
+  return "QGroundControl has no member " + quote(member.name()) + " here";
+}
+
 // Programs that build on QGroundControl add heights and actions: what limits the area must not be
 // dropped.
-void PlanReader::refuse_unknown(Json item, std::string_view shape, Area& area) {
-  for (const Json member : item.items()) {
-    const std::array known{shape, std::string_view("inclusion"), std::string_view("version")};
-    if (std::find(known.begin(), known.end(), member.name()) != known.end()) continue;
-    refuse(area, member.where(), "QGroundControl has no member " + quote(member.name()) + " here",
+void refuse_unknown(Json object, Names known, Area& area) {
+  if (const auto unknown = first_unknown(object, known)) {
+    refuse(area, unknown->where(), no_such_member(*unknown),
            "take it out, and say in the specification what it is for");
   }
+}
+
+bool mentions_fence(std::string_view name) {
+  std::string lower(name);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower.find("fence") != std::string::npos;
+}
+
+// Another list of the fence would be lost, and so would a switch that turns it off.
+bool PlanReader::check_fence(Json fence) {
+  const auto unknown = first_unknown(fence, {"version", "polygons", "circles", "breachReturn"});
+  if (!unknown) return true;
+  return findings_.fail(unknown->where(), no_such_member(*unknown),
+                        "areas stand in `polygons` and `circles`; take the member out, and say in "
+                        "the specification what it is for");
+}
+
+// Other members of the plan are no part of the fence, unless they sound like one.
+bool PlanReader::check_root(Json root) {
+  const Names known{"fileType", "version", "groundStation", "mission", "geoFence", "rallyPoints"};
+  for (const Json member : root.items()) {
+    if (std::find(known.begin(), known.end(), member.name()) != known.end()) continue;
+    if (mentions_fence(member.name())) {
+      return findings_.fail(member.where(), no_such_member(member),
+                            "the fence of a plan is `geoFence`: take the other one out");
+    }
+    areas_.notes.push_back({member.where(), no_such_member(member) + ", and it is left out"});
+  }
+  return true;
 }
 
 bool PlanReader::read_polygon(Json positions, Area& area) {
@@ -66,6 +112,7 @@ bool PlanReader::read_circle(Json circle, Area& area) {
   if (!centre || !json_.read_position(*centre, result.centre)) return false;
   const auto radius_m = json_.required_number(circle, "radius");
   if (!radius_m || !check_radius(*radius_m, result.where, findings_)) return false;
+  refuse_unknown(circle, {"center", "radius"}, area);
   result.centre = swapped(result.centre);
   result.radius_m = *radius_m;
   area.parts.push_back({std::move(result), {}});
@@ -83,7 +130,7 @@ bool PlanReader::read_item(Json item, std::string_view shape) {
   if (!(shape == "polygon" ? read_polygon(*outline, area) : read_circle(*outline, area))) {
     return false;
   }
-  refuse_unknown(item, shape, area);
+  refuse_unknown(item, {shape, "inclusion", "version"}, area);
   return json_.add(std::move(area), areas_);
 }
 
@@ -100,7 +147,8 @@ bool PlanReader::read_fence(Json fence) {
   if (const auto point = fence.member("breachReturn")) {
     areas_.notes.push_back({point->where(), "the breach return point is no area and is left out"});
   }
-  return read_each(fence, "polygons", "polygon") && read_each(fence, "circles", "circle");
+  return check_fence(fence) && read_each(fence, "polygons", "polygon") &&
+         read_each(fence, "circles", "circle");
 }
 
 bool PlanReader::read_root(Json root) {
@@ -111,7 +159,7 @@ bool PlanReader::read_root(Json root) {
     return findings_.fail("fileType", "is " + quote(*type),
                           "save the whole plan from QGroundControl, which writes `Plan`");
   }
-  if (!json_.expect_version(root, 1)) return false;
+  if (!json_.expect_version(root, 1) || !check_root(root)) return false;
   const auto fence = json_.required(root, "geoFence");
   return fence && read_fence(*fence);
 }

@@ -77,12 +77,14 @@ class WaypointReader {
   static void note_once(Note& note, const std::string& where) {
     if (note.where.empty()) note.where = where;
   }
+  bool check_index(double index);
   std::optional<int> whole(double value, int least) const;
 
   Findings& findings_;
   const Limits& limits_;
   Areas areas_;
   std::size_t line_ = 0, positions_ = 0;
+  std::optional<double> index_;  // of the item before
   Note altitude_{{}, "altitudes of fence items are reserved, and are left out"};
   Note return_point_{{}, "the return point of a fence is no area, and is left out"};
   Note other_item_{{}, "items besides those of fences are left out"};
@@ -103,6 +105,24 @@ bool WaypointReader::read_header(std::string_view line) {
   }
   return findings_.fail("line " + std::to_string(line_), "is " + quote(line),
                         "the first line of such a file is `QGC WPL 110`");
+}
+
+// Vehicles take items by their index, this reader by their line: where the two differ, the outline
+// is another one, and where a number is missing, an item may be.
+bool WaypointReader::check_index(double index) {
+  const std::string where = "line " + std::to_string(line_) + ", index";
+  const bool is_first = !index_;
+  if (is_first ? whole(index, 0).has_value() : index == *index_ + 1) {
+    index_ = index;
+    return true;
+  }
+  return findings_.fail(where,
+                        "is " + (std::isnan(index) ? std::string("not set") : shown(index)) +
+                            (is_first ? "" : ", and " + shown(*index_) + " in the item before"),
+                        is_first ? "a whole number from 0"
+                                 : "items stand in the order of their indices, without a gap: "
+                                   "here " +
+                                       shown(*index_ + 1) + " is next");
 }
 
 bool WaypointReader::read_line(std::string_view line) {
@@ -126,6 +146,7 @@ bool WaypointReader::read_line(std::string_view line) {
     }
     values[i] = *value;
   }
+  if (!check_index(values[0])) return false;
   const auto frame = whole(values[2], 0), command = whole(values[3], 0);
   if (!frame || !command) {
     return findings_.fail(item.where, "the frame or the command is no whole number",

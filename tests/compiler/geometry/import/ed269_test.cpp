@@ -194,5 +194,11 @@ TEST(Ed269, SwissListIsRead) {
             1U);
 }
 
+TEST(Ed269, TwoListsOfZonesAreRefused) {
+  EXPECT_TRUE(contains(failure_of(Format::ed269, R"({"UASZoneList":[)" + zone(volume()) +
+                                                     R"(],"features":[)" + zone(volume()) + "]}"),
+                       "features: stands beside `UASZoneList`"));
+}
+
 }  // namespace
 }  // namespace rtac::geometry::import

@@ -66,6 +66,36 @@ TEST(QgcPlan, AreasWithUnknownMembersRefuseToBeUsed) {
       contains(refusal_of(area), "geoFence.polygons[0].maxAltitude: QGroundControl has no"));
 }
 
+TEST(QgcPlan, CirclesWithUnknownMembersRefuseToBeUsed) {
+  const Area area =
+      only_area(Format::qgc_plan,
+                plan("", item(R"("circle":{"center":[47.1,8.5],"radius":300,"unit":"ft"})")));
+  EXPECT_TRUE(contains(refusal_of(area), "geoFence.circles[0].circle.unit: QGroundControl has no"));
+}
+
+// A list of areas, a limit of height or a switch that is not known would be lost.
+TEST(QgcPlan, FencesWithUnknownMembersAreRefused) {
+  for (const std::string name :
+       {"exclusionPolygons", "rectangles", "maxAltitude", "params", "enabled", "Circles"}) {
+    EXPECT_TRUE(contains(failure(plan(item(triangle), "", ",\"" + name + "\":[]")),
+                         "geoFence." + name + ": QGroundControl has no member `" + name + "` here"))
+        << name;
+  }
+}
+
+TEST(QgcPlan, OtherMembersOfThePlanAreNotedUnlessTheySoundLikeAFence) {
+  const auto with = [](const std::string& members) {
+    return R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"polygons":[)" +
+           item(triangle) + R"(],"circles":[]},)" + members + "}";
+  };
+  const Areas areas = areas_of(
+      Format::qgc_plan, with(R"("groundStation":"x","mission":{},"rallyPoints":{},"airframe":1)"));
+  ASSERT_EQ(areas.notes.size(), 1U);
+  EXPECT_EQ(areas.notes[0].where, "airframe");
+  EXPECT_TRUE(contains(failure(with(R"("GeoFence":{})")),
+                       "GeoFence: QGroundControl has no member `GeoFence` here (the fence"));
+}
+
 TEST(QgcPlan, WhatIsMissingOrOfTheWrongKindIsTold) {
   EXPECT_TRUE(
       contains(failure(R"({"fileType":"Plan","version":1})"), "lacks the member `geoFence`"));

@@ -121,9 +121,10 @@ std::string plan(const Polygon& polygon) {
 }
 std::string waypoints(const Polygon& polygon) {
   const std::string count = std::to_string(polygon.outer.positions.size());
+  int index = 0;
   const auto write = [&](Position position) {
-    return "1\t0\t3\t5001\t" + count + "\t0\t0\t0\t" + text_of(position.y) + "\t" +
-           text_of(position.x) + "\t0\t1";
+    return std::to_string(index++) + "\t0\t3\t5001\t" + count + "\t0\t0\t0\t" +
+           text_of(position.y) + "\t" + text_of(position.x) + "\t0\t1";
   };
   return "QGC WPL 110\n" + ring_text(polygon.outer, write, "\n", false) + "\n";
 }
