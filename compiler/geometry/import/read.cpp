@@ -11,7 +11,8 @@ bool is_continuation(std::string_view text, std::size_t index) {
   return index < text.size() && (static_cast<unsigned char>(text[index]) & 0xc0U) == 0x80U;
 }
 
-// Bytes of the character at `index`; 0: no UTF-8. NUL counts as none: no format has a use for it.
+// Bytes of the character at `index`; 0: no UTF-8. NUL counts as none: it is UTF-8, but no format
+// has a use for it.
 std::size_t length_of_character(std::string_view text, std::size_t index) {
   const auto first = static_cast<unsigned char>(text[index]);
   const auto second = index + 1 < text.size() ? static_cast<unsigned char>(text[index + 1]) : 0U;
@@ -42,6 +43,11 @@ bool check_text(std::string_view text, const Limits& limits, Findings& findings)
   }
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = length_of_character(text, i);
+    if (text[i] == '\0') {
+      return findings.fail(line_and_column(text, i), "this byte is zero, which no text has",
+                           "take the zeros out: what has copied or sent the file has filled it up, "
+                           "or has sent the end of a string of C with it");
+    }
     if (length == 0) {
       return findings.fail(line_and_column(text, i), "this byte is no UTF-8",
                            "save the file as text in UTF-8");

@@ -56,7 +56,11 @@ TEST(FormatOf, NothingIsGuessed) {
 TEST(Read, TextsThatAreNoUtf8AreToldWithThePlace) {
   EXPECT_TRUE(
       contains(failure_of(Format::geojson, "{\n\"\xff\":1}"), "line 2, column 2: this byte"));
-  EXPECT_TRUE(contains(failure_of(Format::geojson, std::string("{\0}", 3)), "line 1, column 2"));
+  // a zero is UTF-8, and no text
+  EXPECT_TRUE(contains(failure_of(Format::geojson, std::string("{\0}", 3)),
+                       "line 1, column 2: this byte is zero"));
+  EXPECT_TRUE(contains(failure_of(Format::wkt, std::string("POINT EMPTY\n\0", 13)),
+                       "line 2, column 1: this byte is zero"));
   EXPECT_TRUE(contains(failure_of(Format::geojson, "\xed\xa0\x80"), "no UTF-8"));  // a surrogate
   EXPECT_TRUE(contains(failure_of(Format::geojson, "\xc0\x80"), "no UTF-8"));  // longer than needed
   EXPECT_TRUE(contains(failure_of(Format::geojson, "\xf0\x9f\x98"), "no UTF-8"));  // cut off
@@ -85,7 +89,7 @@ TEST(Read, AreasAreLimitedInEveryFormat) {
       R"({"type":"Circle","center":[1,2],"radius":3}}]})";
   const std::string circle =
       R"({"circle":{"center":[1,2],"radius":3},"inclusion":true,"version":1})";
-  const std::string item = "0 0 0 5003 9 0 0 0 1 2 0 1\n";
+  const std::string item = " 0 0 5003 9 0 0 0 1 2 0 1\n";
   const std::vector<std::pair<Format, std::string>> texts{
       {Format::geojson, features},
       {Format::ed318, features},
@@ -93,7 +97,7 @@ TEST(Read, AreasAreLimitedInEveryFormat) {
       {Format::qgc_plan, R"({"fileType":"Plan","version":1,"geoFence":{"version":2,"polygons":[],)"
                          R"("circles":[)" +
                              circle + "," + circle + "]}}"},
-      {Format::waypoints, "QGC WPL 110\n" + item + item},
+      {Format::waypoints, "QGC WPL 110\n0" + item + "1" + item},
       {Format::wkt, "POINT EMPTY POINT EMPTY"},
       {Format::kml, "<kml><Placemark/><Placemark/></kml>"},
       {Format::kml, "<kml><NetworkLink/><NetworkLink/></kml>"}};
