@@ -118,6 +118,7 @@ class AreaPlacer {
       return report(*fault, from.where + ", vertex " + std::to_string(fault->vertex + 1) + " " +
                                 shown(from.positions[fault->vertex]));
     }
+    if (job_.reading.degrees && geometry::encloses_nothing(from)) return no_area(from);
     to.range = job_.written.path.range;
     to.in_file.emplace();
     to.in_file->where = job_.path + ": " + from.where;
@@ -129,6 +130,16 @@ class AreaPlacer {
     for (const auto& position : from.positions) to.in_file->positions.push_back(pair(position));
     look_at_direction(from, outer);
     return true;
+  }
+
+  // Of metres the checks of zones see it on the map.
+  bool no_area(const geometry::import::Ring& ring) {
+    context_.report(Finding(Code::ring_has_no_area, job_.written.path.range,
+                            job_.path + ": " + ring.where + " encloses no area")
+                        .label("all vertices of a ring lie on one line")
+                        .help("move at least one vertex off the line through the others, or take "
+                              "the ring out of the file"));
+    return false;
   }
 
   // Latitude first, as people say it; of metres east first.

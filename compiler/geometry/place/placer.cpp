@@ -3,6 +3,7 @@
 #include <GeographicLib/AzimuthalEquidistant.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -261,6 +262,41 @@ Rational Placer::error() const {
   }
   constexpr double rounding_of_bounds = 1 + 1e-9;
   return metres_of(static_cast<std::int64_t>(std::ceil(error_m * rounding_of_bounds * um_per_m)));
+}
+
+namespace {
+
+double apart(const Position& a, const Position& b) {
+  return std::abs(a.x - b.x) + std::abs(a.y - b.y);
+}
+
+bool repeats_position(std::vector<Position> all) {
+  std::sort(all.begin(), all.end(), [](const Position& a, const Position& b) {
+    return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+  });
+  const auto same = [](const Position& a, const Position& b) { return a.x == b.x && a.y == b.y; };
+  return std::adjacent_find(all.begin(), all.end(), same) != all.end();
+}
+
+}  // namespace
+
+// The line goes through the first vertex and the one farthest from it. Each coordinate is read
+// within half a unit in its last place, each difference of two within one, which moves the area of
+// a triangle by at most this much.
+bool encloses_nothing(const import::Ring& ring) {
+  const auto& all = ring.positions;
+  if (all.size() < 3) return false;
+  const Position a = all.front();
+  const Position b = *std::max_element(
+      all.begin(), all.end(),
+      [&](const Position& p, const Position& q) { return apart(a, p) < apart(a, q); });
+  const bool straight = std::all_of(all.begin(), all.end(), [&](const Position& p) {
+    constexpr double unit = 2 * std::numeric_limits<double>::epsilon();
+    const double most = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+    const double twice_area = (b.x - a.x) * (p.y - a.y) - (p.x - a.x) * (b.y - a.y);
+    return std::abs(twice_area) <= unit * most * (apart(a, b) + apart(a, p));
+  });
+  return straight && !repeats_position(all);
 }
 
 bool counter_clockwise(const import::Ring& ring) {

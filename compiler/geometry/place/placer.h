@@ -95,6 +95,11 @@ class Placer {
   std::unique_ptr<Impl> impl_;
 };
 
+// Do all vertices lie on one line, as closely as doubles tell (within 0.1 um, less than the grid of
+// places)? On the map the line may be bent, and look as if it enclosed something. False of a ring
+// that repeats a vertex, which is the better reason.
+bool encloses_nothing(const import::Ring& ring);
+
 // Do the vertices go round counter-clockwise, longitude to the right and latitude up?
 bool counter_clockwise(const import::Ring& ring);
 

@@ -292,6 +292,10 @@ class FileReceiver {
     if (const auto* fault = std::get_if<NoPlace>(&placed)) {
       return no_place(from.where + ", " + vertex_text(fault->vertex), *fault);
     }
+    if (encloses_nothing(from)) {
+      constexpr auto no_area = Problem::Kind::no_area;
+      return refuse(from.where, message_of({no_area, 0, 0, 0, {}}, {}), help_of(no_area));
+    }
     for (const PlacedPoint& p : std::get<PlacedRing>(placed).points) {
       to.push_back({p.x, p.y});
       vertices.push_back(p.vertex);

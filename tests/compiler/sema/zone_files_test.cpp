@@ -402,6 +402,26 @@ TEST_F(ZoneFiles, RingsThatTouchInDegreesTouchOnTheMap) {
   EXPECT_EQ(count, 1U);
 }
 
+// A parallel is bent on the map, and would enclose something there: 4026 or 4007 instead.
+TEST_F(ZoneFiles, RingsOnALineOfTheFileEncloseNothing) {
+  const auto flat = [&](const std::string& rings) {
+    write("flat.geojson", R"({"type":"Polygon","coordinates":[)" + rings + "]}");
+    return std::string(origin) + "zone z = import \"flat.geojson\";";
+  };
+  const std::string outline =
+      "[[8.545,47.397],[8.547,47.397],[8.547,47.399],[8.545,47.399],[8.545,47.397]]";
+  expect(flat("[[8.548,47.397],[8.549,47.397],[8.550,47.397],[8.548,47.397]]"),
+         Code::ring_has_no_area, "\"flat.geojson\"", "coordinates[0] encloses no area", "move");
+  expect(flat(outline + ",[[8.5452,47.398],[8.5455,47.398],[8.546,47.398],[8.5452,47.398]]"),
+         Code::ring_has_no_area, "\"flat.geojson\"", "coordinates[1] encloses no area", "move");
+  write("flat.kml",
+        "<kml><Placemark><Polygon><outerBoundaryIs><LinearRing><coordinates>8.548,47.397 "
+        "8.549,47.398 8.550,47.399 8.548,47.397</coordinates></LinearRing>"
+        "</outerBoundaryIs></Polygon></Placemark></kml>");
+  expect(std::string(origin) + "zone z = import \"flat.kml\";", Code::ring_has_no_area,
+         "\"flat.kml\"", "line 1, column ", "move");
+}
+
 TEST_F(ZoneFiles, AtThePolesNothingHasAPlace) {
   write("pole.geojson",
         R"({"type":"Polygon","coordinates":[[[10,88.9],[10.2,88.9],[10.2,89.01],[10,88.9]]]})");

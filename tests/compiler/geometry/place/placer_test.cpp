@@ -280,6 +280,22 @@ TEST(Placer, ClearancesAreTrueWithinTheError) {
   }
 }
 
+// On the map a parallel is bent, and other lines are by a little.
+TEST(Placer, KnowsRingsThatEncloseNothing) {
+  const auto of = [](const std::vector<Position>& positions) {
+    return encloses_nothing(ring_of(positions));
+  };
+  EXPECT_TRUE(of({{8.548, 47.397}, {8.549, 47.397}, {8.550, 47.397}}));  // along a parallel
+  EXPECT_TRUE(of({{8.548, 47.397}, {8.548, 47.398}, {8.548, 47.399}}));
+  EXPECT_TRUE(of({{8.548, 47.397}, {8.549, 47.398}, {8.550, 47.399}}));  // not quite, of doubles
+  EXPECT_TRUE(of({{8.1, 47.3}, {8.4, 47.9}, {8.3, 47.7}, {8.2, 47.5}}));
+  EXPECT_FALSE(of({{8.548, 47.397}, {8.549, 47.397}, {8.550, 47.3970001}}));       // a centimetre
+  EXPECT_FALSE(of({{8.548, 47.397}, {8.549, 47.397000000001}, {8.550, 47.397}}));  // 0.1 um
+  EXPECT_FALSE(of({{8, 47}, {9, 47}, {9, 48}}));
+  EXPECT_FALSE(of({{8, 47}, {9, 47}, {10, 47}, {9, 47}}));  // repeats a vertex, which is told
+  EXPECT_FALSE(of({{8, 47}, {9, 47}}));
+}
+
 TEST(Placer, KnowsWhichWayRoundARingGoes) {
   EXPECT_TRUE(counter_clockwise(ring_of({{8, 47}, {9, 47}, {9, 48}})));
   EXPECT_FALSE(counter_clockwise(ring_of({{8, 47}, {9, 48}, {9, 47}})));

@@ -122,6 +122,19 @@ TEST(ReceiveFile, TakesHolesAndExclusionsAway) {
   EXPECT_FALSE(is_in(taken(out).around, 0.3, 0.5));
 }
 
+// A parallel is bent on the map, and looks as if it enclosed something there.
+TEST(ReceiveFile, RingsOnALineOfTheFileEncloseNothing) {
+  const auto on_parallel = [](double x0, double x1, double x2) {
+    return "[[" + corner(x0, 0.5, false) + "],[" + corner(x1, 0.5, false) + "],[" +
+           corner(x2, 0.5, false) + "],[" + corner(x0, 0.5, false) + "]]";
+  };
+  EXPECT_EQ(refused(receive(geojson(on_parallel(0, 30, 60)), as_geojson)),
+            "coordinates[0]: encloses no area");
+  EXPECT_EQ(
+      refused(receive(geojson(closed(0, 0, 1, 1) + "," + on_parallel(0.2, 0.4, 0.6)), as_geojson)),
+      "coordinates[1]: encloses no area");
+}
+
 TEST(ReceiveFile, AsksWhatSeveralInclusionsMean) {
   const std::string fence = plan(polygon(0, 0, 1, 1) + "," + polygon(0.5, 0, 2, 1));
   EXPECT_EQ(refused(receive(fence, as_plan)),
