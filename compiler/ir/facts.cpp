@@ -26,7 +26,8 @@ std::set<std::uint32_t> facts_of(const Decision& decision, const Monitor& monito
 bool speaks_of_robot(const PlainMonitor& fact) {
   const auto& values = fact.property.values;
   return std::any_of(values.begin(), values.end(), [](const Value& v) {
-    return std::holds_alternative<Battery>(v.op) || std::holds_alternative<Clearance>(v.op) ||
+    return std::holds_alternative<Battery>(v.op) || std::holds_alternative<Speed>(v.op) ||
+           std::holds_alternative<Altitude>(v.op) || std::holds_alternative<Clearance>(v.op) ||
            std::holds_alternative<EnergyTo>(v.op) || std::holds_alternative<AgentDistance>(v.op) ||
            body_of(v.op) != nullptr;
   });

@@ -143,20 +143,22 @@ ValueId QuantityBuilder::quantity(const sema::SensedAge& v, const sema::Expr& e)
   return add(SensedAge{signal}, unit(e.dimension, Rational(1, micros_per_second)), e);
 }
 
-// Of robots, on their grids of lengths and charge.
+// Of robots, on their grids of lengths, speeds and charge.
 ValueId QuantityBuilder::quantity(const sema::SignalRef& v, const sema::Expr& e) {
-  if (robot_ == nullptr || v.signal != sema::Signal::battery || v.subject != sema::Subject::self) {
-    const bool speed = v.signal == sema::Signal::speed && v.subject == sema::Subject::self;
-    return refuse(
-        e,
-        std::string(speed ? "`speed`" : "this signal of a robot") +
-            " cannot be compared where the past or a function speaks of it",
-        "`clearance`, `distance` from a zone and the robot's own `battery` work here" +
-            std::string(speed ? "; in `return when` so does `r.speed <= c for 1 s`, which "
-                                "asks for how long that has held"
-                              : "; pass it as an input"));
+  if (robot_ == nullptr || v.subject != sema::Subject::self) {
+    return refuse(e, "this signal of a robot cannot be compared here",
+                  "`clearance`, `distance` from a zone and the robot's own `battery` and `speed` "
+                  "work here; pass it as an input");
   }
-  return add(Battery{}, unit(e.dimension, Unit::ppm.step), e);
+  switch (v.signal) {
+    case sema::Signal::battery:
+      return add(Battery{}, unit(e.dimension, Unit::ppm.step), e);
+    case sema::Signal::speed:
+      return add(Speed{}, unit(e.dimension, Unit::mmps.step), e);
+    case sema::Signal::altitude:
+      break;
+  }
+  return add(Altitude{}, unit(e.dimension, Unit::mm.step), e);
 }
 ValueId QuantityBuilder::quantity(const sema::Clearance& v, const sema::Expr& e) {
   return clearance(v.zone, e);

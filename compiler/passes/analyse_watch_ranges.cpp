@@ -185,6 +185,8 @@ class WatchRanges {
   }
   // of facts
   Wide operator()(const Battery& v) const { return of_robot(v); }
+  Wide operator()(const Speed& v) const { return of_robot(v); }
+  Wide operator()(const Altitude& v) const { return of_robot(v); }
   Wide operator()(const Clearance& v) const { return of_robot(v); }
   Wide operator()(const EnergyTo& v) const { return of_robot(v); }
   Wide operator()(const AgentDistance& v) const { return of_robot(v); }

@@ -126,7 +126,7 @@ std::string DecisionGenerator::length(int depth) {
 }
 
 std::string DecisionGenerator::robot_claim() {
-  switch (below(5)) {
+  switch (below(6)) {
     case 0:
       return length(2) + less_or_more() + one_of(List{"0 m", "20 cm", "50 cm", "load * 10 cm"});
     case 1:
@@ -134,6 +134,10 @@ std::string DecisionGenerator::robot_claim() {
     case 2:
       return one_of(List{"r.battery - 20 %", "min(r.battery, 30 %)"}) + less_or_more() + "1 %";
     case 3:
+      return one_of(List{"r.speed", "max" + window(true) + "(r.speed)",
+                         "mean" + window(false) + "(r.speed)", "abs(r.speed - 20 cm/s)"}) +
+             less_or_more() + one_of(List{"10 cm/s", "40 cm/s", "load * 10 cm/s"});
+    case 4:
       return one_of(List{"count(q : Quad, q != r : distance(r, q) <= 2 m) <= 1",
                          "mean[0 ms, 100 ms](count(q : Quad, q != r : distance(r, q) < 2 m)) < 1",
                          "min(q : Quad, q != r : distance(r, q)) >= 1 m",
