@@ -52,6 +52,27 @@ void show(const Options& options, const Compilation& c, std::ostream& err) {
   }
 }
 
+// Shows what was found, and that standard output has not taken what was written: a full disk, a
+// closed pipe.
+int finish(const Options& options, Compilation& c, int status, std::ostream& out,
+           std::ostream& err) {
+  out.flush();
+  const auto& all = c.diagnostics.all();
+  const bool told = std::ranges::any_of(
+      all, [](const diag::Diagnostic& d) { return d.code == diag::Code::cannot_write; });
+  if (!out && !told) {
+    c.diagnostics.report({diag::Code::cannot_write,
+                          std::nullopt,
+                          "cannot write to standard output",
+                          "",
+                          {},
+                          "make room, or give a place that can be written",
+                          {}});
+  }
+  show(options, c, err);
+  return out ? status : exit_usage;
+}
+
 std::string base_name(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
@@ -269,8 +290,7 @@ int run_compiled(const Options& options, Compilation& c, std::ostream& out) {
 int run_recheck(const Options& options, std::ostream& out, std::ostream& err) {
   Compilation c;
   const int status = recheck_certificates(options, c, out);
-  show(options, c, err);
-  return status;
+  return finish(options, c, status, out, err);
 }
 
 int run(const Options& options, std::ostream& out, std::ostream& err) {
@@ -291,22 +311,27 @@ int run(const Options& options, std::ostream& out, std::ostream& err) {
     return exit_internal;
   }
   // warnings about other lines are no part of an explanation
-  if (options.command != Command::explain || status != exit_clean) show(options, c, err);
-  return status;
+  if (options.command == Command::explain && status == exit_clean && out.flush()) return status;
+  return finish(options, c, status, out, err);
 }
 
 int run_format(const Options& options, std::ostream& out, std::ostream& err) {
   Compilation c;
   const int status = format_files(options, c, out);
-  show(options, c, err);
-  return status;
+  return finish(options, c, status, out, err);
 }
 
 int run_explain(const Options& options, std::ostream& out, std::ostream& err) {
   Compilation none;
   const int status = explain(options, none.diagnostics, out);
-  show(options, none, err);
-  return status;
+  return finish(options, none, status, out, err);
+}
+
+int run_print(const Options& options, const std::string& text, std::ostream& out,
+              std::ostream& err) {
+  Compilation none;
+  out << text;
+  return out.flush() ? exit_clean : finish(options, none, exit_clean, out, err);
 }
 
 }  // namespace
@@ -324,11 +349,9 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
   options.colour = wants_colour(err);
   switch (options.command) {
     case Command::help:
-      out << help_text(options.topic, options.help_flags);
-      return exit_clean;
+      return run_print(options, help_text(options.topic, options.help_flags), out, err);
     case Command::version:
-      out << "rtac " RTAC_VERSION "\n";
-      return exit_clean;
+      return run_print(options, "rtac " RTAC_VERSION "\n", out, err);
     case Command::format:
       return run_format(options, out, err);
     case Command::explain:

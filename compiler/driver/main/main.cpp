@@ -8,11 +8,7 @@
 
 int main(int argc, char** argv) {
   try {
-    const int status =
-        rtac::driver::run(std::vector<std::string>(argv + 1, argv + argc), std::cout, std::cerr);
-    if (std::cout.flush()) return status;
-    std::cerr << "error[9003]: cannot write to standard output\n";  // a full disk, a closed pipe
-    return rtac::driver::exit_usage;
+    return rtac::driver::run(std::vector<std::string>(argv + 1, argv + argc), std::cout, std::cerr);
   } catch (const std::bad_alloc&) {
     std::cerr << "error: there is not enough memory for this specification\n";
     return rtac::driver::exit_usage;

@@ -81,6 +81,10 @@ if [[ -w /dev/full ]]; then
   status=0
   "$rtac" help >/dev/full 2>"$work/err" || status=$?
   expect 'a full disk does not look like success' test "$status" != 0
+  "$rtac" check --format json "$spec" >/dev/full 2>"$work/err" || status=$?
+  expect 'a full disk is exit code 2' test "$status" = 2
+  expect 'a full disk is told in the format that is asked for, once' \
+    test "$(grep -c 'cannot write to' "$work/err") $(grep -c '^error' "$work/err")" = '1 0'
   exits 2 "$rtac" build "$spec" -o "$work/full" --depfile /dev/full
   # shellcheck disable=SC2016  # back-ticks of the message
   expect 'a full disk is named' grep -q 'cannot write `/dev/full`: No space left' "$work/err"
