@@ -36,7 +36,7 @@ Value PropertyChecker::negated(const syntax::Expr& expr, Value operand) {
 Value PropertyChecker::arithmetic(const syntax::Expr& expr, const syntax::Binary& binary,
                                   ArithmeticOp op) {
   const bool sum = op == ArithmeticOp::add || op == ArithmeticOp::subtract;
-  if (!sum && unit_with_blanks(binary)) return nullptr;
+  if (!sum && (unit_with_blanks(binary) || unit_without_number(expr))) return nullptr;
   if (says_robot(*binary.left) && says_robot(*binary.right)) return infer(*binary.left);
   Value left = infer(*binary.left);
   const auto* first = std::get_if<ExprPtr>(&left.node);

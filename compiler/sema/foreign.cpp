@@ -46,6 +46,20 @@ bool PropertyChecker::unit_with_blanks(const syntax::Binary& binary) {
   return true;
 }
 
+// `x <= m/s`
+bool PropertyChecker::unit_without_number(const syntax::Expr& expr) {
+  const auto is_value = [&](const std::string& name) {
+    const Symbol* symbol = context_.symbols.find(name);
+    const bool is_monitor =
+        symbol != nullptr && (symbol->sort == Sort::watch || symbol->sort == Sort::monitor);
+    return local(name) != nullptr || (symbol != nullptr && !is_monitor);
+  };
+  const std::string unit = unit_alone(expr, is_value);
+  if (unit.empty()) return false;
+  report_number_missing(context_, expr.range, unit);
+  return true;
+}
+
 bool PropertyChecker::unit_in_brackets(const syntax::Expr& expr, const syntax::Index& index) {
   const auto* number = std::get_if<syntax::NumberLit>(&index.base->node);
   const syntax::Name* name = name_in(*index.index);

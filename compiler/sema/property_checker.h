@@ -67,6 +67,7 @@ class PropertyChecker {
   // What authors of other languages write (foreign.cpp). True, or a value: it has been reported.
   Value zones_or_conditions(const syntax::Expr& expr, const syntax::Binary& binary);
   bool unit_with_blanks(const syntax::Binary& binary);
+  bool unit_without_number(const syntax::Expr& expr);
   bool unit_in_brackets(const syntax::Expr& expr, const syntax::Index& index);
   ExprPtr computed_duration(const syntax::Held& held, const syntax::Binary& sum);
   ExprPtr not_a_quantity(const syntax::Expr& expr, const std::string& what);

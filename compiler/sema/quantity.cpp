@@ -40,6 +40,13 @@ void report_not_constant(Context& context, const syntax::Expr& expr) {
                      .help(help));
 }
 
+// What may stand for a value.
+bool is_value(const Context& context, const std::string& name) {
+  const Symbol* symbol = context.symbols.find(name);
+  return symbol != nullptr && (symbol->sort == Sort::input || symbol->sort == Sort::parameter ||
+                               symbol->sort == Sort::enum_value);
+}
+
 std::optional<Measure> evaluate(Context& context, const syntax::Expr& expr,
                                 const std::optional<Dimension>& due);
 
@@ -66,6 +73,11 @@ std::optional<Measure> evaluate(Context& context, const syntax::Expr& expr,
   if (is_error(expr)) return std::nullopt;
   if (const auto* number = std::get_if<syntax::NumberLit>(&expr.node)) {
     return literal(context, *number, due);
+  }
+  const auto known = [&](const std::string& name) { return is_value(context, name); };
+  if (const std::string unit = unit_alone(expr, known); !unit.empty()) {
+    report_number_missing(context, expr.range, unit);
+    return std::nullopt;
   }
   if (const auto* unary = std::get_if<syntax::Unary>(&expr.node);
       unary != nullptr && unary->op == syntax::UnaryOp::negate) {
@@ -141,6 +153,27 @@ bool product_fits(Context& context, BinaryOp op, const Operand& left, const Oper
 }
 
 }  // namespace
+
+std::string unit_alone(const syntax::Expr& expr,
+                       const std::function<bool(const std::string&)>& is_value) {
+  if (const auto* reference = std::get_if<syntax::NameRef>(&expr.node)) {
+    const std::string& name = reference->name.text;
+    return parse_unit(name) && !is_value(name) ? name : "";
+  }
+  const auto* binary = std::get_if<syntax::Binary>(&expr.node);
+  if (binary == nullptr || !is_product(binary->op)) return "";
+  const std::string left = unit_alone(*binary->left, is_value);
+  const std::string right = unit_alone(*binary->right, is_value);
+  if (left.empty() || right.empty()) return "";
+  return left + (binary->op == BinaryOp::divide ? "/" : "*") + right;
+}
+
+void report_number_missing(Context& context, const SourceRange& range, const std::string& unit) {
+  context.report(Finding(Code::quantity_expected, range,
+                         "a number is missing in front of the unit `" + unit + "`")
+                     .label("a unit alone")
+                     .help("write the number that is meant, such as `3 " + unit + "`"));
+}
 
 std::optional<Measure> literal(Context& context, const syntax::NumberLit& number,
                                const std::optional<Dimension>& due) {

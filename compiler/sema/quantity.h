@@ -1,6 +1,7 @@
 // Quantities known at compile time: literals and their arithmetic, exact, with dimensions.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,12 @@ struct Due {
   std::string works{};  // the help, where the limit alone is not what works
   std::string type{};   // of the value, where it is one that may have a unit and has none
 };
+
+// The unit that an expression is instead of a number with one: `m/s`; "" where it is none. Names
+// that `is_value` knows are no units.
+std::string unit_alone(const syntax::Expr& expr,
+                       const std::function<bool(const std::string&)>& is_value);
+void report_number_missing(Context& context, const SourceRange& range, const std::string& unit);
 
 // A number with its unit. `due` only improves the suggestion for an unknown unit.
 std::optional<Measure> literal(Context& context, const syntax::NumberLit& number,

@@ -5,6 +5,7 @@
 #include "compiler/sema/inputs.h"
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/suggest.h"
+#include "compiler/sema/units.h"
 
 namespace rtac::sema {
 
@@ -97,6 +98,9 @@ void PropertyChecker::unknown_name(const syntax::Name& name, const std::vector<S
                                                     : "names of values";
   finding.help(did_you_mean(name.text, names, what));
   if (likely) finding.replace(name.range, *likely);
+  if (!likely && parse_unit(name.text)) {
+    finding.help("a unit stands behind its number: `3 " + name.text + "`");
+  }
   for (const char* truth : {"true", "false"}) {
     if (edit_distance(name.text, truth) > 0) continue;  // `True`, `FALSE`
     finding.help(std::string("write `") + truth + "`").replace(name.range, truth);

@@ -119,7 +119,7 @@ class EditList {
   void add_separators() {
     const bool in_list = expects(T::COMMA) && !expects(T::SEMICOLON);
     if (found_.kind == T::SEMICOLON && in_list && expects(T::RIGHT_BRACE)) {
-      replace(EditReason::separator, T::COMMA);
+      replace(EditReason::separator, list_is_closed() ? T::COMMA : T::RIGHT_BRACE);
     }
     if (found_.kind == T::TO && expects(T::DOT_DOT)) replace(EditReason::separator, T::DOT_DOT);
     if (found_.kind == T::COMMA && expects(T::GREATER) && !expects(T::PLUS)) {
@@ -131,6 +131,16 @@ class EditList {
     if (trailing) {
       edits_.push_back({EditKind::remove, EditReason::superfluous, T::COMMA, 1});
     }
+  }
+
+  // `enum G { a; b }`, not `enum G { a, b;` with another item behind it.
+  [[nodiscard]] bool list_is_closed() const {
+    std::size_t i = index_ + 1;
+    while (tokens_[i].kind == T::IDENT || tokens_[i].kind == T::COMMA ||
+           tokens_[i].kind == T::SEMICOLON) {
+      ++i;
+    }
+    return tokens_[i].kind == T::RIGHT_BRACE;
   }
 
   void add_spelling() {

@@ -41,6 +41,11 @@ class Explainer {
                         kind(error_.index + 1) == T::MINUS && touches(error_.index + 1);
     if (dashes)
       return give("comments start with `//`", {{span(error_.index, error_.index + 1), "//"}});
+    if (items && is_file_of_items(tokens_[error_.index])) {
+      const std::string import = "import " + std::string{text(error_.index)};
+      return give("a file is imported by `" + import + ";`",
+                  {{tokens_[error_.index].range, import}});
+    }
     const auto help = items                        ? item_habit(text(error_.index))
                       : error_.expects(T::RECOVER) ? clause_habit(text(error_.index))
                                                    : std::nullopt;
@@ -69,7 +74,7 @@ class Explainer {
   // `always always x`: only the second one is out of place.
   bool explain_word(std::size_t index) {
     const bool is_name = kind(index) == T::IDENT || kind(index) == T::ALWAYS;
-    if (!is_name || is_clause_start(index)) return false;
+    if (!is_name || is_clause_start(index) || kind(index - 1) == T::ENUM) return false;
     const auto help = operator_habit(text(index));
     if (!help) return false;
     report_.range = tokens_[index].range;
@@ -123,9 +128,35 @@ class Explainer {
     return true;
   }
 
+  // `import robots.rta;`, `import <robots.rta>;`, `import "a.rta", "b.rta";`
+  bool explain_import_of_items() {
+    const std::size_t at = error_.index;
+    if (at > 1 && kind(at - 2) == T::IMPORT && kind(at) == T::COMMA) {
+      give("each file has its own `import`", {{tokens_[at].range, "; import"}});
+      return true;
+    }
+    std::size_t last = at;
+    while (kind_at(last + 1) != T::END && kind(last + 1) != T::SEMICOLON &&
+           !tokens_[last + 1].first_on_line) {
+      ++last;
+    }
+    constexpr std::string_view around = "<>()'\"";
+    std::string path{sources_.text(span(at, last))};
+    path.erase(0, path.find_first_not_of(around));
+    path.erase(path.find_last_not_of(around) + 1);
+    if (is_name(path)) path += ".rta";
+    give("the path stands in quotes: `import \"" + path + "\";`",
+         {{span(at, last), '"' + path + '"'}});
+    return true;
+  }
+
   // `zone a = import(a.geojson)`, `zone a = "a.geojson"`
   bool explain_import() {
     const std::size_t at = error_.index;
+    const bool of_items = at > 0 && kind(at - 1) == T::IMPORT && is_clause_start(at - 1);
+    const bool of_more =
+        at > 1 && kind(at - 2) == T::IMPORT && is_clause_start(at - 2) && kind(at) == T::COMMA;
+    if (of_items || of_more) return explain_import_of_items();
     if (at > 0 && kind(at - 1) == T::IMPORT && !is_clause_start(at - 1)) {
       give("the path stands in quotes, without brackets: `import \"field.geojson\"`");
       return true;

@@ -106,6 +106,7 @@ constexpr std::string_view kParam =
 constexpr std::string_view kFun = "write `fun slow(v : real [m/s]) : bool = v <= 1 m/s;`";
 constexpr std::string_view kInput = "what is measured is an input: `input open : bool;`";
 constexpr std::string_view kPeriod = "monitors run once a period: `period 100 ms;` for 10 Hz";
+constexpr std::string_view kImport = "a file is imported by `import \"robots.rta\";`";
 constexpr std::string_view kMonitor =
     "properties stand in monitors: `monitor calm { \"R1\" always speed <= 1 m/s; }`";
 
@@ -143,6 +144,11 @@ constexpr Habit kItems[] = {
     {"freq", kPeriod},
     {"tick", kPeriod},
     {"dt", kPeriod},
+    {"include", kImport},
+    {"require", kImport},
+    {"use", kImport},
+    {"using", kImport},
+    {"load", kImport},
     {"type", "values by name are an `enum Gear { park, drive }`"},
     {"output", "what monitors find is their output: nothing declares it"},
     {"out", "what monitors find is their output: nothing declares it"},

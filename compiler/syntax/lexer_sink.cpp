@@ -353,7 +353,25 @@ void LexerSink::foreign_quotes(std::string_view text, std::size_t quote_length) 
   push(T::STRING, inner, true);
 }
 
+// `#include "robots.rta"`: names may be declared there, as behind `include "robots.rta";`.
+bool LexerSink::foreign_include() {
+  constexpr std::string_view word = "#include", around = " \t\r<>\"";
+  std::string_view path = text_.substr(begin_, end_ - begin_);
+  if (path.substr(0, word.size()) != word) return false;
+  path.remove_prefix(std::min(path.find_first_not_of(around, word.size()), path.size()));
+  path = path.substr(0, path.find_last_not_of(around) + 1);
+  if (path.empty()) return false;
+  const std::string import = "import \"" + std::string{path} + "\";";
+  report({Code::unknown_character, "`#` has no meaning outside comments and texts",
+          "an include of another language", "a file is imported by `" + import + "`", import});
+  push(T::IDENT, {}, true);
+  push(T::STRING, std::string{path}, true);
+  push(T::SEMICOLON, {}, true);
+  return true;
+}
+
 void LexerSink::hash_comment() {
+  if (foreign_include()) return;
   report({Code::unknown_character,
           "`#` does not start a comment",
           "comments start with `//`",

@@ -68,6 +68,7 @@ class LexerSink {
   void report(Mistake mistake) { report(std::move(mistake), range()); }
   void report(Mistake mistake, SourceRange range);
   void report_name(std::string_view text);
+  bool foreign_include();
   struct TextMistake {
     SourceRange range;
     std::string message, label;

@@ -95,7 +95,9 @@ class Repairer {
   // An error in the clause that was edited last may be a consequence of the edit.
   [[nodiscard]] bool is_doubtful(std::size_t index) const {
     if (!edited_at_ || *edited_at_ > index) return false;
-    return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(*edited_at_),
+    // a `{` that was missing: the `}` of it is, too
+    const std::size_t edited = *edited_at_ + (tokens_[*edited_at_].kind == T::LEFT_BRACE ? 1 : 0);
+    return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(std::min(edited, index)),
                         tokens_.begin() + static_cast<std::ptrdiff_t>(index),
                         [](const Token& token) { return ends_clause(token.kind); });
   }
@@ -169,7 +171,9 @@ class Repairer {
     const std::size_t end = clause_end(index, is_head);
     if (end == begin || (end == begin + 1 && first == T::BAD_CLAUSE)) return false;
     lose(begin, end);
-    loss_.items = loss_.items || brace_depth(begin) == 0;
+    const bool is_item = brace_depth(begin) == 0;
+    loss_.items = loss_.items || is_item;
+    loss_.rest = loss_.rest || (is_item && names_file(begin, end));
     const SourceRange range = join_ranges(tokens_[begin].range, tokens_[end - 1].range);
     const Token bad{T::BAD_CLAUSE, range};
     const auto at = [&](std::size_t i) { return tokens_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -177,6 +181,14 @@ class Repairer {
     tokens_.insert(at(begin), bad);
     edited_at_.reset();
     return true;
+  }
+
+  // An import, or what is one in other languages: `include "robots.rta";`.
+  [[nodiscard]] bool names_file(std::size_t begin, std::size_t end) const {
+    const TokenKind first = tokens_[begin].kind;
+    const bool may_be_word = first == T::IDENT && begin + 1 < end;
+    return first == T::IMPORT || is_file_of_items(tokens_[begin]) ||
+           (may_be_word && tokens_[begin + 1].kind == T::STRING);
   }
 
   // Behind the `;` or the block that ends the clause, in front of a `}` that closes a block around

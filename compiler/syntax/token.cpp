@@ -50,6 +50,13 @@ std::string_view token_name(TokenKind kind) {
   return Parser::symbol_name(Parser::by_kind{kind}.kind());
 }
 
+bool is_file_of_items(const Token& token) {
+  constexpr std::string_view ending = ".rta";
+  const std::string& text = token.text;
+  return token.kind == T::STRING && text.size() > ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 TokenKind token_of_symbol(int symbol) {
   static const std::vector<TokenKind> table = make_symbol_table();
   return table.at(static_cast<std::size_t>(symbol));

@@ -35,6 +35,9 @@ const Word* find_word(TokenKind kind);
 // As written in a specification for words and punctuation, else "name", "number", ...
 std::string_view token_name(TokenKind kind);
 
+// A text that names one: `"robots.rta"`.
+bool is_file_of_items(const Token& token);
+
 // The kind that the parser numbers as `symbol`.
 TokenKind token_of_symbol(int symbol);
 
