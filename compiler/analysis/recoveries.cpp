@@ -300,6 +300,8 @@ class Recoveries {
     if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return;
     if (decision_.body.in_space) return;    // its ways are not those over cells
     if (diagnostics_.has_errors()) return;  // numbers that do not work out yet
+    const bool is_route = last.kind == ir::RecoveryKind::route;
+    if (is_route && module_[last.site].places.empty()) return;  // there is no robot (2031)
     const Ways ways = ways_of(module_, decision_, last);
     if (ways.stranded.empty()) too_narrow(last);
     if (ways.stranded.empty() || ways.stranded.front().cells < stranded_cells_least) return;

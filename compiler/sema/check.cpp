@@ -45,7 +45,10 @@ std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnost
   check_assumptions(context, program);
   check_directions(context);
   check_decisions(context);
-  if (!diagnostics.has_errors()) warn_unused_signals(context);
+  if (!diagnostics.has_errors()) {
+    warn_unused_signals(context);
+    warn_without_robots(context);
+  }
   if (diagnostics.has_errors() || context.silent()) return std::nullopt;
   return std::move(context.spec);
 }

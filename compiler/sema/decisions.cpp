@@ -403,4 +403,20 @@ void check_decisions(Context& context) {
   warn_unused(context);
 }
 
+void warn_without_robots(Context& context) {
+  const Spec& spec = context.spec;
+  for (const Decision& decision : spec.decisions) {
+    const bool imported = decision.name_range.file != spec.name_range.file;
+    const bool has_robot = std::ranges::any_of(
+        spec.robots, [&](const Robot& robot) { return robot.kind == decision.kind; });
+    if (imported || has_robot) continue;
+    const std::string& kind = spec[decision.kind].name;
+    context.report(
+        Finding(Code::robot_missing, decision.name_range,
+                "no fleet has a `" + kind + "`, which `" + decision.name + "` decides for")
+            .label("no robot has this decision")
+            .help("`fleet one : " + kind + ";` works, with a name for each robot"));
+  }
+}
+
 }  // namespace rtac::sema

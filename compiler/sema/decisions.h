@@ -10,6 +10,8 @@ inline constexpr int max_priority = 16;
 
 // Needs everything else. Also says which monitors no decision uses.
 void check_decisions(Context& context);
+// Of what has no errors: a decision that no robot has.
+void warn_without_robots(Context& context);
 
 // What the trigger of a decision (period or plan) asks of its monitors; see triggers.cpp.
 void check_monitors_of(Context& context, const Decision& decision);
