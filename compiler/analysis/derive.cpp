@@ -57,7 +57,7 @@ class Deriver {
   std::optional<Derived> run(Finding finding) {
     out_.module.name = spec_.name;
     check_magnitudes(spec_, diagnostics_);
-    const std::vector<ZoneUse> wanted = wanted_zones();
+    const std::vector<ZoneUse> wanted = wanted_zones(spec_);
     zones_ = evaluate_zones(spec_, wanted, diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
     number_zones(wanted);
@@ -144,35 +144,6 @@ class Deriver {
              diag::info(d.code).severity != diag::Severity::error;
     });
   }
-  std::vector<ZoneUse> wanted_zones() const {
-    std::vector<ZoneUse> wanted(spec_.zones.size());
-    const auto robots = [&](sema::ZoneId id) { wanted[index(id)].robots = true; };
-    const auto in = [&](const sema::Expr& e) {
-      if (const auto* c = std::get_if<sema::Clearance>(&e.node)) robots(c->zone);
-      if (const auto* i = std::get_if<sema::InsideZone>(&e.node)) robots(i->zone);
-      if (const auto* p = std::get_if<sema::PlanInside>(&e.node)) robots(p->zone);
-    };
-    for (const sema::Monitor& m : spec_.monitors) {
-      sema::for_each_expr(*m.always, in);
-      if (m.return_when) sema::for_each_expr(*m.return_when, in);
-    }
-    for (const sema::Controller& c : spec_.controllers) {
-      for (const sema::Template& what : sema::templates_of(c)) {
-        if (const auto moves = sema::moves_of(what)) robots(moves->zone);
-      }
-      if (const auto claim = sema::claim_of(c)) robots(claim->zone);
-    }
-    const auto places = [&](const sema::Expr& e) {
-      if (const auto* c = std::get_if<sema::PointClearance>(&e.node)) {
-        wanted[index(c->zone)].points = true;
-      } else if (const auto* i = std::get_if<sema::PointInside>(&e.node)) {
-        wanted[index(i->zone)].points = true;
-      }
-    };
-    for (const sema::Watch& w : spec_.watches) sema::for_each_expr(*w.always, places);
-    return wanted;
-  }
-
   // A zone written inside a property is named by its line; names of tables differ.
   std::string table_name(const sema::Zone& zone,
                          const std::vector<ir::Region>& regions = {}) const {

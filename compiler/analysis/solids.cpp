@@ -164,8 +164,7 @@ EvaluatedSolid::Widest widest_of(const geometry::Solid& solid,
 
 }  // namespace
 
-std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t exact_mm,
-                                                   bool robots) {
+std::optional<SnappedSides> SolidEvaluator::snapped(sema::ZoneId id) {
   const auto inner = zone(id, Side::inner), outer = zone(id, Side::outer);
   if (!inner || !outer) return std::nullopt;
   const sema::Zone& declared = spec_[id];
@@ -181,26 +180,34 @@ std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t
     too_many_slabs(declared, static_cast<std::size_t>(thick));
     return std::nullopt;
   }
-  const auto within = small ? geometry::snap_inside(*inner) : std::nullopt;
-  const auto around = small ? geometry::snap_around(*outer) : std::nullopt;
+  auto within = small ? geometry::snap_inside(*inner) : std::nullopt;
+  auto around = small ? geometry::snap_around(*outer) : std::nullopt;
   if (!within || !around) {
     report(Code::zone_too_large, declared, "the zone reaches beyond the grid of 1 mm",
            "coordinates and heights of at most 536.8 km from the origin work");
     return std::nullopt;
   }
-  if (within->empty()) {
+  return SnappedSides{std::move(*within), std::move(*around)};
+}
+
+std::optional<EvaluatedSolid> SolidEvaluator::bake(sema::ZoneId id, std::int64_t exact_mm,
+                                                   bool robots) {
+  const auto sides = snapped(id);
+  if (!sides) return std::nullopt;
+  const sema::Zone& declared = spec_[id];
+  if (sides->within.empty()) {
     report(Code::zone_vanishes_on_grid, declared, "nothing of the zone is left on the grid of 1 mm",
            "a zone of more than 2 mm in all directions works");
     return std::nullopt;
   }
-  auto inside = baked(declared, *within, exact_mm);
-  auto outside = inside ? baked(declared, *around, exact_mm) : std::nullopt;
+  auto inside = baked(declared, sides->within, exact_mm);
+  auto outside = inside ? baked(declared, sides->around, exact_mm) : std::nullopt;
   if (!outside) return std::nullopt;
   EvaluatedSolid solid{std::move(*inside), std::move(*outside)};
   if (!robots) return solid;
   for (BakedSlab& slab : solid.within) slab.baked = analysis::baked(slab.snapped);
-  solid.widest = widest_of(*inner, solid.within);
-  solid.exact = *inner;
+  solid.exact = *zone(id, Side::inner);  // which has been evaluated
+  solid.widest = widest_of(solid.exact, solid.within);
   return solid;
 }
 

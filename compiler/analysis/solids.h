@@ -33,12 +33,19 @@ struct EvaluatedSolid {
   geometry::Solid exact{};  // for robots
 };
 
+struct SnappedSides {
+  geometry::SnappedSolid within, around;
+};
+
 class SolidEvaluator : public ZoneAlgebra<SolidEvaluator, geometry::Solid> {
  public:
   // A zone of the plane; nullopt: faulty, and reported.
   using Base = std::function<std::optional<geometry::Region>(const sema::ZoneExpr& base, Side)>;
   SolidEvaluator(const sema::Spec& spec, diag::Engine& diagnostics, Base base);
 
+  // On the grid, as keep-in and keep-out; nullopt: beyond it, or in too many slabs, which is
+  // reported.
+  std::optional<SnappedSides> snapped(sema::ZoneId id);
   // As tables, in which distances up to `exact_mm` are exact where they may be large enough;
   // nullopt: reported.
   // `robots`: they move in it, and need the cells of its slabs.

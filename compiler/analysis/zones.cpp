@@ -12,6 +12,7 @@
 #include "compiler/geometry/place/placer.h"
 #include "compiler/geometry/united.h"
 #include "compiler/sema/dimension.h"
+#include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 
@@ -312,12 +313,19 @@ class Baker {
   Baker(std::int64_t exact_mm, diag::Engine& diagnostics)
       : exact_mm_(exact_mm), diagnostics_(diagnostics) {}
 
+  // False: it reaches beyond the grid, which is reported.
+  bool check_extent(const sema::Zone& zone, const ZoneUse& use, const geometry::Region& region,
+                    const std::optional<geometry::Region>& around) {
+    range_ = zone.name.empty() ? zone.value->range : zone.name_range;
+    if (fits_grid(region) && (!use.points || (around && fits_grid(*around)))) return true;
+    too_large();
+    return false;
+  }
   // `around`: the zone as a keep-out, of one that points ask for.
   std::optional<EvaluatedZone> bake(const sema::Zone& zone, const ZoneUse& use,
                                     geometry::Region region,
                                     const std::optional<geometry::Region>& around) {
-    range_ = zone.name.empty() ? zone.value->range : zone.name_range;
-    if (!fits_grid(region) || (use.points && (!around || !fits_grid(*around)))) return too_large();
+    if (!check_extent(zone, use, region, around)) return std::nullopt;
     auto snapped = geometry::snap_inside(region);
     if (!snapped) return vanishes();
     EvaluatedZone to{std::move(region), std::move(*snapped), {}, {}, {}, {}};
@@ -423,6 +431,53 @@ std::vector<std::vector<ShownSlab>> exact_zones(const sema::Spec& spec) {
     }
   }
   return zones;
+}
+
+std::vector<ZoneUse> wanted_zones(const sema::Spec& spec) {
+  std::vector<ZoneUse> wanted(spec.zones.size());
+  const auto of = [&](ZoneId id) -> ZoneUse& { return wanted[static_cast<std::size_t>(id)]; };
+  const auto in = [&](const sema::Expr& e) {
+    if (const auto* c = std::get_if<sema::Clearance>(&e.node)) of(c->zone).robots = true;
+    if (const auto* i = std::get_if<sema::InsideZone>(&e.node)) of(i->zone).robots = true;
+    if (const auto* p = std::get_if<sema::PlanInside>(&e.node)) of(p->zone).robots = true;
+  };
+  for (const sema::Monitor& m : spec.monitors) {
+    sema::for_each_expr(*m.always, in);
+    if (m.return_when) sema::for_each_expr(*m.return_when, in);
+  }
+  for (const sema::Controller& c : spec.controllers) {
+    for (const sema::Template& what : sema::templates_of(c)) {
+      if (const auto moves = sema::moves_of(what)) of(moves->zone).robots = true;
+    }
+    if (const auto claim = sema::claim_of(c)) of(claim->zone).robots = true;
+  }
+  const auto places = [&](const sema::Expr& e) {
+    if (const auto* c = std::get_if<sema::PointClearance>(&e.node)) of(c->zone).points = true;
+    if (const auto* i = std::get_if<sema::PointInside>(&e.node)) of(i->zone).points = true;
+  };
+  for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, places);
+  return wanted;
+}
+
+void check_zones(const sema::Spec& spec, diag::Engine& diagnostics) {
+  Evaluator evaluator(spec, diagnostics);
+  Baker baker(0, diagnostics);
+  const std::vector<ZoneUse> wanted = wanted_zones(spec);
+  for (std::uint32_t i = 0; i < spec.zones.size(); ++i) {
+    const ZoneUse& use = wanted[i];
+    const auto id = ZoneId(i);
+    if (spec.zones[i].has_height) {
+      const auto exact = evaluator.solids().zone(id, Side::inner);
+      if (exact && (use.points || use.robots)) evaluator.solids().snapped(id);
+      continue;
+    }
+    const auto region = evaluator.zone(id);
+    if (!region || (!use.robots && !use.points)) continue;
+    const auto around = use.points ? evaluator.around(id) : std::nullopt;
+    baker.check_extent(spec.zones[i], use, *region, around);
+  }
+  check_idle_sites(
+      spec, [&](ZoneId id) { return evaluator.zone(id); }, diagnostics);
 }
 
 std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,

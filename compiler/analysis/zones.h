@@ -25,6 +25,8 @@ inline constexpr std::int64_t cells_most = 40'000;
 struct ZoneUse {
   bool robots = false, points = false;
 };
+std::vector<ZoneUse> wanted_zones(const sema::Spec& spec);  // by ZoneId
+
 struct EvaluatedZone {
   geometry::Region exact;
   geometry::SnappedZone snapped;
@@ -58,5 +60,9 @@ std::vector<std::vector<ShownSlab>> exact_zones(const sema::Spec& spec);
 std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
                                                          const std::vector<ZoneUse>& wanted,
                                                          diag::Engine& diagnostics);
+
+// Reports what is wrong with zones without baking any: for those that need no tables, and still are
+// to refuse what kernels do.
+void check_zones(const sema::Spec& spec, diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

@@ -101,10 +101,9 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   if (!c.spec) return;
   if (options.dump_spec) out << sema::dump(*c.spec);
   // The interpreter shares nothing with what follows. A zone that is none it would take for
-  // unknown.
+  // unknown, and one beyond the grid for what no kernel knows.
   if (options.command == Command::replay && options.engine == EngineKind::interp) {
-    const std::vector<analysis::ZoneUse> of_none(c.spec->zones.size());
-    analysis::evaluate_zones(*c.spec, of_none, c.diagnostics);
+    analysis::check_zones(*c.spec, c.diagnostics);
     return;
   }
   // What is refused because it cannot work is told in full there, and played again.

@@ -198,6 +198,23 @@ TEST_P(ReplayBy, LongOutputIsComplete) {
   EXPECT_GT(o.out.size(), std::size_t{2} << 20);
 }
 
+// Also where no tables are made: no robot could run it.
+TEST_P(ReplayBy, ZonesBeyondTheGridAreRefused) {
+  const auto refused = [&](const std::string& zone, const std::string& type) {
+    write("far.rta", "spec far; period 1 s;\nzone z = " + zone + ";\ninput p : " + type +
+                         " in -99 .. 99 m;\nmonitor kept { \"R1\" always p inside z; }\n");
+    write("far.csv", type == "point" ? "time,p.x,p.y\n0,1,1\n" : "time,p.x,p.y,p.z\n0,1,1,1\n");
+    const Outcome o = replay({"far.rta", "far.csv"});
+    return o.status == 1 &&
+           o.err.find("error[4009]: the zone reaches beyond the grid of 1 mm") != std::string::npos;
+  };
+  EXPECT_TRUE(refused("rectangle (0 m, 0 m) to (600 km, 1 km)", "point"));
+  EXPECT_TRUE(refused("prism (rectangle (0 m, 0 m) to (600 km, 1 km)) from 0 m to 9 m", "point3"));
+  EXPECT_TRUE(refused("prism (rectangle (0 m, 0 m) to (1 km, 1 km)) from 0 m to 600 km", "point3"));
+  EXPECT_FALSE(refused(
+      "rectangle (0 m, 0 m) to (600 km, 1 km) & rectangle (0 m, 0 m) to (9 m, 9 m)", "point"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Engines, ReplayBy, ::testing::Values("kernel", "interp"),
                          [](const auto& engine) { return engine.param; });
 
