@@ -156,8 +156,8 @@ void Zones::receive(sema::ZoneId zone, std::shared_ptr<const ReceivedZone> recei
   known = {};
   known.received = std::move(received);
   if (known.received == nullptr) return;
-  const auto& [within, around] = known.received->regions;
-  known.regions = {Region(within), Region(around)};
+  const geometry::ReceivedRegions& regions = known.received->regions;
+  known.regions = {Region(regions.within), Region(regions.around)};
 }
 
 Zones::Outlines Zones::outlines(sema::ZoneId zone) {

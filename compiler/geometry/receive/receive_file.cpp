@@ -65,7 +65,10 @@ class FileReceiver {
 
   std::variant<ReceivedRegions, RefusedZone> run(const std::string& text) {
     if (is_sound(text)) {
-      if (auto regions = combined()) return std::move(*regions);
+      if (auto regions = combined()) {
+        regions->notes = std::move(areas_.notes);
+        return std::move(*regions);
+      }
     }
     return std::move(*refused_);
   }

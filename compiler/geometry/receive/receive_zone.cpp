@@ -172,6 +172,12 @@ std::variant<ReceivedRegions, RefusedZone> receive_wkt(const std::string& text,
   if (areas.unit == import::Unit::degrees) {
     return RefusedZone{"the whole text", "is in degrees", "send metres, x to the east"};
   }
+  // Who sends heights may mean them, and has nobody to read a note.
+  if (!areas.notes.empty()) {
+    return RefusedZone{areas.notes.front().where,
+                       "has heights or measures, and a zone that is received has neither",
+                       "send POLYGON or MULTIPOLYGON with two numbers for each position"};
+  }
   std::vector<import::Polygon> polygons;
   for (const import::Area& area : areas.areas) {
     if (area.refusal) return refused(*area.refusal);

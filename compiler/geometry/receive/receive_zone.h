@@ -21,6 +21,7 @@ namespace rtac::geometry {
 // that rounds a coordinate both differ by so much.
 struct ReceivedRegions {
   Region within, around;
+  std::vector<import::Note> notes{};  // what the text says besides: of files alone
 };
 
 // Why it is refused. `where`: the ring and, where one is at fault, its vertex, counted from 1.
@@ -33,7 +34,7 @@ struct RefusedZone {
 std::variant<ReceivedRegions, RefusedZone> receive_zone(
     const std::vector<import::Polygon>& polygons, std::size_t edges_most);
 
-// The same of well-known text in metres: POLYGON, MULTIPOLYGON.
+// The same of well-known text in metres: POLYGON, MULTIPOLYGON. Positions with heights are refused.
 std::variant<ReceivedRegions, RefusedZone> receive_wkt(const std::string& text,
                                                        std::size_t edges_most);
 

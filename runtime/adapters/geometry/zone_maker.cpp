@@ -103,10 +103,20 @@ MadeZone make_zone_of_wkt(const std::string& text, std::size_t edges_most) {
   return made(geometry::receive_wkt(text, edges_most), edges_most);
 }
 
-MadeZone make_zone_of_file(const std::string& text, const ZoneFile& as, std::size_t edges_most) {
+MadeZone make_zone_of_file(const std::string& text, const ZoneFile& as, std::size_t edges_most,
+                           std::vector<ZoneNote>* notes) {
   const geometry::ReceivedFile file{
       format_of(as.format), {as.origin_latitude_deg, as.origin_longitude_deg}, areas_of(as.areas)};
-  return made(geometry::receive_file(text, file, edges_most), edges_most);
+  auto received = geometry::receive_file(text, file, edges_most);
+  std::vector<ZoneNote> besides;
+  if (auto* regions = std::get_if<geometry::ReceivedRegions>(&received)) {
+    for (auto& note : regions->notes) {
+      besides.push_back({std::move(note.where), std::move(note.message)});
+    }
+  }
+  MadeZone zone = made(std::move(received), edges_most);
+  if (notes != nullptr && !std::holds_alternative<ZoneRefusal>(zone)) *notes = std::move(besides);
+  return zone;
 }
 
 }  // namespace rtac

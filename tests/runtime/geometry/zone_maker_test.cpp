@@ -158,6 +158,21 @@ TEST_F(ReceivedZones, FilesAreProjectedAndWrongOnesRefused) {
   }
 }
 
+TEST(ZoneMaker, WhatAFileSaysBesidesIsNoted) {
+  std::string plan = fence_of(ZoneFormat::qgc_plan);
+  const std::string version = R"("version":2,)";
+  plan.insert(plan.find(version), R"("breachReturn":[47.398,8.546,60],)");
+  std::vector<ZoneNote> notes;
+  const ZoneFile as = file_of(ZoneFormat::qgc_plan);
+  EXPECT_NE(good(make_zone_of_file(plan, as, 8, &notes)), nullptr);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].where, "geoFence.breachReturn");
+  EXPECT_EQ(notes[0].message, "the breach return point is no area and is left out");
+  EXPECT_NE(good(make_zone_of_file(plan, as, 8)), nullptr);
+  EXPECT_NE(good(make_zone_of_file(fence_of(ZoneFormat::qgc_plan), as, 8, &notes)), nullptr);
+  EXPECT_TRUE(notes.empty());
+}
+
 TEST(ZoneMaker, BothSidesOfAZoneThatIsNotOnTheGridAreKept) {
   const auto zone = good(make_zone({{{{0, 0}, {10.0004, 0}, {5, 7}}, {}}}, 8));
   EXPECT_NE(zone->table().within.edges, zone->table().around.edges);

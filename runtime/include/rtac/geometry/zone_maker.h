@@ -33,7 +33,8 @@ using MadeZone = std::variant<std::unique_ptr<HeldZone>, ZoneRefusal>;
 // bounds.
 MadeZone make_zone(const std::vector<ZonePolygon>& polygons, std::size_t edges_most);
 
-// The same of well-known text in m: POLYGON, MULTIPOLYGON.
+// The same of well-known text in m: POLYGON, MULTIPOLYGON, two numbers for each position. One with
+// heights is refused: such a zone has none.
 MadeZone make_zone_of_wkt(const std::string& text, std::size_t edges_most);
 
 // The formats of files in degrees; each states its axes and how rings end.
@@ -51,10 +52,18 @@ struct ZoneFile {
   ZoneAreas areas = ZoneAreas::unstated;
 };
 
+// What a file says besides its areas, and the zone does not have: a return point, heights of
+// vertices, which no format takes for limits. `where` is a place in the file.
+struct ZoneNote {
+  std::string where, message;
+};
+
 // The same of the text of a file, for zones of the frame `map`: projected as a file of the
 // specification is, by whose error the zone is smaller for who has to stay in it, and larger for
 // who has to keep out. An area with limits of height or time is refused, and so is a text of
-// another format: nothing that limits an area is left out. `where` is a place in the file.
-MadeZone make_zone_of_file(const std::string& text, const ZoneFile& as, std::size_t edges_most);
+// another format: nothing that limits an area is left out. `where` is a place in the file. What is
+// left out is told in `notes`, unless null, of a zone that is made.
+MadeZone make_zone_of_file(const std::string& text, const ZoneFile& as, std::size_t edges_most,
+                           std::vector<ZoneNote>* notes = nullptr);
 
 }  // namespace rtac

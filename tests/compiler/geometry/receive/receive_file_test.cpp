@@ -92,7 +92,7 @@ TEST(ReceiveFile, ReadsItsFormatsInTheirAxes) {
                                      {kml(), as_kml},
                                      {plan(polygon(0, 0, 1, 1)), as_plan}}) {
     const Received received = receive(text, format);
-    const auto& [within, around] = taken(received);
+    const Region &within = taken(received).within, &around = taken(received).around;
     EXPECT_TRUE(is_in(within, 0.5, 0.5));
     EXPECT_TRUE(is_in(within, 0.99, 0.99));
     EXPECT_FALSE(is_in(around, 1.01, 0.5));

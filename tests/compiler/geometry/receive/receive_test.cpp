@@ -51,6 +51,15 @@ TEST(ReceiveZone, NamesTheVertexAndTheReason) {
             "hole 1: touches the outer ring at (10 m, 5 m), and cuts the area in two");
 }
 
+// At compile time a note says that heights are left out; here nobody would read it.
+TEST(ReceiveZone, RefusesTextsWithHeights) {
+  EXPECT_EQ(refused("POLYGON ((0 0, 9 0, 9 9, 0 0))"), "taken");
+  for (const std::string text :
+       {"POLYGON Z ((0 0 1, 9 0 1, 9 9 1, 0 0 1))", "POLYGON ((0 0 1, 9 0 1, 9 9 1, 0 0 1))"}) {
+    EXPECT_NE(refused(text).find("has heights or measures"), std::string::npos) << refused(text);
+  }
+}
+
 TEST(ReceiveZone, RefusesWhatIsNoPlace) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refused({polygon({{0, 0}, {nan, 0}, {0, 2}})}),
