@@ -1,8 +1,11 @@
 // What became of zones that are not taken as they are: files, and how they were placed on the map;
 // circles; and how exactly.
+#include <algorithm>
+
 #include "compiler/driver/explain_line.h"
 #include "compiler/driver/explain_text.h"
 #include "compiler/geometry/region.h"
+#include "compiler/geometry/united.h"
 #include "compiler/sema/dimension.h"
 #include "compiler/support/overloaded.h"
 
@@ -10,6 +13,45 @@ namespace rtac::driver {
 namespace {
 
 namespace dims = sema::dims;
+
+geometry::Ring ring_of(const sema::ZonePolygon::Ring& from) {
+  geometry::Ring to;
+  for (const sema::Point& p : from.points) to.push_back({p.x, p.y});
+  return to;
+}
+
+// Not shorter than the outline is.
+Rational length_most(const geometry::Ring& ring) {
+  Rational all = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const geometry::Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    all += abs(b.x - a.x) + abs(b.y - a.y);
+  }
+  return all;
+}
+
+// Do polygons of the area lie over one another, by more than what touches in the file may on the
+// map? Formats ask that they do not, or say nothing; the union is what is taken.
+bool parts_overlap(const sema::ZoneImport::Area& area, const Rational& error) {
+  std::vector<geometry::Region> parts;
+  Rational sum = 0, length = 0;
+  for (const auto& part : area.parts) {
+    const auto* polygon = std::get_if<sema::ZonePolygon>(&part);
+    if (polygon == nullptr) continue;
+    const geometry::Ring outer = ring_of(polygon->outer);
+    std::vector<geometry::Ring> holes;
+    for (const auto& hole : polygon->holes) holes.push_back(ring_of(hole));
+    auto region = geometry::Region::polygon(outer, holes);
+    if (!std::holds_alternative<geometry::Region>(region)) return false;  // reported
+    parts.push_back(std::get<geometry::Region>(std::move(region)));
+    sum += parts.back().area();
+    length += length_most(outer);
+    for (const geometry::Ring& hole : holes) length += length_most(hole);
+  }
+  if (parts.size() < 2) return false;
+  const auto all = geometry::united(std::move(parts));
+  return all && sum - all->area() > error * length;
+}
 
 class ImportRemarks {
  public:
@@ -72,6 +114,19 @@ class ImportRemarks {
     }
     return text;
   }
+  // Stacked volumes have heights, and lie over one another as they should.
+  static void note_overlaps(const sema::ZoneImport& node, std::vector<std::string>& details) {
+    std::size_t areas = 0;
+    const auto look_at = [&](const sema::ZoneImport::Area& area) {
+      if (area.bands.empty() && parts_overlap(area, node.error)) ++areas;
+    };
+    for (const auto& group : node.inclusions) std::ranges::for_each(group, look_at);
+    std::ranges::for_each(node.exclusions, look_at);
+    if (areas == 0) return;
+    details.push_back(
+        "polygons of " + count(areas, "area") +
+        " overlap: their union is taken, and a hole of one that another covers is filled");
+  }
   void imported(const SourceRange& source, const sema::ZoneImport& node) {
     std::string positions = count(node.vertices, "position");
     if (node.points > node.vertices) {
@@ -90,6 +145,7 @@ class ImportRemarks {
     } else {
       details.emplace_back("exact");
     }
+    note_overlaps(node, details);
     details.insert(details.end(), node.remarks.begin(), node.remarks.end());
     out_.push_back({source, "import \"" + node.path + "\"", std::move(details)});
   }
