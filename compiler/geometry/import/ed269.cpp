@@ -51,6 +51,7 @@ bool Ed269Reader::read_period(Json period, Area& area) {
     return findings_.fail(period.where() + ".permanent", "is " + quote(*permanent),
                           "`YES` or `NO`");
   }
+  if (!json_.check_letters(period, {"startDateTime", "endDateTime", "schedule"})) return false;
   const bool is_permanent = *permanent == "YES";
   const auto limits_time = [&](std::string_view name) {
     const auto member = JsonReader::optional_member(period, name);
@@ -113,6 +114,10 @@ bool Ed269Reader::read_volume(Json volume, Area& area) {
   } else if (*type == "Polygon") {
     const auto rings = json_.required_array(*projection, "coordinates");
     if (!rings || !json_.read_polygon(*rings, part.shape.emplace<Polygon>())) return false;
+    if (const auto radius = JsonReader::optional_member(*projection, "radius")) {
+      refuse(area, radius->where(), "a polygon has no radius",
+             "draw the polygon as far out as it reaches, or make it a `Circle`");
+    }
   } else {
     return findings_.fail(projection->where() + ".type", "is " + quote(*type),
                           "`Polygon` or `Circle`");

@@ -1,5 +1,8 @@
 #include "compiler/geometry/import/json_reader.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace rtac::geometry::import {
 
 bool JsonReader::wrong_kind(Json value, std::string_view expected) {
@@ -40,6 +43,25 @@ std::optional<double> JsonReader::required_number(Json object, std::string_view 
 
 bool JsonReader::expect_object(Json value) {
   return value.is_object() || wrong_kind(value, "an object");
+}
+
+bool JsonReader::check_letters(Json object, std::initializer_list<std::string_view> names) {
+  const auto same_letter = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  for (const Json member : object.items()) {
+    const std::string_view written = member.name();
+    for (const std::string_view name : names) {
+      if (written == name ||
+          !std::equal(written.begin(), written.end(), name.begin(), name.end(), same_letter)) {
+        continue;
+      }
+      return findings_.fail(member.where(), "is no member that the format has",
+                            "write it as " + quote(name) + ", if it is meant");
+    }
+  }
+  return true;
 }
 
 std::optional<Json> JsonReader::optional_member(Json object, std::string_view name) {

@@ -2,6 +2,7 @@
 // this folder.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -25,6 +26,9 @@ class JsonReader {
   static std::optional<Json> optional_member(Json object, std::string_view name);
   std::optional<bool> required_boolean(Json object, std::string_view name);
   bool expect_object(Json value);
+  // Fails on a member that is one of these but for capitals and small letters: it would be taken
+  // for missing.
+  bool check_letters(Json object, std::initializer_list<std::string_view> names);
   // Another version may mean something else by the same members.
   bool expect_version(Json object, double version);
 

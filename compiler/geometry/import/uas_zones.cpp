@@ -65,7 +65,11 @@ bool is_same(TimeOfDay a, TimeOfDay b) {
 }
 
 bool add_daily(JsonReader& json, Json daily, Period base, Area& area) {
-  if (!json.expect_object(daily) || !read_days(json, daily, base.weekdays)) return false;
+  if (!json.expect_object(daily) ||
+      !json.check_letters(daily, {"day", "startTime", "endTime", "startEvent", "endEvent"})) {
+    return false;
+  }
+  if (!read_days(json, daily, base.weekdays)) return false;
   for (const char* name : {"startEvent", "endEvent"}) {
     if (const auto event = JsonReader::optional_member(daily, name)) {
       refuse(area, event->where(), "follows the sun: " + event->described(),
@@ -116,7 +120,10 @@ bool read_limit(JsonReader& json, Json object, LimitNames names, double metres,
 }  // namespace
 
 bool add_periods(JsonReader& json, Json period, Area& area) {
-  if (!json.expect_object(period)) return false;
+  if (!json.expect_object(period) ||
+      !json.check_letters(period, {"startDateTime", "endDateTime", "schedule"})) {
+    return false;
+  }
   Period base;
   base.where = period.where();
   if (!read_moment(json, period, "startDateTime", base, base.from_us) ||
@@ -140,7 +147,8 @@ bool add_periods(JsonReader& json, Json period, Area& area) {
 
 bool read_limits(JsonReader& json, Json object, LimitNames lower, LimitNames upper, double metres,
                  Band& band) {
-  return read_limit(json, object, lower, metres, band.floor) &&
+  return json.check_letters(object, {lower.value, lower.reference, upper.value, upper.reference}) &&
+         read_limit(json, object, lower, metres, band.floor) &&
          read_limit(json, object, upper, metres, band.ceiling) &&
          check_band(band, object.where(), json.findings());
 }

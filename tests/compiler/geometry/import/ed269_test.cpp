@@ -194,6 +194,30 @@ TEST(Ed269, SwissListIsRead) {
             1U);
 }
 
+// `upperlimit` would be no limit.
+TEST(Ed269, LimitsInOtherLettersAreRefused) {
+  EXPECT_TRUE(contains(
+      failure(zone(volume(R"("uomDimensions":"M","upperlimit":9,"upperVerticalReference":"AGL")"))),
+      "features[0].geometry[0].upperlimit: is no member that the format has (write "
+      "it as `upperLimit`"));
+  EXPECT_TRUE(contains(
+      failure(zone(volume(), R"({"permanent":"YES","StartDateTime":"2026-02-01T00:00:00Z"})")),
+      "applicability[0].StartDateTime: is no member"));
+  EXPECT_TRUE(contains(
+      failure(zone(
+          volume(),
+          R"({"permanent":"NO","schedule":[{"day":["MON"],"starttime":"08:00Z","endTime":"9:00Z"}]})")),
+      "schedule[0].starttime: is no member"));
+}
+
+TEST(Ed269, PolygonsWithARadiusRefuseToBeUsed) {
+  EXPECT_TRUE(contains(
+      refusal_of(area_of(zone(volume(
+          heights,
+          R"("horizontalProjection":{"type":"Polygon","radius":50,"coordinates":[[[6.1,49.5],[6.2,49.5],[6.2,49.6],[6.1,49.5]]]})")))),
+      "radius: a polygon has no radius"));
+}
+
 TEST(Ed269, TwoListsOfZonesAreRefused) {
   EXPECT_TRUE(contains(failure_of(Format::ed269, R"({"UASZoneList":[)" + zone(volume()) +
                                                      R"(],"features":[)" + zone(volume()) + "]}"),
