@@ -108,6 +108,9 @@ std::size_t vertices_of(const sema::ZonePolygon& polygon);
 // Of all the areas of a file that make a zone, circles as the polygons that stand for them.
 std::size_t vertices_of(const sema::ZoneImport& import);
 
+// What does not fit the grid, at `range`.
+diag::Diagnostic too_large(const SourceRange& range);
+
 // What crosses too often to be combined, at `range`.
 diag::Diagnostic too_intricate(const SourceRange& range);
 

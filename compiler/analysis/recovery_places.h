@@ -16,8 +16,8 @@ namespace rtac::analysis {
 // The exact zone of a table.
 using ExactZone = std::function<const geometry::Region&(ir::ZoneIndex)>;
 
-// Every place of the region that is so far from its boundary, at most 2 mm less; none: the region
-// has so many vertices that this takes long.
+// The places of the region that are so far from its boundary, all that are `offset_excess_mm`
+// farther among them; none: the region has so many vertices that this takes long.
 std::optional<geometry::Region> within(const geometry::Region& region, std::int64_t mm);
 
 bool is_convex(const geometry::Region& region);

@@ -13,6 +13,16 @@ namespace rtac::analysis {
 
 using diag::Code;
 
+namespace {
+
+// Sideways.
+bool fits_grid(const geometry::Solid& solid) {
+  return std::ranges::all_of(
+      solid.slabs(), [](const geometry::Slab& slab) { return analysis::fits_grid(slab.region); });
+}
+
+}  // namespace
+
 SolidEvaluator::SolidEvaluator(const sema::Spec& spec, diag::Engine& diagnostics, Base base)
     : ZoneAlgebra(spec, diagnostics), base_(std::move(base)) {}
 
@@ -94,15 +104,19 @@ SolidEvaluator::Result SolidEvaluator::combined(sema::ZoneOp op, const geometry:
   return combine(op, left, right);
 }
 
-// Sideways as the offsets of zones of the plane, which are exact within 2 mm; up and down exact.
-SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneOffset& node, const SourceRange&,
+// Sideways as the offsets of zones of the plane, up and down exact.
+SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneOffset& node, const SourceRange& range,
                                             Side side) {
-  static const Rational slack_m(1, 500);
   const Result operand = expr(*node.operand, side);
   if (!operand) return std::nullopt;
   const Rational by = abs(node.distance);
   const bool shrinks = sgn(node.distance) < 0;
-  const Rational across = shrinks == (side == Side::inner) ? by : Rational(by - slack_m);
+  if (by > grid_reach_m() && !(shrinks && fits_grid(*operand))) {
+    diagnostics_.report(too_large(range));
+    return std::nullopt;
+  }
+  const bool errs_well = shrinks == (side == Side::inner);
+  const Rational across = errs_well ? by : Rational(by - geometry::offset_excess_m());
   return shrinks ? operand->shrink(across, by) : operand->grow(across, by);
 }
 
@@ -168,9 +182,7 @@ std::optional<SnappedSides> SolidEvaluator::snapped(sema::ZoneId id) {
   const auto inner = zone(id, Side::inner), outer = zone(id, Side::outer);
   if (!inner || !outer) return std::nullopt;
   const sema::Zone& declared = spec_[id];
-  const auto fits = [](const geometry::Slab& slab) { return fits_grid(slab.region); };
-  const bool small =
-      std::ranges::all_of(inner->slabs(), fits) && std::ranges::all_of(outer->slabs(), fits);
+  const bool small = fits_grid(*inner) && fits_grid(*outer);
   // Those of 2 mm and more are slabs on the grid, of the zone as a keep-out at least.
   const auto is_thick = [](const geometry::Slab& slab) {
     return slab.ceiling - slab.floor >= Rational(2, 1000);

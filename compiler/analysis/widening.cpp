@@ -10,11 +10,10 @@ namespace {
 // About 10 ms a trial.
 constexpr std::size_t vertices_most = 200, cells_tried_most = 12'000;
 
-// What zones to stay in grow less than they are told (zones.cpp, offsets).
-constexpr std::int64_t slack_mm = 2;
-
 std::optional<ir::Cells> cells_of(const geometry::Region& zone, std::int64_t by_mm) {
-  Rational by_m(static_cast<long>(std::max<std::int64_t>(by_mm - slack_mm, 0)), 1000);
+  // zones to stay in grow less than they are told (zones.cpp, offsets)
+  const std::int64_t least_mm = std::max<std::int64_t>(by_mm - geometry::offset_excess_mm, 0);
+  Rational by_m(static_cast<long>(least_mm), 1000);
   by_m.canonicalize();
   const auto snapped = geometry::snap_inside(zone.grow(by_m));
   if (!snapped) return std::nullopt;

@@ -62,15 +62,20 @@ class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
     diagnostics_.report(too_intricate(range));
     return std::nullopt;
   }
-  // Offsets are exact within 2 mm, and err to the side that `shrink` and `grow` are usually wanted
-  // on; on the other side the distance makes up for it.
+  // Offsets reach a little too far, to the side that `shrink` and `grow` are usually wanted on; on
+  // the other side the distance makes up for it.
   Result eval(const sema::ZoneOffset& node, const SourceRange& range, Side side) {
-    static const Rational slack_m(1, 500);
     const Result operand = expr(*node.operand, side);
     if (!operand) return std::nullopt;
     const bool shrinks = sgn(node.distance) < 0;
     Rational by = abs(node.distance);
-    if (shrinks != (side == Side::inner)) by = std::max(Rational(by - slack_m), Rational(0));
+    if (by > grid_reach_m() && !(shrinks && fits_grid(*operand))) {
+      diagnostics_.report(too_large(range));
+      return std::nullopt;
+    }
+    if (shrinks != (side == Side::inner)) {
+      by = std::max(Rational(by - geometry::offset_excess_m()), Rational(0));
+    }
     Result moved = operand->offset(shrinks ? Rational(-by) : by);
     if (!moved) diagnostics_.report(too_many_to_move(operand->vertices(), range));
     return moved;
@@ -252,6 +257,16 @@ diag::Diagnostic too_many_to_move(std::size_t vertices, const SourceRange& range
       {}};
 }
 
+diag::Diagnostic too_large(const SourceRange& range) {
+  return {Code::zone_too_large,
+          range,
+          "the zone reaches beyond the grid of 1 mm",
+          "",
+          {},
+          "coordinates of at most 536.8 km from the origin work",
+          {}};
+}
+
 diag::Diagnostic too_intricate(const SourceRange& range) {
   return {Code::zone_file_unusable,
           range,
@@ -277,8 +292,12 @@ geometry::BakedZone baked(const geometry::SnappedZone& zone) {
       zone, cell_mm_for(std::int64_t{high.x_mm} - low.x_mm, std::int64_t{high.y_mm} - low.y_mm));
 }
 
+Rational grid_reach_m() {
+  return {536'870'911, 1000};
+}
+
 bool fits_grid(const geometry::Region& region) {
-  const Rational limit(536'870'911, 1000);  // 2^29 mm
+  const Rational limit = grid_reach_m();
   const auto beyond = [&](const geometry::Point& p) {
     return abs(p.x) > limit || abs(p.y) > limit;
   };
@@ -318,7 +337,7 @@ class Baker {
                     const std::optional<geometry::Region>& around) {
     range_ = zone.name.empty() ? zone.value->range : zone.name_range;
     if (fits_grid(region) && (!use.points || (around && fits_grid(*around)))) return true;
-    too_large();
+    beyond();
     return false;
   }
   // `around`: the zone as a keep-out, of one that points ask for.
@@ -335,7 +354,7 @@ class Baker {
       to.baked.edges = geometry::edge_rows(to.snapped);
     }
     const auto outer = use.points ? geometry::snap_around(*around) : std::nullopt;
-    if (use.points && !outer) return too_large();
+    if (use.points && !outer) return beyond();
     if (!grow(to.snapped, to.tree)) return std::nullopt;
     if (!outer) return to;
     to.around = geometry::edge_rows(*outer);
@@ -352,9 +371,9 @@ class Baker {
     diagnostics_.report({code, range_, std::move(message), "", {}, std::move(help), {}});
     return std::nullopt;
   }
-  std::nullopt_t too_large() {
-    return report(Code::zone_too_large, "the zone reaches beyond the grid of 1 mm",
-                  "coordinates of at most 536.8 km from the origin work");
+  std::nullopt_t beyond() {
+    diagnostics_.report(too_large(range_));
+    return std::nullopt;
   }
   std::nullopt_t vanishes() {
     return report(Code::zone_vanishes_on_grid, "nothing of the zone is left on the grid of 1 mm",

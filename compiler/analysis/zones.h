@@ -45,7 +45,9 @@ std::int32_t cell_mm_for(std::int64_t width_mm, std::int64_t height_mm);
 // With cells of that width; of no zone: nothing.
 geometry::BakedZone baked(const geometry::SnappedZone& zone);
 
-// Whether its coordinates lie on the grid that kernels compute on.
+// How far the coordinates of the grid reach that kernels compute on: to 2^29 mm, less one.
+Rational grid_reach_m();
+// Whether its coordinates lie on that grid.
 bool fits_grid(const geometry::Region& region);
 
 // By ZoneId, as keep-ins: never larger than the exact zones; a zone of the plane is one slab

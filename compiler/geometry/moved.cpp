@@ -2,7 +2,10 @@
 // new ring lies next to its old one, on the side that it was moved to (both exactly, by a sweep).
 // No old edge comes nearer to a new one than the distance. So the straight way from a place of the
 // smaller set out of the larger one crosses a new and an old ring, one of each, and between them it
-// has the distance at least. How the candidate was found does not matter.
+// has the distance at least. Nor is anything between the rings far from the old ones: new edges
+// that begin as the old ones and move straight to their places sweep over all of it, each within
+// the hull of where it begins and ends, and its ends are near the edge that it begins as. How the
+// candidate was found does not matter.
 #include "compiler/geometry/moved.h"
 
 #include <algorithm>
@@ -25,7 +28,7 @@ constexpr double excess_m = 2e-6;
 constexpr double um_per_m = 1e6;
 // Corners that move farther are left to the thorough way.
 constexpr double miter_max = 50;
-constexpr double round_corner_m_max = 0.002;
+constexpr double farther_m_max = offset_excess_mm / 1e3;
 
 struct Vector {
   double x, y;
@@ -35,9 +38,6 @@ Vector operator-(const Vector& a, const Vector& b) {
 }
 double dot(const Vector& a, const Vector& b) {
   return a.x * b.x + a.y * b.y;
-}
-double cross(const Vector& a, const Vector& b) {
-  return a.x * b.y - a.y * b.x;
 }
 
 struct Segment {
@@ -138,7 +138,7 @@ class Mover {
         if (!move(hole, moved.holes.emplace_back())) return std::nullopt;
       }
     }
-    if (!keeps_distance() || !nests()) return std::nullopt;
+    if (!stays_near() || !keeps_distance() || !nests()) return std::nullopt;
     for (PolygonWithHoles& part : moved_) tidy(part);
     std::sort(moved_.begin(), moved_.end(),
               [](const auto& p, const auto& q) { return ring_order(p.outer, q.outer); });
@@ -184,9 +184,6 @@ class Mover {
     const double by = distance_m_ + excess_m, spread = 1 + dot(n, m);
     // |n + m| / spread is how many times as far as an edge the corner moves
     if (!(spread * miter_max * miter_max > 2)) return std::nullopt;
-    const bool turns_left = cross(at - before, after - at) > 0;
-    const double excess = by * (std::sqrt(2 / spread) - 1);
-    if (turns_left != left_ && excess > round_corner_m_max) return std::nullopt;
     return Vector{at.x + by * (n.x + m.x) / spread, at.y + by * (n.y + m.y) / spread};
   }
   static Rational in_um(double metres) {
@@ -195,6 +192,17 @@ class Mover {
     return value;
   }
 
+  // The ends of every edge, of the one that it was.
+  [[nodiscard]] bool stays_near() const {
+    const std::vector<Segment> before = segments(parts_), now = segments(moved_);
+    const double most_m = distance_m_ + farther_m_max - certain_m;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (std::max(distance(now[i].a, before[i]), distance(now[i].b, before[i])) > most_m) {
+        return false;
+      }
+    }
+    return true;
+  }
   [[nodiscard]] bool keeps_distance() const {
     const std::vector<Segment> now = segments(moved_);
     const Nearby nearby(now);

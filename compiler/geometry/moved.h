@@ -10,9 +10,9 @@
 namespace rtac::geometry {
 
 // The parts less everything within `distance` (> 0) of their boundary, or with it (exterior), as
-// offsets are: never nearer to the boundary than that, less than 1 mm farther along edges and at
-// corners that stay sharp, within 2 mm at those that would be round. Verified; nullopt where it
-// does not work out: edges that vanish, very sharp corners, rings that touch.
+// offsets are: never nearer to the boundary than that, and at most `offset_excess_mm` farther.
+// Verified; nullopt where it does not work out: edges that vanish, very sharp corners, rings that
+// touch, corners that would be round.
 std::optional<std::vector<PolygonWithHoles>> moved_at_once(
     const std::vector<PolygonWithHoles>& parts, const Rational& distance, BandSide side);
 

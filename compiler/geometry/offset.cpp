@@ -22,7 +22,6 @@ namespace {
 
 // A length along straight edges that is given away, to keep the rationals short.
 constexpr unsigned kEdgeExcessBits = 21;  // 2^-21 m: half a micrometre
-constexpr std::size_t kMostDirections = 1024;
 
 // The smallest multiple of 2^-bits that is at least sqrt(value), or the exact root.
 Rational root_up(const Rational& value, unsigned bits) {
@@ -47,18 +46,13 @@ Rational scale_up(const Rational& distance, const Rational& squared_length) {
                  kEdgeExcessBits + static_cast<unsigned>(whole / 2 + 1));
 }
 
-// Directions enough that the corners of the circumscribed polygon stick out by less than 2 mm:
-// half the angle between two directions is at most 1 / count, so by less than
+// Directions enough that the corners of the circumscribed polygon stick out by no more than
+// `offset_excess_m`: half the angle between two directions is at most 1 / count, so by less than
 // r (1 / cos(1 / count) - 1) < 0.6 r / count^2.
 std::size_t directions_for(const Rational& radius) {
-  std::size_t count = 4;
-  const Rational excess(1, 500);
-  while (count < kMostDirections &&
-         Rational(3, 5) * radius >
-             excess * static_cast<unsigned long>(count) * static_cast<unsigned long>(count)) {
-    ++count;
-  }
-  return count;
+  constexpr std::int64_t fewest = 4;  // of which the bound above is true
+  const Rational square = Rational(3, 5) * radius / offset_excess_m();
+  return static_cast<std::size_t>(std::max(fewest, ceil_to_int(root_up(square, 0))));
 }
 
 Rational det(const Point& u, const Point& v) {

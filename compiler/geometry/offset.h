@@ -24,9 +24,9 @@ Ring inscribed(const Point& centre, const Rational& radius, const std::vector<Po
 
 enum class BandSide { interior, exterior };
 
-// Counter-clockwise pieces that lie within distance + 2 mm of the boundary of `parts` (distances
-// above 3 km: relatively 6e-7) and cover every point of the chosen side that is closer to it than
-// `distance` (> 0), or exactly as close.
+// Counter-clockwise pieces that lie within distance + `offset_excess_mm` of the boundary of `parts`
+// and cover every point of the chosen side that is closer to it than `distance` (> 0), or exactly
+// as close. Their number grows with the square root of the distance.
 std::vector<Ring> boundary_band(const std::vector<PolygonWithHoles>& parts,
                                 const Rational& distance, BandSide side);
 

@@ -34,6 +34,20 @@ struct Region::Impl {
     return all;
   }
 
+  // No place of a part is farther from its boundary than half of the shorter side of the rectangle
+  // around it.
+  [[nodiscard]] bool vanishes(const Rational& distance) const {
+    return std::all_of(parts.begin(), parts.end(), [&](const PolygonWithHoles& part) {
+      const auto [left, right] =
+          std::minmax_element(part.outer.begin(), part.outer.end(),
+                              [](const auto& p, const auto& q) { return p.x < q.x; });
+      const auto [low, high] =
+          std::minmax_element(part.outer.begin(), part.outer.end(),
+                              [](const auto& p, const auto& q) { return p.y < q.y; });
+      return std::min(Rational(right->x - left->x), Rational(high->y - low->y)) <= 2 * distance;
+    });
+  }
+
   // Of large outlines: pieces for every edge and corner, united, take a hundred times as long.
   [[nodiscard]] std::optional<std::vector<PolygonWithHoles>> moved(const Rational& distance,
                                                                    BandSide side) const {
@@ -97,6 +111,10 @@ Region Region::circle(const Point& centre, const Rational& radius, bool inner) {
   return Region({PolygonWithHoles{canonical(ring), {}}});
 }
 
+Rational offset_excess_m() {
+  return Rational(static_cast<long>(offset_excess_mm)) / 1000;
+}
+
 Region Region::unite(const Region& other) const {
   return Region(overlay(impl_->rings(), other.impl_->rings(), Combine::unite));
 }
@@ -111,6 +129,7 @@ Region Region::subtract(const Region& other) const {
 
 Region Region::shrink(const Rational& distance) const {
   if (distance <= 0) return *this;
+  if (impl_->vanishes(distance)) return {};
   if (auto moved = impl_->moved(distance, BandSide::interior)) return Region(std::move(*moved));
   return Region(overlay_band(impl_->rings(),
                              boundary_band(impl_->parts, distance, BandSide::interior),

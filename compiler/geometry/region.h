@@ -2,6 +2,8 @@
 // leaves it is plain data. All coordinates are exact rationals in metres, map frame.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,6 +58,12 @@ Rational circle_error(const Rational& radius, std::size_t edges);
 
 inline constexpr std::size_t offset_vertices_max = 20'000;
 
+// How much farther than it is told an offset may reach, at most, whatever the distance: round
+// corners become polygons, of more edges the larger they are. Whoever needs the other side moves by
+// so much less.
+inline constexpr std::int64_t offset_excess_mm = 2;
+Rational offset_excess_m();
+
 class Region {
  public:
   Region();  // empty
@@ -80,11 +88,11 @@ class Region {
   [[nodiscard]] Region subtract(const Region& other) const;
   // One-sided: every point of the result has a distance of at least `distance` to the complement.
   // The result may be smaller than the true erosion, by less than 1 mm where the boundary is
-  // convex or straight; round reflex corners are polygonised from the inside within 2 mm. A
-  // distance of zero or less changes nothing.
+  // convex or straight; round reflex corners are polygonised from the inside, within
+  // `offset_excess_mm`. A distance of zero or less changes nothing.
   [[nodiscard]] Region shrink(const Rational& distance) const;
-  // One-sided: contains every point within `distance` of the region; at most 2 mm larger. A
-  // distance of zero or less changes nothing.
+  // One-sided: contains every point within `distance` of the region; at most `offset_excess_mm`
+  // larger. A distance of zero or less changes nothing.
   [[nodiscard]] Region grow(const Rational& distance) const;
 
   // The region grown by `distance`, or shrunk by its amount if it is negative. nullopt: that would

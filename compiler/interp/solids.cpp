@@ -156,15 +156,14 @@ struct Solids::Evaluate {
     if (subtracts) return left->subtract(*right);
     return node.op == sema::ZoneOp::unite ? left->unite(*right) : left->intersect(*right);
   }
-  // Sideways as in the plane, within 2 mm; up and down exact.
+  // Sideways as in the plane; up and down exact.
   Solid operator()(const sema::ZoneOffset& node) const {
-    const Rational exact_within_m(1, 500);
     const Solid operand = of(*node.operand, bound);
     if (!operand) return std::nullopt;
     const Rational upright = abs(node.distance);
     const bool shrinks = sgn(node.distance) < 0;
     Rational across = upright;
-    if (shrinks != (bound == Bound::within)) across -= exact_within_m;
+    if (shrinks != (bound == Bound::within)) across -= geometry::offset_excess_m();
     return shrinks ? operand->shrink(across, upright) : operand->grow(across, upright);
   }
   // Zones of the plane stand under a prism.

@@ -53,7 +53,8 @@ geometry::Region together(const std::vector<geometry::Region>& regions) {
 }  // namespace
 
 // Curves and offsets are known within polygons: from inside, or from outside where the zone is
-// subtracted. Offsets are exact within 2 mm, to the side that they are asked for.
+// subtracted. Offsets reach `offset_excess_m` too far at most, so that on the other side as much is
+// taken off their distance.
 struct Zones::Evaluate {
   Zones& zones;
   Bound bound;
@@ -118,12 +119,11 @@ struct Zones::Evaluate {
   // Not made, but received.
   Region operator()(const sema::ZoneReceived&) const { return std::nullopt; }
   Region operator()(const sema::ZoneOffset& node) const {
-    const Rational exact_within_m(1, 500);
     const Region operand = of(*node.operand, bound);
     if (!operand) return std::nullopt;
     Rational by = abs(node.distance);
     const bool shrinks = sgn(node.distance) < 0;
-    if (shrinks != (bound == Bound::within)) by -= exact_within_m;
+    if (shrinks != (bound == Bound::within)) by -= geometry::offset_excess_m();
     return shrinks ? operand->shrink(by) : operand->grow(by);
   }
 };

@@ -224,8 +224,8 @@ Found Claims::contained(const Values& v) {
   }
   const auto standoff = far ? number(v, "standoff_mm") : std::optional<std::int64_t>(0);
   if (!standoff || *standoff < 0) return wrong("the standoff is no number");
-  // 2 mm: what is known of curves and offsets from inside
-  const Rational off = milli(std::max<std::int64_t>(*standoff - 2, 0));
+  // what is known of curves and offsets from inside
+  const Rational off = milli(std::max<std::int64_t>(*standoff - geometry::offset_excess_mm, 0));
   const geometry::Region *const in = zones_.region(*inner), *const out = zones_.region(*outer);
   if (in != nullptr && out != nullptr) {
     const auto kept = out->offset(-off);
@@ -363,8 +363,8 @@ Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::Z
 Found Claims::lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm) {
   const auto x = number(v, "x_mm"), y = number(v, "y_mm"), z = number(v, "z_mm");
   if (!x || !y) return wrong("no such place");
-  // 2 mm: what is known of curves and offsets from inside
-  const Rational near = milli(std::max<std::int64_t>(gap_mm - 2, 0));
+  // what is known of curves and offsets from inside
+  const Rational near = milli(std::max<std::int64_t>(gap_mm - geometry::offset_excess_mm, 0));
   const bool clear = z ? zones_.clear_in_space(zone, {milli(*x), milli(*y)}, milli(*z), near)
                        : zones_.clear(zone, {milli(*x), milli(*y)}, near);
   if (!clear) return wrong("the place is nearer to the boundary");

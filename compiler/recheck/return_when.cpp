@@ -188,8 +188,9 @@ class Condition {
   }
   bool clear(sema::ZoneId zone, const Rational& gap) {
     if (at_) {
-      // 2 mm: what is known of curves and offsets from inside
-      const Rational near = std::max(Rational(seen(gap) - Rational(2, 1000)), Rational(0));
+      // what is known of curves and offsets from inside
+      const Rational near =
+          std::max(Rational(seen(gap) - geometry::offset_excess_m()), Rational(0));
       return z_ ? claims_.zones().clear_in_space(zone, *at_, *z_, near)
                 : claims_.zones().clear(zone, *at_, near);
     }

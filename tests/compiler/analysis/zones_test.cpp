@@ -85,6 +85,19 @@ TEST(Zones, BeyondTheGridIsNotTheSameAsTooThin) {
   EXPECT_TRUE(widest->module) << reports(*widest);
 }
 
+// At once, however large they are: their round corners would have any number of edges.
+TEST(Zones, DistancesBeyondTheGridAreRefused) {
+  for (const char* far : {"grow(room, 537 km)", "grow(room, 1e60 m)",
+                          "shrink(rectangle (0 m, 0 m) to (1e60 m, 1e60 m), 1e59 m)"}) {
+    const auto c = compiled(edited(drone_spec(), "clearance(d, room) >= 10 cm",
+                                   "d inside " + std::string(far) + " and d inside room"));
+    EXPECT_TRUE(has(*c, diag::Code::zone_too_large)) << far << reports(*c);
+  }
+  const auto none = compiled(
+      edited(drone_spec(), "clearance(d, room) >= 10 cm", "d inside shrink(room, 1e60 m)"));
+  EXPECT_TRUE(has(*none, diag::Code::empty_zone)) << reports(*none);
+}
+
 TEST(Zones, ASiteBeyondTheGridDoesNotWrapAround) {
   // 2^32 mm and 1 m: the same int32 as 1 m
   const auto c = compiled(edited(rover_spec(), "(6.5 m, 1 m)", "(4294968.296 m, 1 m)"));

@@ -163,5 +163,58 @@ TEST(Shrink, LargeDistancesAndCoordinates) {
   expect_grown(region, region.grow(q(1, 1000)), q(1, 1000));
 }
 
+TEST(Shrink, WhatCannotBeWideEnoughIsEmptyAtOnce) {
+  EXPECT_TRUE(box(0, 0, 5000, 5000).shrink(q(1'000'000'000'000)).empty());
+  EXPECT_TRUE(box(0, 0, 5000, 9000).unite(box(6000, 0, 9000, 9000)).shrink(q(5, 2)).empty());
+  EXPECT_EQ(box(0, 0, 5000, 9000).unite(box(6000, 0, 9000, 9000)).shrink(q(2)).vertices(), 4U);
+}
+
+// The unit vector at the angle 2 atan t, in (0, 90) degrees.
+Point direction(const Rational& t) {
+  const Rational square = t * t;
+  return {(1 - square) / (1 + square), 2 * t / (1 + square)};
+}
+
+// A place whose distance from a square of 10 m about the origin is exact: that of its corner.
+Point off_corner(const Point& u, const Rational& distance) {
+  return {5 + distance * u.x, 5 + distance * u.y};
+}
+std::vector<Point> angles(Random& random) {
+  std::vector<Point> all;
+  // corners of polygons of few directions, where they stick out most
+  for (const long k : {0L, 1L, 17L, 200L, 511L, 900L, 1023L})
+    all.push_back(direction(q(2 * k + 1, 2048)));
+  for (int i = 0; i < 15; ++i) all.push_back(direction(q(pick(random, 1, 999'999), 1'000'000)));
+  return all;
+}
+const Rational hair = q(1, 1'000'000'000);
+
+TEST(Grow, ReachesNoFartherThanPromisedAtAnyDistance) {
+  Random random(11);
+  for (const long distance : {3'400L, 9'260L, 40'000L, 100'000L}) {
+    const Region grown = box(-5000, -5000, 5000, 5000).grow(q(distance));
+    for (const Point& u : angles(random)) {
+      EXPECT_TRUE(grown.contains(off_corner(u, q(distance)))) << distance;
+      EXPECT_FALSE(grown.contains(off_corner(u, q(distance) + q(2, 1000) + hair))) << distance;
+    }
+    EXPECT_TRUE(grown.contains(Point{q(5 + distance), q(4)}));
+    EXPECT_FALSE(grown.contains(Point{q(5 + distance) + hair, q(4)}));
+  }
+}
+
+TEST(Shrink, ReachesNoFartherThanPromisedAtAnyDistance) {
+  Random random(12);
+  const long km = 1'000'000;
+  const Region around = polygon(box_ring(-300 * km, -300 * km, 300 * km, 300 * km),
+                                {box_ring(-5000, -5000, 5000, 5000)});
+  for (const long distance : {9'260L, 100'000L}) {
+    const Region shrunk = around.shrink(q(distance));
+    for (const Point& u : angles(random)) {
+      EXPECT_FALSE(shrunk.contains(off_corner(u, q(distance) - hair))) << distance;
+      EXPECT_TRUE(shrunk.contains(off_corner(u, q(distance) + q(2, 1000)))) << distance;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rtac::geometry
