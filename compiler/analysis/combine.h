@@ -8,6 +8,7 @@
 
 #include "compiler/analysis/one_sided.h"
 #include "compiler/diagnostics/engine.h"
+#include "compiler/sema/nested_offsets.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::analysis {
@@ -43,6 +44,7 @@ class ZoneAlgebra {
   ZoneAlgebra(const sema::Spec& spec, diag::Engine& diagnostics)
       : spec_(spec),
         diagnostics_(diagnostics),
+        nested_(spec),
         one_sided_(spec),
         shapes_(2 * spec.zones.size()),
         visited_(2 * spec.zones.size(), false) {}
@@ -82,6 +84,7 @@ class ZoneAlgebra {
 
   const sema::Spec& spec_;
   diag::Engine& diagnostics_;
+  const sema::NestedOffsets nested_;
 
  private:
   // One by one, what is united already would be gone through for every part.

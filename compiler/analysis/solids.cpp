@@ -115,9 +115,10 @@ SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneOffset& node, const 
     diagnostics_.report(too_large(range));
     return std::nullopt;
   }
+  const std::size_t nested = nested_.with(node);
   const bool errs_well = shrinks == (side == Side::inner);
-  const Rational across = errs_well ? by : Rational(by - geometry::offset_excess_m());
-  return shrinks ? operand->shrink(across, by) : operand->grow(across, by);
+  const Rational across = errs_well ? by : Rational(by - geometry::offset_excess_m(nested));
+  return shrinks ? operand->shrink(across, by, nested) : operand->grow(across, by, nested);
 }
 
 void SolidEvaluator::report(Code code, const sema::Zone& zone, std::string message,

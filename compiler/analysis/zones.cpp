@@ -73,10 +73,11 @@ class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
       diagnostics_.report(too_large(range));
       return std::nullopt;
     }
+    const std::size_t nested = nested_.with(node);
     if (shrinks != (side == Side::inner)) {
-      by = std::max(Rational(by - geometry::offset_excess_m()), Rational(0));
+      by = std::max(Rational(by - geometry::offset_excess_m(nested)), Rational(0));
     }
-    Result moved = operand->offset(shrinks ? Rational(-by) : by);
+    Result moved = operand->offset(shrinks ? Rational(-by) : by, nested);
     if (!moved) diagnostics_.report(too_many_to_move(operand->vertices(), range));
     return moved;
   }

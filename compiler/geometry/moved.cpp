@@ -28,7 +28,6 @@ constexpr double excess_m = 2e-6;
 constexpr double um_per_m = 1e6;
 // Corners that move farther are left to the thorough way.
 constexpr double miter_max = 50;
-constexpr double farther_m_max = offset_excess_mm / 1e3;
 
 struct Vector {
   double x, y;
@@ -124,9 +123,11 @@ class Nearby {
 
 class Mover {
  public:
-  Mover(const std::vector<PolygonWithHoles>& parts, const Rational& distance, BandSide side)
+  Mover(const std::vector<PolygonWithHoles>& parts, const Rational& distance,
+        const Rational& excess, BandSide side)
       : parts_(parts),
         distance_m_(distance.get_d()),
+        farthest_m_(Rational(distance + excess).get_d() - certain_m),
         // the region is on the left of its edges
         left_(side == BandSide::interior) {}
 
@@ -195,9 +196,8 @@ class Mover {
   // The ends of every edge, of the one that it was.
   [[nodiscard]] bool stays_near() const {
     const std::vector<Segment> before = segments(parts_), now = segments(moved_);
-    const double most_m = distance_m_ + farther_m_max - certain_m;
     for (std::size_t i = 0; i < now.size(); ++i) {
-      if (std::max(distance(now[i].a, before[i]), distance(now[i].b, before[i])) > most_m) {
+      if (std::max(distance(now[i].a, before[i]), distance(now[i].b, before[i])) > farthest_m_) {
         return false;
       }
     }
@@ -249,7 +249,7 @@ class Mover {
   }
 
   const std::vector<PolygonWithHoles>& parts_;
-  double distance_m_;
+  double distance_m_, farthest_m_;
   bool left_;
   std::vector<PolygonWithHoles> moved_;
 };
@@ -257,8 +257,9 @@ class Mover {
 }  // namespace
 
 std::optional<std::vector<PolygonWithHoles>> moved_at_once(
-    const std::vector<PolygonWithHoles>& parts, const Rational& distance, BandSide side) {
-  return Mover(parts, distance, side).run();
+    const std::vector<PolygonWithHoles>& parts, const Rational& distance, const Rational& excess,
+    BandSide side) {
+  return Mover(parts, distance, excess, side).run();
 }
 
 }  // namespace rtac::geometry

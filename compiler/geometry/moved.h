@@ -10,10 +10,11 @@
 namespace rtac::geometry {
 
 // The parts less everything within `distance` (> 0) of their boundary, or with it (exterior), as
-// offsets are: never nearer to the boundary than that, and at most `offset_excess_mm` farther.
+// offsets are: never nearer to the boundary than that, and at most `excess` farther.
 // Verified; nullopt where it does not work out: edges that vanish, very sharp corners, rings that
 // touch, corners that would be round.
 std::optional<std::vector<PolygonWithHoles>> moved_at_once(
-    const std::vector<PolygonWithHoles>& parts, const Rational& distance, BandSide side);
+    const std::vector<PolygonWithHoles>& parts, const Rational& distance, const Rational& excess,
+    BandSide side);
 
 }  // namespace rtac::geometry

@@ -46,12 +46,12 @@ Rational scale_up(const Rational& distance, const Rational& squared_length) {
                  kEdgeExcessBits + static_cast<unsigned>(whole / 2 + 1));
 }
 
-// Directions enough that the corners of the circumscribed polygon stick out by no more than
-// `offset_excess_m`: half the angle between two directions is at most 1 / count, so by less than
+// Directions enough that the corners of the circumscribed polygon stick out by no more than the
+// excess: half the angle between two directions is at most 1 / count, so by less than
 // r (1 / cos(1 / count) - 1) < 0.6 r / count^2.
-std::size_t directions_for(const Rational& radius) {
+std::size_t directions_for(const Rational& radius, const Rational& excess) {
   constexpr std::int64_t fewest = 4;  // of which the bound above is true
-  const Rational square = Rational(3, 5) * radius / offset_excess_m();
+  const Rational square = Rational(3, 5) * radius / excess;
   return static_cast<std::size_t>(std::max(fewest, ceil_to_int(root_up(square, 0))));
 }
 
@@ -192,9 +192,9 @@ Ring inscribed(const Point& centre, const Rational& radius, const std::vector<Po
 }
 
 std::vector<Ring> boundary_band(const std::vector<PolygonWithHoles>& parts,
-                                const Rational& distance, BandSide side) {
+                                const Rational& distance, const Rational& excess, BandSide side) {
   Disc disc;
-  disc.normals = unit_directions(directions_for(distance));
+  disc.normals = unit_directions(directions_for(distance, excess));
   disc.corners = circumscribed(Point{}, distance, disc.normals);
   std::vector<Ring> pieces;
   for (const PolygonWithHoles& part : parts) {

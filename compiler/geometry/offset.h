@@ -24,10 +24,10 @@ Ring inscribed(const Point& centre, const Rational& radius, const std::vector<Po
 
 enum class BandSide { interior, exterior };
 
-// Counter-clockwise pieces that lie within distance + `offset_excess_mm` of the boundary of `parts`
-// and cover every point of the chosen side that is closer to it than `distance` (> 0), or exactly
-// as close. Their number grows with the square root of the distance.
+// Counter-clockwise pieces that lie within distance + excess of the boundary of `parts`, and cover
+// every point of the chosen side that is closer to it than `distance` (> 0), or exactly as close.
+// They have more corners the larger the distance and the smaller the excess (at least 1 um).
 std::vector<Ring> boundary_band(const std::vector<PolygonWithHoles>& parts,
-                                const Rational& distance, BandSide side);
+                                const Rational& distance, const Rational& excess, BandSide side);
 
 }  // namespace rtac::geometry

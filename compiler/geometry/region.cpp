@@ -50,9 +50,11 @@ struct Region::Impl {
 
   // Of large outlines: pieces for every edge and corner, united, take a hundred times as long.
   [[nodiscard]] std::optional<std::vector<PolygonWithHoles>> moved(const Rational& distance,
+                                                                   const Rational& excess,
                                                                    BandSide side) const {
     constexpr std::size_t vertices_large = 1000;
-    return vertices() < vertices_large ? std::nullopt : moved_at_once(parts, distance, side);
+    return vertices() < vertices_large ? std::nullopt
+                                       : moved_at_once(parts, distance, excess, side);
   }
 };
 
@@ -111,8 +113,10 @@ Region Region::circle(const Point& centre, const Rational& radius, bool inner) {
   return Region({PolygonWithHoles{canonical(ring), {}}});
 }
 
-Rational offset_excess_m() {
-  return Rational(static_cast<long>(offset_excess_mm)) / 1000;
+Rational offset_excess_m(std::size_t nested) {
+  // A share is longer than what straight edges give away (offset.cpp).
+  constexpr std::size_t nested_max = 1000;
+  return Rational(static_cast<long>(offset_excess_mm)) / 1000 / std::min(nested, nested_max);
 }
 
 Region Region::unite(const Region& other) const {
@@ -127,29 +131,37 @@ Region Region::subtract(const Region& other) const {
   return Region(overlay(impl_->rings(), other.impl_->rings(), Combine::subtract));
 }
 
-Region Region::shrink(const Rational& distance) const {
+Region Region::shrink(const Rational& distance, std::size_t nested) const {
   if (distance <= 0) return *this;
   if (impl_->vanishes(distance)) return {};
-  if (auto moved = impl_->moved(distance, BandSide::interior)) return Region(std::move(*moved));
+  const Rational excess = offset_excess_m(nested);
+  if (auto moved = impl_->moved(distance, excess, BandSide::interior)) {
+    return Region(std::move(*moved));
+  }
   return Region(overlay_band(impl_->rings(),
-                             boundary_band(impl_->parts, distance, BandSide::interior),
+                             boundary_band(impl_->parts, distance, excess, BandSide::interior),
                              Combine::subtract));
 }
 
-Region Region::grow(const Rational& distance) const {
+Region Region::grow(const Rational& distance, std::size_t nested) const {
   if (distance <= 0) return *this;
-  if (auto moved = impl_->moved(distance, BandSide::exterior)) return Region(std::move(*moved));
-  return Region(overlay_band(
-      impl_->rings(), boundary_band(impl_->parts, distance, BandSide::exterior), Combine::unite));
+  const Rational excess = offset_excess_m(nested);
+  if (auto moved = impl_->moved(distance, excess, BandSide::exterior)) {
+    return Region(std::move(*moved));
+  }
+  return Region(overlay_band(impl_->rings(),
+                             boundary_band(impl_->parts, distance, excess, BandSide::exterior),
+                             Combine::unite));
 }
 
-std::optional<Region> Region::offset(const Rational& distance) const {
+std::optional<Region> Region::offset(const Rational& distance, std::size_t nested) const {
   const bool grows = distance > 0;
   if (vertices() > offset_vertices_max && distance != 0) {
-    auto moved = impl_->moved(abs(distance), grows ? BandSide::exterior : BandSide::interior);
+    auto moved = impl_->moved(abs(distance), offset_excess_m(nested),
+                              grows ? BandSide::exterior : BandSide::interior);
     return moved ? std::optional(Region(std::move(*moved))) : std::nullopt;
   }
-  return grows ? grow(distance) : shrink(-distance);
+  return grows ? grow(distance, nested) : shrink(-distance, nested);
 }
 
 bool Region::empty() const {

@@ -60,9 +60,10 @@ inline constexpr std::size_t offset_vertices_max = 20'000;
 
 // How much farther than it is told an offset may reach, at most, whatever the distance: round
 // corners become polygons, of more edges the larger they are. Whoever needs the other side moves by
-// so much less.
+// so much less. Of offsets within one another, each takes its share: told how many there are, none
+// more than 1,000, they reach no farther together.
 inline constexpr std::int64_t offset_excess_mm = 2;
-Rational offset_excess_m();
+Rational offset_excess_m(std::size_t nested = 1);
 
 class Region {
  public:
@@ -89,15 +90,16 @@ class Region {
   // One-sided: every point of the result has a distance of at least `distance` to the complement.
   // The result may be smaller than the true erosion, by less than 1 mm where the boundary is
   // convex or straight; round reflex corners are polygonised from the inside, within
-  // `offset_excess_mm`. A distance of zero or less changes nothing.
-  [[nodiscard]] Region shrink(const Rational& distance) const;
-  // One-sided: contains every point within `distance` of the region; at most `offset_excess_mm`
-  // larger. A distance of zero or less changes nothing.
-  [[nodiscard]] Region grow(const Rational& distance) const;
+  // `offset_excess_m(nested)`. A distance of zero or less changes nothing.
+  [[nodiscard]] Region shrink(const Rational& distance, std::size_t nested = 1) const;
+  // One-sided: contains every point within `distance` of the region; at most
+  // `offset_excess_m(nested)` larger. A distance of zero or less changes nothing.
+  [[nodiscard]] Region grow(const Rational& distance, std::size_t nested = 1) const;
 
   // The region grown by `distance`, or shrunk by its amount if it is negative. nullopt: that would
   // take minutes, of more than `offset_vertices_max` vertices with corners that become round.
-  [[nodiscard]] std::optional<Region> offset(const Rational& distance) const;
+  [[nodiscard]] std::optional<Region> offset(const Rational& distance,
+                                             std::size_t nested = 1) const;
 
   [[nodiscard]] bool empty() const;
   [[nodiscard]] std::size_t vertices() const;

@@ -147,23 +147,23 @@ Solid Solid::subtract(const Solid& other) const {
   });
 }
 
-Solid Solid::grow(const Rational& across, const Rational& upright) const {
+Solid Solid::grow(const Rational& across, const Rational& upright, std::size_t nested) const {
   const Rational up = std::max(upright, Rational(0));
   std::vector<Slab> grown;
   for (const Slab& slab : slabs_) {
-    grown.push_back({slab.floor - up, slab.ceiling + up, slab.region.grow(across)});
+    grown.push_back({slab.floor - up, slab.ceiling + up, slab.region.grow(across, nested)});
   }
   return of_slabs(grown);
 }
 
 // At a height, all that is reached from it up and down has to fit: what is common to the slabs
 // there.
-Solid Solid::shrink(const Rational& across, const Rational& upright) const {
+Solid Solid::shrink(const Rational& across, const Rational& upright, std::size_t nested) const {
   const Rational up = std::max(upright, Rational(0));
   std::vector<Slab> shrunk;
   std::vector<Rational> heights;
   for (const Slab& slab : slabs_) {
-    shrunk.push_back({slab.floor, slab.ceiling, slab.region.shrink(across)});
+    shrunk.push_back({slab.floor, slab.ceiling, slab.region.shrink(across, nested)});
     for (const Rational& end : {slab.floor, slab.ceiling}) {
       heights.emplace_back(end - up);
       heights.emplace_back(end + up);

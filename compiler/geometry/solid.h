@@ -32,9 +32,12 @@ class Solid {
   [[nodiscard]] Solid subtract(const Solid& other) const;
   // What is reached by going up to `across` sideways, as Region::grow has it, and then up to
   // `upright` up or down: every place within the smaller of both, and more.
-  [[nodiscard]] Solid grow(const Rational& across, const Rational& upright) const;
+  // `nested`: as of regions.
+  [[nodiscard]] Solid grow(const Rational& across, const Rational& upright,
+                           std::size_t nested = 1) const;
   // The places from which all that is reached that way lies within, as Region::shrink has it.
-  [[nodiscard]] Solid shrink(const Rational& across, const Rational& upright) const;
+  [[nodiscard]] Solid shrink(const Rational& across, const Rational& upright,
+                             std::size_t nested = 1) const;
 
   [[nodiscard]] bool empty() const { return slabs_.empty(); }
   [[nodiscard]] bool contains(const Point& p, const Rational& z) const;  // closed

@@ -163,8 +163,10 @@ struct Solids::Evaluate {
     const Rational upright = abs(node.distance);
     const bool shrinks = sgn(node.distance) < 0;
     Rational across = upright;
-    if (shrinks != (bound == Bound::within)) across -= geometry::offset_excess_m();
-    return shrinks ? operand->shrink(across, upright) : operand->grow(across, upright);
+    const std::size_t nested = solids.nested_.with(node);
+    if (shrinks != (bound == Bound::within)) across -= geometry::offset_excess_m(nested);
+    return shrinks ? operand->shrink(across, upright, nested)
+                   : operand->grow(across, upright, nested);
   }
   // Zones of the plane stand under a prism.
   template <class Flat>
@@ -174,7 +176,7 @@ struct Solids::Evaluate {
 };
 
 Solids::Solids(const sema::Spec& spec, Base base)
-    : spec_(spec), base_(std::move(base)), known_(spec.zones.size()) {}
+    : spec_(spec), nested_(spec), base_(std::move(base)), known_(spec.zones.size()) {}
 
 const Solids::Solid& Solids::solid(sema::ZoneId zone, Bound bound) {
   std::optional<Solid>& known =

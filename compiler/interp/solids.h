@@ -10,6 +10,7 @@
 #include "compiler/geometry/solid.h"
 #include "compiler/interp/outline.h"
 #include "compiler/interp/span.h"
+#include "compiler/sema/nested_offsets.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::interp {
@@ -81,6 +82,7 @@ class Solids {
   const Known& surfaces(sema::ZoneId zone);
 
   const sema::Spec& spec_;
+  const sema::NestedOffsets nested_;
   Base base_;
   std::vector<Known> known_;
 };

@@ -123,13 +123,15 @@ struct Zones::Evaluate {
     if (!operand) return std::nullopt;
     Rational by = abs(node.distance);
     const bool shrinks = sgn(node.distance) < 0;
-    if (shrinks != (bound == Bound::within)) by -= geometry::offset_excess_m();
-    return shrinks ? operand->shrink(by) : operand->grow(by);
+    const std::size_t nested = zones.nested_.with(node);
+    if (shrinks != (bound == Bound::within)) by -= geometry::offset_excess_m(nested);
+    return shrinks ? operand->shrink(by, nested) : operand->grow(by, nested);
   }
 };
 
 Zones::Zones(const sema::Spec& spec)
     : spec_(spec),
+      nested_(spec),
       known_(spec.zones.size()),
       solids_(spec, [this](const sema::ZoneExpr& base, Bound bound) {
         return std::visit(Evaluate{*this, bound}, base.node);

@@ -11,6 +11,7 @@
 #include "compiler/interp/received.h"
 #include "compiler/interp/solids.h"
 #include "compiler/interp/span.h"
+#include "compiler/sema/nested_offsets.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::interp {
@@ -70,6 +71,7 @@ class Zones {
     std::unique_ptr<Outline> robots_around;  // of one that is received, to stay outside of
   };
   const sema::Spec& spec_;
+  const sema::NestedOffsets nested_;
   std::vector<Known> known_;
   Solids solids_;
 };

@@ -67,7 +67,7 @@ const Parts& island() {
 // Vertices of either boundary are at that distance from the other one, at least, and at most 2 mm
 // more; and the result lies on the right side, exactly.
 void expect_moved(const Rational& by, BandSide side) {
-  const auto moved = moved_at_once(island(), by, side);
+  const auto moved = moved_at_once(island(), by, offset_excess_m(), side);
   ASSERT_TRUE(moved);
   const Region before = region_of(island()), after = region_of(*moved);
   EXPECT_TRUE(side == BandSide::interior ? before.contains(after) : after.contains(before));
@@ -99,29 +99,48 @@ TEST(Moved, OutwardsKeepsTheDistance) {
 // The same to a millimetre or two as the thorough way, which is the reference.
 TEST(Moved, IsAsTheThoroughWay) {
   const Rational by(3, 1000), more(3, 500);
-  const auto moved = moved_at_once({island()[1]}, by, BandSide::interior);
+  const auto moved = moved_at_once({island()[1]}, by, offset_excess_m(), BandSide::interior);
   ASSERT_TRUE(moved);
   const Region small = region_of({island()[1]});
   EXPECT_TRUE(small.shrink(Rational(1, 1000)).contains(region_of(*moved)));
   EXPECT_TRUE(region_of(*moved).contains(small.shrink(more)));
 }
 
+// A turn of 2 mrad to go round at a distance of 4 km is 2 mm farther at the corner that stays
+// sharp, 1 mm at 2 km.
+TEST(Moved, CornersThatGoTooFarAreLeft) {
+  const Parts dented = {{{at(-1e5, 0), at(0, 100), at(1e5, 0), at(1e5, 1e5), at(-1e5, 1e5)}, {}}};
+  const auto moves = [&](long distance_m, std::size_t nested) {
+    return moved_at_once(dented, distance_m, offset_excess_m(nested), BandSide::interior)
+        .has_value();
+  };
+  EXPECT_TRUE(moves(3'990, 1));
+  EXPECT_FALSE(moves(4'010, 1));
+  EXPECT_TRUE(moves(1'990, 2));
+  EXPECT_FALSE(moves(2'010, 2));
+}
+
 // What would vanish, fold over itself or touch is not attempted.
 TEST(Moved, LeavesWhatDoesNotWorkOut) {
   const Parts needle = {{{at(0, 0), at(100, 0), at(100, 0.5)}, {}}};
-  EXPECT_FALSE(moved_at_once(needle, Rational(1), BandSide::interior)) << "nothing is left";
+  EXPECT_FALSE(moved_at_once(needle, Rational(1), offset_excess_m(), BandSide::interior))
+      << "nothing is left";
   const Parts neck = {{{at(0, 0), at(10, 0), at(10, 4.9), at(20, 4.9), at(20, 0), at(30, 0),
                         at(30, 10), at(20, 10), at(20, 5.1), at(10, 5.1), at(10, 10), at(0, 10)},
                        {}}};
-  EXPECT_FALSE(moved_at_once(neck, Rational(1, 5), BandSide::interior)) << "it falls in two";
-  EXPECT_FALSE(moved_at_once(neck, Rational(1, 5), BandSide::exterior)) << "corners are round";
+  EXPECT_FALSE(moved_at_once(neck, Rational(1, 5), offset_excess_m(), BandSide::interior))
+      << "it falls in two";
+  EXPECT_FALSE(moved_at_once(neck, Rational(1, 5), offset_excess_m(), BandSide::exterior))
+      << "corners are round";
   const Parts gap = {{{at(0, 0), at(10, 0), at(10, 10), at(0, 10)}, {}},
                      {{at(10.001, 0), at(20, 0), at(20, 10), at(10.001, 10)}, {}}};
-  EXPECT_FALSE(moved_at_once(gap, Rational(1, 1000), BandSide::exterior)) << "two become one";
-  EXPECT_TRUE(moved_at_once(gap, Rational(1, 1000), BandSide::interior));
+  EXPECT_FALSE(moved_at_once(gap, Rational(1, 1000), offset_excess_m(), BandSide::exterior))
+      << "two become one";
+  EXPECT_TRUE(moved_at_once(gap, Rational(1, 1000), offset_excess_m(), BandSide::interior));
   const Parts filled = {{{at(0, 0), at(10, 0), at(10, 10), at(0, 10)},
                          {{at(5, 5), at(5, 5.001), at(5.001, 5.001), at(5.001, 5)}}}};
-  EXPECT_FALSE(moved_at_once(filled, Rational(1, 1000), BandSide::exterior)) << "the hole is gone";
+  EXPECT_FALSE(moved_at_once(filled, Rational(1, 1000), offset_excess_m(), BandSide::exterior))
+      << "the hole is gone";
 }
 
 // One that a part lies in: the hole of another one, before and after.
@@ -129,7 +148,7 @@ TEST(Moved, KeepsPartsInHolesApart) {
   const Parts nested = {{star(0, 0, 500, 300, 1), {star(0, 0, 200, 200, 2, true)}},
                         {star(0, 0, 100, 200, 3), {}}};
   for (const BandSide side : {BandSide::interior, BandSide::exterior}) {
-    const auto moved = moved_at_once(nested, Rational(1, 1000), side);
+    const auto moved = moved_at_once(nested, Rational(1, 1000), offset_excess_m(), side);
     ASSERT_TRUE(moved);
     EXPECT_EQ(region_of(*moved).polygons().size(), 2U);
   }

@@ -216,5 +216,19 @@ TEST(Shrink, ReachesNoFartherThanPromisedAtAnyDistance) {
   }
 }
 
+// Each takes its share: as many as there are, one within another, stay within the promise together.
+TEST(Grow, OffsetsWithinOneAnotherShareWhatIsGivenAway) {
+  Random random(13);
+  const Region square = box(-5000, -5000, 5000, 5000);
+  const Region twice = square.grow(q(12'000), 2).grow(q(5'000), 2);
+  const Region back = square.grow(q(12'000), 2).shrink(q(5'000) - offset_excess_m(2), 2);
+  for (const Point& u : angles(random)) {
+    EXPECT_TRUE(twice.contains(off_corner(u, q(17'000))));
+    EXPECT_FALSE(twice.contains(off_corner(u, q(17'000) + q(2, 1000) + hair)));
+    EXPECT_TRUE(back.contains(off_corner(u, q(7'000))));
+    EXPECT_FALSE(back.contains(off_corner(u, q(7'000) + q(2, 1000) + hair)));
+  }
+}
+
 }  // namespace
 }  // namespace rtac::geometry
