@@ -54,9 +54,13 @@ std::int64_t clearance_mm(const ir::ZoneTable& zone, std::int64_t x_mm, std::int
 class AtItsWorst {
  public:
   // `clearance_mm`: beyond what the property asks for.
-  AtItsWorst(const ir::Module& module, const ir::Decision& decision, const ir::Block& property,
+  AtItsWorst(const ir::Module& module, const ir::Decision& decision, const ir::Monitor& monitor,
              std::int64_t clearance_mm)
-      : module_(module), decision_(decision), property_(property), clearance_mm_(clearance_mm) {}
+      : module_(module),
+        decision_(decision),
+        property_(monitor.property),
+        way_(monitor.recovery),
+        clearance_mm_(clearance_mm) {}
 
   // Whether a robot may stay there; what does not depend on the place is taken to hold.
   [[nodiscard]] bool allows(std::int64_t x_mm, std::int64_t y_mm) const {
@@ -79,9 +83,11 @@ class AtItsWorst {
     if (const auto* v = std::get_if<ir::AtLeast>(&op)) {
       const auto bound = ir::lower_bound(property_, *v, decision_.facts.params);
       if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return true;
-      const ir::ZoneTable& zone = module_[ir::ZoneIndex(bound->leaf.table)];
+      const ir::ZoneIndex zone{bound->leaf.table};
       const std::int64_t own_mm = std::max<std::int64_t>(bound->need.strictest, 0);
-      return clearance_mm(zone, x_mm, y_mm) >= clearance_mm_ + own_mm;
+      const std::int64_t beside_mm =
+          ir::leave_beside_mm(way_, zone, decision_.body.radius_mm + own_mm);
+      return clearance_mm(module_[zone], x_mm, y_mm) >= clearance_mm_ + own_mm + beside_mm;
     }
     return true;
   }
@@ -89,6 +95,7 @@ class AtItsWorst {
   const ir::Module& module_;
   const ir::Decision& decision_;
   const ir::Block& property_;
+  const ir::Recovery& way_;
   std::int64_t clearance_mm_;
 };
 
@@ -250,6 +257,8 @@ class Planner {
     ir::Recovery& recovery = monitor.recovery;
     const ir::SiteTable& site = module_[recovery.site];
     std::int64_t far_mm = 0, clearance_mm = decision_.body.radius_mm;
+    const std::int64_t cell_mm = module_[recovery.zone].cells.cell_mm;
+    recovery.leave_beside_mm = std::max<std::int64_t>(0, join_mm(recovery, cell_mm));
     crosses(monitor);
     for (std::size_t r = 0; r < site.places.size(); ++r) {
       if (site.table_of(r) != r) continue;
@@ -259,10 +268,24 @@ class Planner {
       far_mm = std::max(far_mm, *farthest);
     }
     const Rational seconds =
-        travel_seconds(kind_, Rational(recovery.speed_mmps, 1000), decision_.period_us,
-                       module_[recovery.zone].cells.cell_mm, std::max<std::int64_t>(far_mm, 0));
+        travel_seconds(kind_, Rational(recovery.speed_mmps, 1000), decision_.period_us, cell_mm,
+                       std::max<std::int64_t>(far_mm, 0));
     recovery.leave_least_mm = clearance_mm - decision_.body.radius_mm;
     recovery.leave_us = std::max(stop_us(), whole_ms_us(seconds));
+  }
+
+  // What a way loses of its clearance as it joins its cells: its first leg leads to the centre of
+  // one, and steering leaves something beside that; less the room that the look-ahead finds clear
+  // around a stop for the hold, which other robots might use up.
+  [[nodiscard]] std::int64_t join_mm(const ir::Recovery& recovery, std::int64_t cell_mm) const {
+    constexpr std::int64_t joins_mm = 10, table_mm = 4;  // with some to spare; on either side
+    sema::RobotKind alone = kind_;
+    alone.hears_max_age.reset();
+    const ir::Body body = body_of(alone, decision_.period_us, decision_.body.jitter_us);
+    const std::int64_t half_diagonal_mm = (cell_mm * 7072 + 9999) / 10'000;
+    const Rational speed(recovery.speed_mmps, 1000);
+    return half_diagonal_mm + beside_mm(kind_, speed, decision_.period_us) + joins_mm + table_mm -
+           body.hold_mm;
   }
 
   // A way knows its zone alone, and leads through what comes or goes: before its time, as it has to
@@ -315,14 +338,15 @@ class Planner {
                    const ir::SiteTable::Place& place) {
     const ir::Recovery& way = monitor.recovery;
     const std::int64_t need_mm = way.return_clearance_mm - standoff_mm(decision_, way);
-    if (AtItsWorst(module_, decision_, monitor.property, need_mm).allows(place.x_mm, place.y_mm)) {
+    if (AtItsWorst(module_, decision_, monitor, need_mm).allows(place.x_mm, place.y_mm)) {
       return true;
     }
     report(Code::window_without_way_out, monitor,
            "the recovery `" + monitor.recovery.name + "` ends at `" + site.name + "`, " +
                place_text(place.x_mm, place.y_mm) + ", where it matters when `" +
                zone_name(monitor) + "` changes",
-           "a site with a clearance of " + metres(need_mm + asked_most_mm(monitor)) +
+           "a site with a clearance of " +
+               metres(need_mm + asked_most_mm(monitor) + way.leave_beside_mm) +
                " works, whether that zone is there or not");
     return false;
   }

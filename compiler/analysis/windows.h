@@ -18,8 +18,8 @@ struct WindowTables {
   std::function<std::int32_t(std::int32_t)> connector_mm;
 };
 
-// Sets `leave_us` and `leave_least_mm` of the recoveries of monitors that speak of such zones;
-// reports 5030, 5031 and 5032. Needs the clearances of the recoveries.
+// Sets `leave_us`, `leave_least_mm` and `leave_beside_mm` of the recoveries of monitors that speak
+// of such zones; reports 5030, 5031 and 5032. Needs the clearances of the recoveries.
 void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
                   ir::Decision& decision, const WindowTables& tables, diag::Engine& diagnostics);
 

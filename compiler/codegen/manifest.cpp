@@ -35,6 +35,7 @@ Json monitor(const Monitor& m, const Decision& d) {
   j["sound"] = m.lookahead.duration && !m.lookahead.too_short && !m.lookahead.points_only;
   j["return_clearance_mm"] = m.recovery.return_clearance_mm;
   if (m.recovery.leave_us > 0) j["leave_us"] = m.recovery.leave_us;
+  if (m.recovery.leave_beside_mm > 0) j["leave_beside_mm"] = m.recovery.leave_beside_mm;
   if (!m.return_text.empty()) j["return_when"] = m.return_text;
   if (!m.hold_reason.empty()) j["hold_when_violated"] = m.hold_reason;
   return j;

@@ -604,8 +604,15 @@ struct Recovery {
   std::int64_t leave_us = 0;
   // A route knows ways from wherever the body keeps so much from the boundary of its zone.
   std::int64_t leave_least_mm = 0;
+  // What its first leg, to the centre of a cell, may lead nearer to what the property asks to keep
+  // off; the look-ahead of the monitor asks for so much more.
+  std::int64_t leave_beside_mm = 0;
   std::int64_t land_mm = 0;  // of a landing: how high the centre ends
 };
+// Of a zone from whose boundary the centre keeps `asked_mm`: cells of the own one keep enough.
+inline std::int64_t leave_beside_mm(const Recovery& r, ZoneIndex zone, std::int64_t asked_mm) {
+  return zone == r.zone && asked_mm <= r.route_clearance_mm ? 0 : r.leave_beside_mm;
+}
 // It knows a zone and moves within it.
 inline bool moves(RecoveryKind kind) {
   return kind == RecoveryKind::retreat || kind == RecoveryKind::route ||

@@ -77,15 +77,11 @@ Point back(const Point& p) {
 // direction lies between the two, or no further than half a cell beside the place.
 class Ways {
  public:
-  // The robot sets out from places that are `starts` from the walls; its hold has `room` to spare.
-  Ways(Rectangle own, const Cells& cells, Rational starts, Rational route, Rational room,
-       std::vector<Point> sites)
+  Ways(Rectangle own, const Cells& cells, Rational route, std::vector<Point> sites)
       : own_(std::move(own)),
         cells_(cells),
         cell_(milli(cells.cell_mm)),
-        starts_(std::move(starts)),
         route_(std::move(route)),
-        room_(std::move(room)),
         sites_(std::move(sites)),
         ring_({{own_.left, own_.low},
                {own_.right, own_.low},
@@ -96,7 +92,7 @@ class Ways {
     const auto is = [](std::int64_t mm, const Rational& m) {
       return abs(Rational(milli(mm) - m)) <= Rational(3, 1000);
     };
-    return cells_.cell_mm >= 100 && is(cells_.x_mm, own_.left) && is(cells_.y_mm, own_.low);
+    return is(cells_.x_mm, own_.left) && is(cells_.y_mm, own_.low) && is_their_width();
   }
   // Every site is so far from the walls that a way ends with a straight leg.
   [[nodiscard]] bool end_straight() const { return all_sites_off(route_ + cell_); }
@@ -119,9 +115,8 @@ class Ways {
     }
     return most;
   }
-  // Why a way may lead nearer to the boundary of a zone than where it sets out, where that is
-  // `asked` from it at least, and than legs keep off walls; by half a cell where a hold has room
-  // for that.
+  // Why a way may lead nearer to the boundary of a zone than `asked`, and than legs keep off walls.
+  // By what its first leg may, which leads to the centre of a cell, the look-ahead asks for more.
   [[nodiscard]] std::optional<std::string> near(const geometry::Region& zone,
                                                 const Rational& asked) const {
     const Rational keeps = std::max(route_, asked);
@@ -130,10 +125,6 @@ class Ways {
         const Point &a = ring[i], &b = ring[(i + 1) % ring.size()],
                     &c = ring[(i + 2) % ring.size()];
         if (lies_before(a, b, keeps) && !passes(a, b, keeps)) return "the site does not see it";
-        if (lies_before(a, b, keeps) && joins_near(a, b, asked, keeps) && room_ < cell_ / 2 &&
-            !joins_across(a, b, keeps)) {
-          return "a way may begin with a leg that leads nearer";
-        }
         if (lies_round(a, b, c, keeps) && !goes_round(a, b, c, keeps)) {
           return "a way may pass a corner";
         }
@@ -143,6 +134,21 @@ class Ways {
   }
 
  private:
+  // The least whole centimetres, 10 cm at least, of which there are not too many; a table may be
+  // off by `table`.
+  [[nodiscard]] bool is_their_width() const {
+    const Rational step(1, 100), most = 40'000;
+    const auto count = [&](const Rational& cell, const Rational& more) {
+      const auto along = [&](const Rational& length) {
+        return Rational(static_cast<long>(ceil_to_int(Rational((length + more) / cell))));
+      };
+      return Rational(along(own_.right - own_.left) * along(own_.top - own_.low));
+    };
+    if (cells_.cell_mm % 10 != 0 || cells_.cell_mm < 100 || count(cell_, -table) > most) {
+      return false;
+    }
+    return cells_.cell_mm == 100 || count(cell_ - step, table) > most;
+  }
   // Of the centres of cells that a way may begin with (runtime/core/grid_route.cpp).
   [[nodiscard]] Rational reach() const {
     return std::max(Rational(2, 5), Rational(2 * cell_)) + cell_ * 4 / 5;
@@ -207,34 +213,6 @@ class Ways {
     return std::ranges::all_of(
         sites_, [&](const Point& p) { return in_front(a, b, p) >= keeps + cell_ / 2; });
   }
-  // The centre of a cell that a way may begin with lies nearer to it than legs keep off walls.
-  [[nodiscard]] bool joins_near(const Point& a, const Point& b, const Rational& asked,
-                                const Rational& keeps) const {
-    bool is_near = false;
-    const bool column = a.x == b.x;
-    for_each_centre(column, route_ - table, [&](const Rational& at) {
-      const Rational off = in_front(a, b, column ? Point{at, a.y} : Point{a.x, at});
-      is_near = is_near || (off >= asked - cell_ / 2 && off < keeps - table);
-    });
-    return is_near;
-  }
-  // All cells that a way may begin with are in reach of the search, with those beside them, and
-  // from each of them a step away from the edge shortens the way over cells by all of its length:
-  // it is farther to the site across the edge than along it.
-  [[nodiscard]] bool joins_across(const Point& a, const Point& b, const Rational& keeps) const {
-    const Rational reach = this->reach();
-    for (const bool column : {true, false}) {
-      const Rational deep = deepest(column) - starts_;
-      if (deep > 0 && deep * deep + cell_ * cell_ > reach * reach) return false;
-    }
-    const bool column = a.x == b.x;
-    const Rational &low = column ? own_.low : own_.left, &high = column ? own_.top : own_.right;
-    return std::ranges::all_of(sites_, [&](const Point& p) {
-      const Rational at = column ? p.y : p.x;
-      const Rational along = std::max(Rational(at - low), Rational(high - at)) - route_ + cell_ / 2;
-      return in_front(a, b, p) - cell_ / 2 - keeps >= along + cell_;
-    });
-  }
   // What is near the corner is so far from the walls that ways from there are straight.
   [[nodiscard]] bool goes_round(const Point& a, const Point& b, const Point& c,
                                 const Rational& keeps) const {
@@ -252,7 +230,7 @@ class Ways {
 
   const Rectangle own_;
   const Cells cells_;
-  const Rational cell_, starts_, route_, room_;
+  const Rational cell_, route_;
   const std::vector<Point> sites_;
   const geometry::Ring ring_;
 };
@@ -273,54 +251,32 @@ std::optional<Doubt> is_free(const sema::Spec& spec, const sema::Decision& d,
   return std::nullopt;
 }
 
-// How far from the boundary of a zone in the plane the centre of a robot surely is, wherever
-// something that is said of zones holds; nullopt: it may be anywhere.
-std::optional<Rational> kept_off(Claims& claims, const sema::Expr& e, sema::ZoneId own) {
+// Whether the centre of a robot surely is in a zone of the plane, wherever something holds.
+bool keeps_in(Claims& claims, const sema::Expr& e, sema::ZoneId own) {
   if (const auto* logic = std::get_if<sema::Logic>(&e.node)) {
-    const bool all = logic->op == sema::LogicOp::logical_and;
-    if (!all && logic->op != sema::LogicOp::logical_or) return std::nullopt;
-    std::optional<Rational> kept;
-    for (const sema::ExprPtr& each : logic->operands) {
-      const auto part = kept_off(claims, *each, own);
-      if (!part && !all) return std::nullopt;
-      if (part && (!kept || (all ? *part > *kept : *part < *kept))) kept = part;
+    const auto keeps = [&](const sema::ExprPtr& each) { return keeps_in(claims, *each, own); };
+    if (logic->op == sema::LogicOp::logical_and) {
+      return std::ranges::any_of(logic->operands, keeps);
     }
-    return kept;
+    return logic->op == sema::LogicOp::logical_or && std::ranges::all_of(logic->operands, keeps);
   }
   const auto zones = kept_in(e);
-  if (zones.size() != 1) return std::nullopt;
-  const geometry::Region *const in = claims.zones().region(zones.front()), *const out =
-                                                                               claims.zones()
-                                                                                   .region(own);
-  if (in == nullptr || out == nullptr || !out->contains(*in)) return std::nullopt;
-  return sure_gap_of(e, zones.front());
+  if (zones.size() != 1) return false;
+  const geometry::Region* const in = claims.zones().region(zones.front());
+  const geometry::Region* const out = claims.zones().region(own);
+  return in != nullptr && out != nullptr && out->contains(*in);
 }
 // By what any monitor says that looks ahead, and that nobody may break.
-std::optional<Rational> starts_off(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
-                                   sema::ZoneId own) {
-  std::optional<Rational> most;
-  for (const sema::MonitorId id : d.priority) {
+bool stays_in(const sema::Spec& spec, const sema::Decision& d, Claims& claims, sema::ZoneId own) {
+  return std::ranges::any_of(d.priority, [&](sema::MonitorId id) {
     const sema::Ahead& ahead = spec[id].ahead;
     const bool looks =
         !ahead.waypoints_only && !ahead.duration_unsound && ahead.unsound_reason.empty();
     const bool broken = !looks || std::ranges::any_of(d.acknowledgements, [&](const auto& a) {
       return a.monitor == id;
     });
-    const auto kept = broken ? std::nullopt : kept_off(claims, *spec[id].always, own);
-    if (kept && (!most || *kept > *most)) most = kept;
-  }
-  if (most) *most += spec[d.kind].radius.value;
-  return most;
-}
-
-// What the look-ahead finds clear around a stop for the hold, but for what steering leaves beside a
-// leg, and for what a way loses as it joins its cells; a point mass stays within that of its place.
-Rational room_of(const sema::Spec& spec, const sema::Decision& d,
-                 const sema::Controller& recovery) {
-  const Rational strays(1, 100);
-  const auto beside = beside_leg(spec[d.kind], d, recovery);
-  if (!beside) return 0;
-  return numbers_of(spec[d.kind], d, jitter_of(spec, d)).hold - *beside - strays;
+    return !broken && keeps_in(claims, *spec[id].always, own);
+  });
 }
 
 // What is asked with all zones at their worst is kept on every way.
@@ -374,10 +330,9 @@ std::optional<Doubt> check_leaving(const sema::Spec& spec, const sema::Decision&
   for (const auto& place : spec[way->site].places) {
     sites.push_back({place.position.x, place.position.y});
   }
-  const auto off = starts_off(spec, decision, claims, *zone);
-  if (!off) return wrong("nothing keeps the robot in the zone of the ways");
-  const Ways ways(*own, {*cell, *x, *y}, *off, milli(*route), room_of(spec, decision, recovery),
-                  sites);
+  if (!stays_in(spec, decision, claims, *zone))
+    return wrong("nothing keeps the robot in the zone of the ways");
+  const Ways ways(*own, {*cell, *x, *y}, milli(*route), sites);
   if (!ways.are_its_cells()) return wrong("the cells are not those of the zone");
   if (!ways.end_straight()) return wrong("the site is too near to the boundary of the zone");
   if (auto doubt = keeps_off(spec, decision, claims, monitor, ways, *zone)) return doubt;

@@ -8,7 +8,6 @@
 
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
-#include "compiler/analysis/travel.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -19,9 +18,6 @@ namespace {
 
 // What tables and exact zones may differ by, on either side.
 constexpr std::int64_t grid_mm = 4;
-
-// What a way loses of its clearance as it joins its cells, with some to spare.
-constexpr std::int64_t stray_mm = 10;
 
 struct Box {
   std::int64_t left, low, right, top;
@@ -88,18 +84,13 @@ std::optional<Box> rectangle(const ir::ZoneTable& zone) {
 // than half a cell beside the place, in either direction (runtime/core/grid_route.cpp).
 class Ways {
  public:
-  // The robot sets out from places that are `starts_mm` from the walls.
-  Ways(const Subject& s, const ir::Recovery& recovery, const Box& own, std::int64_t starts_mm)
+  Ways(const Subject& s, const ir::Recovery& recovery, const Box& own)
       : s_(s),
-        zone_(s.module[recovery.zone]),
         site_(s.module[recovery.site]),
-        cells_(zone_.cells),
+        cells_(s.module[recovery.zone].cells),
         own_(own),
-        starts_mm_(starts_mm),
         route_mm_(recovery.route_clearance_mm),
-        half_mm_((cells_.cell_mm + 1) / 2),
-        beside_mm_(analysis::beside_mm(s.kind, Rational(recovery.speed_mmps, 1000),
-                                       s.decision.period_us)) {}
+        half_mm_((cells_.cell_mm + 1) / 2) {}
 
   [[nodiscard]] std::string site_off() const {
     const Box clear = around(own_, -(route_mm_ + cells_.cell_mm + grid_mm));
@@ -123,7 +114,6 @@ class Ways {
     const std::int64_t near_mm = keeps_mm + cells_.cell_mm + grid_mm;
     for (const ir::Edge& e : zone.edges) {
       if (std::string why = past(e, keeps_mm, near_mm); !why.empty()) return why;
-      if (std::string why = beside(e, asked_mm, keeps_mm, near_mm); !why.empty()) return why;
       for (const ir::Edge& next : zone.edges) {
         if (next.ax != e.bx || next.ay != e.by || !turns_right(e, next)) continue;
         if (std::string why = corner(e, next, keeps_mm, near_mm); !why.empty()) return why;
@@ -158,77 +148,6 @@ class Ways {
     }
     return "";
   }
-  // Beside the walls a way begins with a leg to the centre of a cell, which may lie nearer to an
-  // edge by half a cell: a hold may have room for that. Of all cells in reach it is the one with
-  // the shortest way in all. It lies no nearer than the place where the robot sets out if the site
-  // is farther from there across the edge than along it, as a step across shortens what is left by
-  // all of its length then.
-  [[nodiscard]] std::string beside(const ir::Edge& e, std::int64_t asked_mm, std::int64_t keeps_mm,
-                                   std::int64_t near_mm) const {
-    if (!matters(e, near_mm) || !joins_near(e, asked_mm, keeps_mm) || has_room()) return "";
-    const std::string leads = "beside the walls of " + quoted(zone_.name) +
-                              " ways begin with a leg that may lead nearer to " + text_of(e) + ": ";
-    const std::int64_t off_walls_mm = in_reach_from_mm();
-    if (starts_mm_ < off_walls_mm) {
-      return leads + "a monitor that keeps " + metres(off_walls_mm - s_.decision.body.radius_mm) +
-             " off them works";
-    }
-    for (const ir::SiteTable::Place& p : site_.places) {
-      const std::int64_t need_mm = across_mm(e, keeps_mm, p);
-      if (off_mm(e, p.x_mm, p.y_mm) >= need_mm) continue;
-      return leads + "a site that is " + metres(need_mm) + " in front of that works, beside " +
-             place(p.x_mm, p.y_mm);
-    }
-    return "";
-  }
-  // Whether a first leg may end near it, nearer than legs keep.
-  [[nodiscard]] bool joins_near(const ir::Edge& e, std::int64_t asked_mm,
-                                std::int64_t keeps_mm) const {
-    const bool upright = e.ax == e.bx;
-    const std::int64_t from_mm = upright ? cells_.origin_x_mm : cells_.origin_y_mm;
-    const std::int64_t count = upright ? cells_.columns : cells_.rows;
-    for (std::int64_t k = 0; k < count; ++k) {
-      const std::int64_t at_mm = from_mm + k * cells_.cell_mm;
-      if (!may_be_on_a_way(upright, at_mm)) continue;
-      const std::int64_t centre_mm = at_mm + cells_.cell_mm / 2;
-      const std::int64_t off = upright ? off_mm(e, centre_mm, 0) : off_mm(e, 0, centre_mm);
-      if (off >= asked_mm - half_mm_ - grid_mm && off < keeps_mm - grid_mm) return true;
-    }
-    return false;
-  }
-  // For half a cell, and for what steering leaves beside a leg: what the look-ahead finds clear
-  // around a stop for the hold, which lets no other robots rely on it.
-  [[nodiscard]] bool has_room() const {
-    sema::RobotKind alone = s_.kind;
-    alone.hears_max_age.reset();
-    const ir::Decision& d = s_.decision;
-    const ir::Body body = analysis::body_of(alone, d.period_us, d.body.jitter_us);
-    return body.hold_mm >= half_mm_ + beside_mm_ + stray_mm + grid_mm;
-  }
-  // How far from the walls a place has to be so that the cells that its way begins with, and those
-  // beside them, are in reach of the search.
-  [[nodiscard]] std::int64_t in_reach_from_mm() const {
-    const std::int64_t cell_mm = cells_.cell_mm;
-    const std::int64_t reach_mm = std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm * 4 / 5;
-    const double square = double(reach_mm * reach_mm - cell_mm * cell_mm);
-    return route_mm_ + cell_mm + half_mm_ + grid_mm -
-           static_cast<std::int64_t>(std::floor(std::sqrt(square)));
-  }
-  // How far in front of an edge a site has to be.
-  [[nodiscard]] std::int64_t across_mm(const ir::Edge& e, std::int64_t keeps_mm,
-                                       const ir::SiteTable::Place& p) const {
-    const bool upright = e.ax == e.bx;
-    const std::int64_t at = upright ? p.y_mm : p.x_mm;
-    const std::int64_t low = upright ? own_.low : own_.left;
-    const std::int64_t high = upright ? own_.top : own_.right;
-    const std::int64_t along_mm = std::max(at - low, high - at) - route_mm_;
-    return keeps_mm + along_mm + 2 * cells_.cell_mm + 2 * grid_mm;
-  }
-  [[nodiscard]] bool may_be_on_a_way(bool upright, std::int64_t at_mm) const {
-    const std::int64_t low = upright ? own_.left : own_.low, high = upright ? own_.right : own_.top;
-    const std::int64_t least_mm = route_mm_ - grid_mm;
-    return at_mm >= low + least_mm && at_mm + cells_.cell_mm <= high - least_mm;
-  }
   // A corner that points into what is left: the site has both of its edges in front of it, and it
   // is so far from the walls that ways from near it are straight.
   [[nodiscard]] std::string corner(const ir::Edge& e, const ir::Edge& next, std::int64_t keeps_mm,
@@ -252,51 +171,44 @@ class Ways {
   }
 
   const Subject& s_;
-  const ir::ZoneTable& zone_;
   const ir::SiteTable& site_;
   const ir::Cells& cells_;
   const Box own_;
-  const std::int64_t starts_mm_, route_mm_, half_mm_, beside_mm_;
+  const std::int64_t route_mm_, half_mm_;
 };
 
-// How far from the boundary of the zone of the ways the centre of the robot surely is, by what any
-// monitor says that looks ahead, and that nobody may break; nullopt: it may be anywhere.
-class Starts {
+// Whether the centre of the robot surely is in the zone of the ways, by what any monitor says that
+// looks ahead, and that nobody may break.
+class Stays {
  public:
-  Starts(const Subject& s, ir::ZoneIndex own) : s_(s), own_(own) {}
-  [[nodiscard]] std::optional<std::int64_t> least_mm() const {
-    std::optional<std::int64_t> most;
-    for (const ir::Monitor& m : s_.decision.monitors) {
+  Stays(const Subject& s, ir::ZoneIndex own) : s_(s), own_(own) {}
+  [[nodiscard]] bool in_zone() const {
+    const auto& monitors = s_.decision.monitors;
+    return std::any_of(monitors.begin(), monitors.end(), [&](const ir::Monitor& m) {
       const auto& accepted = s_.decision.acknowledgements;
       const bool broken = m.lookahead.too_short || m.lookahead.points_only ||
                           std::any_of(accepted.begin(), accepted.end(),
                                       [&](const auto& a) { return a.monitor == m.name; });
-      const auto mm = broken ? std::nullopt : kept_mm(m.property, m.property.result);
-      if (mm) most = std::max(most.value_or(0), s_.decision.body.radius_mm + *mm);
-    }
-    return most;
+      return !broken && keeps(m.property, m.property.result);
+    });
   }
 
  private:
-  [[nodiscard]] std::optional<std::int64_t> kept_mm(const ir::Block& block, ir::ValueId id) const {
+  [[nodiscard]] bool keeps(const ir::Block& block, ir::ValueId id) const {
     const ir::Op& op = block[id].op;
     if (const auto* both = std::get_if<ir::And>(&op)) {
-      const auto a = kept_mm(block, both->a), b = kept_mm(block, both->b);
-      return !a ? b : !b ? a : std::optional(std::max(*a, *b));
+      return keeps(block, both->a) || keeps(block, both->b);
     }
     if (const auto* either = std::get_if<ir::Or>(&op)) {
-      const auto a = kept_mm(block, either->a), b = kept_mm(block, either->b);
-      return a && b ? std::optional(std::min(*a, *b)) : std::nullopt;
+      return keeps(block, either->a) && keeps(block, either->b);
     }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
     const auto bound =
         compare ? ir::lower_bound(block, *compare, s_.decision.facts.params) : std::nullopt;
-    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return std::nullopt;
+    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return false;
     const ir::ZoneIndex zone{bound->leaf.table};
-    if (s_.module[zone].has_height() || bound->need.strictest < 0) return std::nullopt;
-    if (zone != own_ && !s_.exact(own_).contains(s_.exact(zone))) return std::nullopt;
-    // a parameter may be less strict now than it may become
-    return bound->need.params.empty() ? bound->need.strictest : 0;
+    if (s_.module[zone].has_height() || bound->need.strictest < 0) return false;
+    return zone == own_ || s_.exact(own_).contains(s_.exact(zone));
   }
 
   const Subject& s_;
@@ -347,12 +259,11 @@ std::string doubt_of_leaving(const Subject& s, std::size_t k) {
   }
   const auto terms = at_worst(s.decision, m.property);
   if (!terms) return "what it says of zones that come and go is more than one limit at a time";
-  const auto starts_mm = Starts(s, way.zone).least_mm();
-  if (!starts_mm) {
+  if (!Stays(s, way.zone).in_zone()) {
     return "nothing keeps the robot in " + quoted(s.module[way.zone].name) +
            ", the zone of the ways, from outside of which they are not known";
   }
-  const Ways ways(s, way, *own, *starts_mm);
+  const Ways ways(s, way, *own);
   std::string why = ways.site_off();
   for (const Term& term : *terms) {
     if (why.empty()) why = ways.near(term.kept);

@@ -162,7 +162,7 @@ std::string off_its_dock(const Subject& s, const ir::Recovery& last) {
 // Of zones that come and go; each of the monitors that a recovery drives for leads out as well.
 std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t judged) {
   const ir::Monitor& m = s.decision.monitors[judged];
-  if (!analysis::speaks_of_windows(m.property, m.property.result)) return "";
+  if (!analysis::has_windows(m.property)) return "";
   const std::string& recovery = s.decision.monitors[driving].recovery.name;
   if (recovery == m.recovery.name) return doubt_of_leaving(s, judged);
   return quoted(recovery) + " does not lead out of zones that come and go in time";
@@ -204,7 +204,7 @@ std::string doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
 }
 void claim_windows(const Subject& s, std::size_t judged, Obligation& o) {
   const ir::Monitor& m = s.decision.monitors[judged];
-  if (!analysis::speaks_of_windows(m.property, m.property.result)) return;
+  if (!analysis::has_windows(m.property)) return;
   o.because += ", and leads out before a zone comes or goes, within " +
                seconds(Rational(static_cast<long>(m.recovery.leave_us), 1'000'000));
   o.claims.push_back(leaves_claim(s, judged));
@@ -479,7 +479,7 @@ Obligation among_others(const Subject& s, std::size_t driving, std::size_t judge
 bool leads_out_itself(const Subject& s, std::size_t driving, std::size_t judged) {
   const ir::Monitor &i = s.decision.monitors[driving], &j = s.decision.monitors[judged];
   return judged < driving && !s.decision.coordinated && i.recovery.name != j.recovery.name &&
-         analysis::speaks_of_windows(j.property, j.property.result);
+         analysis::has_windows(j.property);
 }
 
 std::string text_of(const std::vector<std::int64_t>& place_mm) {

@@ -12,7 +12,9 @@ Expanded fence(Expansion& expansion, const Atom& atom) {
   expansion.decides_in(Unit::mm);
   const Lookahead& look = expansion.look();
   const auto zone = ZoneIndex(bound->leaf.table);
-  const std::int64_t least = bound->need.fixed;
+  const std::int64_t asked_mm = expansion.decision().body.radius_mm + bound->need.strictest;
+  const std::int64_t least =
+      bound->need.fixed + leave_beside_mm(expansion.monitor().recovery, zone, asked_mm);
   const auto more = expansion.more_of(bound->need, Unit::mm, atom.source, atom.to);
   std::optional<ValueId> result;
   if (look.duration) {

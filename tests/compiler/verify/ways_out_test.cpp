@@ -1,5 +1,6 @@
-// What `leaves` claims of ways is held against the search that recoveries drive by: wherever the
-// recheck agrees, no way leads nearer to a zone that comes and goes than it may.
+// What is said of ways out is held against the search that recoveries drive by: from wherever the
+// look-ahead lets a robot stop no way leads nearer to a zone that comes and goes than is asked, in
+// all that the compiler accepts, and so wherever the recheck agrees to `leaves`.
 #include <random>
 
 #include "compiler/driver/compile.h"
@@ -93,7 +94,7 @@ class Scenes {
   Vec2 place(const Scene& s) {
     const Rect& r = s.room;
     Vec2 p{any(r.left, r.right) * 1e-3, any(r.low, r.top) * 1e-3};
-    const double near = radius_m + s.asked_mm * 1e-3 + any(0, 60) * 1e-3;
+    const double near = radius_m + s.asked_mm * 1e-3 + any(0, 200) * 1e-3;
     if (any(0, 2) == 0)
       p.x = any(0, 1) == 0 ? s.lessons.left * 1e-3 - near : s.lessons.right * 1e-3 + near;
     if (any(0, 2) == 0)
@@ -158,21 +159,22 @@ std::optional<recheck::Doubt> doubt_of(const Compilation& c) {
 }
 
 struct Study {
-  int agreed = 0, wheels = 0, ways = 0, joined = 0;
+  int accepted = 0, agreed = 0, wheels = 0, ways = 0, joined = 0;
 };
 
-void drive(const Scene& s, const ir::Module& module, Scenes& scenes, Study& study) {
+void drive(const Scene& s, const ir::Module& module, bool agreed, Scenes& scenes, Study& study) {
   const ir::Recovery& r = module.decisions.front().monitors.front().recovery;
   const View view(module[r.zone]);
   safe::GridRoute route(*view);
+  const ir::Body& body = module.decisions.front().body;
   const double asked = radius_m + s.asked_mm * 1e-3,
-               route_m = static_cast<double>(r.route_clearance_mm) * 1e-3;
-  const double may_lose = 8e-3 + (s.wheels ? 0 : 0.5e-3 * module[r.zone].cells.cell_mm);
+               route_m = static_cast<double>(r.route_clearance_mm) * 1e-3,
+               stops = asked + static_cast<double>(r.leave_beside_mm + body.hold_mm) * 1e-3;
   const Vec2 home{s.home_x * 1e-3, s.home_y * 1e-3};
   for (int k = 0; k < places_most; ++k) {
     const Vec2 p = scenes.place(s);
     const double off = s.lessons.off_m(p);
-    if (off < asked || signed_clearance(*view, p) < radius_m + s.walls_mm * 1e-3) continue;
+    if (off < stops || signed_clearance(*view, p) < radius_m + s.walls_mm * 1e-3) continue;
     Path way;
     if (!route.to_point({route_m, p, {}, {}}, home, way)) continue;
     double least = off;
@@ -183,10 +185,8 @@ void drive(const Scene& s, const ir::Module& module, Scenes& scenes, Study& stud
     }
     ++study.ways;
     study.joined += way.points.size() > 1 ? 1 : 0;
-    EXPECT_LE(way.points.size(), 2U) << text_of(s);
-    EXPECT_GE(least, std::min(off, std::max(route_m, asked)) - may_lose)
-        << "from " << p.x << ", " << p.y << "\n"
-        << text_of(s);
+    if (agreed) EXPECT_LE(way.points.size(), 2U) << text_of(s);
+    EXPECT_GE(least, asked) << "from " << p.x << ", " << p.y << "\n" << text_of(s);
     if (testing::Test::HasFailure()) return;
   }
 }
@@ -203,13 +203,15 @@ TEST(WaysOut, LeadNoNearerThanIsClaimed) {
     Compilation c;
     compile(options, out, c);
     if (!c.spec || !c.module || c.spec->decisions.empty() || c.module->decisions.empty()) continue;
-    if (c.module->decisions.front().monitors.front().recovery.leave_us == 0 || doubt_of(c))
-      continue;
-    ++study.agreed;
-    study.wheels += s.wheels ? 1 : 0;
-    drive(s, *c.module, scenes, study);
+    if (c.diagnostics.has_errors()) continue;
+    const bool agreed = !doubt_of(c);
+    ++study.accepted;
+    study.agreed += agreed ? 1 : 0;
+    study.wheels += s.wheels && agreed ? 1 : 0;
+    drive(s, *c.module, agreed, scenes, study);
     if (testing::Test::HasFailure()) return;
   }
+  EXPECT_GT(study.accepted, study.agreed);
   EXPECT_GT(study.agreed - study.wheels, 3);
   EXPECT_GT(study.wheels, 3);
   EXPECT_GT(study.joined, 300);

@@ -1404,8 +1404,8 @@ static inline int32_t tick_follows(int64_t *until_us, int64_t now_us, int64_t pe
 #endif
 
 /* Whether the tick comes a period after the last one, to the microsecond: then so does its end, and
- * nothing is kept but when the next one is due. Where that would be past the end of time, a clock
- * that wraps around comes when it is due: it is not taken for one that goes on. */
+ * nothing is kept but when the next one is due. Past the end of time none is due: a clock that
+ * wraps around would be taken for one that goes on. */
 static inline int32_t tick_due(int64_t *due_us, int64_t now_us, int64_t period_us) {
   int64_t next_us;
   if (!USUALLY(now_us == *due_us) || PAST_END(now_us, period_us, &next_us)) {
