@@ -70,7 +70,8 @@ int finish(const Options& options, Compilation& c, int status, std::ostream& out
                           {}});
   }
   show(options, c, err);
-  return out ? status : exit_usage;
+  err.flush();
+  return out && (err || status != exit_clean) ? status : exit_usage;
 }
 
 std::string base_name(const std::string& path) {

@@ -58,8 +58,26 @@ void quantity(const Value& value, const Rational& width, const std::optional<Ran
   to.push_back(wide(width, *value.unit));
 }
 
+// Of the past, over windows that are too long for it.
+bool forgets_margin(const Op& op) {
+  return std::visit(
+      [](const auto& node) {
+        if constexpr (requires { node.window; }) {
+          return !node.window.full;
+        } else {
+          return false;
+        }
+      },
+      op);
+}
+
 void margin(const Block& block, const Value& value, const Rational& width,
             std::vector<std::string>& to) {
+  if (forgets_margin(value.op)) {
+    to.emplace_back(
+        "margin: infinite, of a window this long the verdict alone is kept; `margin full;` "
+        "in the monitor keeps it");
+  }
   const auto* compare = std::get_if<AtLeast>(&value.op);
   if (!compare) return;
   const Unit& unit = *block[compare->a].unit;

@@ -80,9 +80,10 @@ int refuse_kernel(Compilation& c, const std::string& problem, bool is_ours) {
     c.internal_error = problem;
     return exit_internal;
   }
-  report(c, diag::Code::no_kernel, problem,
-         "set CC to a C compiler that makes shared objects, make room for what the monitors "
-         "remember, or use `--engine interp`");
+  report(
+      c, diag::Code::no_kernel, problem,
+      "set CC to a C compiler that makes shared objects, TMPDIR to a folder that can be written, "
+      "make room for what the monitors remember, or use `--engine interp`");
   return exit_usage;
 }
 

@@ -130,7 +130,8 @@ int Simulator::build(const Options& options, Compilation& c) {
   if (problem.empty()) problem = compile_kernel(options, c, told.manifest, folder());
   if (problem == nothing_mutated) return refuse_mutant(options, c);
   if (problem.empty()) return exit_clean;
-  return refuse(c, diag::Code::no_kernel, problem, "set CC to a C compiler", exit_usage);
+  return refuse(c, diag::Code::no_kernel, problem,
+                "set CC to a C compiler, TMPDIR to a folder that can be written", exit_usage);
 }
 
 int Simulator::run(const std::vector<std::string>& flags, Compilation& c, std::string& said) {

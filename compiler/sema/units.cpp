@@ -77,11 +77,14 @@ constexpr Spelling spellings[] = {
     {"hour", "h"},        {"hours", "h"},        {"degree", "deg"},      {"degrees", "deg"},
     {"radian", "rad"},    {"radians", "rad"},    {"rads", "rad"},        {"percent", "%"},
     {"pct", "%"},         {"mps", "m/s"},        {"kph", "km/h"},        {"kmh", "km/h"},
-    {"rps", "rad/s"},     {"mps2", "m/s^2"},     {"gram", "g"},          {"grams", "g"},
-    {"amp", "A"},         {"amps", "A"},         {"volt", "V"},          {"volts", "V"},
-    {"watt", "W"},        {"watts", "W"},        {"joule", "J"},         {"joules", "J"},
-    {"kelvin", "K"},      {"hertz", "Hz"},       {"newton", "N"},
+    {"rps", "rad/s"},     {"mps2", "m/s^2"},     {"cms", "cm/s"},        {"mms", "mm/s"},
+    {"gram", "g"},        {"grams", "g"},        {"amp", "A"},           {"amps", "A"},
+    {"volt", "V"},        {"volts", "V"},        {"watt", "W"},          {"watts", "W"},
+    {"joule", "J"},       {"joules", "J"},       {"kelvin", "K"},        {"hertz", "Hz"},
+    {"newton", "N"},
 };
+
+constexpr int power_max = 32;  // no product has a larger one
 
 struct Factor {
   std::string symbol;
@@ -99,8 +102,14 @@ std::optional<Factor> split_power(std::string_view text, bool below) {
     factor.exponent = -factor.exponent;
     digits.remove_prefix(1);
   }
-  if (digits.size() != 1 || digits.front() < '1' || digits.front() > '9') return std::nullopt;
-  factor.exponent *= digits.front() - '0';
+  const bool is_number =
+      std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!is_number || digits.empty() || digits.size() > 2 || digits.front() == '0') {
+    return std::nullopt;
+  }
+  const int power = std::stoi(std::string(digits));
+  if (power > power_max) return std::nullopt;
+  factor.exponent *= power;
   return factor;
 }
 

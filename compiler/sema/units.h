@@ -15,7 +15,7 @@ struct UnitMeaning {
 };
 
 // Factors separated by `*` or `/`, each a symbol with an optional power; `1` stands for nothing
-// (`1/s`); no blanks. nullopt: a symbol is not known, or a power is not a whole number up to 9.
+// (`1/s`); no blanks. nullopt: a symbol is not known, or a power is not a whole number up to 32.
 std::optional<UnitMeaning> parse_unit(std::string_view text);
 
 // The unit that `text` may have meant, of dimension `due` when that is known and possible.

@@ -20,7 +20,9 @@ class Explainer {
     if (report_.code != Code::unexpected_token && report_.code != Code::reserved_word) return;
     if (error_.expects(T::BAD_CLAUSE)) return at_start();
     if (explain_import() || explain_inside() || explain_not() || explain_duration()) return;
-    if (explain_since() || explain_brackets() || explain_signs() || explain_name()) return;
+    if (explain_rectangle() || explain_since() || explain_brackets() || explain_signs() ||
+        explain_name())
+      return;
     if (explain_unit() || explain_input()) return;
     if (explain_word(error_.index) || is_clause_start(error_.index)) return;
     if (!explain_word(error_.index - 1)) explain_word(window_owner());
@@ -131,6 +133,7 @@ class Explainer {
   // `import robots.rta;`, `import <robots.rta>;`, `import "a.rta", "b.rta";`
   bool explain_import_of_items() {
     const std::size_t at = error_.index;
+    if (kind(at) == T::SEMICOLON || kind(at) == T::END) return false;
     if (at > 1 && kind(at - 2) == T::IMPORT && kind(at) == T::COMMA) {
       give("each file has its own `import`", {{tokens_[at].range, "; import"}});
       return true;
@@ -145,6 +148,7 @@ class Explainer {
     path.erase(0, path.find_first_not_of(around));
     path.erase(path.find_last_not_of(around) + 1);
     if (is_name(path)) path += ".rta";
+    if (path.find_first_of(":,{") != std::string::npos) return false;
     give("the path stands in quotes: `import \"" + path + "\";`",
          {{span(at, last), '"' + path + '"'}});
     return true;
@@ -170,6 +174,23 @@ class Explainer {
     return true;
   }
 
+  // `rect (0 m, 0 m) to (5 m, 5 m)`, `box (0 m, 0 m, 0 m) to (5 m, 5 m, 3 m)`
+  bool explain_rectangle() {
+    const std::size_t at = error_.index;
+    if (kind(at) != T::TO || at == 0 || kind(at - 1) != T::RIGHT_PAREN) return false;
+    std::size_t open = at - 1;
+    while (open > 0 && kind(open) != T::LEFT_PAREN) --open;
+    if (open == 0 || kind(open - 1) != T::IDENT) return false;
+    report_.range = tokens_[open - 1].range;
+    report_.message = "`" + std::string{text(open - 1)} + "` is no zone";
+    report_.label = "not a word that fits here";
+    give(
+        "from one corner to the other it is a `rectangle`; of space, where corners have three "
+        "lengths, a box",
+        {{tokens_[open - 1].range, "rectangle"}});
+    return true;
+  }
+
   // `p within 1 s + 1 s of q`
   bool explain_duration() {
     const TokenKind found = kind(error_.index);
@@ -181,9 +202,25 @@ class Explainer {
     return true;
   }
 
+  // `mean[2 s](x)` was taken for an element of an array.
+  bool explain_interval() {
+    const std::size_t at = error_.index, owner = window_owner();
+    if (kind(at) != T::LEFT_PAREN || kind(at - 1) != T::RIGHT_BRACKET || owner + 4 > at)
+      return false;
+    if (kind(owner) != T::IDENT || kind(owner + 2) != T::NUMBER) return false;
+    report_.range = span(owner + 1, at - 1);
+    report_.message = "an interval has two ends";
+    report_.label = "one end";
+    const std::string end{sources_.text(span(owner + 2, at - 2))};
+    give("write `" + std::string{text(owner)} + "[0 s, " + end + "](x)`",
+         {{tokens_[owner + 2].range, "0 s, " + std::string{text(owner + 2)}}});
+    return true;
+  }
+
   // `once(0 s, 2 s) open`, `always[0 s, 2 s] open`.
   bool explain_brackets() {
     const std::size_t at = error_.index;
+    if (explain_interval()) return true;
     if (at > 0 && kind(at) == T::LEFT_BRACKET && kind(at - 1) == T::ALWAYS) {
       give(*operator_habit("always"));
       return true;

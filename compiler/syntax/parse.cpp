@@ -284,6 +284,10 @@ class ProgramParser {
   }
 
   void follow(const Text& import, FileId importer) {
+    if (import.range.begin == import.range.end) {  // it is missing, and was reported
+      program_.import_failed = true;
+      return;
+    }
     if (report_zones(import)) return;
     const std::string path = path_from(importer, import.text);
     const std::string id = identity(path);
