@@ -106,7 +106,9 @@ class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
       zone = combined(sema::ZoneOp::subtract, *zone, *without, range);
       if (!zone) return std::nullopt;
     }
-    return side == Side::inner ? zone->shrink(node.error) : zone->grow(node.error);
+    Result widened = zone->widened(side == Side::inner ? Rational(-node.error) : node.error);
+    if (!widened) diagnostics_.report(too_many_to_move(zone->vertices(), range));
+    return widened;
   }
   // What all areas of a group have in common.
   Result common(const std::vector<sema::ZoneImport::Area>& group, const SourceRange& range,

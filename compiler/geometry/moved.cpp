@@ -3,9 +3,9 @@
 // No old edge comes nearer to a new one than the distance. So the straight way from a place of the
 // smaller set out of the larger one crosses a new and an old ring, one of each, and between them it
 // has the distance at least. Nor is anything between the rings far from the old ones: new edges
-// that begin as the old ones and move straight to their places sweep over all of it, each within
-// the hull of where it begins and ends, and its ends are near the edge that it begins as. How the
-// candidate was found does not matter.
+// that begin as the old ones, or at corners as points, and move straight to their places sweep over
+// all of it, each within the hull of where it begins and ends, and its ends are near what it begins
+// as. How the candidate was found does not matter.
 #include "compiler/geometry/moved.h"
 
 #include <algorithm>
@@ -28,6 +28,7 @@ constexpr double excess_m = 2e-6;
 constexpr double um_per_m = 1e6;
 // Corners that move farther are left to the thorough way.
 constexpr double miter_max = 50;
+constexpr double pieces_max = 1000;  // of a corner
 
 struct Vector {
   double x, y;
@@ -162,30 +163,40 @@ class Mover {
     return all;
   }
 
-  // Every edge moves along its normal; vertices are where neighbours then meet.
-  bool move(const Ring& from, Ring& to) const {
+  // Every edge moves along its normal; vertices are where neighbours then meet. Between neighbours
+  // that part from each other there are further edges, as many as keep what they meet at near.
+  bool move(const Ring& from, Ring& to) {
     const std::size_t count = from.size();
     for (std::size_t i = 0; i < count; ++i) {
       const Vector before = of(from[(i + count - 1) % count]), at = of(from[i]),
                    after = of(from[(i + 1) % count]);
-      const auto place = corner(before, at, after);
-      if (!place) return false;
-      to.push_back({in_um(place->x), in_um(place->y)});
+      if (std::max(std::abs(at.x), std::abs(at.y)) > coordinates_m_max) return false;
+      const std::size_t size = to.size();
+      if (!corner(normal(at - before), normal(after - at), at, to)) return false;
+      began_.insert(began_.end(), to.size() - size - 1, Segment{at, at});
+      began_.push_back({at, after});
     }
     return true;
   }
-  [[nodiscard]] std::optional<Vector> corner(const Vector& before, const Vector& at,
-                                             const Vector& after) const {
-    if (std::max(std::abs(at.x), std::abs(at.y)) > coordinates_m_max) return std::nullopt;
-    const auto normal = [&](const Vector& edge) {
-      const double length = std::hypot(edge.x, edge.y) * (left_ ? 1 : -1);
-      return Vector{-edge.y / length, edge.x / length};
-    };
-    const Vector n = normal(at - before), m = normal(after - at);
-    const double by = distance_m_ + excess_m, spread = 1 + dot(n, m);
-    // |n + m| / spread is how many times as far as an edge the corner moves
-    if (!(spread * miter_max * miter_max > 2)) return std::nullopt;
-    return Vector{at.x + by * (n.x + m.x) / spread, at.y + by * (n.y + m.y) / spread};
+  [[nodiscard]] Vector normal(const Vector& edge) const {
+    const double length = std::hypot(edge.x, edge.y) * (left_ ? 1 : -1);
+    return {-edge.y / length, edge.x / length};
+  }
+  bool corner(const Vector& n, const Vector& m, const Vector& at, Ring& to) const {
+    const double by = distance_m_ + excess_m;
+    const double turn = std::atan2(n.x * m.y - n.y * m.x, dot(n, m));
+    const bool parts = left_ ? turn < 0 : turn > 0;
+    const double half = std::acos(by / (farthest_m_ - excess_m));  // between two edges, at most
+    const double pieces = parts ? std::max(1.0, std::ceil(std::abs(turn) / (2 * half))) : 1;
+    const double step = turn / pieces;
+    // by / cos is how far the corner moves
+    if (!(std::cos(step / 2) * miter_max > 1) || !(pieces <= pieces_max)) return false;
+    const double far = by / std::cos(step / 2);
+    for (double k = 0; k < pieces; ++k) {
+      const double angle = std::atan2(n.y, n.x) + (k + 0.5) * step;
+      to.push_back({in_um(at.x + far * std::cos(angle)), in_um(at.y + far * std::sin(angle))});
+    }
+    return true;
   }
   static Rational in_um(double metres) {
     Rational value(std::lround(metres * um_per_m), 1'000'000UL);
@@ -193,11 +204,11 @@ class Mover {
     return value;
   }
 
-  // The ends of every edge, of the one that it was.
+  // The ends of every edge, of what it began as.
   [[nodiscard]] bool stays_near() const {
-    const std::vector<Segment> before = segments(parts_), now = segments(moved_);
+    const std::vector<Segment> now = segments(moved_);
     for (std::size_t i = 0; i < now.size(); ++i) {
-      if (std::max(distance(now[i].a, before[i]), distance(now[i].b, before[i])) > farthest_m_) {
+      if (std::max(distance(now[i].a, began_[i]), distance(now[i].b, began_[i])) > farthest_m_) {
         return false;
       }
     }
@@ -252,6 +263,7 @@ class Mover {
   double distance_m_, farthest_m_;
   bool left_;
   std::vector<PolygonWithHoles> moved_;
+  std::vector<Segment> began_;  // what each edge of them moved from, in their order
 };
 
 }  // namespace

@@ -164,6 +164,18 @@ std::optional<Region> Region::offset(const Rational& distance, std::size_t neste
   return grows ? grow(distance, nested) : shrink(-distance, nested);
 }
 
+std::optional<Region> Region::widened(const Rational& error) const {
+  if (error == 0) return *this;
+  const Rational distance = abs(error);
+  if (error < 0 && impl_->vanishes(distance)) return Region();
+  const BandSide side = error > 0 ? BandSide::exterior : BandSide::interior;
+  const Rational excess = std::max(offset_excess_m(), distance);
+  if (auto moved = impl_->moved(distance, excess, side)) return Region(std::move(*moved));
+  if (vertices() > offset_vertices_max) return std::nullopt;
+  return Region(overlay_band(impl_->rings(), boundary_band(impl_->parts, distance, excess, side),
+                             error > 0 ? Combine::unite : Combine::subtract));
+}
+
 bool Region::empty() const {
   return impl_->parts.empty();
 }

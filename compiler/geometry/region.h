@@ -101,6 +101,10 @@ class Region {
   [[nodiscard]] std::optional<Region> offset(const Rational& distance,
                                              std::size_t nested = 1) const;
 
+  // What a region may be whose boundary is off by `error` at most, grown or (negative) shrunk: as
+  // by `offset`, but at corners up to twice as far, so that it has few more vertices.
+  [[nodiscard]] std::optional<Region> widened(const Rational& error) const;
+
   [[nodiscard]] bool empty() const;
   [[nodiscard]] std::size_t vertices() const;
   [[nodiscard]] bool contains(const Point& p) const;       // closed

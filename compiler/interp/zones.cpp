@@ -97,7 +97,7 @@ struct Zones::Evaluate {
       exclusions.push_back(std::move(*region));
     }
     const geometry::Region zone = together(groups).subtract(together(exclusions));
-    return bound == Bound::within ? zone.shrink(node.error) : zone.grow(node.error);
+    return zone.widened(bound == Bound::within ? Rational(-node.error) : node.error);
   }
   Region area(const sema::ZoneImport::Area& area, Bound of_bound) const {
     std::vector<geometry::Region> parts;

@@ -257,12 +257,15 @@ class ProgramParser {
   }
 
   void report_unreadable(const Text& import, const std::string& path, const std::string& why) {
+    std::error_code error;
+    const bool is_there = std::filesystem::is_regular_file(path, error);
     diagnostics_.report({Code::import_not_found,
                          import.range,
                          "cannot read the imported file " + quote(path, kPathBytesMax),
                          why,
                          {},
-                         "the path is relative to the directory of the importing file",
+                         is_there ? "a file of at most 64 MiB that can be read works"
+                                  : "the path is relative to the directory of the importing file",
                          {}});
   }
 
