@@ -80,8 +80,8 @@ TEST(Units, DegreesAreRoundedUp) {
 }
 
 TEST(Units, RejectsWhatIsNotOne) {
-  for (const char* text : {"", "sm", "meters", "m/", "/s", "m^", "m^0", "m^33", "m^100", "m^x", "m//s", "M",
-                           "m s", "Kg", "2m"}) {
+  for (const char* text : {"", "sm", "meters", "m/", "/s", "m^", "m^0", "m^33", "m^100", "m^x",
+                           "m//s", "M", "m s", "Kg", "2m"}) {
     EXPECT_FALSE(parse_unit(text)) << text;
   }
 }
