@@ -1,9 +1,10 @@
 // What became of zones that are not taken as they are: files, and how they were placed on the map;
-// circles; and how exactly.
+// circles; and how exactly; outlines that are mended.
 #include <algorithm>
 
 #include "compiler/driver/explain_line.h"
 #include "compiler/driver/explain_text.h"
+#include "compiler/driver/outline_notes.h"
 #include "compiler/geometry/region.h"
 #include "compiler/geometry/united.h"
 #include "compiler/sema/dimension.h"
@@ -78,7 +79,7 @@ class ImportRemarks {
 
   void look(const sema::ZoneExpr& expr) {
     std::visit(Overloaded{
-                   [](const sema::ZonePolygon&) {},
+                   [&](const sema::ZonePolygon& node) { polygon(expr.range, node); },
                    [&](const sema::ZoneCircle& node) { circle(expr.range, node); },
                    [](const sema::ZoneRef&) {},
                    [&](const sema::ZonePrism& node) { look(*node.base); },
@@ -94,6 +95,17 @@ class ImportRemarks {
                expr.node);
   }
 
+  // An outline that is taken as it is written says nothing.
+  void polygon(const SourceRange& source, const sema::ZonePolygon& node) {
+    std::vector<std::string> details;
+    add_notes(outline_notes(node), details);
+    if (!details.empty()) out_.push_back({source, "outline", std::move(details)});
+  }
+  static void add_notes(const std::vector<OutlineNote>& notes, std::vector<std::string>& details) {
+    for (const OutlineNote& note : notes) {
+      details.push_back(note.text + (note.first.empty() ? "" : "; see " + note.first));
+    }
+  }
   void circle(const SourceRange& source, const sema::ZoneCircle& node) {
     const std::size_t edges = geometry::circle_edges(node.radius);
     const Rational tenths_mm = geometry::circle_error(node.radius, edges) * 10'000;
@@ -146,6 +158,7 @@ class ImportRemarks {
       details.emplace_back("exact");
     }
     note_overlaps(node, details);
+    add_notes(outline_notes(node), details);
     details.insert(details.end(), node.remarks.begin(), node.remarks.end());
     out_.push_back({source, "import \"" + node.path + "\"", std::move(details)});
   }

@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/derive.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/driver/outline_notes.h"
 #include "compiler/geometry/bake.h"
 
 namespace rtac::driver {
@@ -55,6 +56,12 @@ std::string conditions_of(const Compilation& c, const sema::Zone& zone) {
   const std::string_view written = rest.substr(0, rest.find(';'));
   const std::size_t from = std::min(written.find("around"), written.find("during"));
   return from == std::string_view::npos ? "" : one_line(written.substr(from));
+}
+
+std::vector<std::string> mended(const sema::Zone& zone) {
+  std::vector<std::string> texts;
+  for (const OutlineNote& note : outline_notes(*zone.value)) texts.push_back(note.text);
+  return texts;
 }
 
 std::size_t vertices_of(const geometry::Region& region) {
@@ -119,8 +126,8 @@ void erode(ZoneLayer& layer, const Distances& distances) {
   if (distances.empty()) return;
   const std::size_t vertices = vertices_of(layer.region);
   if (vertices > eroded_vertices_max) {
-    layer.remark = "erosions not drawn: " + std::to_string(vertices) + " vertices, at most " +
-                   std::to_string(eroded_vertices_max) + " are";
+    layer.remarks.push_back("erosions not drawn: " + std::to_string(vertices) +
+                            " vertices, at most " + std::to_string(eroded_vertices_max) + " are");
     return;
   }
   for (const auto& [distance_mm, reasons] : distances) {
@@ -143,12 +150,13 @@ std::vector<SiteMark> site_marks(const sema::Spec& spec) {
 
 // Seen from above: what overlaps may be apart in height.
 void add_slabs(const sema::Zone& zone, const std::string& origin, const std::string& conditions,
+               const std::vector<std::string>& remarks,
                const std::vector<analysis::ShownSlab>& slabs, ZoneSheet& sheet) {
   for (const analysis::ShownSlab& slab : slabs) {
     const auto& [floor, ceiling] = *slab.heights;
     const std::string heights =
         " from " + to_decimal(floor) + " m to " + to_decimal(ceiling) + " m";
-    sheet.layers.push_back({zone.name + heights, origin, conditions, slab.region, {}, ""});
+    sheet.layers.push_back({zone.name + heights, origin, conditions, slab.region, {}, remarks});
   }
 }
 
@@ -164,12 +172,13 @@ std::vector<ZoneSheet> zone_sheets(const Compilation& c) {
     const sema::Zone& zone = spec.zones[i];
     if (zone.name.empty() || regions[i].empty()) continue;
     if (zone.has_height) {
-      add_slabs(zone, origin_of(c, zone), conditions_of(c, zone), regions[i],
+      add_slabs(zone, origin_of(c, zone), conditions_of(c, zone), mended(zone), regions[i],
                 sheets[static_cast<std::size_t>(zone.frame)]);
       continue;
     }
     ZoneLayer layer{
-        zone.name, origin_of(c, zone), conditions_of(c, zone), regions[i].front().region, {}, ""};
+        zone.name, origin_of(c, zone), conditions_of(c, zone), regions[i].front().region,
+        {},        mended(zone)};
     const auto asked = distances.find(zone.name);
     if (asked != distances.end()) erode(layer, asked->second);
     sheets[static_cast<std::size_t>(zone.frame)].layers.push_back(std::move(layer));

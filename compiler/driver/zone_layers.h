@@ -22,7 +22,7 @@ struct ZoneLayer {
   std::string conditions;  // what it moves with and when it is there; may be empty
   geometry::Region region;
   std::vector<ZoneErosion> erosions;  // by distance
-  std::string remark;                 // what is not shown, and why; may be empty
+  std::vector<std::string> remarks;   // what is mended; what is not shown, and why
 };
 struct SiteMark {
   std::string name;

@@ -238,7 +238,7 @@ class Sheet {
       if (!layer.conditions.empty()) text(x + 36, y += line_height, layer.conditions, "");
       text(x + 36, y += line_height, size_of(layer.region), " class=\"origin\"");
       for (std::size_t e = 0; e < layer.erosions.size(); ++e) erosion(i, e, x, y += line_height);
-      if (!layer.remark.empty()) text(x + 36, y += line_height, layer.remark, "");
+      for (const std::string& remark : layer.remarks) text(x + 36, y += line_height, remark, "");
       y += line_height + 8;
     }
     if (!sheet_.sites.empty()) {
