@@ -22,7 +22,8 @@ std::string message_of(const Problem& problem, const RingNames& names) {
     case Kind::no_area:
       return "encloses no area";
     case Kind::hole_outside_ring:
-      return "does not lie inside " + names.ring(0) + ", see its " + names.vertex(problem.vertex);
+      return "does not lie inside " + names.ring(0) + ", see its " +
+             (problem.of_edge ? "edge from " : "") + names.vertex(problem.vertex);
     case Kind::holes_overlap:
       return "overlaps " + names.ring(problem.other) + " at " + place_text(problem.where);
     case Kind::cuts_area:

@@ -33,8 +33,8 @@ struct Problem {
     repeats_vertex,   // `vertex` equals vertex `other`, which comes first
     self_intersects,  // edge from `vertex` meets the edge from `other` at `where`
     no_area,          // all vertices on one line
-    // The edge from `vertex` of hole `ring` crosses the edge from `other` of the outer ring at
-    // `where` or runs along it; or no edges meet and `where` is vertex 0 of the hole, outside.
+    // `vertex` of hole `ring` lies outside, at `where`. Or its edge from there (`of_edge`) meets
+    // the edge from `other` of the outer ring at `where`, and neither of its ends is outside.
     // Rings may touch in points.
     hole_outside_ring,
     // Holes `ring` < `other` (both ring numbers) cross at `where`, on the edge from `vertex` of
@@ -48,6 +48,7 @@ struct Problem {
   Kind kind;
   std::size_t ring = 0, vertex = 0, other = 0;
   Point where;
+  bool of_edge = false;
 };
 
 // Edges of the polygon that stands for a circle, radius in m: 32 to 256, the least power of two

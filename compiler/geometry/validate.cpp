@@ -97,7 +97,7 @@ std::optional<Problem> find_degenerate(const Edges& edges, const Rings& rings) {
 // How the rings of a polygon lie to one another, each of them being simple.
 class Neighbours {
  public:
-  Neighbours(const Edges& edges, const Rings& rings) : edges_(edges) {
+  Neighbours(const Edges& edges, const Rings& rings) : edges_(edges), outer_(*rings[0]) {
     for (std::size_t r = 0; r < rings.size(); ++r) {
       runs_.emplace_back(edges, edges.first(r), edges.first(r) + edges.size(r));
       counter_clockwise_.push_back(twice_area(*rings[r]) > 0);
@@ -107,10 +107,7 @@ class Neighbours {
   std::optional<Problem> hole_outside() {
     for (std::size_t r = 1; r < runs_.size(); ++r) {
       const std::size_t touches = touches_.size();
-      if (auto met = clash(r, 0)) {
-        return Problem{Kind::hole_outside_ring, r, met->edge, met->other_edge,
-                       std::move(met->where)};
-      }
+      if (auto met = clash(r, 0)) return beyond(r, std::move(*met));
       // Where no edges meet, one vertex speaks for the whole ring.
       if (touches_.size() == touches && !encloses(0, r)) {
         return Problem{Kind::hole_outside_ring, r, 0, 0, first_vertex(r)};
@@ -140,6 +137,19 @@ class Neighbours {
     Point where;
   };
 
+  // Of the hole that clashes with the outer ring: the first vertex outside. Before the clash all
+  // vertices are on one side, so that it is vertex 0 or an end of the edge; or the vertex behind,
+  // of an edge that ends on the outer ring.
+  [[nodiscard]] Problem beyond(std::size_t r, Meeting met) const {
+    const std::size_t size = edges_.size(r), end = (met.edge + 1) % size;
+    for (const std::size_t vertex : {std::size_t{0}, met.edge, end, (end + 1) % size}) {
+      const Point& at = *edges_[edges_.first(r) + vertex].a;
+      if (locate(at, outer_) != Side::outside) continue;
+      return Problem{Kind::hole_outside_ring, r, vertex, 0, at};
+    }
+    return Problem{Kind::hole_outside_ring, r,   met.edge, met.other_edge,
+                   std::move(met.where),    true};
+  }
   [[nodiscard]] const Edge& first_edge(std::size_t ring) const {
     return edges_[edges_.first(ring)];
   }
@@ -185,6 +195,7 @@ class Neighbours {
   }
 
   const Edges& edges_;
+  const Ring& outer_;
   std::vector<Runs> runs_;
   std::vector<bool> counter_clockwise_;
   std::vector<Touch> touches_;

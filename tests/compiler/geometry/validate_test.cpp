@@ -84,24 +84,27 @@ TEST(Validate, KindsAreReportedInTheirOrder) {
 TEST(Validate, HoleMustLieInside) {
   expect_problem(problem(kBig, {box_ring(20000, 0, 21000, 1000)}), Kind::hole_outside_ring, 1, 0, 0,
                  pt(20, 0));
-  expect_problem(problem(kBig, {{pt(9, 5), pt(11, 5), pt(9, 6)}}), Kind::hole_outside_ring, 1, 0, 1,
-                 pt(10, 5));
+  // The vertex that is outside is named, not the one before it.
+  expect_problem(problem(kBig, {{pt(9, 5), pt(11, 5), pt(9, 6)}}), Kind::hole_outside_ring, 1, 1, 0,
+                 pt(11, 5));
+  expect_problem(problem(kBig, {{pt(11, 4), pt(11, 5), pt(9, 5)}}), Kind::hole_outside_ring, 1, 0,
+                 0, pt(11, 4));
   // A part of an edge in common.
   expect_problem(problem(kBig, {box_ring(9000, 4000, 10000, 5000)}), Kind::hole_outside_ring, 1, 0,
                  1, pt(10, 4));
   // Touching from outside, and through a vertex to the outside.
-  expect_problem(problem(kBig, {{pt(10, 5), pt(12, 4), pt(12, 6)}}), Kind::hole_outside_ring, 1, 0,
-                 1, pt(10, 5));
-  expect_problem(problem(kBig, {{pt(9, 9), pt(10, 10), pt(12, 9)}}), Kind::hole_outside_ring, 1, 0,
-                 1, pt(10, 10));
+  expect_problem(problem(kBig, {{pt(10, 5), pt(12, 4), pt(12, 6)}}), Kind::hole_outside_ring, 1, 1,
+                 0, pt(12, 4));
+  expect_problem(problem(kBig, {{pt(9, 9), pt(10, 10), pt(12, 9)}}), Kind::hole_outside_ring, 1, 2,
+                 0, pt(12, 9));
   // Around the outer ring instead of inside it, touching it or not.
   EXPECT_EQ(problem(box_ring(4000, 4000, 5000, 5000), {kBig}).kind, Kind::hole_outside_ring);
   EXPECT_EQ(problem({pt(0, 5), pt(5, 4), pt(5, 6)}, {kBig}).kind, Kind::hole_outside_ring);
-  // Outside although all vertices touch: across a notch.
-  EXPECT_EQ(
-      problem({pt(0, 0), pt(8, 0), pt(8, 8), pt(4, 1), pt(0, 8)}, {{pt(8, 8), pt(4, 1), pt(0, 8)}})
-          .kind,
-      Kind::hole_outside_ring);
+  // Outside although all vertices touch: across a notch. No vertex is to blame, but an edge.
+  const Problem notch =
+      problem({pt(0, 0), pt(8, 0), pt(8, 8), pt(4, 1), pt(0, 8)}, {{pt(8, 8), pt(4, 1), pt(0, 8)}});
+  EXPECT_EQ(notch.kind, Kind::hole_outside_ring);
+  EXPECT_TRUE(notch.of_edge);
 }
 
 TEST(Validate, HolesMustNotOverlap) {

@@ -43,7 +43,7 @@ TEST(ReceiveZone, NamesTheVertexAndTheReason) {
             "m)");
   EXPECT_EQ(refused({polygon({{0, 0}, {1, 0}, {2, 0}})}).substr(0, 15), "the outer ring:");
   EXPECT_EQ(refused({polygon(square, {{{8, 8}, {12, 8}, {9, 9}}})}),
-            "hole 1: does not lie inside the outer ring, see its vertex 1");
+            "hole 1: does not lie inside the outer ring, see its vertex 2");
   EXPECT_EQ(refused({polygon(square, {{{1, 1}, {3, 1}, {2, 3}}, {{2, 1}, {4, 1}, {3, 3}}})})
                 .substr(0, 22),
             "hole 1: overlaps hole ");
