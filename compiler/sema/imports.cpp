@@ -386,7 +386,8 @@ class Importer {
   bool settle_limits() {
     const Area *band = nullptr, *time = nullptr;
     for (const Area* area : selected_) {
-      if (std::any_of(area->parts.begin(), area->parts.end(), has_band)) band = area;
+      if (area->unread_height && option(ImportWord::flat) == nullptr) return unread_height(*area);
+      if (area->unread_height || std::ranges::any_of(area->parts, has_band)) band = area;
       if (!area->schedule.empty()) time = area;
     }
     return (job_.with_heights
@@ -397,6 +398,17 @@ class Importer {
                 ? settle_schedule(*option(ImportWord::scheduled), time)
                 : settle_limit(ImportWord::timeless, time, "applies at certain times only",
                                "for all times"));
+  }
+  // GeoJSON that is written for another program: what its heights mean nobody can tell.
+  bool unread_height(const Area& area) {
+    return ambiguous(
+        written_.path.range,
+        "`" + job_.path + "`, " + area.unread_height->where + " " + area.unread_height->message +
+            ", which plain GeoJSON does not have",
+        "does it hold for all heights?",
+        "write `flat \"why\"` behind it to take the area for all heights: safe of one "
+        "to keep out of, and a promise of one to stay in; heights that count are those "
+        "of ED-269, ED-318 and extruded KML");
   }
   // All selected areas apply at the same times, which are those of the zone.
   bool settle_schedule(const ImportOption& given, const Area* limited) {

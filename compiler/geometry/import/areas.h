@@ -65,6 +65,11 @@ struct Failure {
   std::string where, message, help;
 };
 
+// What the file says besides, and no reader turns into areas: a return point, heights of vertices.
+struct Note {
+  std::string where, message;
+};
+
 // One solid of an area: stacked solids are parts of their own.
 struct Part {
   std::variant<Polygon, Circle> shape;
@@ -83,16 +88,15 @@ struct Area {
   // follows the sun). It has no parts, and whoever selects it reports this: an area of a file
   // never vanishes silently, and one that nobody selects does no harm.
   std::optional<Failure> refusal;
+  // Set: the file says of a height what its format does not define, such as the property
+  // `upperLimit` in plain GeoJSON. Nobody can read it: the area holds for all heights, or not at
+  // all.
+  std::optional<Note> unread_height{};
   std::string where;
 };
 
 // Outlines and holes of all polygons of these areas.
 void add_rings(const std::vector<const Area*>& areas, std::vector<const Ring*>& rings);
-
-// What the file says besides, and no reader turns into areas: a return point, heights of vertices.
-struct Note {
-  std::string where, message;
-};
 
 enum class Axes { unstated, longitude_first, latitude_first };
 enum class Unit { unstated, degrees, metres };

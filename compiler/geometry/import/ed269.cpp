@@ -20,6 +20,7 @@ class Ed269Reader {
   Areas take_areas();
 
  private:
+  bool check_zone(Json zone);
   bool read_zone(Json zone);
   bool read_names(Json zone, Area& area);
   bool read_applicability(Json zone, Area& area);
@@ -100,12 +101,19 @@ bool Ed269Reader::read_volume(Json volume, Area& area) {
   if (!json_.expect_object(volume)) return false;
   Part part;
   const auto metres = metres_of_unit(json_, volume, "uomDimensions");
-  if (!metres || !read_limits(json_, volume, {"lowerLimit", "lowerVerticalReference"},
-                              {"upperLimit", "upperVerticalReference"}, *metres, part.band)) {
+  if (!metres ||
+      !read_limits(json_, volume, {"lowerLimit", "lowerVerticalReference"},
+                   {"upperLimit", "upperVerticalReference"}, *metres, part.band) ||
+      !json_.check_members(volume,
+                           {"uomDimensions", "lowerLimit", "lowerVerticalReference", "upperLimit",
+                            "upperVerticalReference", "horizontalProjection"})) {
     return false;
   }
   const auto projection = json_.required(volume, "horizontalProjection");
-  if (!projection || !json_.expect_object(*projection)) return false;
+  if (!projection || !json_.expect_object(*projection) ||
+      !json_.check_members(*projection, {"type", "coordinates", "center", "radius"})) {
+    return false;
+  }
   const auto type = json_.required_text(*projection, "type");
   if (!type) return false;
   if (*type == "Circle") {
@@ -126,8 +134,17 @@ bool Ed269Reader::read_volume(Json volume, Area& area) {
   return true;
 }
 
+bool Ed269Reader::check_zone(Json zone) {
+  return json_.check_members(
+      zone,
+      {"identifier", "country", "name", "type", "restriction", "restrictionConditions", "region",
+       "reason", "otherReasonInfo", "regulationExemption", "uSpaceClass", "message",
+       "applicability", "zoneAuthority", "geometry", "additionalProperties", "extendedProperties"});
+}
+
 bool Ed269Reader::read_zone(Json zone) {
   if (!json_.expect_object(zone)) return false;
+  if (!check_zone(zone)) return false;
   Area area;
   area.where = zone.where();
   if (!read_names(zone, area) || !set_restriction(json_, zone, "restriction", area) ||
@@ -146,6 +163,7 @@ bool Ed269Reader::read_zone(Json zone) {
 
 bool Ed269Reader::read_root(Json root) {
   if (!json_.expect_object(root)) return false;
+  if (!json_.check_members(root, {"title", "description", "features", "UASZoneList"})) return false;
   const bool is_list = root.member("UASZoneList").has_value();
   if (is_list && root.member("features")) {
     return findings_.fail("features", "stands beside `UASZoneList`, which has zones as well",
@@ -164,6 +182,7 @@ Areas Ed269Reader::take_areas() {
                             "positions have heights; in ED-269 the limits of a volume count, and "
                             "they are left out"});
   }
+  json_.unknown().add_notes_to(areas_.notes);
   return std::move(areas_);
 }
 

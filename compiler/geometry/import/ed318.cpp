@@ -34,6 +34,13 @@ void add_texts(Json texts, Area& area) {
 bool Ed318Reader::read_properties(Json feature, Area& area) {
   const auto properties = json_.required(feature, "properties");
   if (!properties || !json_.expect_object(*properties)) return false;
+  if (!json_.check_members(
+          *properties,
+          {"identifier", "country", "name", "type", "variant", "restrictionConditions", "region",
+           "reason", "otherReasonInfo", "regulationExemption", "message", "zoneAuthority",
+           "limitedApplicability", "extendedProperties", "dataSource"})) {
+    return false;
+  }
   const auto identifier = json_.required_text(*properties, "identifier");
   if (!identifier || !set_restriction(json_, *properties, "type", area)) return false;
   area.name = *identifier;
@@ -55,14 +62,18 @@ bool Ed318Reader::read_layer(Json geometry, Band& band) {
   if (!layer) return true;
   if (!json_.expect_object(*layer)) return false;
   const auto metres = metres_of_unit(json_, *layer, "uom");
-  return metres && read_limits(json_, *layer, {"lower", "lowerReference"},
-                               {"upper", "upperReference"}, *metres, band);
+  return metres &&
+         read_limits(json_, *layer, {"lower", "lowerReference"}, {"upper", "upperReference"},
+                     *metres, band) &&
+         json_.check_members(*layer, {"lower", "lowerReference", "upper", "upperReference", "uom"});
 }
 
 bool Ed318Reader::read_point(Json point, const Band& band, Area& area) {
   const auto extent = JsonReader::optional_member(point, "extent");
   if (!extent) return GeoJsonReader::read_point(point, band, area);
-  if (!json_.expect_object(*extent)) return false;
+  if (!json_.expect_object(*extent) || !json_.check_members(*extent, {"subType", "radius"})) {
+    return false;
+  }
   const auto type = json_.required_text(*extent, "subType");
   if (!type) return false;
   if (*type != "Circle") {

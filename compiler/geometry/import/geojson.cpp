@@ -38,6 +38,13 @@ bool GeoJsonReader::read_layer(Json geometry, Band& /*band*/) {
   return true;
 }
 
+// Its members besides may be of any name; those that limit its area would be lost.
+bool GeoJsonReader::check_object(Json object, std::initializer_list<std::string_view> known) {
+  return json_.check_members(object, known,
+                             "take it out: GeoJSON has no limits besides outlines, whose holes are "
+                             "further rings of a polygon; ED-318 has limits of height and time");
+}
+
 bool GeoJsonReader::read_point(Json point, const Band& /*band*/, Area& area) {
   refuse(area, point.where(), "a Point encloses nothing", take_other_areas);
   return true;
@@ -93,7 +100,10 @@ bool GeoJsonReader::read_shape(Json geometry, std::string_view type, Area& area)
 bool GeoJsonReader::read_geometry(Json geometry, Area& area) {
   if (!json_.expect_object(geometry) || !check_crs(geometry)) return false;
   const auto type = json_.required_text(geometry, "type");
-  if (!type) return false;
+  if (!type || !check_object(geometry, {"type", "coordinates", "geometries", "bbox", "crs", "layer",
+                                        "extent"})) {
+    return false;
+  }
   if (*type == "GeometryCollection") return read_geometries(geometry, area);
   for (const std::string_view known :
        {"Polygon", "MultiPolygon", "Point", "MultiPoint", "LineString", "MultiLineString"}) {
@@ -102,6 +112,14 @@ bool GeoJsonReader::read_geometry(Json geometry, Area& area) {
   return findings_.fail(geometry.member("type")->where(),
                         "GeoJSON has no geometry of the type " + quote(*type),
                         "`Polygon`, `MultiPolygon` or `GeometryCollection`, in this spelling");
+}
+
+void GeoJsonReader::note_height(Json properties, Area& area) {
+  for (const Json property : properties.items()) {
+    if (!is_limit_of_height(property)) continue;
+    area.unread_height = Note{property.where(), "sounds like a limit of height"};
+    return;
+  }
 }
 
 bool GeoJsonReader::read_properties(Json feature, Area& area) {
@@ -120,6 +138,7 @@ bool GeoJsonReader::read_properties(Json feature, Area& area) {
   if (const auto properties = feature.member("properties")) {
     for (const char* key : {"name", "title", "identifier"}) add(properties->member(key), false);
   }
+  if (const auto properties = feature.member("properties")) note_height(*properties, area);
   if (names.empty()) return true;
   area.name = names.front();
   area.other_names.assign(names.begin() + 1, names.end());
@@ -134,6 +153,7 @@ bool GeoJsonReader::read_feature(Json feature) {
     return findings_.fail(feature.where() + ".type", "is " + quote(*type),
                           "the members of `features` are of the type `Feature`");
   }
+  if (!check_object(feature, {"type", "id", "bbox", "crs", "properties", "geometry"})) return false;
   Area area;
   area.where = feature.where();
   if (!read_properties(feature, area)) return false;
@@ -161,7 +181,11 @@ bool GeoJsonReader::read_root(Json root) {
   if (!json_.expect_object(root) || !check_crs(root) || !read_metadata(root)) return false;
   const auto type = json_.required_text(root, "type");
   if (!type) return false;
-  if (*type == "FeatureCollection") return read_collection(root);
+  if (*type == "FeatureCollection") {
+    return check_object(root, {"type", "features", "bbox", "crs", "id", "name", "title",
+                               "description", "metadata"}) &&
+           read_collection(root);
+  }
   if (*type == "Feature") return read_feature(root);
   Area area;
   area.where = root.where();
@@ -175,6 +199,7 @@ Areas GeoJsonReader::take_areas() {
                             "positions have heights; GeoJSON does not say that they limit the "
                             "area, and they are left out"});
   }
+  json_.unknown().add_notes_to(areas_.notes);
   for (Area& area : areas_.areas) {
     if (!area.refusal && area.parts.empty()) {
       refuse(area, area.where, "the geometry is empty", take_other_areas);

@@ -2,6 +2,7 @@
 // folder.
 #pragma once
 
+#include <initializer_list>
 #include <string_view>
 
 #include "compiler/geometry/import/json_reader.h"
@@ -27,6 +28,7 @@ class GeoJsonReader {
   virtual bool read_point(Json point, const Band& band, Area& area);
   // Of the object that holds the features.
   virtual bool read_metadata(Json collection);
+  bool check_object(Json object, std::initializer_list<std::string_view> known);
 
   Findings& findings_;
   JsonReader json_;
@@ -40,6 +42,7 @@ class GeoJsonReader {
   bool read_geometries(Json collection, Area& area);
   bool add_polygon(Json rings, const Band& band, Area& area);
   bool check_crs(Json object);
+  static void note_height(Json properties, Area& area);
 };
 
 }  // namespace rtac::geometry::import

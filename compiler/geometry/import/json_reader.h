@@ -10,6 +10,7 @@
 
 #include "compiler/geometry/import/json_tree.h"
 #include "compiler/geometry/import/outlines.h"
+#include "compiler/geometry/import/unknown_members.h"
 
 namespace rtac::geometry::import {
 
@@ -29,6 +30,13 @@ class JsonReader {
   // Fails on a member that is one of these but for capitals and small letters: it would be taken
   // for missing.
   bool check_letters(Json object, std::initializer_list<std::string_view> names);
+  // Members that are none of these: `UnknownMembers::check`.
+  bool check_members(Json object, std::initializer_list<std::string_view> known,
+                     const std::string& help =
+                         "take it out if it limits nothing; what does has "
+                         "its place and its spelling in the format") {
+    return unknown_.check(object, known, help, findings_);
+  }
   // Another version may mean something else by the same members.
   bool expect_version(Json object, double version);
 
@@ -46,11 +54,13 @@ class JsonReader {
   Findings& findings() { return findings_; }
   // The first position that has a height, if any.
   const std::optional<std::string>& height_at() const { return height_at_; }
+  const UnknownMembers& unknown() const { return unknown_; }
 
  private:
   Findings& findings_;
   const Limits& limits_;
   std::optional<std::string> height_at_;
+  UnknownMembers unknown_;
 };
 
 // Parses the text and lets `Reader` read it.

@@ -53,6 +53,17 @@ bool read_time(JsonReader& json, Json daily, std::string_view name, Period& of,
                                       "\"22:00:00Z\"");
 }
 
+// Periods have nothing else: whatever it is, it may say when they apply.
+bool only_members(JsonReader& json, Json object, std::initializer_list<std::string_view> known) {
+  if (!json.check_letters(object, known)) return false;
+  for (const Json member : object.items()) {
+    if (std::find(known.begin(), known.end(), member.name()) != known.end()) continue;
+    return json.findings().fail(member.where(), "is no member that a period has",
+                                "take it out if it does not limit when the area applies");
+  }
+  return true;
+}
+
 // The formats have no 24:00: the last minute or second of a day is what they write for its end.
 TimeOfDay end_of(TimeOfDay time) {
   constexpr std::int32_t day_s = 86'400, minute_s = 60;
@@ -66,7 +77,7 @@ bool is_same(TimeOfDay a, TimeOfDay b) {
 
 bool add_daily(JsonReader& json, Json daily, Period base, Area& area) {
   if (!json.expect_object(daily) ||
-      !json.check_letters(daily, {"day", "startTime", "endTime", "startEvent", "endEvent"})) {
+      !only_members(json, daily, {"day", "startTime", "endTime", "startEvent", "endEvent"})) {
     return false;
   }
   if (!read_days(json, daily, base.weekdays)) return false;
@@ -121,7 +132,7 @@ bool read_limit(JsonReader& json, Json object, LimitNames names, double metres,
 
 bool add_periods(JsonReader& json, Json period, Area& area) {
   if (!json.expect_object(period) ||
-      !json.check_letters(period, {"startDateTime", "endDateTime", "schedule"})) {
+      !only_members(json, period, {"permanent", "startDateTime", "endDateTime", "schedule"})) {
     return false;
   }
   Period base;

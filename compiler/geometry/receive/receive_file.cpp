@@ -133,6 +133,10 @@ class FileReceiver {
 
   bool has_no_limits() {
     for (const Area& area : areas_.areas) {
+      if (area.unread_height) {
+        return refuse(area.unread_height->where, area.unread_height->message,
+                      "a zone that is received has no height: send an area without limits");
+      }
       for (const import::Part& part : area.parts) {
         if (!part.band.floor && !part.band.ceiling) continue;
         return refuse(area.where, "applies between certain heights only",

@@ -201,6 +201,19 @@ TEST_F(ZoneFiles, OfAviationAskAboutHeightsTimesAndPermissions) {
   EXPECT_EQ(imported(zones + "feature \"JAIL\" exclusions flat \"all\";").inclusions.size(), 1U);
 }
 
+// Heights that plain GeoJSON does not have: the author says that the area counts for all of them.
+TEST_F(ZoneFiles, HeightsThatNobodyCanReadAreAskedFor) {
+  write("tall.geojson",
+        R"({"type":"Feature","properties":{"upperLimit":120},"geometry":{"type":"Polygon",)"
+        R"("coordinates":[[[8.545,47.397],[8.547,47.397],[8.547,47.399],[8.545,47.397]]]}})");
+  const std::string zone = std::string(origin) + "zone z = import \"tall.geojson\" ";
+  expect(zone + ";", Code::import_ambiguous, "\"tall.geojson\"",
+         "properties.upperLimit sounds like a limit of height", "flat \"why\"");
+  expect(zone + "heights agl at 0 m;", Code::import_ambiguous, "\"tall.geojson\"",
+         "properties.upperLimit sounds like a limit of height", "flat \"why\"");
+  EXPECT_EQ(imported(zone + "flat \"one level\";").remarks.back(), "flat: one level");
+}
+
 // Heights count from where the author says that their references lie; nothing else is known of
 // them.
 TEST_F(ZoneFiles, HeightsCountFromTheLevelsOfTheirReferences) {

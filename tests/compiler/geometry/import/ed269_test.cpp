@@ -210,6 +210,24 @@ TEST(Ed269, LimitsInOtherLettersAreRefused) {
       "schedule[0].starttime: is no member"));
 }
 
+// Nor would one in another spelling. What limits nothing is left out, and noted once.
+TEST(Ed269, MembersThatTheFormatDoesNotHaveAreToldOrNoted) {
+  for (const std::string member : {R"("verticalLimits":[0,9])", R"("maxAltitude":9)",
+                                   R"("upper_limit":9)", R"("Holes":[])", R"("uom":"M")"}) {
+    EXPECT_TRUE(contains(failure(zone(volume(R"("uomDimensions":"M",)" + member))),
+                         "is no member that the format has, and sounds like a limit"))
+        << member;
+  }
+  EXPECT_TRUE(
+      contains(failure(zone(volume(), R"({"permanent":"YES","until":"2026-02-01T00:00:00Z"})")),
+               "applicability[0].until: is no member that a period has"));
+  const std::string marked = volume(R"("uomDimensions":"M","colour":"red")");
+  const Areas areas = areas_of(Format::ed269, file(zone(marked + "," + marked)));
+  ASSERT_EQ(areas.notes.size(), 1U);
+  EXPECT_EQ(areas.notes[0].where, "features[0].geometry[0].colour");
+  EXPECT_EQ(areas.notes[0].message, "is no member that the format has, and is left out");
+}
+
 TEST(Ed269, PolygonsWithARadiusRefuseToBeUsed) {
   EXPECT_TRUE(contains(
       refusal_of(area_of(zone(volume(

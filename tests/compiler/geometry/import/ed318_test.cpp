@@ -62,6 +62,15 @@ TEST(Ed318, MetadataIsNoted) {
   EXPECT_EQ(areas.notes[0].where, "metadata.validFrom");
 }
 
+TEST(Ed318, LimitsInAnotherSpellingAreRefused) {
+  const std::string text = "is no member that the format has, and sounds like a limit";
+  EXPECT_TRUE(contains(failure(file(triangle, R"(,"upperLimit":120)")), "properties.upperLimit"));
+  EXPECT_TRUE(contains(failure(file(triangle + R"(,"verticalLimits":{})")), text));
+  EXPECT_TRUE(contains(failure(file(triangle + R"(,"layer":{"uom":"m","ceiling":120})")), text));
+  EXPECT_TRUE(contains(
+      failure(file(point + R"(,"extent":{"subType":"Circle","radius":9,"unit":"ft"})")), text));
+}
+
 TEST(Ed318, ApplicabilityIsASchedule) {
   const Area area = area_of(file(
       triangle,

@@ -52,6 +52,36 @@ TEST(GeoJson, PartsOfMultiPolygonsAndNestedCollectionsBelongToOneArea) {
   EXPECT_EQ(polygon_of(area, 2).outer.where, "geometry.geometries[1].geometries[0].coordinates[0]");
 }
 
+// Foreign members (RFC 7946, 6.1) are left out, those that may cut the area down are not.
+TEST(GeoJson, ForeignMembersThatSoundLikeLimitsAreRefused) {
+  EXPECT_TRUE(
+      contains(failure(feature_text(polygon_text(square, R"(,"Holes":[])"))),
+               "geometry.Holes: is no member that the format has, and sounds like a limit"));
+  EXPECT_TRUE(contains(failure(feature_text(polygon_text(square), R"(,"lowerLimit":0)")),
+                       "lowerLimit: is no member"));
+  const std::string marked = feature_text(polygon_text(square), R"(,"style":{})");
+  const Areas areas = areas_of(Format::geojson, collection_text(marked + "," + marked));
+  ASSERT_EQ(areas.notes.size(), 1U);
+  EXPECT_EQ(areas.notes[0].where, "features[0].style");
+}
+
+// What programs write of heights into the properties, which may be anything.
+TEST(GeoJson, PropertiesThatSoundLikeHeightsAreKeptFor) {
+  const auto with = [](const std::string& properties) {
+    return only_area(Format::geojson, R"({"type":"Feature","properties":{)" + properties +
+                                          R"(},"geometry":)" + polygon_text(square) + "}");
+  };
+  for (const std::string limit :
+       {R"("upperLimit":120)", R"("lowerCeiling":{"value":0})", R"("MAX_ALTITUDE":"120 m")"}) {
+    ASSERT_TRUE(with(limit).unread_height) << limit;
+  }
+  EXPECT_EQ(with(R"("a":1,"upperLimit":120)").unread_height->where, "properties.upperLimit");
+  for (const std::string other : {R"("altitudeMode":"clampToGround")", R"("altitude":null)",
+                                  R"("height":3)", R"("name":"ceiling")"}) {
+    EXPECT_FALSE(with(other).unread_height) << other;
+  }
+}
+
 TEST(GeoJson, NamesComeFromTheIdThenTheProperties) {
   const Areas areas = areas_of(
       Format::geojson,

@@ -180,6 +180,10 @@ TEST(ReceiveFile, RefusesLimitsOfHeight) {
   EXPECT_NE(refused(receive(high, as_kml)).find("applies between certain heights only"),
             std::string::npos);
   EXPECT_NE(refused(receive(kml("<altitudeMode>absolute</altitudeMode>"), as_kml)), "taken");
+  EXPECT_EQ(refused(receive(R"({"type":"Feature","properties":{"ceiling":9},"geometry":)" +
+                                geojson(closed(0, 0, 1, 1)) + "}",
+                            as_geojson)),
+            "properties.ceiling: sounds like a limit of height");
   const std::string aviation =
       R"({"type":"Feature","zoneAuthority":[],"properties":{},"geometry":)" +
       geojson(closed(0, 0, 1, 1)) + "}";
