@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <limits>
 #include <map>
 #include <utility>
@@ -48,6 +49,7 @@ Judgement judgement(const DecisionInterface& d, std::size_t monitor, const std::
   const bool tells = d.units[monitor].empty() && told < d.told_units.size();
   judged.margin = margin(words[1], tells ? d.told_units[told].factor : Rational(1));
   judged.unit = tells ? d.told_units[told].text : d.units[monitor];
+  if (std::abs(words[1]) >= margin_limit) judged.unit.clear();  // rule 4.4
   return judged;
 }
 

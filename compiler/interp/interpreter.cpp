@@ -155,13 +155,15 @@ const Interpreter::Shown& Interpreter::shown(const sema::Dimension& dimension) {
   return shown_.emplace(&dimension, Shown{sema::unit_of(dimension), factor}).first->second;
 }
 
-// Rule 4: the margin that is reported is that of the atom that decides, in its own unit.
+// Rule 4.4: the margin that is reported is that of the atom that decides, in its own unit; where it
+// is infinite there is none.
 Finding Interpreter::report(const Margin& margin) {
   Finding finding;
   finding.verdict = verdict(margin);
   finding.lo = margin.lo.value;
   finding.hi = margin.hi.value;
-  if (const sema::Dimension* dimension = margin.lo.origin.dimension) {
+  const sema::Dimension* dimension = margin.lo.origin.dimension;
+  if (dimension != nullptr && finding.lo.is_finite()) {
     const Shown& unit = shown(*dimension);
     finding.unit = unit.unit;
     finding.lo = finding.lo * Extended(unit.factor);

@@ -29,9 +29,9 @@ enum class Reason {
 struct Finding {
   Verdict verdict = Verdict::unknown;
   // The margin of the atom that decides the lower end, in `unit`; +-inf of atoms without a
-  // quantity.
+  // quantity, and then the other end is in scales.
   Extended lo = Extended::infinity(-1), hi = Extended::infinity(1);
-  std::string unit;  // SI, "%" of ratios; empty: a bare number, or no quantity
+  std::string unit;  // SI, "%" of ratios; empty: a bare number, or lo is infinite
   Reason reason = Reason::input;
   std::optional<sema::InputId> input;  // the one that is missing, when it is one
 };

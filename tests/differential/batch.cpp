@@ -16,13 +16,17 @@ bool is_near(const Finding& outer, const Finding& inner, const Rational& by) {
   return lo_is_near && hi_is_near;
 }
 
+bool is_same(const Extended& a, const Extended& b) {
+  return compare(a, b) == 0;
+}
+
 std::string shown(const Extended& end) {
   if (end.is_finite()) return to_decimal(end.value());
   return end.sign() < 0 ? "-inf" : "inf";
 }
 std::string shown(const Finding& finding) {
   return std::string(1, finding.verdict) + " [" + shown(finding.lo) + ", " + shown(finding.hi) +
-         "]";
+         "]" + (finding.unit.empty() ? "" : " " + finding.unit);
 }
 std::string letters(const std::vector<Finding>& findings) {
   std::string text;
@@ -116,6 +120,9 @@ std::string Batch::fault(std::size_t k, std::size_t step, const Finding& found) 
   if (!bound.has_verdicts_only && (exact.lo < found.lo || found.hi < exact.hi)) {
     return "the margin leaves out the exact one";
   }
+  // of what is rounded, another atom may decide
+  const bool is_exact = bound.millionths == 0 || !exact.lo.is_finite();
+  if (is_exact && is_same(found.lo, exact.lo) && found.unit != exact.unit) return "another unit";
   return looseness(k, step, found);
 }
 

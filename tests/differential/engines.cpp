@@ -103,8 +103,8 @@ Findings find(driver::Engine& engine, const driver::KernelInterface& kernel, con
     for (std::size_t k = 0; k < judgements.size(); ++k) {
       const driver::MarginEnds margin = engine.margin(k);
       const interp::Extended factor(millionths.at(judgements[k].unit));
-      findings[k].push_back(
-          {letter(judgements[k].verdict), margin.lo * factor, margin.hi * factor});
+      findings[k].push_back({letter(judgements[k].verdict), margin.lo * factor, margin.hi * factor,
+                             judgements[k].unit});
     }
   }
   return findings;

@@ -55,6 +55,7 @@ std::vector<std::string> judge(driver::Engine& engine, const Steps& run);
 struct Finding {
   char verdict;
   interp::Extended lo, hi;
+  std::string unit;
 };
 using Findings = std::vector<std::vector<Finding>>;  // by monitor and step
 Findings find(driver::Engine& engine, const driver::KernelInterface& kernel, const Steps& run);

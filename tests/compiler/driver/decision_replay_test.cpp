@@ -72,14 +72,14 @@ TEST_F(ReplayDecision, WithoutAViolationTheExitCodeIs0) {
 TEST_F(ReplayDecision, SamplesAgeFromTheirRowOn) {
   const std::string text = found("0,2.5,2.5,0,0,none,\n0.05,,,,,,\n0.1,,,,,,\n");
   EXPECT_NE(text.find("1,0.05,true,"), std::string::npos) << text;
-  EXPECT_NE(text.find("2,0.1,unknown,-inf,m,unknown,-inf,m,back_off,walls,input: position"),
+  EXPECT_NE(text.find("2,0.1,unknown,-inf,,unknown,-inf,,back_off,walls,input: position"),
             std::string::npos)
       << text;
 }
 
 TEST_F(ReplayDecision, WhatIsNoNumberOrNeverArrivedIsUnknown) {
   EXPECT_NE(found("0,nan,2.5,0,0,none,\n").find("input: position"), std::string::npos);
-  EXPECT_NE(found("0,,,,,,\n").find("0,0,unknown,-inf,m,unknown,-inf,"), std::string::npos);
+  EXPECT_NE(found("0,,,,,,\n").find("0,0,unknown,-inf,,unknown,-inf,"), std::string::npos);
   EXPECT_NE(found("0,2.5,2.5,0,0,,\n").find("back_off,walls,input: plan"), std::string::npos);
 }
 
@@ -129,10 +129,10 @@ TEST_F(ReplayDecision, TheInterpreterJudgesWhatIsNow) {
             "tick,time,walls.verdict,walls.margin,walls.unit\n"
             "0,0,true,2.3,m\n"
             "1,0.05,false,-0.18,m\n"
-            "2,0.10,unknown,-inf,m\n"
+            "2,0.10,unknown,-inf,\n"
             "3,0.15,true,0.095,m\n"
             "4,0.20,true,0.095,m\n"
-            "5,0.25,unknown,-inf,m\n");
+            "5,0.25,unknown,-inf,\n");
   EXPECT_EQ(replay("0,2.5,2.5,0,0,none,\n", {"--engine", "interp", "--monitor", "wall"}).status, 2);
 }
 

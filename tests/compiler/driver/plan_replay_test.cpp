@@ -58,7 +58,7 @@ TEST_F(ReplayPlans, EveryNewPlanIsAProposal) {
             "0,0.1,true,0.598,m,true,0.998,m,dreamer,,\n"
             "1,0.25,false,-0.002,m,true,0.298,m,careful,margin,leg 2\n"
             "2,0.7,true,0.598,m,false,-0.002,m,careful,pillar,leg 1\n"
-            "3,9,true,inf,m,true,inf,m,dreamer,,\n");
+            "3,9,true,inf,,true,inf,,dreamer,,\n");
 }
 
 // The reference finds the same verdicts, and exact margins.
@@ -79,7 +79,7 @@ TEST_F(ReplayPlans, TheInterpreterJudgesPlans) {
             "1,0.25,false,0,m,true,0.3,m\n"
             "2,0.7,true,0.6,m,false,0,m\n"
             "3,0.8,false,-1.4,m,false,-1,m\n"
-            "4,9,true,inf,m,true,inf,m\n");
+            "4,9,true,inf,,true,inf,\n");
 }
 
 // A plan that cannot be read is proposed all the same, and is not admissible.
@@ -93,10 +93,10 @@ TEST_F(ReplayPlans, WhatIsNoPlanIsUnknown) {
                                                                   {long_plan + ",", "capacity"}};
   for (const auto& [cells, reason] : cases) {
     const std::string kernel = found("0," + cells + "\n");
-    EXPECT_EQ(kernel.find("0,0,unknown,-inf,m,unknown,-inf,m,careful,margin,"), 0) << kernel;
+    EXPECT_EQ(kernel.find("0,0,unknown,-inf,,unknown,-inf,,careful,margin,"), 0) << kernel;
     EXPECT_NE(kernel.find(reason), std::string::npos) << kernel;
     EXPECT_EQ(found("0," + cells + "\n", {"--engine", "interp"}),
-              "0,0,unknown,-inf,m,unknown,-inf,m\n");
+              "0,0,unknown,-inf,,unknown,-inf,\n");
   }
 }
 

@@ -78,6 +78,30 @@ TEST_P(ReplayBy, FindingsOfEveryTick) {
             "4,0.04,unknown,-inf,,false,-5,%\n");
 }
 
+// Language, rule 4.4: whichever of several infinite ends decides, none of them has a unit.
+TEST_P(ReplayBy, InfiniteMarginsHaveNoUnit) {
+  write("units.rta",
+        "spec units; period 1 s;\n"
+        "input q : bool;\ninput x : real [m] in 0 .. 9 m;\n"
+        "monitor same { \"R1\" always q iff (x >= 2 m); }\n"
+        "monitor since_q { \"R2\" always x >= 2 m since q; }\n"
+        "monitor each { \"R3\" always historically[0 s, 2 s](q implies x >= 2 m); }\n"
+        "monitor before { \"R4\" always previously(q iff x >= 2 m); }\n"
+        "monitor plain { \"R5\" always x >= 2 m; }\n");
+  write("units.csv", "time,q,x\n0,1,3\n1,0,3\n2,nan,3\n3,1,nan\n4,0,1\n5,0,nan\n6,nan,nan\n");
+  EXPECT_EQ(replay({"units.rta", "units.csv"}).out,
+            "tick,time,same.verdict,same.margin,same.unit,since_q.verdict,since_q.margin,"
+            "since_q.unit,each.verdict,each.margin,each.unit,before.verdict,before.margin,"
+            "before.unit,plain.verdict,plain.margin,plain.unit\n"
+            "0,0,true,1,m,true,inf,,true,1,m,false,-inf,,true,1,m\n"
+            "1,1,false,-1,m,true,1,m,true,1,m,true,1,m,true,1,m\n"
+            "2,2,unknown,-1,m,true,1,m,true,1,m,false,-1,m,true,1,m\n"
+            "3,3,unknown,-inf,,true,inf,,unknown,-inf,,unknown,-1,m,unknown,-inf,\n"
+            "4,4,true,1,m,false,-1,m,unknown,-inf,,unknown,-inf,,false,-1,m\n"
+            "5,5,unknown,-inf,,false,-inf,,unknown,-inf,,true,1,m,unknown,-inf,\n"
+            "6,6,unknown,-inf,,unknown,-inf,,unknown,-inf,,unknown,-inf,,unknown,-inf,\n");
+}
+
 TEST_P(ReplayBy, WithoutAViolationTheExitCodeIs0) {
   write("calm.csv", "time,open,speed,battery,gear\n0,0,0,1,park\n");
   EXPECT_EQ(replay({"door.rta", "calm.csv"}).status, 0);
@@ -282,8 +306,8 @@ TEST_F(Replay, TheKernelCutsFarMargins) {
       "0,0,true,499999999999,m,false,-499999999999,m\n";
   EXPECT_EQ(rtac({"replay", "vast.rta", "vast.csv"}).out,
             head +
-                "1,1,true,499999999999,m,false,-inf,m\n"
-                "2,2,false,-inf,m,true,499999999999,m\n");
+                "1,1,true,499999999999,m,false,-inf,\n"
+                "2,2,false,-inf,,true,499999999999,m\n");
   EXPECT_EQ(rtac({"replay", "vast.rta", "vast.csv", "--engine", "interp"}).out,
             head +
                 "1,1,true,600000000000,m,false,-600000000000,m\n"

@@ -77,7 +77,7 @@ TEST(Points, NearACircleAreUnknown) {
       (Lines{"unknown [-0.000149127, 0.00119667] m", "true [1, 1] m", "false [-1, -0.999696] m"}));
 }
 TEST(Points, AreUnknownWithoutAllComponents) {
-  EXPECT_EQ(found(room, "p inside room", "nan,1\n"), (Lines{"unknown [-inf, inf] m"}));
+  EXPECT_EQ(found(room, "p inside room", "nan,1\n"), (Lines{"unknown [-inf, inf]"}));
 }
 
 // At a tick without a value a clearance may be anything that the zone allows.

@@ -80,7 +80,7 @@ TEST(PointsInSpace, AreNearTheMeasuredOne) {
   EXPECT_EQ(lines[3].substr(0, 5), "false");
 }
 TEST(PointsInSpace, AreUnknownWithoutTheirHeight) {
-  EXPECT_EQ(found(stack, "p inside stack", "5,5,nan\n"), (Lines{"unknown [-inf, inf] m"}));
+  EXPECT_EQ(found(stack, "p inside stack", "5,5,nan\n"), (Lines{"unknown [-inf, inf]"}));
 }
 // Of a corner (0, 0, 0) no place of the range is farther than 20 sqrt(3); none deeper than 4.5 m.
 TEST(PointsInSpace, HaveARangeOfClearances) {
