@@ -5,17 +5,20 @@
 // has the distance at least. Nor is anything between the rings far from the old ones: new edges
 // that begin as the old ones, or at corners as points, and move straight to their places sweep over
 // all of it, each within the hull of where it begins and ends, and its ends are near what it begins
-// as. How the candidate was found does not matter.
+// as. An edge that vanishes moves to a point on the way, which is near it, and near the two that it
+// is between by then: their ends move there with it, and on from there. How the candidate was found
+// does not matter.
 #include "compiler/geometry/moved.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
+#include "compiler/geometry/nearby.h"
 #include "compiler/geometry/ring.h"
 #include "compiler/geometry/sweep.h"
+#include "compiler/geometry/vanishing.h"
 
 namespace rtac::geometry {
 namespace {
@@ -29,98 +32,6 @@ constexpr double um_per_m = 1e6;
 // Corners that move farther are left to the thorough way.
 constexpr double miter_max = 50;
 constexpr double pieces_max = 1000;  // of a corner
-
-struct Vector {
-  double x, y;
-};
-Vector operator-(const Vector& a, const Vector& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-double dot(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y;
-}
-
-struct Segment {
-  Vector a, b;
-};
-double distance(const Vector& p, const Segment& s) {
-  const Vector d = s.b - s.a, q = p - s.a;
-  const double square = dot(d, d);
-  const double share = square > 0 ? std::clamp(dot(q, d) / square, 0.0, 1.0) : 0;
-  return std::hypot(q.x - share * d.x, q.y - share * d.y);
-}
-double distance(const Segment& s, const Segment& t) {
-  return std::min({distance(s.a, t), distance(s.b, t), distance(t.a, s), distance(t.b, s)});
-}
-
-// Boxes around segments, halved again and again: finds those near another one in log n.
-class Nearby {
- public:
-  explicit Nearby(const std::vector<Segment>& segments) : segments_(segments) {
-    order_.resize(segments.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    boxes_.resize(segments.size() * 2);
-    if (!segments.empty()) build(0, segments.size(), 0, 0);
-  }
-  // Does every segment keep that distance from `s`?
-  [[nodiscard]] bool keeps(const Segment& s, double distance_m) const {
-    return segments_.empty() || keeps(0, segments_.size(), 0, s, distance_m);
-  }
-
- private:
-  struct Box {
-    double x0, y0, x1, y1;
-  };
-  static Box box(const Segment& s) {
-    return {std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
-            std::max(s.a.y, s.b.y)};
-  }
-  static std::size_t middle(std::size_t from, std::size_t to) { return from + (to - from) / 2; }
-
-  // The halves of node i are 2 i + 1 and 2 i + 2.
-  Box build(std::size_t from, std::size_t to, std::size_t node, int axis) {
-    if (node >= boxes_.size()) boxes_.resize(node + 1);
-    Box all = box(segments_[order_[from]]);
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const Box one = box(segments_[order_[i]]);
-      all = {std::min(all.x0, one.x0), std::min(all.y0, one.y0), std::max(all.x1, one.x1),
-             std::max(all.y1, one.y1)};
-    }
-    boxes_[node] = all;
-    if (to - from <= leaf) return all;
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    const std::size_t half = middle(from, to);
-    std::nth_element(at(from), at(half), at(to), [&](std::size_t i, std::size_t j) {
-      const Segment &s = segments_[i], &t = segments_[j];
-      return axis == 0 ? s.a.x + s.b.x < t.a.x + t.b.x : s.a.y + s.b.y < t.a.y + t.b.y;
-    });
-    build(from, half, 2 * node + 1, 1 - axis);
-    build(half, to, 2 * node + 2, 1 - axis);
-    return all;
-  }
-  [[nodiscard]] bool keeps(std::size_t from, std::size_t to, std::size_t node, const Segment& s,
-                           double distance_m) const {
-    const Box &one = boxes_[node], other = box(s);
-    if (one.x0 > other.x1 + distance_m || other.x0 > one.x1 + distance_m ||
-        one.y0 > other.y1 + distance_m || other.y0 > one.y1 + distance_m) {
-      return true;
-    }
-    if (to - from <= leaf) {
-      for (std::size_t i = from; i < to; ++i) {
-        if (distance(segments_[order_[i]], s) < distance_m) return false;
-      }
-      return true;
-    }
-    const std::size_t half = middle(from, to);
-    return keeps(from, half, 2 * node + 1, s, distance_m) &&
-           keeps(half, to, 2 * node + 2, s, distance_m);
-  }
-
-  static constexpr std::size_t leaf = 8;
-  const std::vector<Segment>& segments_;
-  std::vector<std::size_t> order_;
-  std::vector<Box> boxes_;
-};
 
 class Mover {
  public:
@@ -166,28 +77,50 @@ class Mover {
   // Every edge moves along its normal; vertices are where neighbours then meet. Between neighbours
   // that part from each other there are further edges, as many as keep what they meet at near.
   bool move(const Ring& from, Ring& to) {
-    const std::size_t count = from.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector before = of(from[(i + count - 1) % count]), at = of(from[i]),
-                   after = of(from[(i + 1) % count]);
-      if (std::max(std::abs(at.x), std::abs(at.y)) > coordinates_m_max) return false;
-      const std::size_t size = to.size();
-      if (!corner(normal(at - before), normal(after - at), at, to)) return false;
-      began_.insert(began_.end(), to.size() - size - 1, Segment{at, at});
-      began_.push_back({at, after});
+    std::vector<MovingEdge> edges;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Vector a = of(from[i]), b = of(from[(i + 1) % from.size()]);
+      if (std::max(std::abs(a.x), std::abs(a.y)) > coordinates_m_max) return false;
+      edges.push_back({{a, b}, normal(b - a)});
     }
+    const auto left = Vanishing(edges, distance_m_ + excess_m, excess_m, 2 * half_part_rad()).run();
+    if (!left) return false;
+    for (const auto& [before, edge, after, at] : left->events) {
+      for (const std::size_t i : {before, edge, after}) vanished_.push_back({at, edges[i].from});
+    }
+    std::size_t before = left->remaining.back();
+    for (const std::size_t edge : left->remaining) {
+      const bool fits = (before + 1) % edges.size() == edge
+                            ? corner(edges[before], edges[edge], to)
+                            : joined(edges[before], edges[edge], to);
+      if (!fits) return false;
+      before = edge;
+    }
+    return true;
+  }
+  // Where two edges meet when those between them have vanished.
+  bool joined(const MovingEdge& before, const MovingEdge& after, Ring& to) {
+    const auto at = meeting_after(before, after, distance_m_ + excess_m);
+    if (!at || std::max(std::abs(at->x), std::abs(at->y)) > coordinates_m_max) return false;
+    to.push_back({in_um(at->x), in_um(at->y)});
+    began_.push_back(after.from);
     return true;
   }
   [[nodiscard]] Vector normal(const Vector& edge) const {
     const double length = std::hypot(edge.x, edge.y) * (left_ ? 1 : -1);
     return {-edge.y / length, edge.x / length};
   }
-  bool corner(const Vector& n, const Vector& m, const Vector& at, Ring& to) const {
+  // Half of the most that two edges may part by, so that they meet near enough.
+  [[nodiscard]] double half_part_rad() const {
+    return std::acos((distance_m_ + excess_m) / (farthest_m_ - excess_m));
+  }
+  bool corner(const MovingEdge& before, const MovingEdge& after, Ring& to) {
+    const Vector &n = before.normal, &m = after.normal, &at = after.from.a;
     const double by = distance_m_ + excess_m;
-    const double turn = std::atan2(n.x * m.y - n.y * m.x, dot(n, m));
+    const double turn = std::atan2(cross(n, m), dot(n, m));
     const bool parts = left_ ? turn < 0 : turn > 0;
-    const double half = std::acos(by / (farthest_m_ - excess_m));  // between two edges, at most
-    const double pieces = parts ? std::max(1.0, std::ceil(std::abs(turn) / (2 * half))) : 1;
+    const double pieces =
+        parts ? std::max(1.0, std::ceil(std::abs(turn) / (2 * half_part_rad()))) : 1;
     const double step = turn / pieces;
     // by / cos is how far the corner moves
     if (!(std::cos(step / 2) * miter_max > 1) || !(pieces <= pieces_max)) return false;
@@ -195,7 +128,9 @@ class Mover {
     for (double k = 0; k < pieces; ++k) {
       const double angle = std::atan2(n.y, n.x) + (k + 0.5) * step;
       to.push_back({in_um(at.x + far * std::cos(angle)), in_um(at.y + far * std::sin(angle))});
+      if (k > 0) began_.push_back({at, at});
     }
+    began_.push_back(after.from);
     return true;
   }
   static Rational in_um(double metres) {
@@ -212,7 +147,9 @@ class Mover {
         return false;
       }
     }
-    return true;
+    return std::all_of(vanished_.begin(), vanished_.end(), [&](const Vanished& each) {
+      return distance(each.to, each.from) <= farthest_m_;
+    });
   }
   [[nodiscard]] bool keeps_distance() const {
     const std::vector<Segment> now = segments(moved_);
@@ -264,6 +201,13 @@ class Mover {
   bool left_;
   std::vector<PolygonWithHoles> moved_;
   std::vector<Segment> began_;  // what each edge of them moved from, in their order
+  // Edges that vanish move to a point first, and with them an end of the two that they were
+  // between.
+  struct Vanished {
+    Vector to;
+    Segment from;
+  };
+  std::vector<Vanished> vanished_;
 };
 
 }  // namespace

@@ -48,11 +48,12 @@ struct Region::Impl {
     });
   }
 
-  // Of large outlines: pieces for every edge and corner, united, take a hundred times as long.
+  // Of large outlines: pieces for every edge and corner, united, take a hundred times as long. A
+  // corner that was grown by 100 m is an arc of hundreds of vertices.
   [[nodiscard]] std::optional<std::vector<PolygonWithHoles>> moved(const Rational& distance,
                                                                    const Rational& excess,
                                                                    BandSide side) const {
-    constexpr std::size_t vertices_large = 1000;
+    constexpr std::size_t vertices_large = 400;
     return vertices() < vertices_large ? std::nullopt
                                        : moved_at_once(parts, distance, excess, side);
   }

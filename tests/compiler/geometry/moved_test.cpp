@@ -159,6 +159,56 @@ TEST(Moved, AnErrorTakesFewVertices) {
   EXPECT_TRUE(region.grow(2 * error).contains(*outer));
 }
 
+// Arcs of hundreds of edges vanish into the corners that they were grown from, and edges between
+// them where they move on.
+TEST(Moved, EdgesThatVanishLeaveTheirNeighbours) {
+  const Region base =
+      region_of({{{at(0, 0), at(50, 10), at(70, 60), at(20, 80), at(-10, 40)}, {}}});
+  const Rational excess = offset_excess_m();
+  const Parts grown = base.grow(100).polygons();
+  ASSERT_GT(grown[0].outer.size(), 600U);
+  for (const int by_m : {100, 103, 115, 130}) {
+    const auto moved = moved_at_once(grown, by_m, excess, BandSide::interior);
+    ASSERT_TRUE(moved) << by_m;
+    EXPECT_LT(moved->front().outer.size(), 20U);
+    const Region result = region_of(*moved);
+    EXPECT_TRUE(base.shrink(by_m - 100 - excess).grow(excess).contains(result));
+    EXPECT_TRUE(result.contains(base.shrink(by_m - 100 + 2 * excess)));
+  }
+}
+// Rings with bays and teeth, moved until some of them are gone: whatever is found is right at
+// random places. Those that fold over are left to the thorough way.
+TEST(Moved, IsRightWhereverItIsFound) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> size(0.05, 40), place(-700, 700);
+  int found = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Parts coast = {{star(0, 0, 500, 40 + 7 * int(seed), seed), {}}};
+    const Region region = region_of(coast);
+    const BandSide side = seed % 2 == 0 ? BandSide::interior : BandSide::exterior;
+    const double by_m = size(random);
+    const auto moved = moved_at_once(coast, at(by_m, 0).x, offset_excess_m(), side);
+    if (!moved) continue;
+    ++found;
+    const Region result = region_of(*moved);
+    for (int i = 0; i < 150; ++i) {
+      // half of them where it matters
+      const Ring& ring = moved->front().outer;
+      const Point& near = ring[random() % ring.size()];
+      const double off = place(random) / 7e5;
+      const Point p = i % 2 == 0 ? at(place(random), place(random))
+                                 : at(near.x.get_d() + off, near.y.get_d() + off);
+      const bool before = region.contains(p), after = result.contains(p);
+      const double gap = distance(p, coast);
+      if (before != after) EXPECT_LE(gap, by_m + 0.002) << seed;
+      if (before && side == BandSide::interior && after) EXPECT_GE(gap, by_m) << seed;
+      if (!before && side == BandSide::exterior && !after) EXPECT_GE(gap, by_m) << seed;
+      EXPECT_TRUE(side == BandSide::interior ? before || !after : after || !before);
+    }
+  }
+  EXPECT_GT(found, 30);
+}
+
 // What would vanish, fold over itself or touch is not attempted.
 TEST(Moved, LeavesWhatDoesNotWorkOut) {
   const Parts needle = {{{at(0, 0), at(100, 0), at(100, 0.5)}, {}}};
