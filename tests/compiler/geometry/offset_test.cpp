@@ -230,5 +230,25 @@ TEST(Grow, OffsetsWithinOneAnotherShareWhatIsGivenAway) {
   }
 }
 
+// As the language reference says of circles of files, which move by the error of the map: a corner
+// of them becomes two, with an edge between; few become three.
+TEST(Widened, ACircleHasAboutThreeEdgesForEachAtMost) {
+  for (const auto& [radius_m, error] : {std::pair{1L, q(1, 100'000)},
+                                        {300L, q(1, 50'000)},
+                                        {3'000L, q(53, 100'000)},
+                                        {10'000L, q(11, 1000)},
+                                        {30'000L, q(1, 4)}}) {
+    const std::size_t edges = circle_edges(q(radius_m));
+    for (const bool grows : {false, true}) {
+      const Region circle = Region::circle({q(7), q(9)}, q(radius_m), !grows);
+      for (const auto& moved : {circle.widened(grows ? error : Rational(-error)),
+                                circle.offset(grows ? error : Rational(-error))}) {
+        ASSERT_TRUE(moved);
+        EXPECT_LE(moved->vertices(), 3 * edges + edges / 8) << radius_m;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rtac::geometry
