@@ -107,6 +107,9 @@ class ZoneAlgebra {
 diag::Diagnostic too_many_vertices(std::size_t vertices, const SourceRange& range);
 // More than `geometry::offset_vertices_max`.
 diag::Diagnostic too_many_to_move(std::size_t vertices, const SourceRange& range);
+// The same of a file, whose boundary is moved by the error of the map, in m.
+diag::Diagnostic too_many_to_place(std::size_t vertices, const Rational& error,
+                                   const SourceRange& range);
 std::size_t vertices_of(const sema::ZonePolygon& polygon);
 // Of all the areas of a file that make a zone, circles as the polygons that stand for them.
 std::size_t vertices_of(const sema::ZoneImport& import);

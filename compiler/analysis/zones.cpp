@@ -107,7 +107,7 @@ class Evaluator : public ZoneAlgebra<Evaluator, geometry::Region> {
       if (!zone) return std::nullopt;
     }
     Result widened = zone->widened(side == Side::inner ? Rational(-node.error) : node.error);
-    if (!widened) diagnostics_.report(too_many_to_move(zone->vertices(), range));
+    if (!widened) diagnostics_.report(too_many_to_place(zone->vertices(), node.error, range));
     return widened;
   }
   // What all areas of a group have in common.
@@ -257,6 +257,23 @@ diag::Diagnostic too_many_to_move(std::size_t vertices, const SourceRange& range
       "up to " + std::to_string(geometry::offset_vertices_max) +
           " work, where corners become round: leave out vertices that change the outline by "
           "little; or compare the clearance of the zone with the distance, which takes any zone",
+      {}};
+}
+
+diag::Diagnostic too_many_to_place(std::size_t vertices, const Rational& error,
+                                   const SourceRange& range) {
+  return {
+      Code::too_many_vertices,
+      range,
+      "the areas of the file have " + std::to_string(vertices) +
+          " vertices, and corners so sharp, or edges so near to others, that they cannot all be "
+          "moved by the " +
+          to_decimal(Rational(error * 1000)) + " mm that the map may be off",
+      "too many vertices",
+      {},
+      "up to " + std::to_string(geometry::offset_vertices_max) +
+          " work then: simplify the outlines in the program that drew them, or take fewer areas "
+          "by `feature \"name\"`",
       {}};
 }
 

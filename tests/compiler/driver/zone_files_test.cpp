@@ -146,6 +146,22 @@ TEST_F(ZoneFiles, OffsetsOfMoreThan20000VerticesAreRefused) {
   EXPECT_EQ(rtac({"check", "s.rta"}).status, 0);
 }
 
+// Needles 60 cm wide and 110 m long: what moves them is the error of the map, not the author.
+TEST_F(ZoneFiles, OutlinesInDegreesAreMovedByTheErrorOfTheMap) {
+  std::string ring = "[[8.5,47.39]";
+  constexpr int needles = 10'001;
+  for (int i = 0; i < needles; ++i) {
+    const auto east = [](int eighths) {
+      const std::string digits = std::to_string(eighths * 4);
+      return "[8.5" + std::string(6 - digits.size(), '0') + digits;
+    };
+    ring += "," + east(2 * i) + ",47.4]," + east(2 * i + 1) + ",47.401]";
+  }
+  write_polygon("a.geojson", ring + ",[8.59,47.4],[8.59,47.39],[8.5,47.39]]");
+  expect_said("import \"a.geojson\"", "error[4030]: the areas of the file have 20059 ");
+  expect_said("import \"a.geojson\"", "by the 2.701 mm that the map may be off");
+}
+
 // A circle of 10 km is a polygon of 256 edges: 977 of them have 250,112.
 TEST_F(ZoneFiles, CirclesCountAsTheirPolygons) {
   const auto plan = [](int circles) {
