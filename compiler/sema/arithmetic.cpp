@@ -1,5 +1,8 @@
 // Arithmetic: of quantities, and of points and vectors by components.
+#include <algorithm>
+
 #include "compiler/sema/property_checker.h"
+#include "compiler/syntax/print_expr.h"
 
 namespace rtac::sema {
 
@@ -165,7 +168,30 @@ Value PropertyChecker::scaled(const syntax::Expr& expr, const syntax::Binary& bi
   return Pair{Pair::Kind::vector, std::move(x), std::move(y), std::move(z), pair.frame};
 }
 
+// `(p, room) >= 5 cm`: the arguments of a function whose name is missing.
+bool PropertyChecker::lacks_callee(const syntax::Expr& expr, const syntax::PointLit& point) {
+  const auto any = [&](const auto& is) {
+    return std::any_of(point.coordinates.begin(), point.coordinates.end(), is);
+  };
+  const bool zone = any([&](const syntax::ExprPtr& each) { return says_zone(*each); });
+  const bool place = any([&](const syntax::ExprPtr& each) {
+    const syntax::Name* name = name_in(*each);
+    const bool is_local = name != nullptr && local(name->text) != nullptr;
+    return !is_local && (says_robot(*each) || speaks_of_points(*each));
+  });
+  if (!zone && !place) return false;
+  const std::string written = print_expr(expr);
+  context_.report(Finding(Code::point_expected, expr.range,
+                          std::string("the coordinates of a point are quantities, and there is ") +
+                              (zone ? "a zone" : "a place") + " among them")
+                      .label("is the name of a function missing?")
+                      .help("write `distance" + written + "`" +
+                            (zone ? " or `clearance" + written + "`" : "")));
+  return true;
+}
+
 Value PropertyChecker::form(const syntax::Expr& expr, const syntax::PointLit& point) {
+  if (lacks_callee(expr, point)) return nullptr;
   const std::size_t count = point.coordinates.size();
   if (count != 2 && count != 3) {
     context_.report(Finding(Code::point_expected, expr.range,

@@ -170,11 +170,12 @@ std::optional<std::vector<ExprPtr>> PropertyChecker::quantities(
   for (const syntax::ExprPtr& argument : arguments) {
     const auto due =
         views.empty() ? std::nullopt : std::optional<Dimension>(views.front()->dimension);
-    if (misfit && says_robot(*argument)) continue;
+    const bool is_place = says_robot(*argument) || says_zone(*argument);
+    if (misfit && is_place) continue;
     Value value = infer(*argument, due);
     auto* typed_value = std::get_if<ExprPtr>(&value.node);
     const bool fits = typed_value != nullptr && !(*typed_value)->boolean;
-    const bool misfits = says_robot(*argument) || (value && !fits);
+    const bool misfits = is_place || (value && !fits);
     ExprPtr quantity = misfits && misfit ? nullptr : as_quantity(*argument, std::move(value));
     misfit = misfit || misfits;
     good = good && quantity != nullptr;

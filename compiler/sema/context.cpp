@@ -117,6 +117,9 @@ bool Context::damaged(const SourceRange& place) const {
 
 void Context::report(const Finding& finding) {
   const diag::Diagnostic& found = finding.diagnostic();
+  const bool about_height = found.code == Code::spaces_differ || found.code == Code::not_in_space ||
+                            found.code == Code::land_without_height;
+  if (height_unclear && about_height) return;
   if (found.range && damaged(*found.range)) return;
   for (const diag::Note& note : found.notes) {
     if (note.range && damaged(*note.range)) return;
@@ -127,6 +130,12 @@ void Context::report(const Finding& finding) {
 std::optional<std::uint32_t> Context::resolve(const syntax::Name& name, Sort sort) {
   const Symbol* symbol = symbols.find(name.text);
   if (symbol != nullptr && symbol->sort == sort) return symbol->index;
+  height_unclear = height_unclear || sort == Sort::robot_kind;
+  // what an input is of an unknown type is open
+  if (symbol != nullptr && symbol->sort == Sort::input &&
+      faulty_inputs.count(InputId{symbol->index}) > 0) {
+    return std::nullopt;
+  }
   if (symbol != nullptr) {
     report(Finding(Code::wrong_sort, name.range,
                    "`" + name.text + "` is " + a_name_of(symbol->sort) + ", but " +
@@ -164,6 +173,11 @@ std::string Context::without_suggestion() {
 bool Context::first_unknown(const syntax::Name& name) {
   if (all_names_lost_ || name.text.empty() || lost_names_.count(name.text) > 0) return false;
   return !damaged(name.range) && reported_names_.insert(name.text).second;
+}
+
+void Context::withdraw(const std::string& name) {
+  symbols.remove(name);
+  lost_names_.insert(name);
 }
 
 void Context::missing_clause(const SourceRange& owner_range, const std::string& owner,

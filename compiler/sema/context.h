@@ -88,6 +88,8 @@ class Context {
 
   // Is this the first use of a name that is not declared? Nothing is said about later ones.
   bool first_unknown(const syntax::Name& name);
+  // A name that was declared as two things stands for neither: nothing is said about its uses.
+  void withdraw(const std::string& name);
   // Reports that nothing of this sort has the name.
   void unknown(const syntax::Name& name, Sort sort);
 
@@ -142,7 +144,10 @@ class Context {
   std::set<InputId> faulty_inputs, used_inputs;
   std::set<ParamId> faulty_params, used_params;
   std::set<std::string> refused_functions;  // a built-in one has their name
-  bool period_written = false;              // it may have a mistake
+  // A mistake leaves open whether a robot has a height: nothing is said about what does not suit
+  // it.
+  bool height_unclear = false;
+  bool period_written = false;  // it may have a mistake
   const std::vector<syntax::ZoneFile>& zone_files;
   // Each file is read once, however many zones are taken from it.
   std::map<std::string, std::variant<geometry::import::Areas, geometry::import::Failure>>

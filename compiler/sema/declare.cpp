@@ -40,6 +40,9 @@ std::uint32_t next_id(const std::vector<T>& items) {
 class Declarer {
  public:
   explicit Declarer(Context& context) : context_(context) {}
+  void withdraw_unclear() {
+    for (const std::string& name : unclear_) context_.withdraw(name);
+  }
 
   void operator()(const SourceRange&, const syntax::ImportItem&) {}
 
@@ -238,10 +241,17 @@ class Declarer {
             .label("declared again as " + a_name_of(sort))
             .note(first->range, std::string("the ") + name_of(first->sort) + " is declared here")
             .help("give one of them another name"));
+    if (sort != first->sort || has_type(sort)) unclear_.push_back(name.text);
     return false;
   }
 
+  // Two of a sort may differ in what may be done with them.
+  static bool has_type(Sort sort) {
+    return sort == Sort::input || sort == Sort::parameter || sort == Sort::function;
+  }
+
   Context& context_;
+  std::vector<std::string> unclear_;  // declared twice, and not as the same
 };
 
 }  // namespace
@@ -253,6 +263,7 @@ void declare_all(Context& context, const syntax::Program& program) {
       std::visit([&](const auto& node) { declare(item.range, node); }, item.node);
     }
   }
+  declare.withdraw_unclear();
 }
 
 }  // namespace rtac::sema

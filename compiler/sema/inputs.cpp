@@ -144,6 +144,7 @@ class InputChecker {
       Measurement& to = i == 0 ? input_ : *input_.turning;
       if (is_number(type)) to.resolution = default_resolution(context_.spec, type, to.dimension);
       good = check_interval(i, parts[i], type, to);
+      if (!good && shares_misfit(i, parts[i])) return check_age() && good;
       good = check_error(i, parts[i], type, to) && good;
       good = check_resolution(i, parts[i], type, to) && good;
     }
@@ -151,6 +152,14 @@ class InputChecker {
   }
 
  private:
+  // Range and error both have a unit of another dimension: that of the type is the mistake, which
+  // was reported.
+  [[nodiscard]] bool shares_misfit(std::size_t i, const Part& part) const {
+    if (i >= written_.error.size()) return false;
+    const syntax::Expr& error = *written_.error[i];
+    return bare_number(error) == nullptr && !factor_of(error, part.dimension);
+  }
+
   // One entry for all of the input, or one for each part.
   bool lengths_fit(const std::vector<Part>& parts, const ValueType& type) {
     bool good = true;

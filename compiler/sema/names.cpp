@@ -93,6 +93,13 @@ const Symbol* Symbols::add(const std::string& name, const Symbol& symbol) {
   return added ? nullptr : &place->second;
 }
 
+void Symbols::remove(const std::string& name) {
+  const auto place = symbols_.find(name);
+  if (place == symbols_.end()) return;
+  names_[place->second.sort].erase(name);
+  symbols_.erase(place);
+}
+
 const Symbol* Symbols::find(std::string_view name) const {
   const auto place = symbols_.find(name);
   return place == symbols_.end() ? nullptr : &place->second;

@@ -47,6 +47,7 @@ class Symbols {
  public:
   // The symbol that already has this name, else nullptr and `symbol` is kept.
   const Symbol* add(const std::string& name, const Symbol& symbol);
+  void remove(const std::string& name);
   [[nodiscard]] const Symbol* find(std::string_view name) const;
   [[nodiscard]] std::vector<std::string> names_of(Sort sort) const;  // in alphabetical order
 

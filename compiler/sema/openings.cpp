@@ -144,7 +144,7 @@ class OpeningChecker {
     for (const syntax::Name& name : names) {
       const auto* const found = std::find(day_names.begin(), day_names.end(), name.text);
       if (found == day_names.end()) {
-        context_.unknown_word(name, "day of the week", {day_names.begin(), day_names.end()});
+        context_.unknown_word(name, "a day of the week", {day_names.begin(), day_names.end()});
         good = false;
         continue;
       }

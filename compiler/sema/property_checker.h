@@ -154,6 +154,7 @@ class PropertyChecker {
   Value wrong_operand(const SourceRange& range, const std::string& message,
                       const std::string& help);
   Value form(const syntax::Expr& expr, const syntax::PointLit& point);
+  bool lacks_callee(const syntax::Expr& expr, const syntax::PointLit& point);
 
   // ---- past.cpp; every operator is judged now, also in the monitor of a robot.
   Value form(const syntax::Expr& expr, const syntax::Held& held);

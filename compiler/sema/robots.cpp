@@ -217,7 +217,10 @@ class KindChecker {
   // Position and velocity are both of the plane or both of space, and wheels drive in the plane.
   void check_space() {
     const auto position = spaces_.find("position"), velocity = spaces_.find("velocity");
-    if (position == spaces_.end()) return;
+    if (position == spaces_.end()) {
+      context_.height_unclear = true;  // its type is unknown, or has been lost
+      return;
+    }
     const bool high = position->second.second;
     if (velocity != spaces_.end() && velocity->second.second != high) {
       const std::string due = high ? "vector3" : "vector";

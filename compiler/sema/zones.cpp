@@ -217,7 +217,7 @@ class ZoneChecker {
         context_.symbols.find(name) != nullptr) {
       return not_a_zone(expr, zone_help);
     }
-    if (!name.empty()) {
+    if (context_.first_unknown(call.callee)) {
       context_.report(
           Finding(Code::unknown_function, call.callee.range, "there is no function `" + name + "`")
               .label("not a function")

@@ -104,7 +104,9 @@ class EditList {
   // bounds is missing in front of it.
   void add_missing_brace() {
     if (index_ < 2 || !tokens_[index_ - 1].first_on_line) return;
-    if (!find_word(tokens_[index_ - 1].kind) || tokens_[index_ - 2].kind != T::SEMICOLON) return;
+    const TokenKind before = tokens_[index_ - 2].kind;
+    if (before != T::SEMICOLON && before != T::BAD_CLAUSE) return;
+    if (!find_word(tokens_[index_ - 1].kind)) return;
     edits_.push_back({EditKind::insert, EditReason::missing_earlier, T::RIGHT_BRACE, 1});
   }
 

@@ -36,7 +36,7 @@ class Repairer {
       }
       const bool flooded = round >= kRoundsMax || diagnostics_.error_count() > kErrorsMax;
       if (flooded || !handle(*attempt.error)) {
-        lose(attempt.error->index, tokens_.size());
+        lose(0, tokens_.size());
         loss_.items = true;
         return finish(std::move(attempt));
       }
@@ -50,13 +50,15 @@ class Repairer {
     return attempt;
   }
 
-  // Names among the tokens in [begin, end).
+  // Names among the tokens in [begin, end), also what looks like a unit behind a number: `1 v :
+  // bool`.
   void lose(std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Word* word = find_word(tokens_[i].kind);
       const bool may_be_name = word != nullptr && word->word_kind != WordKind::item &&
                                word->word_kind != WordKind::reserved;
-      if (tokens_[i].kind != T::IDENT && !may_be_name) continue;
+      const bool is_name = tokens_[i].kind == T::IDENT || tokens_[i].kind == T::UNIT;
+      if (!is_name && !may_be_name) continue;
       loss_.names.emplace(sources_.text(tokens_[i].range));
     }
   }
@@ -72,18 +74,23 @@ class Repairer {
     } else {
       silent_edits_.push_back(tokens_[error.index].range);
     }
+    if (follows_item(error)) silent_edits_.push_back(tokens_[error.index - 1].range);
     item_in_doubt_ = item_in_doubt_ || puts_item_in_doubt(error, edit);
+    // a name that is missing may be any that is used
+    const bool no_name = edit && edit->kind == EditKind::insert && edit->token == T::IDENT;
+    loss_.rest = loss_.rest || no_name || lacks_declared_name(error);
     if (!edit || doubtful) return drop_clause(error.index);
     const std::size_t at = edit_index(error.index, *edit);
     if (edit->kind != EditKind::insert) lose(at, at + 1);
     // `input float x`: what looks like a type may be the name
     if (edit->kind == EditKind::insert && edit->token == T::COLON) lose(error.index, at + 2);
-    // a name that is missing may be any that is used
-    loss_.rest = loss_.rest || (edit->kind == EditKind::insert && edit->token == T::IDENT);
     tokens_ = apply_edit(std::move(tokens_), error.index, *edit);
     edited_at_ = edit_index(error.index, *edit);
-    // What follows a `;` or `}` that was removed between clauses is whole.
-    if (edit->kind == EditKind::remove && error.expects(T::BAD_CLAUSE)) edited_at_.reset();
+    // What follows a `;` or `}` that was removed between clauses is whole, on another line.
+    const bool starts_line = tokens_[error.index].first_on_line;
+    if (edit->kind == EditKind::remove && error.expects(T::BAD_CLAUSE) && starts_line) {
+      edited_at_.reset();
+    }
     return true;
   }
 
@@ -106,6 +113,17 @@ class Repairer {
     return error.expects(T::BAD_CLAUSE) && error.expects(T::ZONE);
   }
 
+  // `input p : point in 0 .. 9; m error 1 cm;`, `robot R { ... } } sense ...`: the item in front of
+  // the mistake may have ended too early.
+  [[nodiscard]] bool follows_item(const SyntaxError& error) const {
+    if (!is_between_items(error) || error.index == 0) return false;
+    const Token& found = tokens_[error.index];
+    const Word* word = find_word(found.kind);
+    const bool is_clause = word != nullptr && word->word_kind == WordKind::clause;
+    const TokenKind before = tokens_[error.index - 1].kind;
+    return before == T::SEMICOLON ? !found.first_on_line : is_clause && before == T::RIGHT_BRACE;
+  }
+
   static bool is_misspelled(const std::optional<Edit>& edit) {
     return edit && edit->reason == EditReason::misspelled;
   }
@@ -118,6 +136,20 @@ class Repairer {
       return each.code == diag::Code::reserved_word &&
              sources_.text(*each.range) == sources_.text(tokens_[index].range);
     });
+  }
+
+  // `input ( : bool;`, `enum G { 1, b }`: the name that is declared there is something else. In
+  // `fun slowv : speed)` it is less.
+  [[nodiscard]] bool lacks_declared_name(const SyntaxError& error) const {
+    const std::size_t i = error.index;
+    if (i > 1 && tokens_[i - 2].kind == T::FUN) return true;
+    if (i == 0 || !error.expects(T::IDENT) || error.expects(T::BAD_EXPR)) return false;
+    const TokenKind before = tokens_[i - 1].kind;
+    const Word* word = find_word(before);
+    const bool starts_item =
+        word != nullptr && (word->word_kind == WordKind::item || word->word_kind == WordKind::soft);
+    const bool starts_enum = before == T::LEFT_BRACE && i > 2 && tokens_[i - 3].kind == T::ENUM;
+    return starts_item || starts_enum || before == T::COMMA;
   }
 
   static bool is_brace(TokenKind kind) { return kind == T::LEFT_BRACE || kind == T::RIGHT_BRACE; }

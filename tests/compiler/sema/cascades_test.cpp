@@ -141,6 +141,79 @@ TEST(Cascades, UnknownNamesAreReportedBesideASyntaxError) {
   EXPECT_EQ(dropped->sources.text(*dropped->engine.all()[1].range), "y");
 }
 
+// The name that is declared is not there, and is used: nothing else is said about it.
+TEST(Cascades, ADeclarationWithoutItsNameIsOneMistake) {
+  const std::string head = "spec s;\nperiod 1 s;\ninput open : bool;\n";
+  const std::string uses = "monitor m { \"R1: x\" always x >= 1 m and open; }\n";
+  for (const std::string item :
+       {"input ( : real [m];\n", "input 1 : real [m];\n", "1 x : real [m] in 0 .. 9 m;\n",
+        "input open, ( : real [m];\n", "param ; : length in 0 m .. 1 m = 1 m;\n"}) {
+    const auto checked = check_text(head + item + uses);
+    EXPECT_EQ(codes_of(*checked), std::vector<Code>{Code::unexpected_token})
+        << item << checked->reports();
+  }
+  const auto glued = check_text(head +
+                                "fun slowv : speed) : bool = v <= 1 m/s;\n"
+                                "monitor m { \"R1: x\" always slow(1 m/s); }\n"
+                                "monitor n { \"R2: x\" always open and not slow(2 m/s); }\n");
+  EXPECT_EQ(codes_of(*glued), std::vector<Code>{Code::unexpected_token}) << glued->reports();
+}
+
+// Which of two declarations is meant is open.
+TEST(Cascades, ANameThatIsDeclaredTwiceIsOneMistake) {
+  const std::string head = "spec s;\nperiod 1 s;\ninput x : real [m] in 0 .. 9 m;\n";
+  const std::string more = "monitor n { \"R2: x\" always x >= 1 m; }\n";
+  for (const std::string item :
+       {"input x : bool;\nmonitor m { \"R1: x\" always x; }\n",
+        "zone x = rectangle (0 m, 0 m) to (1 m, 1 m);\ninput p : point;\n"
+        "monitor m { \"R1: x\" always p inside x; }\n",
+        "fun x(v : speed) : bool = v <= 1 m/s;\nmonitor m { \"R1: x\" always x(1 m/s); }\n",
+        "enum x { a, b }\ninput y : x;\nmonitor m { \"R1: x\" always y == a; }\n"}) {
+    const auto checked = check_text(head + item + more);
+    EXPECT_EQ(codes_of(*checked), std::vector<Code>{Code::duplicate_name})
+        << item << checked->reports();
+  }
+}
+
+// Whether it has a height is not known of a robot that is damaged where it says so.
+TEST(Cascades, AnUnclearPositionIsNotHeldAgainstZonesWithHeight) {
+  const std::string text = R"(spec hall;
+zone hall = prism (rectangle (0 m, 0 m) to (9 m, 9 m)) from 0 m to 8 m;
+robot Quad {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense position : point3 error 2 cm max_age 60 ms;
+  sense velocity : vector3 error 3 cm/s max_age 60 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet quad : Quad;
+controller pilot : advanced for Quad extern;
+controller down : safe for Quad = land to 1 m speed 0.3 m/s;
+controller back : safe for Quad = retreat within hall speed 0.3 m/s;
+monitor walls for d : Quad { "SR-1: in" always d inside hall; recover back; }
+monitor low for d : Quad { "SR-2: low" always d.position.z <= 7 m; recover down; }
+decision fly for Quad { advanced pilot; period 50 ms; priority walls > low; }
+)";
+  ASSERT_EQ(codes_of(*check_text(text)), std::vector<Code>{});
+  for (const Change& change :
+       {Change{"position : point3", "position :"}, Change{"position : point3", "position : x"},
+        Change{"error 2 cm", "error error 2 cm"}, Change{"robot Quad", "robot"},
+        Change{"robot Quad", "1 Quad"}, Change{"robot Quad", "robot Quod"},
+        Change{"m/s^2; }", "m/s^2; } }"}}) {
+    const auto checked = check_text(edited(text, {change}));
+    EXPECT_EQ(checked->engine.all().size(), 1u) << change.second << "\n" << checked->reports();
+  }
+}
+
+// Of two ends of a range and an error that do not suit the unit of the type, one is told.
+TEST(Cascades, AUnitThatDoesNotSuitTheRangeIsOneMistake) {
+  const auto checked = check_text(
+      "spec s;\nperiod 1 s;\ninput v : real [ms] in 0 .. 3 m/s error 1 cm/s;\n"
+      "monitor m { \"R1: v\" always v <= 2 m/s; }\n");
+  EXPECT_EQ(codes_of(*checked), std::vector<Code>{Code::wrong_dimension}) << checked->reports();
+}
+
 // The type of an input that was mended by a guess may be another one, its name is not.
 TEST(Cascades, ADamagedDeclarationIsNotHeldAgainstItsUses) {
   const std::string head = "spec s;\nperiod 1 s;\n";
@@ -223,6 +296,27 @@ TEST(Cascades, AMissingWordIsNoMistakeInSyntaxAndMeaning) {
           << "without `" << text.substr(begin, end - begin) << "` at " << begin << "\n"
           << checked->reports();
       begin = end;
+    }
+  }
+}
+
+// ... and every word of it replaced by a sign or a number.
+TEST(Cascades, AnotherWordIsNoMistakeInSyntaxAndMeaning) {
+  for (const std::string& text : {yard(), door()}) {
+    for (const char* const other : {" ( ", " 1 ", " ; "}) {
+      std::size_t begin = 0;
+      while ((begin = text.find_first_not_of(" \n", begin)) != std::string::npos) {
+        const std::size_t end = end_of_token(text, begin);
+        const auto checked = check_text(text.substr(0, begin) + other + text.substr(end));
+        const auto codes = codes_of(*checked);
+        const auto of_syntax = std::count_if(
+            codes.begin(), codes.end(), [](Code code) { return static_cast<int>(code) < 2000; });
+        EXPECT_TRUE(of_syntax == 0 || of_syntax == std::ssize(codes))
+            << "`" << other << "` for `" << text.substr(begin, end - begin) << "` at " << begin
+            << "\n"
+            << checked->reports();
+        begin = end;
+      }
     }
   }
 }
