@@ -124,7 +124,7 @@ class TextRenderer {
 
   [[nodiscard]] std::string describe(const FixIt& fixit) const {
     if (fixit.replacement.empty()) {
-      return "remove `" + std::string{sources_.text(fixit.range)} + '`';
+      return "remove `" + trim_blanks(std::string{sources_.text(fixit.range)}) + '`';
     }
     const bool inserts = fixit.range.begin == fixit.range.end;
     return (inserts ? "insert `" : "write `") + trim_blanks(fixit.replacement) + '`';

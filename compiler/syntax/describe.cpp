@@ -63,6 +63,8 @@ class Describer {
       case EditReason::superfluous:
         if (edit->back > 0) return trailing_comma();
         return superfluous(edit->kind == EditKind::remove);
+      case EditReason::doubled:
+        return Describer{tokens_, earlier(*edit), sources_}.doubled();
     }
     return plain();
   }
@@ -257,6 +259,18 @@ class Describer {
     return result;
   }
 
+  // Which of two numbers is meant is the author's to say.
+  [[nodiscard]] Diagnostic doubled() const {
+    Diagnostic result = make(Code::unexpected_token, found() + " stands twice", "the second one");
+    if (found_.kind == T::NUMBER) {
+      result.help = "leave one of them out, or write what is missing between them";
+    } else {
+      const SourceRange& first = tokens_[error_.index - 1].range;
+      result.fixits.push_back({{first.file, first.end, found_.range.end}, ""});
+    }
+    return result;
+  }
+
   [[nodiscard]] Diagnostic misspelled(TokenKind kind) const {
     Diagnostic result = make(Code::unexpected_token, found() + " is not a word that fits here",
                              "did you mean " + ticks(kind) + "?");
@@ -359,9 +373,21 @@ class Describer {
 
 }  // namespace
 
+// A sign that is not all that is missing may be another one than that which is due.
+static bool may_mislead(const Edit& edit) {
+  return edit.kind == EditKind::insert && edit.reason == EditReason::missing &&
+         edit.token != T::COLON && edit.token != T::SEMICOLON && !find_word(edit.token);
+}
+
 Diagnostic describe_error(const std::vector<Token>& tokens, const SyntaxError& error,
-                          const std::optional<Edit>& edit, const SourceManager& sources) {
-  Diagnostic result = Describer{tokens, error, sources}.describe(edit);
+                          const std::optional<Edit>& edit, bool mends,
+                          const SourceManager& sources) {
+  const bool misleads = edit && !mends && may_mislead(*edit);
+  const bool closes = edit && is_bracket_end(edit->token);  // what is open is told all the same
+  Describer describer{tokens, error, sources};
+  Diagnostic result = describer.describe(misleads && !closes ? std::nullopt : edit);
+  if (misleads) result.fixits.clear();
+  if (edit && edit->reason == EditReason::doubled) return result;
   explain_foreign(tokens, error, sources, result);
   if (result.help.empty() && result.fixits.empty()) result.help = form_help(tokens, error);
   return result;

@@ -8,7 +8,9 @@
 
 namespace rtac::syntax {
 
+// `mends`: with the edit, the rest of the clause is as it should be.
 diag::Diagnostic describe_error(const std::vector<Token>& tokens, const SyntaxError& error,
-                                const std::optional<Edit>& edit, const SourceManager& sources);
+                                const std::optional<Edit>& edit, bool mends,
+                                const SourceManager& sources);
 
 }  // namespace rtac::syntax

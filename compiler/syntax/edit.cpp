@@ -61,6 +61,7 @@ class EditList {
         sources_(sources) {}
 
   std::vector<Edit> make() {
+    add_doubled();
     add_operators();
     add_missing_brace();
     add_missing_name();
@@ -85,6 +86,18 @@ class EditList {
   }
   void replace(EditReason reason, TokenKind kind) {
     edits_.push_back({EditKind::replace, reason, kind});
+  }
+
+  // `input x x : bool`, `in 0 .. 8 8 m`; in `error error 1 cm` the second one was taken for a name.
+  void add_doubled() {
+    for (std::size_t back = 0; back < 2 && back < index_; ++back) {
+      const Token& one = tokens_[index_ - back - 1];
+      const Token& two = tokens_[index_ - back];
+      const bool says_something = two.kind == T::IDENT || two.kind == T::NUMBER ||
+                                  two.kind == T::UNIT || find_word(two.kind) != nullptr;
+      const bool same = says_something && sources_.text(one.range) == sources_.text(two.range);
+      if (same) edits_.push_back({EditKind::remove, EditReason::doubled, two.kind, back});
+    }
   }
 
   void add_operators() {

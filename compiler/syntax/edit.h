@@ -21,6 +21,7 @@ enum class EditReason {
   word_as_name,        // a reserved word where a name is expected
   missing_operand,     // an expression or name is missing
   superfluous,         // the token does not belong here
+  doubled,             // a word or a number that stands twice
 };
 
 struct Edit {

@@ -25,7 +25,7 @@ class Explainer {
       return;
     if (explain_unit() || explain_input()) return;
     if (explain_word(error_.index) || is_clause_start(error_.index)) return;
-    if (!explain_word(error_.index - 1)) explain_word(window_owner());
+    if (!explain_word(error_.index - 1) && !explain_word(window_owner())) explain_argument();
   }
 
  private:
@@ -217,6 +217,27 @@ class Explainer {
     return true;
   }
 
+  // `mean[0 s, 2 s] x`
+  void explain_argument() {
+    const std::size_t at = error_.index, owner = window_owner();
+    const bool lacks_bracket = error_.expected.size() == 1 && error_.expects(T::LEFT_PAREN);
+    const bool is_operand = kind(at) == T::IDENT || kind(at) == T::NUMBER || kind(at) == T::MINUS;
+    if (!lacks_bracket || !is_operand || owner == at || !is_aggregate(text(owner))) return;
+    report_.range = span(owner, at - 1);
+    const std::string window{sources_.text(*report_.range)};
+    report_.message = "`" + window + "` takes its operand in brackets";
+    report_.label = "`(` is missing behind it";
+    const TokenKind next = kind_at(at + 1);
+    const bool goes_on = next == T::DOT || next == T::LEFT_PAREN || next == T::LEFT_BRACKET;
+    if (kind(at) != T::IDENT || goes_on) return give("write `" + window + "(x)`");
+    const std::string whole = window + "(" + std::string{text(at)} + ")";
+    give("write `" + whole + "`", {{span(owner, next == T::RIGHT_PAREN ? at + 1 : at), whole}});
+  }
+  static bool is_aggregate(std::string_view name) {
+    return name == "min" || name == "max" || name == "mean" || name == "sum" || name == "count" ||
+           name == "rate";
+  }
+
   // `once(0 s, 2 s) open`, `always[0 s, 2 s] open`.
   bool explain_brackets() {
     const std::size_t at = error_.index;
@@ -302,8 +323,16 @@ class Explainer {
         at > 1 && kind(at - 2) == T::COLON && (text(at - 1) == "real" || text(at - 1) == "vector");
     if (!of_type) return false;
     if (kind(at) == T::IDENT || kind(at) == T::UNIT) {
-      give("the unit of a type stands in brackets: `real [" + std::string{text(at)} + "]`",
-           {{tokens_[at].range, "[" + std::string{text(at)} + "]"}});
+      std::size_t last = at;  // `m/s^2` without blanks
+      while (touches_next(last) && kind(last + 1) != T::RIGHT_BRACKET &&
+             kind(last + 1) != T::SEMICOLON) {
+        ++last;
+      }
+      const std::string unit = "[" + std::string{sources_.text(span(at, last))} + "]";
+      const bool is_closed = kind_at(last + 1) == T::RIGHT_BRACKET;
+      give(
+          "the unit of a type stands in brackets: `" + std::string{text(at - 1)} + " " + unit + "`",
+          {{span(at, is_closed ? last + 1 : last), unit}});
       return true;
     }
     if (kind(at) != T::LEFT_PAREN && kind(at) != T::LESS) return false;

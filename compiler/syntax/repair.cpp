@@ -70,7 +70,8 @@ class Repairer {
     const bool silent = doubtful || follows_bad_token(error.index) || is_left_over(error, edit) ||
                         is_used_as_declared(error.index, edit);
     if (!silent) {
-      diagnostics_.report(describe_error(tokens_, error, edit, sources_));
+      diagnostics_.report(
+          describe_error(tokens_, error, edit, edit && mends(error, *edit), sources_));
     } else {
       silent_edits_.push_back(tokens_[error.index].range);
     }
@@ -136,6 +137,16 @@ class Repairer {
       return each.code == diag::Code::reserved_word &&
              sources_.text(*each.range) == sources_.text(tokens_[index].range);
     });
+  }
+
+  // Is there no further mistake in the clause?
+  [[nodiscard]] bool mends(const SyntaxError& error, const Edit& edit) const {
+    const std::vector<Token> edited = apply_edit(tokens_, error.index, edit);
+    const Attempt attempt = attempt_parse(edited, sources_);
+    if (!attempt.error) return true;
+    const auto at = [&](std::size_t i) { return edited.begin() + static_cast<std::ptrdiff_t>(i); };
+    return std::any_of(at(edit_index(error.index, edit)), at(attempt.error->index),
+                       [](const Token& token) { return ends_clause(token.kind); });
   }
 
   // `input ( : bool;`, `enum G { 1, b }`: the name that is declared there is something else. In

@@ -31,7 +31,7 @@ TEST(Foreign, OperatorsOfTemporalLogic) {
            Case{"open implies F moving", "F", "`x within 2 s of y`"},
            Case{"G open", "G", "`historically[0 s, 2 s] x`"},
            Case{"open and globally moving", "globally", "`historically[0 s, 2 s] x`"},
-           Case{"always open", "always", "`historically[0 s, 2 s] x`"},
+           Case{"not always open", "always", "`historically[0 s, 2 s] x`"},
            Case{"not next open", "next", "`previously x`"},
            Case{"open until moving", "until", "`x since y`"},
            Case{"open within 2 s after moving", "after", "`x within 2 s of y`"},

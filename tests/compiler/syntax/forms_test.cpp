@@ -89,7 +89,7 @@ TEST(Forms, AreThoseOfTheOperatorThatIsOpen) {
   EXPECT_EQ(help_in("once[0 s] a"), "the form is `once[0 s, 2 s] open`");
   EXPECT_EQ(help_in("a since[0 s] b"), "the form is `moving since[0 s, 2 s] started`");
   EXPECT_EQ(help_in("a since"), "the form is `moving since[0 s, 2 s] started`");
-  EXPECT_EQ(help_in("min[0 s, 1 s] x"), "the form is `mean[0 s, 1 s](speed)`");
+  EXPECT_EQ(help_in("min[0 s, 1 s] <= 1 m"), "the form is `mean[0 s, 1 s](speed)`");
   EXPECT_EQ(help_in("a since b[0 s, 1 s]"),
             "the form is `moving since[0 s, 2 s] started` or `mean[0 s, 1 s](speed)`");
   EXPECT_EQ(help_in("once mean[0 s, 1 s] <= 1 m"),
