@@ -44,7 +44,7 @@ bool wants_colour(const std::ostream& err) {
 
 void show(const Options& options, const Compilation& c, std::ostream& err) {
   if (options.format == Format::json) {
-    err << diag::render_json(c.diagnostics, c.sources) << "\n";
+    err << diag::render_json(c.diagnostics, c.sources);
   } else if (options.format == Format::sarif) {
     err << diag::render_sarif(c.diagnostics, c.sources, {RTAC_VERSION, page_about});
   } else {

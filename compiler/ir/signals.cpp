@@ -67,17 +67,16 @@ class SignalBuilder {
     if (abs(count) <= Rational(static_cast<long>(sema::grid_steps_max))) {
       return up ? ceil_to_int(count) : floor_to_int(count);
     }
+    const Rational most = unit.step * static_cast<long>(sema::grid_steps_max);
+    const bool counts = unit.dimension == sema::dims::number && unit.step == 1;
     diagnostics_.report(
         {Code::value_out_of_range,
          source,
-         "`" + sema::show(si, unit.dimension) + "` is more than 10^15 steps of " +
-             sema::show(unit.step, unit.dimension),
-         "",
+         "this is more than 10^15 steps of " + sema::show(unit.step, unit.dimension),
+         "too far from 0",
          {},
-         "at most `" +
-             sema::show(Rational(static_cast<long>(sema::grid_steps_max)) * unit.step,
-                        unit.dimension) +
-             "` works, or a coarser `resolution`",
+         "at most `" + sema::show(most, unit.dimension) + "` works" +
+             (counts ? "" : ", or a coarser `resolution`"),
          {}});
     return 0;
   }

@@ -104,16 +104,36 @@ std::string describe(const Dimension& dimension) {
   return "a quantity in " + unit_of(dimension);
 }
 
+// Numbers that nobody counts the zeros of have an exponent: `1e40`, `2.5e-20`.
+static std::string readable(const Rational& value) {
+  constexpr std::size_t longest = 18;
+  const std::string text = to_decimal(value);
+  if (text.size() <= longest || value == 0) return text;
+  const std::size_t point = std::min(text.find('.'), text.size());
+  std::string digits = text;
+  digits.erase(
+      std::remove_if(digits.begin(), digits.end(), [](char c) { return c == '.' || c == '-'; }),
+      digits.end());
+  const auto first = static_cast<long>(digits.find_first_not_of('0'));
+  const long whole = static_cast<long>(point) - (text[0] == '-' ? 1 : 0);  // in front of the point
+  digits.erase(0, static_cast<std::size_t>(first));
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.size() > longest) return text;
+  const long exponent = whole - first - 1;
+  if (digits.size() > 1) digits.insert(1, ".");
+  return (text[0] == '-' ? "-" : "") + digits + "e" + std::to_string(exponent);
+}
+
 std::string show(const Rational& value, const Dimension& dimension) {
-  if (dimension == dims::number) return to_decimal(value);
+  if (dimension == dims::number) return readable(value);
   if (dimension == dims::time && value != 0 && abs(value) < 1) {
-    return to_decimal(Rational(value * 1000)) + " ms";
+    return readable(Rational(value * 1000)) + " ms";
   }
   Rational shown = value;
   // Every power of a ratio is shown in per cent: 0.05 is 5 %.
   for (int i = 0; i < dimension.ratio; ++i) shown *= 100;
   for (int i = 0; i > dimension.ratio; --i) shown /= 100;
-  return to_decimal(shown) + " " + unit_of(dimension);
+  return readable(shown) + " " + unit_of(dimension);
 }
 
 }  // namespace rtac::sema

@@ -170,6 +170,19 @@ ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Bi
                                          std::move(gap), std::move(none)}));
 }
 
+// Zones that are known beforehand need no monitor.
+void PropertyChecker::report_two_zones(const syntax::Expr& expr, const std::string& user,
+                                       const syntax::Expr& first, const syntax::Expr& second) {
+  const syntax::Name *one = name_in(first), *two = name_in(second);
+  const bool named = one != nullptr && two != nullptr;
+  context_.report(
+      Finding(Code::wrong_argument, expr.range, "`" + user + "` between two zones is not judged")
+          .label("takes a point or a robot, and one zone")
+          .help("fixed zones are compared by declaring one: `zone near = grow(" +
+                (named ? one->text : "a") + ", 1 m) & " + (named ? two->text : "b") +
+                ";` is refused as empty where they are more than 1 m apart"));
+}
+
 // `clearance(p, Z)` or `distance(p, Z)`: the distance of the place, the centre of a body, to the
 // boundary, negative outside; and the radius of the body.
 std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const syntax::Expr& expr,
@@ -179,6 +192,10 @@ std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const synt
   const syntax::Expr& first = *call.arguments[0];
   const syntax::Expr& second = *call.arguments[1];
   if (is_error(first) || is_error(second)) return std::nullopt;
+  if (says_zone(first) && says_zone(second)) {
+    report_two_zones(expr, user, first, second);
+    return std::nullopt;
+  }
   if (says_zone(first)) {
     const std::string what = names_robot(second) ? "robot" : "point";
     context_.report(

@@ -334,7 +334,7 @@ std::optional<int> count(Context& context, const syntax::Expr& expr, const std::
   }
   const std::string range = std::to_string(low) + " to " + std::to_string(high);
   context.report(Finding(Code::quantity_out_of_range, expr.range,
-                         what + " cannot be " + to_decimal(number->value))
+                         what + " cannot be " + show(number->value, dims::number))
                      .label("must be a whole number from " + range)
                      .help("a whole number from " + range + " works"));
   return std::nullopt;

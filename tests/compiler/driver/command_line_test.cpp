@@ -107,6 +107,8 @@ TEST_F(CommandLine, WarningsDoNotFailUnlessTheyAreToldTo) {
 
 TEST_F(CommandLine, JsonIsOneValidDocumentWithPlaces) {
   const Outcome o = rtac({"check", "faulty.rta", "--format", "json"});
+  // one line feed at the end, as every file of text has
+  EXPECT_EQ(o.err.find_last_not_of('\n') + 2, o.err.size());
   EXPECT_EQ(o.status, 1);
   const auto all = nlohmann::json::parse(o.err, nullptr, false);
   ASSERT_TRUE(all.is_array()) << o.err;

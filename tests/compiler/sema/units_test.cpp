@@ -121,6 +121,14 @@ TEST(Units, AreNamedInMessages) {
   EXPECT_EQ(show(Rational(1, 25), dims::time), "40 ms");
   EXPECT_EQ(show(Rational(3, 2), dims::time), "1.5 s");
   EXPECT_EQ(show(Rational(-11, 100), dims::length), "-0.11 m");
+  // nobody counts zeros
+  Rational large = 36;
+  for (int i = 0; i < 30; ++i) large *= 10;
+  EXPECT_EQ(show(large, dims::time), "3.6e31 s");
+  EXPECT_EQ(show(Rational(-large), dims::length), "-3.6e31 m");
+  EXPECT_EQ(show(Rational(Rational(1) / large * 36), dims::length), "1e-30 m");
+  EXPECT_EQ(show(Rational(1099511627776), dims::time), "1099511627776 s");
+  EXPECT_EQ(show(Rational(0), dims::length), "0 m");
 }
 
 }  // namespace
