@@ -1,5 +1,5 @@
-// Sites of controllers that no decision uses: those in use are held against the tables of their
-// zones, with the clearances that the decision needs.
+// Sites that no decision routes to: those in use are held against the tables of their zones, with
+// the clearances that the decision needs.
 #pragma once
 
 #include <functional>
@@ -16,5 +16,10 @@ using RegionOf = std::function<std::optional<geometry::Region>(sema::ZoneId)>;
 
 // Every place that such a controller routes to lies in its zone, with the whole body.
 void check_idle_sites(const sema::Spec& spec, const RegionOf& region_of, diag::Engine& diagnostics);
+
+// Every place to charge at that no controller routes to lies where the robots may be, as their
+// monitors have it.
+void check_charging_sites(const sema::Spec& spec, const RegionOf& region_of,
+                          diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

@@ -515,8 +515,9 @@ void check_zones(const sema::Spec& spec, diag::Engine& diagnostics) {
     const auto around = use.points ? evaluator.around(id) : std::nullopt;
     baker.check_extent(spec.zones[i], use, *region, around);
   }
-  check_idle_sites(
-      spec, [&](ZoneId id) { return evaluator.zone(id); }, diagnostics);
+  const RegionOf region_of = [&](ZoneId id) { return evaluator.zone(id); };
+  check_idle_sites(spec, region_of, diagnostics);
+  check_charging_sites(spec, region_of, diagnostics);
 }
 
 std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
@@ -545,8 +546,9 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
     if (use.points) around = evaluator.around(ZoneId(i));
     result[i] = baker.bake(spec.zones[i], use, std::move(*region), around);
   }
-  check_idle_sites(
-      spec, [&](ZoneId id) { return evaluator.zone(id); }, diagnostics);
+  const RegionOf region_of = [&](ZoneId id) { return evaluator.zone(id); };
+  check_idle_sites(spec, region_of, diagnostics);
+  check_charging_sites(spec, region_of, diagnostics);
   return result;
 }
 
