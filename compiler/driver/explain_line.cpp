@@ -73,7 +73,7 @@ int explain_line(const Options& options, Compilation& c, std::ostream& out) {
   }
   const std::string place = path + ":" + std::to_string(line);
   std::vector<Remark> all = robot_remarks(c);
-  for (std::vector<Remark> more : {watch_remarks(c), import_remarks(c)}) {
+  for (std::vector<Remark> more : {declared_remarks(c), watch_remarks(c), import_remarks(c)}) {
     std::move(more.begin(), more.end(), std::back_inserter(all));
   }
   std::erase_if(all, [&](const Remark& remark) { return remark.source.file != file; });

@@ -23,6 +23,8 @@ struct Remark {
 std::vector<Remark> watch_remarks(const Compilation& c);
 // Of the origin of the map and of zones that are read from files.
 std::vector<Remark> import_remarks(const Compilation& c);
+// Of robots without a decision, and of zones that are there at certain times.
+std::vector<Remark> declared_remarks(const Compilation& c);
 // Of robots, zones, controllers, monitors and decisions.
 std::vector<Remark> robot_remarks(const Compilation& c);
 

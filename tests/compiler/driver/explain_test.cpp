@@ -304,5 +304,55 @@ TEST_F(ExplainRobot, BytesAreThoseOfTheStruct) {
       << text << read("size.txt");
 }
 
+// Robots that only monitors without a robot speak of: what counts there, and what does not.
+TEST_F(Explain, ARobotWithoutADecision) {
+  write("door.rta",
+        "spec tower;\nperiod 100 ms;\n"
+        "robot Rover {\n"
+        "  body radius 10 cm;\n"
+        "  motion point { speed <= 0.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }\n"
+        "  sense position : point error 1 cm max_age 100 ms;\n"
+        "  sense velocity : vector error 1 cm/s max_age 100 ms;\n"
+        "  output push : acceleration;\n"
+        "  latency 20 ms;\n"
+        "}\n"
+        "fleet one, two : Rover;\n"
+        "fleet more : Rover[9];\n"
+        "zone yard = rectangle (0 m, 0 m) to (9 m, 9 m);\n"
+        "monitor apart { \"R1: apart\" always distance(one, two) >= 10 cm; }\n"
+        "monitor in { \"R2: in\" always forall r : Rover, r != one : r inside yard; }\n");
+  EXPECT_EQ(about(3, "robot Rover"),
+            "robot Rover\n"
+            "  no decision: monitors without a robot judge where it is and how it moves\n");
+  EXPECT_NE(at(4).find("radius: 0.1 m\n  gaps between bodies are those of the centres"),
+            std::string::npos);
+  EXPECT_NE(at(5).find("more than 0.5 m/s along one of the axes"), std::string::npos);
+  EXPECT_EQ(about(6, "sense position"),
+            "sense position\n  error 0.01 m\n  unknown when older than 100 ms\n"
+            "  inputs: one.position, two.position, more[0].position, more[1].position, "
+            "more[2].position, more[3].position and 5 more\n");
+  EXPECT_NE(at(7).find("no monitor speaks of it\n"), std::string::npos);
+  EXPECT_NE(at(9).find("latency: 20 ms\n  a decision alone makes use of it\n"), std::string::npos);
+  EXPECT_NE(at(11).find("robot two : Rover\n  no decision: "), std::string::npos);
+  EXPECT_NE(at(12).find("fleet more : Rover, 9 robots\n  no decision: "), std::string::npos);
+}
+
+// The windows of a zone, on each of its lines, whether a monitor speaks of it or not.
+TEST_F(Explain, AZoneThatIsThereAtCertainTimes) {
+  write("door.rta",
+        "spec fair;\nperiod 1 s;\nclock utc;\n"
+        "zone school = rectangle (0 m, 0 m) to (9 m, 9 m)\n"
+        "  during monday, friday 08:00 .. 12:00\n"
+        "    or 2026-05-01T08:00Z .. 2026-05-01T18:00Z;\n"
+        "input open : bool;\nmonitor m { \"R1: open\" always open; }\n");
+  for (const int line : {4, 5, 6}) {
+    EXPECT_EQ(about(line, "zone school is there at certain times"),
+              "zone school is there at certain times\n"
+              "  monday, friday 08:00:00 .. 12:00:00, UTC\n"
+              "  2026-05-01T08:00:00Z .. 2026-05-01T18:00:00Z, UTC\n"
+              "  outside of that it is empty: nothing is inside, and it is far from all\n");
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -1,0 +1,145 @@
+// What is known of declarations that no decision makes anything of: robots that only monitors
+// without a robot speak of, and the times at which zones are there.
+#include <algorithm>
+#include <iterator>
+
+#include "compiler/driver/explain_line.h"
+#include "compiler/driver/explain_text.h"
+#include "compiler/sema/dimension.h"
+#include "compiler/sema/openings.h"
+
+namespace rtac::driver {
+namespace {
+
+namespace dims = sema::dims;
+
+class DeclaredRemarks {
+ public:
+  explicit DeclaredRemarks(const Compilation& c) : c_(c), spec_(*c.spec) {}
+
+  std::vector<Remark> run() {
+    for (const sema::Zone& zone : spec_.zones) {
+      if (!zone.openings.empty() && !zone.name.empty()) times(zone);
+    }
+    for (std::uint32_t i = 0; i < spec_.kinds.size(); ++i) {
+      const bool decided =
+          std::any_of(spec_.decisions.begin(), spec_.decisions.end(),
+                      [&](const sema::Decision& d) { return d.kind == sema::KindId{i}; });
+      if (!decided) kind(sema::KindId{i});
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void add(const SourceRange& source, std::string text, std::vector<std::string> details) {
+    out_.push_back({source, std::move(text), std::move(details)});
+  }
+
+  // ---- zones
+
+  void times(const sema::Zone& zone) {
+    std::vector<std::string> details;
+    for (const sema::Opening& opening : zone.openings) {
+      details.push_back(sema::text_of(opening) + ", UTC");
+    }
+    details.emplace_back("outside of that it is empty: nothing is inside, and it is far from all");
+    add(whole(zone), "zone " + zone.name + " is there at certain times", std::move(details));
+  }
+  // With its windows, which may stand on other lines.
+  [[nodiscard]] SourceRange whole(const sema::Zone& zone) const {
+    SourceRange all = zone.name_range;
+    const std::string_view text = c_.sources.text(all.file);
+    all.end = static_cast<std::uint32_t>(std::min(text.find(';', all.end), text.size()));
+    return all;
+  }
+
+  // ---- robots without a decision
+
+  void kind(sema::KindId id) {
+    const sema::RobotKind& k = spec_[id];
+    add(k.name_range, "robot " + k.name,
+        {"no decision: monitors without a robot judge where it is and how it moves"});
+    add(k.radius.range, "radius: " + sema::show(k.radius.value, dims::length),
+        {"gaps between bodies are those of the centres less both radii, gaps to zones less one"});
+    add(k.motion.range, "motion of " + k.name,
+        {"a velocity of more than " + sema::show(k.motion.speed.value, dims::speed) +
+             " along one of the axes, by more than its error, is unknown",
+         "what else is declared here, a decision alone makes use of"});
+    sense(id, "position", k.position, dims::length);
+    sense(id, "heading", k.heading, dims::angle);
+    sense(id, "velocity", k.velocity, dims::speed);
+    sense(id, "battery", k.battery, dims::ratio);
+    if (k.hears_max_age) for_decisions(k.hears_max_age->range, "hears other robots");
+    if (k.plan) for_decisions(k.plan->range, "plan");
+    if (k.energy) for_decisions(k.energy->range, "energy");
+    for_decisions(k.latency.range, "latency: " + sema::show(k.latency.value, dims::time));
+    fleets(id);
+  }
+  void for_decisions(const SourceRange& source, std::string text) {
+    add(source, std::move(text), {"a decision alone makes use of it"});
+  }
+
+  void sense(sema::KindId id, const std::string& name, const std::optional<sema::Sense>& s,
+             const sema::Dimension& dimension) {
+    if (!s) return;
+    std::vector<std::string> inputs;
+    for (const sema::Robot& robot : spec_.robots) {
+      const std::string input = robot.name + "." + name;
+      if (robot.kind == id && is_asked(input)) inputs.push_back(input);
+    }
+    SourceRange range = s->error.range;
+    range.end = std::max(range.end, s->max_age.range.end);
+    add(range, "sense " + name,
+        {"error " + sema::show(s->error.value, dimension),
+         "unknown when older than " + sema::show(s->max_age.value, dims::time),
+         inputs.empty() ? "no monitor speaks of it" : "inputs: " + listed(inputs)});
+  }
+  static std::string listed(const std::vector<std::string>& inputs) {
+    constexpr std::size_t shown_max = 6;
+    std::string text;
+    for (std::size_t i = 0; i < inputs.size() && i < shown_max; ++i) {
+      text += (i > 0 ? ", " : "") + inputs[i];
+    }
+    const std::size_t shown = std::min(inputs.size(), shown_max);
+    return inputs.size() > shown ? text + " and " + std::to_string(inputs.size() - shown) + " more"
+                                 : text;
+  }
+  // Does a monitor ask for the input of a robot?
+  [[nodiscard]] bool is_asked(const std::string& input) const {
+    if (!c_.module->watch) return false;
+    const auto& inputs = c_.module->watch->inputs;
+    return std::any_of(inputs.begin(), inputs.end(), [&](const ir::Channel& channel) {
+      return spec_.inputs[channel.declared].name == input;
+    });
+  }
+
+  // One remark for each name that a `fleet` declares.
+  void fleets(sema::KindId id) {
+    for (auto first = spec_.robots.begin(); first != spec_.robots.end();) {
+      const auto behind = std::find_if(first, spec_.robots.end(), [&](const sema::Robot& each) {
+        return !(each.name_range == first->name_range);
+      });
+      if (first->kind == id) fleet(*first, static_cast<std::size_t>(behind - first));
+      first = behind;
+    }
+  }
+  void fleet(const sema::Robot& first, std::size_t robots) {
+    const bool numbered = first.number.has_value();
+    add(first.name_range,
+        (numbered ? "fleet " + first.fleet : "robot " + first.name) + " : " +
+            spec_[first.kind].name + (numbered ? ", " + count(robots, "robot") : ""),
+        {"no decision: the monitors without a robot are told what they ask of it as inputs"});
+  }
+
+  const Compilation& c_;
+  const sema::Spec& spec_;
+  std::vector<Remark> out_;
+};
+
+}  // namespace
+
+std::vector<Remark> declared_remarks(const Compilation& c) {
+  return DeclaredRemarks(c).run();
+}
+
+}  // namespace rtac::driver
