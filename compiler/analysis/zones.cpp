@@ -493,6 +493,8 @@ std::vector<ZoneUse> wanted_zones(const sema::Spec& spec) {
   const auto places = [&](const sema::Expr& e) {
     if (const auto* c = std::get_if<sema::PointClearance>(&e.node)) of(c->zone).points = true;
     if (const auto* i = std::get_if<sema::PointInside>(&e.node)) of(i->zone).points = true;
+    if (const auto* c = std::get_if<sema::TrailClearance>(&e.node)) of(c->zone).points = true;
+    if (const auto* i = std::get_if<sema::TrailInside>(&e.node)) of(i->zone).points = true;
   };
   for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, places);
   return wanted;

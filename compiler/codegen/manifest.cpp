@@ -103,7 +103,7 @@ Json assumptions(const Module& module, const sema::RobotKind& k) {
 
 // What a tool needs to fill plain inputs and to read findings.
 Json signals(const Module& module, const Watch& watch) {
-  static const char* const kinds[] = {"truth", "number", "choice", "zone"};
+  static const char* const kinds[] = {"truth", "number", "choice", "zone", "path"};
   Json list = Json::array();
   const WatchNames names = watch_names(watch);
   for (const WatchSignal& s : names.signals) {
@@ -129,6 +129,7 @@ Json signals(const Module& module, const Watch& watch) {
       j["edges_most"] = c.edges_most;
       j["table_bytes_most"] = received_bytes(c);
     }
+    if (c.kind == ChannelKind::path) j["waypoints_most"] = c.places_most;
     if (c.max_age_us) j["max_age_us"] = *c.max_age_us;
     j["held"] = c.held;
     list.push_back(std::move(j));

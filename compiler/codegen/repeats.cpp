@@ -25,8 +25,13 @@ bool joins(const Op& op) {
          std::holds_alternative<Minimum>(op) || std::holds_alternative<Maximum>(op) ||
          std::holds_alternative<Add>(op);
 }
-// What each tick looks at: it is there once, whoever asks for it.
+// What each tick looks at: it is there once, whoever asks for it. Legs take so much longer than a
+// call that nothing is won by a loop.
 bool is_looked_at(const Op& op) {
+  if (std::holds_alternative<TrailClearance>(op) || std::holds_alternative<TrailInside>(op) ||
+      std::holds_alternative<TrailDistance>(op) || std::holds_alternative<PathGiven>(op)) {
+    return true;
+  }
   return std::holds_alternative<Input>(op) || std::holds_alternative<InputTruth>(op) ||
          std::holds_alternative<InputIs>(op) || std::holds_alternative<InputSame>(op) ||
          std::holds_alternative<Open>(op) || std::holds_alternative<Age>(op);

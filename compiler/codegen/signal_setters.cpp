@@ -87,6 +87,10 @@ SignalSetters::Setter SignalSetters::setter(std::size_t channel) {
   Setter s;
   s.name = method(signal_word(c.name));
   if (c.kind == ChannelKind::zone) return s;
+  if (c.kind == ChannelKind::path) {
+    s.type = "const rtac::Path&";
+    return s;
+  }
   std::string scalar = "double", read;
   if (c.kind == ChannelKind::truth) scalar = "bool";
   if (c.kind == ChannelKind::choice) scalar = names_(c.choice);
@@ -147,6 +151,12 @@ void SignalSetters::declare(Code& body) const {
                 "(const rtac::ZoneTable& table, rtac::TimeUs stamp_us);");
       continue;
     }
+    if (channel.kind == ChannelKind::path) {
+      body.comment(
+          "Way-points in m, each counted to the nearest mm, and the next of them; the path "
+          "is unknown with more than " +
+          num(std::int64_t{channel.places_most}) + ".");
+    }
     const std::string unit = sema::unit_of(channel.unit.dimension);
     if (setters_[c].type.find("double") != std::string::npos && !unit.empty()) {
       body.comment(unit == "%" ? "a ratio of 1 is 100 %" : unit);
@@ -184,6 +194,13 @@ void SignalSetters::define_input(std::size_t index, Code& out) const {
           " value, rtac::TimeUs stamp_us)",
       [&](Code& body) {
         const std::string sample = places_.in + members_.samples[index];
+        if (c.kind == ChannelKind::path) {
+          body.line("rtac::bridge::put(" + sample + ", value, " + num(std::int64_t{c.places_most}) +
+                    ");");
+          body.line(sample + ".stamp_us = stamp_us;");
+          body.line("return *this;");
+          return;
+        }
         body.line("rtac::bridge::start_sample(" + sample + ", stamp_us);");
         for (std::uint32_t k = 0; k < c.components.size(); ++k) {
           const std::string to = places_.in + members_.signal(std::uint32_t(index), k).name;

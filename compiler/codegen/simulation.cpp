@@ -171,6 +171,9 @@ class Decisions {
       if (c->kind == ir::ChannelKind::zone) {
         problem(d.name, "asks for the zone `" + c->name + "`, which is received while it runs");
       }
+      if (c->kind == ir::ChannelKind::path) {
+        problem(d.name, "asks for the path `" + c->name + "`, which is received while it runs");
+      }
       j["inputs"].push_back(input(*c));
       inputs_.insert(c->name);
     }
@@ -195,7 +198,7 @@ class Decisions {
   }
   // SI.
   Json input(const ir::Channel& c) const {
-    static const char* const kinds[] = {"truth", "number", "choice", "zone"};
+    static const char* const kinds[] = {"truth", "number", "choice", "zone", "path"};
     const bool whole = spec_.inputs[c.declared].type == sema::InputType::integer;
     Json j{{"name", c.name}, {"kind", whole ? "whole" : kinds[static_cast<std::size_t>(c.kind)]}};
     if (c.kind == ir::ChannelKind::choice) j["values"] = c.values;

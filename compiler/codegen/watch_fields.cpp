@@ -29,6 +29,9 @@ std::string sample_comment(const Channel& c) {
     case ChannelKind::zone:
       text += "of its zone below";
       break;
+    case ChannelKind::path:
+      text += "way-points in mm, and the number of the next one";
+      break;
     case ChannelKind::number:
       text += grid_comment(c);
       if (c.turning) text += "; of turning: " + grid_comment(*c.turning);
@@ -44,6 +47,13 @@ void sample_fields(const WatchNames& names, const Channel& c, std::size_t channe
   const std::size_t words = between_words(c), count = c.components.size();
   to.emplace_back("struct {");
   to.emplace_back("  int64_t stamp_us;");
+  if (c.kind == ChannelKind::path) {
+    const std::string most = num(std::int64_t{c.places_most});
+    to.emplace_back("  int32_t valid, count, index;");
+    to.push_back("  int64_t x[" + most + "], y[" + most + "];");
+    to.push_back("} " + names.samples[channel] + "; " + sample_comment(c));
+    return;
+  }
   to.emplace_back("  int32_t valid;");
   if (c.kind == ChannelKind::zone) {
     to.push_back("} " + names.samples[channel] + "; " + sample_comment(c));

@@ -33,8 +33,12 @@ bool WatchLook::is_truth(std::size_t channel) const {
 bool WatchLook::is_zone(std::size_t channel) const {
   return watch_.inputs[channel].kind == ChannelKind::zone;
 }
+bool WatchLook::is_path(std::size_t channel) const {
+  return watch_.inputs[channel].kind == ChannelKind::path;
+}
 std::string WatchLook::type_of(std::size_t channel) const {
   if (is_zone(channel)) return "const " + kernel_.prefix + "_zone *";
+  if (is_path(channel)) return "path ";
   if (is_truth(channel)) return truth_type() + " ";
   return kernel_.is_full() ? "span " : "bounds ";
 }
@@ -109,7 +113,9 @@ void WatchLook::blind() {
              body.line("v->s = s;");
              for (const WatchSignal& s : members_.signals) {
                if (!asked_.used[s.channel]) continue;
-               const std::string none = is_zone(s.channel) ? "0" : unknown(is_truth(s.channel));
+               const std::string none = is_zone(s.channel)   ? "0"
+                                        : is_path(s.channel) ? use("path_seen", "0, 0, 0, 0, 0, 0")
+                                                             : unknown(is_truth(s.channel));
                body.line("v->" + s.seen + " = " + none + ";");
              }
              for (const std::string& open : members_.open) {
@@ -176,7 +182,8 @@ void WatchLook::numbers(std::size_t index, Code& out) {
   for (std::uint32_t k = 0; k < count; ++k) component(index, k, out);
 }
 bool WatchLook::is_plain(std::size_t channel) const {
-  return !keeps_stamp(watch_, asked_, channel) && !asked_.age[channel] && !is_zone(channel);
+  return !keeps_stamp(watch_, asked_, channel) && !asked_.age[channel] && !is_zone(channel) &&
+         !is_path(channel);
 }
 std::string WatchLook::arrived(std::size_t channel) {
   return use("sample_arrived", "in->" + sample(channel) + ".stamp_us, v->since_us, v->now_us");
@@ -202,7 +209,7 @@ std::string WatchLook::whole_sample(std::size_t index, Code& out) {
   const std::string& name = members_.channels[index];
   const std::string whole = "whole_" + name;
   const std::string valid = "good_" + name + " && in->" + sample(index) + ".valid != 0";
-  if (is_zone(index)) return valid;
+  if (is_zone(index) || is_path(index)) return valid;
   out.line("int32_t " + whole + " = " + valid + ";");
   for (std::uint32_t k = 0; k < watch_.inputs[index].components.size(); ++k) {
     const std::string& component = members_.signal(std::uint32_t(index), k).name;
@@ -246,6 +253,15 @@ void WatchLook::component(std::size_t index, std::uint32_t k, Code& body) {
     const WatchSignal& signal = members_.signal(std::uint32_t(index), k);
     wrapped(body, "v->" + signal.seen + " = fresh_" + members_.channels[index] + " ? &in->" +
                       signal.zone + " : 0;");
+    return;
+  }
+  if (c.kind == ChannelKind::path) {
+    const std::string of = "in->" + sample(index);
+    wrapped(body, "v->" + members_.signal(std::uint32_t(index), k).seen + " = " +
+                      use("path_seen", "fresh_" + members_.channels[index] + ", " + of + ".x, " +
+                                           of + ".y, " + of + ".count, " + of + ".index, " +
+                                           num(std::int64_t{c.places_most})) +
+                      ";");
     return;
   }
   std::string arguments = number(index, k) + ", fresh_" + members_.channels[index];

@@ -66,6 +66,7 @@ class WatchLook {
  private:
   [[nodiscard]] bool is_truth(std::size_t channel) const;
   [[nodiscard]] bool is_zone(std::size_t channel) const;
+  [[nodiscard]] bool is_path(std::size_t channel) const;
   [[nodiscard]] std::string truth_type() const { return kernel_.is_full() ? "margin" : "int32_t"; }
   [[nodiscard]] std::string type_of(std::size_t channel) const;
   void channel(std::size_t index, Code& out);

@@ -92,7 +92,7 @@ WatchNames watch_names(const Watch& watch) {
       WatchSignal signal{sample, "", member(std::move(name), seen), c, k};
       if (channel.kind == ChannelKind::zone) {
         signal.zone = member(signal_word(channel.name) + "_zone", members);
-      } else {
+      } else if (channel.kind != ChannelKind::path) {
         signal.name += "." + component_member(channel, k);
         signal.between = sample + "." + between_member(channel, k);
       }
@@ -179,6 +179,12 @@ std::set<std::uint32_t> channels_of(const Watch& watch, const PlainMonitor& moni
         [&](const auto& op) {
           if constexpr (requires { op.channel; }) out.insert(op.channel);
           if constexpr (requires { op.other_channel; }) out.insert(op.other_channel);
+          if constexpr (requires { op.trail; }) {
+            if (op.trail.channel) out.insert(*op.trail.channel);
+          }
+          if constexpr (requires { op.other.own; }) {
+            if (op.other.channel) out.insert(*op.other.channel);
+          }
           if constexpr (requires { watch[op.within].channel; }) {
             if (watch[op.within].channel) out.insert(*watch[op.within].channel);
           }

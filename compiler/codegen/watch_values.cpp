@@ -136,6 +136,38 @@ std::string WatchValuePrinter::operator()(const SolidInside& v) {
   return use("inside_in_space", operand(v.condition) + ", " + solids(v.within, v.around) + ", " +
                                     operand(v.a) + ", " + operand(v.b) + ", " + operand(v.c));
 }
+std::string WatchValuePrinter::trail(const Trail& t) {
+  std::string places;
+  for (const ValueId id : t.own) places += (places.empty() ? "" : ", ") + operand(id);
+  if (!t.channel) return use(t.own.size() > 2 ? "trail_of_leg" : "trail_of_place", places);
+  const std::string path = signal(*t.channel, 0), number = kernel_.numbers[*t.channel];
+  if (t.own.empty()) return use("trail_of_path", path + ", " + number);
+  const std::string most = t.next_only ? "1" : "INT32_MAX";
+  return use("trail_ahead", places + ", " + path + ", " + most + ", " + number);
+}
+std::string WatchValuePrinter::operator()(const TrailClearance& v) {
+  const std::string which = v.greatest ? "1" : "0";
+  const std::string rest = trail(v.trail) + ", " + which + ", " + num(value_->range->hi);
+  if (const auto& channel = kernel_.watch[v.within].channel) {
+    return use("received_trail", received(*channel) + ", " + rest);
+  }
+  return use("trail_clearance", regions(v.within, v.around) + ", " + rest);
+}
+std::string WatchValuePrinter::operator()(const TrailInside& v) {
+  if (const auto& channel = kernel_.watch[v.within].channel) {
+    return use("received_trail_inside", operand(v.condition) + ", " + signal(*channel, 0) + ", " +
+                                            (v.outside ? "1, " : "0, ") + trail(v.trail));
+  }
+  const Region& crossed = kernel_.watch[v.outside ? v.within : v.around];
+  return use("trail_inside",
+             operand(v.condition) + ", &" + region_symbol(crossed) + ", " + trail(v.trail));
+}
+std::string WatchValuePrinter::operator()(const TrailDistance& v) {
+  return use("trails_apart", trail(v.trail) + ", " + trail(v.other));
+}
+std::string WatchValuePrinter::operator()(const PathGiven& v) {
+  return use("path_given", signal(v.channel, 0) + ", " + kernel_.numbers[v.channel]);
+}
 std::string WatchValuePrinter::operator()(const Between& v) {
   return use(v.open ? "span_amid" : "span_of", num(v.lo) + ", " + num(v.hi));
 }

@@ -28,6 +28,8 @@ class WatchValuePrinter {
         operands_(std::move(operands)) {}
 
   std::string value(const ir::Value& value, const ir::Block& block);
+  // The trail, of operands that are spans.
+  std::string trail(const ir::Trail& t);
   // How a value is written where it is used.
   std::string named(ir::ValueId id, const ir::Block& block) {
     block_ = &block;
@@ -67,6 +69,10 @@ class WatchValuePrinter {
   std::string operator()(const ir::PointInside& v);
   std::string operator()(const ir::SolidClearance& v);
   std::string operator()(const ir::SolidInside& v);
+  std::string operator()(const ir::TrailClearance& v);
+  std::string operator()(const ir::TrailInside& v);
+  std::string operator()(const ir::TrailDistance& v);
+  std::string operator()(const ir::PathGiven& v);
   std::string operator()(const ir::Between& v);
   std::string operator()(const ir::Phase& v);
   std::string operator()(const ir::Sine& v) { return call("sine_of", v.a); }

@@ -33,9 +33,10 @@ template <class T>
 concept NeverAsked =
     is_one_of<T, Const, Battery, Clearance, Distance, EnergyTo, Speed, Add, Negate, Scale, Altitude,
               CountOthers, Input, Age, SensedAge, ParamValue, Multiply, Minimum, Maximum, Absolute,
-              Root, PointClearance, SolidClearance, Norm, Between, Phase, Sine, Cosine, Choose,
-              Aggregate> || is_one_of<T, InputTruth, Open, InputSame, PointInside, SolidInside,
-                                      Previously, Once, Historically, Since> ||
+              Root, PointClearance, SolidClearance, TrailClearance, TrailDistance, Norm, Between,
+              Phase, Sine, Cosine, Choose, Aggregate> ||
+    is_one_of<T, InputTruth, Open, InputSame, PointInside, SolidInside, TrailInside, PathGiven,
+              Previously, Once, Historically, Since> ||
     is_one_of<T, PlanInZone, HeldFor, ForOthers, ZoneReach, LegsInZone, PointsInZone, PairReach,
               ZoneCourse, PairCourse, LegsApart, OnTrack, SpeedReach, AltitudeReach, ZoneThere,
               ThereThroughout, GoneThroughout, EnergyReach, ChargeReach, Fact, AgentDistance,
@@ -153,7 +154,8 @@ class VerdictPrinter {
   void look_at_uses(const Op& op) {
     const bool as_bits = is_temporal(op) || std::holds_alternative<Choose>(op) ||
                          std::holds_alternative<PointInside>(op) ||
-                         std::holds_alternative<SolidInside>(op);
+                         std::holds_alternative<SolidInside>(op) ||
+                         std::holds_alternative<TrailInside>(op);
     const auto* compare = std::get_if<AtLeast>(&op);
     const bool by_squares = compare && square_of(*compare);
     for_each_operand(op, [&](ValueId id) {
@@ -189,7 +191,8 @@ class VerdictPrinter {
     // squares of a root are what it is the root of
     if (std::holds_alternative<Root>(v.op) && !needs_root_[at(id)]) return false;
     if (v.unit || is_temporal(v.op) || std::holds_alternative<InputSame>(v.op) ||
-        std::holds_alternative<PointInside>(v.op) || std::holds_alternative<SolidInside>(v.op)) {
+        std::holds_alternative<PointInside>(v.op) || std::holds_alternative<SolidInside>(v.op) ||
+        std::holds_alternative<TrailInside>(v.op) || std::holds_alternative<PathGiven>(v.op)) {
       return true;
     }
     return needs_name_[at(id)] || count_[at(id)] > 1;
@@ -254,7 +257,9 @@ class VerdictPrinter {
   std::string as_full(const Value& value) {
     WatchValuePrinter full(kernel_, names_, uses_, nullptr,
                            [this](ValueId id) { return span(id); });
-    return use("bounds_span", full.value(value, block_));
+    const std::string text = full.value(value, block_);
+    body_.looks = body_.looks || text.find("v->") != std::string::npos;
+    return use("bounds_span", text);
   }
   std::string span(ValueId id) { return use("span_bounds", whole(id)); }
   std::string fixed(const std::string& value) { return use("bounds_of", value + ", " + value); }
@@ -329,6 +334,10 @@ class VerdictPrinter {
     }
     if (const auto* p = std::get_if<PointInside>(&v.op)) return inside(*p);
     if (const auto* p = std::get_if<SolidInside>(&v.op)) return inside(*p);
+    if (const auto* t = std::get_if<TrailInside>(&v.op)) return inside(*t);
+    if (const auto* p = std::get_if<PathGiven>(&v.op)) {
+      return use("bits_given", signal(p->channel, 0));
+    }
     uses_.insert("bits_type");
     const std::string sure = in(operation(v.op, Side::surely, true), 0);
     const std::string may = in(operation(v.op, Side::perhaps, true), 0);
@@ -355,6 +364,18 @@ class VerdictPrinter {
     return use("bits_in_space", kept(v.condition) + ", &" + solid_symbol(kernel_.watch[v.within]) +
                                     ", &" + solid_symbol(kernel_.watch[v.around]) + ", " +
                                     whole(v.a) + ", " + whole(v.b) + ", " + whole(v.c));
+  }
+  std::string inside(const TrailInside& v) {
+    WatchValuePrinter full(kernel_, names_, uses_, nullptr,
+                           [this](ValueId id) { return span(id); });
+    const std::string trail = full.trail(v.trail);
+    body_.looks = body_.looks || v.trail.channel.has_value();
+    if (const auto& channel = kernel_.watch[v.within].channel) {
+      return use("bits_received_trail", kept(v.condition) + ", " + signal(*channel, 0) + ", " +
+                                            (v.outside ? "1, " : "0, ") + trail);
+    }
+    const Region& crossed = kernel_.watch[v.outside ? v.within : v.around];
+    return use("bits_trail", kept(v.condition) + ", &" + region_symbol(crossed) + ", " + trail);
   }
   // That it surely (perhaps) holds, or that it does not.
   Text condition(ValueId id, Side side, bool wanted) {

@@ -52,6 +52,7 @@ void take_sample(const interp::TraceRow& row, std::size_t at, std::size_t count,
     const bool known = reading.kind == Reading::Kind::number;
     sample.values.push_back(known ? std::optional(reading.number.value()) : std::nullopt);
     if (reading.zone != nullptr) sample.zone = reading.zone;
+    if (reading.path != nullptr) sample.path = reading.path;
   }
   if (arrived) to = std::move(sample);
 }

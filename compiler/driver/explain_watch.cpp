@@ -96,6 +96,8 @@ class WatchRemarks {
         return spec_[*input.enumeration].name;
       case sema::InputType::zone:
         return "zone[" + std::to_string(input.edges_most) + "]";
+      case sema::InputType::path:
+        return "path[" + std::to_string(input.places_most) + "]";
       case sema::InputType::real:
         break;
     }
@@ -106,6 +108,10 @@ class WatchRemarks {
     if (!c.max_age_us) return "a tick without a new sample is unknown";
     return "a sample counts for " +
            sema::show(Rational(static_cast<long>(*c.max_age_us), 1'000'000), sema::dims::time);
+  }
+  static std::size_t input_bytes(const Channel& c, std::size_t parts) {
+    if (c.kind == ChannelKind::path) return signal_bytes + 16 * std::size_t{c.places_most};
+    return signal_bytes * parts + (c.kind == ChannelKind::zone ? zone_bytes : 0);
   }
   void input(const sema::Input& from, const Channel& to) {
     std::vector<std::string> details;
@@ -118,11 +124,10 @@ class WatchRemarks {
                         " bytes, which the application keeps while they are checked");
     }
     details.push_back(arrival(to));
-    const std::size_t parts = from.components.size();
-    details.push_back(
-        "bytes: " +
-        std::to_string(signal_bytes * parts + (to.kind == ChannelKind::zone ? zone_bytes : 0)) +
-        " of input, " + std::to_string(stamp_bytes) + " of state");
+    const bool is_path = to.kind == ChannelKind::path;
+    const std::size_t parts = is_path ? 1 : from.components.size();
+    details.push_back("bytes: " + std::to_string(input_bytes(to, parts)) + " of input, " +
+                      std::to_string(stamp_bytes) + " of state");
     add(from.name_range,
         "input " + from.name + " : " + type_of(from) +
             (parts > 1 ? ", " + count(parts, "component") : "") + place_,

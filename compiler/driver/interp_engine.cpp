@@ -57,6 +57,7 @@ class InterpEngine : public Engine {
     interp::Sample sample;
     sample.stamp_us = inputs[at].stamp_us;
     sample.zone = inputs[at].reading.zone;
+    sample.path = inputs[at].reading.path;
     for (std::size_t c = at; c < at + count; ++c) {
       const bool known = inputs[c].reading.kind == interp::Reading::Kind::number;
       sample.values.push_back(known ? std::optional(inputs[c].reading.number.value())

@@ -16,11 +16,12 @@ namespace {
 
 // The layout that every kernel of plain monitors has: its inputs are such samples, of words of 64
 // bits. What is said in words of 32 bits, `valid` and then `between`, fills whole ones; numbers
-// follow.
+// follow. Of a path it is `valid`, the number of its way-points and the next one; x, then y.
 class Sample {
  public:
-  explicit Sample(std::size_t numbers)
-      : flags_((1 + (numbers + bits - 1) / bits + 1) / 2), words_(1 + flags_ + numbers, 0) {
+  explicit Sample(const KernelInterface::Input& input)
+      : flags_(input.is_path() ? 2 : (1 + (input.numbers() + bits - 1) / bits + 1) / 2),
+        words_(1 + flags_ + input.numbers(), 0) {
     words_[0] = std::numeric_limits<std::int64_t>::min();
   }
   [[nodiscard]] const std::vector<std::int64_t>& words() const { return words_; }
@@ -37,6 +38,16 @@ class Sample {
     const auto grid = reading.number.on_grid(step);
     number = std::max(grid.lo, number + 1);  // it is finite
     if (grid.hi > grid.lo) set_flag(1 + component / bits, 1U << (component % bits));
+  }
+
+  void lead(const std::vector<interp::Waypoint>& points, std::uint32_t next) {
+    const std::size_t most = (words_.size() - 1 - flags_) / 2;
+    set_flag(1, static_cast<std::uint32_t>(points.size()));
+    set_flag(2, next);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      words_[1 + flags_ + i] = points[i].x_mm;
+      words_[1 + flags_ + most + i] = points[i].y_mm;
+    }
   }
 
  private:
@@ -214,8 +225,18 @@ class KernelEngine : public Engine {
   void forget_samples() {
     samples_.clear();
     for (const KernelInterface::Input& input : kernel_.inputs) {
-      samples_.emplace_back(input.numbers());
+      samples_.emplace_back(input);
     }
+  }
+  // Way-points, x before y, and the next one.
+  static void take_path(const Observed& path, const Observed& index, Sample& to) {
+    const bool known =
+        path.reading.path != nullptr && index.reading.kind == interp::Reading::Kind::number;
+    to.arrive(path.stamp_us, known);
+    if (!known) return;
+    const auto next = index.reading.number.on_grid(1).lo;
+    constexpr std::int64_t none = std::numeric_limits<std::int32_t>::max();
+    to.lead(*path.reading.path, static_cast<std::uint32_t>(next < 0 || next > none ? none : next));
   }
   // The components of an input arrive together; the tables of a zone are beside its sample.
   void take(const std::vector<Observed>& inputs, std::size_t first,
@@ -224,6 +245,10 @@ class KernelEngine : public Engine {
       return inputs[kernel_.components.empty() ? first + k : kernel_.components[first + k]];
     };
     if (!at(0).is_new) return;
+    if (input.is_path()) {
+      const std::size_t path = kernel_.components.empty() ? first : kernel_.components[first];
+      return take_path(inputs[path], inputs[path + 1], to);
+    }
     to.arrive(at(0).stamp_us, !input.is_zone || at(0).reading.zone != nullptr);
     for (std::size_t k = 0; k < input.numbers(); ++k) {
       to.put(k, at(k).reading, kernel_.steps[first + k]);

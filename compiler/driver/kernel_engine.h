@@ -18,12 +18,17 @@ struct KernelInterface {
   struct Input {
     std::size_t components;
     bool is_zone;
+    std::size_t places_most = 0;  // of a path: way-points
+    [[nodiscard]] bool is_path() const { return places_most > 0; }
     // That its sample has.
-    [[nodiscard]] std::size_t numbers() const { return is_zone ? 0 : components; }
+    [[nodiscard]] std::size_t numbers() const {
+      return is_path() ? 2 * places_most : is_zone ? 0 : components;
+    }
   };
   std::vector<Input> inputs;
   std::vector<Rational> steps;  // SI in one step of the grid, by component
-  // Which component of the specification each of these is; empty: they are all of them.
+  // Which component of the specification each of these is, of a path the first of both; empty: they
+  // are all of them.
   std::vector<std::size_t> components;
   struct Param {
     Rational step;  // SI in one step of the grid

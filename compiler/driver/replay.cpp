@@ -55,7 +55,7 @@ KernelInterface interface_of(const sema::Spec& spec, const ir::Watch& watch) {
     }
     const bool is_number = input.kind == ir::ChannelKind::number;
     const bool is_zone = input.kind == ir::ChannelKind::zone;
-    kernel.inputs.push_back({input.components.size(), is_zone});
+    kernel.inputs.push_back({input.components.size(), is_zone, input.places_most});
     if (is_zone) kernel.zones.push_back(kernel.steps.size());
     for (std::uint32_t k = 0; k < input.components.size(); ++k) {
       kernel.steps.push_back(is_number ? input.grid(k).unit.step : Rational(1));
@@ -94,19 +94,25 @@ int refuse_kernel(Compilation& c, const std::string& problem, bool is_ours) {
 class Observations {
  public:
   explicit Observations(const sema::Spec& spec) {
-    for (const sema::Input& input : spec.inputs) sizes_.push_back(input.components.size());
+    for (const sema::Input& input : spec.inputs) {
+      sizes_.push_back(input.components.size());
+      is_path_.push_back(input.type == sema::InputType::path);
+    }
     for (const std::size_t size : sizes_) components_.resize(components_.size() + size);
   }
   void take(const interp::TraceRow& row) {
     std::size_t begin = 0;
-    for (const std::size_t size : sizes_) {
+    for (std::size_t input = 0; input < sizes_.size(); ++input) {
+      const std::size_t size = sizes_[input];
       bool arrived = false;
       for (std::size_t i = begin; i < begin + size; ++i) {
         arrived = arrived || row.readings[i].kind != interp::Reading::Kind::none;
       }
+      const interp::Reading path = components_[begin].reading;
       for (std::size_t i = begin; arrived && i < begin + size; ++i) {
         components_[i] = {row.readings[i], row.time_us, true};
       }
+      if (arrived && is_path_[input]) lead_on(begin, path);
       begin += size;
     }
   }
@@ -116,7 +122,19 @@ class Observations {
   [[nodiscard]] const std::vector<Observed>& get() const { return components_; }
 
  private:
+  // A new path starts at its first way-point, unless its index says otherwise; an index alone goes
+  // on along the path that is there.
+  void lead_on(std::size_t begin, const interp::Reading& before) {
+    interp::Reading& path = components_[begin].reading;
+    interp::Reading& index = components_[begin + 1].reading;
+    if (path.kind == interp::Reading::Kind::none) path = before;
+    if (index.kind != interp::Reading::Kind::none) return;
+    index.kind = interp::Reading::Kind::number;
+    index.number = interp::Decimal(0);
+  }
+
   std::vector<std::size_t> sizes_;
+  std::vector<bool> is_path_;
   std::vector<Observed> components_;
 };
 

@@ -84,6 +84,13 @@ class Widths {
     return diagonal + 2 * (middle_mm + rounding_steps) + bounds_mm;
   }
   Rational operator()(const SolidInside& v) const { return of(v.condition); }
+  // Beyond the boundary a clearance is known within an eighth of a leg, of any length.
+  Rational operator()(const TrailClearance&) const { return span(); }
+  Rational operator()(const TrailInside& v) const { return of(v.condition); }
+  // The boxes of places add half their diagonals on either side.
+  Rational operator()(const TrailDistance& v) const {
+    return 3 + reached(v.trail) + reached(v.other);
+  }
   Rational operator()(const Between& v) const { return exact(v.hi) - exact(v.lo); }
   // the step of the angle is known to one of 2^16 of a part, and both ends are rounded outward
   Rational operator()(const Phase& v) const {
@@ -185,6 +192,14 @@ class Widths {
     return exact(b.position_error_mm + grid_mm() + rounding_mm) +
            rounded_up(speed_mmps * exact(whole_ms(age_us)) / 1000);
   }
+  [[nodiscard]] Rational reached(const Trail& t) const {
+    Rational most = 0;
+    for (std::size_t i = 0; i + 1 < t.own.size(); i += 2) {
+      const Rational &x = of(t.own[i]), &y = of(t.own[i + 1]);
+      most = std::max(most, Rational(root_up(x * x + y * y) + 2 * rounding_steps));
+    }
+    return most;
+  }
   [[nodiscard]] Rational span() const {
     return exact(value_->range->hi) - exact(value_->range->lo);
   }
@@ -216,6 +231,7 @@ bool rounds(const Op& op) {
     return true;
   }
   return std::holds_alternative<Input>(op) || std::holds_alternative<PointClearance>(op) ||
+         std::holds_alternative<TrailClearance>(op) || std::holds_alternative<TrailDistance>(op) ||
          std::holds_alternative<SolidClearance>(op) || std::holds_alternative<Root>(op) ||
          std::holds_alternative<Norm>(op) || std::holds_alternative<Phase>(op) ||
          std::holds_alternative<Sine>(op) || std::holds_alternative<Cosine>(op);

@@ -130,6 +130,24 @@ struct ConditionOf {
     return margin;
   }
 
+  // Rule 7.9: that of the least clearance that is at least 0, or of the greatest that is below.
+  Margin operator()(const sema::TrailInside& node) const {
+    static const sema::Dimension& length = sema::dims::length;
+    const Trail trail = self.trail(node.trail);
+    const Span gap = self.zones_.clearance(node.zone, trail, node.outside);
+    const Span none = exactly(Rational(0));
+    Margin margin = node.outside ? at_least(none, gap, true, length, self.scale(length))
+                                 : at_least(gap, none, false, length, self.scale(length));
+    // however little of it is there
+    const bool leaves = self.zones_.surely_leaves(node.zone, trail, node.outside);
+    if (margin.hi.value.sign() == 0 && leaves) margin.hi.below = true;
+    return margin;
+  }
+  Margin operator()(const sema::PathGiven& node) const {
+    const auto path = self.signals_.path(node.input);
+    return path ? truth(!path->points.empty()) : missing(node.input);
+  }
+
   // Rule 7: r inside Z, of a body, is clearance(r, Z) >= 0.
   Margin operator()(const sema::InsideZone& node) const {
     static const sema::Dimension& length = sema::dims::length;
@@ -290,6 +308,25 @@ Whereabouts Evaluator::whereabouts(const Node& node) {
   return at;
 }
 
+// Rule 7.9: places of its own, then all of a path or, behind such places, what is left of it.
+Trail Evaluator::trail(const sema::Trail& node) {
+  Trail trail;
+  for (std::size_t i = 0; i + 1 < node.own.size(); i += 2) {
+    lead_on(trail, quantity(*node.own[i]), quantity(*node.own[i + 1]));
+  }
+  if (!node.path) return trail;
+  const auto path = signals_.path(*node.path);
+  if (!path) {
+    if (!trail.missing.missing) trail.missing = {true, *node.path};
+    return trail;
+  }
+  std::size_t from = node.own.empty() ? 0 : path->next;
+  const std::size_t end =
+      node.next_only ? std::min(from + 1, path->points.size()) : path->points.size();
+  for (; from < end; ++from) lead_on(trail, path->points[from]);
+  return trail;
+}
+
 // ---- quantities -------------------------------------------------------------------------------
 
 namespace {
@@ -327,6 +364,12 @@ struct QuantityOf {
   }
   Span operator()(const sema::PointClearance& node) const {
     return self.clearance_of_place(expr, node, self.whereabouts(node));
+  }
+  Span operator()(const sema::TrailClearance& node) const {
+    return self.zones_.clearance(node.zone, self.trail(node.trail), node.greatest);
+  }
+  Span operator()(const sema::TrailDistance& node) const {
+    return distance_of(self.trail(node.trail), self.trail(node.other));
   }
   Span operator()(const sema::Arithmetic& node) const {
     if (is_square(node)) return square(of(node.operands.front()));

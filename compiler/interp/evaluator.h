@@ -61,6 +61,7 @@ class Evaluator {
   Whereabouts whereabouts(const Node& node);
   template <class Node>
   Span clearance_of_place(const sema::Expr& expr, const Node& node, const Whereabouts& place);
+  Trail trail(const sema::Trail& node);
   Span aggregate(const sema::Expr& expr, const sema::Aggregate& node);
   // Whatever the quantity may be at any tick.
   Span anything(const sema::Expr& expr);

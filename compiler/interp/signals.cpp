@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 
 #include "compiler/sema/limits.h"
@@ -110,6 +111,22 @@ const std::optional<Rational>& Signals::measured(sema::InputId input,
 std::shared_ptr<const ReceivedZone> Signals::zone(sema::InputId input) const {
   const State& state = states_[index(input)];
   return state.seen[0] ? state.arrived->zone : nullptr;
+}
+
+// Rule 7.9: one way-point off the map, or an index that it does not have, and nothing is known.
+std::optional<PathSeen> Signals::path(sema::InputId input) const {
+  const State& state = states_[index(input)];
+  if (!state.seen[0] || !state.seen[1] || state.arrived->path == nullptr) return std::nullopt;
+  const std::vector<Waypoint>& points = *state.arrived->path;
+  const Rational& next = *state.seen[1];
+  const Rational count(static_cast<long>(points.size()));
+  if (next < 0 || next > count || next.get_den() != 1) return std::nullopt;
+  constexpr std::int64_t map_mm = std::int64_t{1} << 29;
+  const bool on_map = std::all_of(points.begin(), points.end(), [](const Waypoint& p) {
+    return std::abs(p.x_mm) <= map_mm && std::abs(p.y_mm) <= map_mm;
+  });
+  if (!on_map) return std::nullopt;
+  return PathSeen{points, static_cast<std::size_t>(next.get_num().get_ui())};
 }
 
 Span Signals::quantity(sema::InputId input, std::uint32_t component) const {

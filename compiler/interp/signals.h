@@ -8,6 +8,7 @@
 
 #include "compiler/interp/received.h"
 #include "compiler/interp/span.h"
+#include "compiler/interp/trail.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::interp {
@@ -17,7 +18,13 @@ namespace rtac::interp {
 struct Sample {
   std::vector<std::optional<Rational>> values;
   std::int64_t stamp_us = 0;
-  std::shared_ptr<const ReceivedZone> zone = nullptr;  // of a zone, beside a value of 1
+  std::shared_ptr<const ReceivedZone> zone = nullptr;           // of a zone, beside a value of 1
+  std::shared_ptr<const std::vector<Waypoint>> path = nullptr;  // of a path, beside 1 and its index
+};
+// The way-points of a path, and which of them is the next: their number where none is left.
+struct PathSeen {
+  const std::vector<Waypoint>& points;
+  std::size_t next;
 };
 // By InputId: what has arrived since the last step.
 using Inputs = std::vector<std::optional<Sample>>;
@@ -38,6 +45,8 @@ class Signals {
   [[nodiscard]] Span quantity(sema::InputId input, std::uint32_t component) const;
   // nullptr: unknown.
   [[nodiscard]] std::shared_ptr<const ReceivedZone> zone(sema::InputId input) const;
+  // none: unknown.
+  [[nodiscard]] std::optional<PathSeen> path(sema::InputId input) const;
   [[nodiscard]] Span age(sema::InputId input) const;  // s
 
  private:

@@ -35,6 +35,8 @@ std::string expected(const sema::Spec& spec, const sema::Input& input) {
       return "give a decimal number in SI units, such as `0.25` or `-3e-2`";
     case sema::InputType::zone:
       return "give a polygon in metres, `POLYGON ((0 0, 5 0, 5 4, 0 0))`, in quotes";
+    case sema::InputType::path:
+      return "give the number of the way-point that is next: 0 for the first one";
     case sema::InputType::enumeration:
       break;
   }
@@ -81,7 +83,7 @@ std::string_view take_word(std::string_view& text) {
 }
 
 // `1 2; 3.5 2`
-bool read_waypoints(std::string_view text, std::vector<PlanReading::Waypoint>& points) {
+bool read_waypoints(std::string_view text, std::vector<Waypoint>& points) {
   for (bool more = true; more;) {
     const std::size_t end = text.find(';');
     std::string_view point = text.substr(0, end);
@@ -102,7 +104,9 @@ TraceReader::TraceReader(std::istream& in, const sema::Spec& spec)
   for (const sema::Input& input : spec.inputs) {
     for (const std::string& component : input.components) {
       const std::string name = component.empty() ? input.name : input.name + "." + component;
-      declared_.push_back({name, Form::input, &input, std::nullopt, readings_++});
+      const bool is_path = input.type == sema::InputType::path && component.empty();
+      const Form form = is_path ? Form::path : Form::input;
+      declared_.push_back({name, form, &input, std::nullopt, readings_++});
     }
   }
   for (std::size_t r = 0; r < spec.robots.size(); ++r) declare_robot(r);
@@ -352,6 +356,7 @@ std::string TraceReader::expected(const Column& column) const {
       return "`true`, `false`, `1` and `0` exist";
     case Form::index:
       return "give the number of the way-point that is next: 0 for the first one";
+    case Form::path:
     case Form::plan:
       break;
   }
@@ -363,10 +368,12 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
   Reading& reading = row.readings[column.reading];
   reading.kind = Reading::Kind::none;
   reading.zone = nullptr;
+  reading.path = nullptr;
   if (cell.text.empty()) return true;
   if (column.input != nullptr && column.input->type == sema::InputType::zone) {
     return read_zone(cell, column, reading);
   }
+  if (column.form == Form::path) return read_path(cell, column, reading);
   if (auto number = parse(column, cell.text)) {
     reading.kind = Reading::Kind::number;
     reading.number = std::move(*number);
@@ -401,6 +408,18 @@ bool TraceReader::read_zone(const CsvCell& cell, const Column& column, Reading& 
   reading.number = Decimal(1);
   reading.zone = std::make_shared<const ReceivedZone>(
       ReceivedZone{std::move(regions), std::move(std::get<geometry::ZoneTables>(made))});
+  return true;
+}
+
+// With more way-points than are declared it has no value.
+bool TraceReader::read_path(const CsvCell& cell, const Column& column, Reading& reading) {
+  PlanReading plan;
+  if (!read_plan(cell, column, plan)) return false;
+  const bool fits = plan.points.size() <= column.input->places_most;
+  reading.kind = fits ? plan.kind : Reading::Kind::unknown;
+  reading.number = Decimal(1);
+  if (reading.kind != Reading::Kind::number) return true;
+  reading.path = std::make_shared<const std::vector<Waypoint>>(std::move(plan.points));
   return true;
 }
 

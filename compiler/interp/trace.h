@@ -25,6 +25,7 @@
 #include "compiler/interp/csv.h"
 #include "compiler/interp/decimal.h"
 #include "compiler/interp/received.h"
+#include "compiler/interp/trail.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::interp {
@@ -40,13 +41,11 @@ struct Reading {
   enum class Kind { none, unknown, number };
   Kind kind = Kind::none;  // none: no new sample
   Decimal number;
-  std::shared_ptr<const ReceivedZone> zone = nullptr;  // of a zone; else null
+  std::shared_ptr<const ReceivedZone> zone = nullptr;           // of a zone; else null
+  std::shared_ptr<const std::vector<Waypoint>> path = nullptr;  // of a path; else null
 };
 // What a row says about the plan of a robot.
 struct PlanReading {
-  struct Waypoint {
-    std::int64_t x_mm, y_mm;  // to the nearest; far away they are cut off
-  };
   Reading::Kind kind = Reading::Kind::none;  // `number`: there are way-points, or there is no plan
   std::vector<Waypoint> points;
 };
@@ -79,7 +78,7 @@ class TraceReader {
   [[nodiscard]] const std::vector<RobotColumns>& robots() const { return robots_; }
 
  private:
-  enum class Form { input, quantity, truth, index, plan };
+  enum class Form { input, path, quantity, truth, index, plan };
   struct Column {
     std::string name;
     Form form;
@@ -100,6 +99,7 @@ class TraceReader {
   bool read_time(const CsvCell& cell, TraceRow& row);
   bool read_cell(const CsvCell& cell, const Column& column, TraceRow& row);
   bool read_zone(const CsvCell& cell, const Column& column, Reading& reading);
+  bool read_path(const CsvCell& cell, const Column& column, Reading& reading);
   bool read_plan(const CsvCell& cell, const Column& column, PlanReading& plan);
   [[nodiscard]] std::optional<Decimal> parse(const Column& column, std::string_view text) const;
   [[nodiscard]] std::string expected(const Column& column) const;

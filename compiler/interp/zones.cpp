@@ -194,6 +194,22 @@ Span Zones::clearance(sema::ZoneId zone, const Whereabouts& at) {
   return between(Rational(lower.below - half), Rational(upper.above + half));
 }
 
+Span Zones::clearance(sema::ZoneId zone, const Trail& trail, bool greatest) {
+  if (trail.is_unknown()) return unknown(trail.missing.input);
+  const Outlines zones = outlines(zone);
+  const auto* received = std::get_if<sema::ZoneReceived>(&spec_[zone].value->node);
+  if (zones.within == nullptr) {
+    return unknown(received != nullptr ? std::optional(received->input) : std::nullopt);
+  }
+  return clearance_of(*zones.within, *zones.around, trail, greatest);
+}
+
+bool Zones::surely_leaves(sema::ZoneId zone, const Trail& trail, bool outside) {
+  const Outlines zones = outlines(zone);
+  return zones.within != nullptr &&
+         interp::surely_leaves(*zones.within, *zones.around, trail, outside);
+}
+
 const Outline* Zones::of_robots(sema::ZoneId zone) {
   Known& known = known_[static_cast<std::size_t>(zone)];
   if (!known.snapped) {

@@ -11,6 +11,7 @@
 #include "compiler/interp/received.h"
 #include "compiler/interp/solids.h"
 #include "compiler/interp/span.h"
+#include "compiler/interp/trail.h"
 #include "compiler/sema/nested_offsets.h"
 #include "compiler/sema/spec.h"
 
@@ -38,6 +39,10 @@ class Zones {
     bool leaves = false;  // some of it lies outside
   };
   WayClearance clearance_of_way(sema::ZoneId zone, const Place& from, const Place& to);
+  // Of a leg or a path: the least signed distance of its places from the boundary, or the greatest.
+  Span clearance(sema::ZoneId zone, const Trail& trail, bool greatest);
+  // Whether some place of it lies outside for sure, however near; `outside`: in the zone.
+  bool surely_leaves(sema::ZoneId zone, const Trail& trail, bool outside);
   // What a zone of the specification is from now on that is received; nullptr: unknown.
   void receive(sema::ZoneId zone, std::shared_ptr<const ReceivedZone> received);
   // Whether a place that is known exactly lies outside for sure, however near.

@@ -362,6 +362,33 @@ struct SolidInside {
   ValueId condition, a, b, c;
   SolidIndex within, around;
 };
+// Places one after the other, and the straight legs between them: up to two of its own, then those
+// of a path.
+struct Trail {
+  std::vector<ValueId> own;              // mm: x and y of the first place, of the second one
+  std::optional<std::uint32_t> channel;  // behind places of its own what is left of it, else all
+  bool next_only = false;                // the next way-point of it, none behind
+};
+// The least signed distance of its places from the boundary, or the greatest, in mm.
+struct TrailClearance {
+  Trail trail;
+  RegionIndex within, around;
+  bool greatest;
+};
+// The margin `condition` of that; every place lies in the zone or, `outside`, none does. A leg that
+// crosses the boundary decides it, where bounds of distances cannot tell.
+struct TrailInside {
+  ValueId condition;
+  Trail trail;
+  RegionIndex within, around;
+  bool outside;
+};
+struct TrailDistance {  // the least one between places of both, in mm
+  Trail trail, other;
+};
+struct PathGiven {  // a margin: it has way-points
+  std::uint32_t channel;
+};
 struct Norm {  // root of a^2 + b^2
   ValueId a, b;
 };
@@ -424,7 +451,8 @@ using Op =
                  Maximum, Absolute, Root, PointClearance, PointInside, SolidClearance, SolidInside,
                  Norm, Between, Phase, Sine, Cosine, Choose, Previously, Once, Historically, Since,
                  Aggregate, ZoneCourse, PairCourse, Altitude, AltitudeReach, AgentDistance,
-                 AgentReach, ReceivedClearance, ReceivedReach, ReceivedCourse>;
+                 AgentReach, ReceivedClearance, ReceivedReach, ReceivedCourse, TrailClearance,
+                 TrailInside, TrailDistance, PathGiven>;
 
 struct Range {
   std::int64_t lo = 0, hi = 0;
@@ -459,8 +487,8 @@ struct Block {
 // ---- monitors without a robot, and what monitors of robots say that does not look ahead
 // ----------
 
-// Of a zone, whether there is one.
-enum class ChannelKind { truth, number, choice, zone };
+// Of a zone or a path, whether there is one.
+enum class ChannelKind { truth, number, choice, zone, path };
 struct ChannelGrid {  // of a number: what is possible on the grid, the error in steps
   Unit unit;
   Range range;  // outside: unknown
@@ -482,7 +510,8 @@ struct Channel : ChannelGrid {
   }
   std::optional<std::int64_t> max_age_us;  // none and not held: must arrive every tick
   bool held = false;
-  std::uint32_t edges_most = 0;  // of a zone
+  std::uint32_t edges_most = 0;   // of a zone
+  std::uint32_t places_most = 0;  // of a path: way-points
 };
 struct Param {
   std::string name;

@@ -14,6 +14,12 @@ void for_each_operand(AnyOp& op, const Visit& visit) {
       [&](auto& node) {
         using Node = std::decay_t<decltype(node)>;
         if constexpr (requires { node.condition; }) visit(node.condition);
+        if constexpr (requires { node.trail; }) {
+          for (auto& id : node.trail.own) visit(id);
+        }
+        if constexpr (requires { node.other.own; }) {
+          for (auto& id : node.other.own) visit(id);
+        }
         if constexpr (requires { node.more; }) {
           if (node.more) visit(*node.more);
         }

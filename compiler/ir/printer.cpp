@@ -191,6 +191,19 @@ class Printer {
     return "solid_inside " + name(v.condition) + ", " + name(v.a) + ", " + name(v.b) + ", " +
            name(v.c) + solids(v);
   }
+  std::string operator()(const TrailClearance& v) const {
+    return (v.greatest ? "greatest_clearance " : "least_clearance ") + trail(v.trail) + regions(v);
+  }
+  std::string operator()(const TrailInside& v) const {
+    return (v.outside ? "trail_outside " : "trail_inside ") + name(v.condition) + ", " +
+           trail(v.trail) + regions(v);
+  }
+  std::string operator()(const TrailDistance& v) const {
+    return "trail_distance " + trail(v.trail) + ", " + trail(v.other);
+  }
+  std::string operator()(const PathGiven& v) const {
+    return "given " + watch_->inputs[v.channel].name;
+  }
   std::string operator()(const Norm& v) const { return two("norm ", v); }
   std::string operator()(const Between& v) const {
     return (v.open ? "strictly_between " : "between ") + num(v.lo) + ", " + num(v.hi);
@@ -326,6 +339,7 @@ class Printer {
     }
     for (const std::string& part : c.components) text += part.empty() ? "" : " ." + part;
     if (c.kind == ChannelKind::zone) text += " of " + num(c.edges_most) + " edges";
+    if (c.kind == ChannelKind::path) text += " of " + num(c.places_most) + " way-points";
     text += c.held         ? ", held"
             : c.max_age_us ? ", for " + num(*c.max_age_us) + " us"
                            : ", every tick";
@@ -402,6 +416,13 @@ class Printer {
   std::string regions(const Node& v) const {
     const bool one = v.within == v.around;
     return ", " + region(v.within) + (one ? "" : " and " + region(v.around));
+  }
+  std::string trail(const Trail& t) const {
+    std::string text;
+    for (std::size_t i = 0; i < t.own.size(); ++i) text += (i > 0 ? " " : "") + name(t.own[i]);
+    if (!t.channel) return "(" + text + ")";
+    text += (t.own.empty() ? "" : t.next_only ? " next of " : " then ");
+    return "(" + text + watch_->inputs[*t.channel].name + ")";
   }
   template <class Node>
   std::string solids(const Node& v) const {

@@ -111,6 +111,16 @@ class Roundings {
     return derived(by, {v.a, v.b, v.c});
   }
   Slack operator()(const SolidInside& v) const { return of(v.condition); }
+  // Where a part of it lies beyond the boundary, what bounds the clearance is an eighth of a leg
+  // apart: nothing more is promised.
+  Slack operator()(const TrailClearance& v) const { return of_trail(span(), v.trail); }
+  Slack operator()(const TrailInside& v) const { return of(v.condition); }
+  // Bounds of distances are 3 mm apart, of middles with a room that is rounded up.
+  Slack operator()(const TrailDistance& v) const {
+    Slack result = of_trail(reached(v.trail) + reached(v.other) + 3, v.trail);
+    for (const ValueId id : v.other.own) inherit(result, of(id));
+    return result;
+  }
   // around the exact constant
   Slack operator()(const Between& v) const {
     return quantity(exact(v.hi) - exact(v.lo), v.lo == v.hi);
@@ -191,6 +201,20 @@ class Roundings {
   // Whether their sum or difference compares as exact numbers do: one of them may have open ends.
   static bool decides(const Slack& a, const Slack& b) {
     return (a.decides && sgn(b.by) == 0) || (b.decides && sgn(a.by) == 0);
+  }
+  [[nodiscard]] Slack of_trail(const Rational& by, const Trail& t) const {
+    Slack result = derived(by, {});
+    for (const ValueId id : t.own) inherit(result, of(id));
+    return result;
+  }
+  // How far its places are from where they would be exactly, with the rounding of their middles.
+  [[nodiscard]] Rational reached(const Trail& t) const {
+    Rational most = 0;
+    for (std::size_t i = 0; i + 1 < t.own.size(); i += 2) {
+      const Slack &a = of(t.own[i]), &b = of(t.own[i + 1]);
+      most = std::max(most, Rational(root_up(a.by * a.by + b.by * b.by) * 3 / 2 + 2));
+    }
+    return most;
   }
   // A sine changes by no more than its angle does: 2 pi / 2^32 a part of the turn, in units of
   // 2^-30 less than 8 / 5. Its bounds are within 40 of it (kernel/angle.c).

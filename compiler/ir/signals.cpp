@@ -106,6 +106,13 @@ class SignalBuilder {
         to.range = {0, 0, true};
         to.edges_most = from.edges_most;
         break;
+      case sema::InputType::path:
+        to.kind = ChannelKind::path;
+        to.unit = {{}, 1, 1};
+        to.range = {0, 0, true};
+        to.components = {""};
+        to.places_most = from.places_most;
+        break;
       case sema::InputType::integer:
       case sema::InputType::real:
         to.kind = ChannelKind::number;
@@ -187,11 +194,22 @@ void UsedSignals::add(const sema::Spec& spec, const sema::Expr& expr) {
   const auto zone = [&](sema::ZoneId id) {
     if (const auto by = sema::received_by(spec, id)) inputs.insert(by->input);
   };
+  const auto path = [&](const sema::Trail& trail) {
+    if (trail.path) inputs.insert(*trail.path);
+  };
   sema::for_each_expr(expr, [&](const sema::Expr& each) {
     if (const auto* v = std::get_if<sema::Clearance>(&each.node)) zone(v->zone);
     if (const auto* v = std::get_if<sema::InsideZone>(&each.node)) zone(v->zone);
     if (const auto* v = std::get_if<sema::PointInside>(&each.node)) zone(v->zone);
     if (const auto* v = std::get_if<sema::PointClearance>(&each.node)) zone(v->zone);
+    if (const auto* v = std::get_if<sema::TrailInside>(&each.node)) zone(v->zone), path(v->trail);
+    if (const auto* v = std::get_if<sema::TrailClearance>(&each.node)) {
+      zone(v->zone), path(v->trail);
+    }
+    if (const auto* v = std::get_if<sema::TrailDistance>(&each.node)) {
+      path(v->trail), path(v->other);
+    }
+    if (const auto* v = std::get_if<sema::PathGiven>(&each.node)) inputs.insert(v->input);
     if (const auto* v = std::get_if<sema::InputRef>(&each.node)) inputs.insert(v->input);
     if (const auto* v = std::get_if<sema::AgeOf>(&each.node)) inputs.insert(v->input);
     if (const auto* v = std::get_if<sema::IsValue>(&each.node)) inputs.insert(v->input);

@@ -168,6 +168,14 @@ class Checker {
     if (condition && condition->unit) fail("a place in a zone, settled for a quantity");
     place_in_space(v), margin();
   }
+  void operator()(const TrailClearance& v) { trail(v.trail), regions(v), in_mm(); }
+  void operator()(const TrailInside& v) {
+    const Value* condition = before(v.condition);
+    if (condition && condition->unit) fail("a trail in a zone, settled for a quantity");
+    trail(v.trail), regions(v), margin();
+  }
+  void operator()(const TrailDistance& v) { trail(v.trail), trail(v.other), in_mm(); }
+  void operator()(const PathGiven& v) { component(v.channel, 0, ChannelKind::path), margin(); }
   void operator()(const Norm& v) { same_unit(v.a, v.b), plain(), kept(v.a); }
   void operator()(const Between& v) {
     plain(), quantity();
@@ -279,11 +287,28 @@ class Checker {
   template <class Node>
   void place(const Node& v) {
     plain(), same_unit(v.a, v.b);
-    const Value* x = before(v.a);
-    if (x && x->unit && x->unit->step != Rational(1, 1000)) fail("a place not in mm");
+    in_mm(before(v.a)), regions(v);
+  }
+  template <class Node>
+  void regions(const Node& v) {
     for (const RegionIndex i : {v.within, v.around}) {
       if (watch_ && static_cast<std::uint32_t>(i) >= watch_->regions.size()) fail("no such region");
     }
+  }
+  void in_mm(const Value* coordinate) {
+    const bool is_length = coordinate && coordinate->unit;
+    if (is_length && coordinate->unit->step != Rational(1, 1000)) fail("a place not in mm");
+  }
+  void in_mm() {
+    quantity();
+    if (here().unit && here().unit->step != Rational(1, 1000)) fail("a distance not in mm");
+  }
+  void trail(const Trail& t) {
+    plain();
+    for (const ValueId id : t.own) operand(id), in_mm(before(id));
+    if (t.own.size() % 2 != 0 || t.own.size() > 4) fail("a trail of other places than two");
+    if (t.own.empty() && !t.channel) fail("a trail of nothing");
+    if (t.channel) component(*t.channel, 0, ChannelKind::path);
   }
   template <class Node>
   void place_in_space(const Node& v) {

@@ -80,6 +80,14 @@ class PropertyBuilder {
     remember_unit(values_.millimetres());
     return wanted ? is : negated(is, e);
   }
+  ValueId margin(const sema::TrailInside& v, const sema::Expr& e, bool wanted) {
+    const ValueId is = values_.inside(v, e);
+    remember_unit(values_.millimetres());
+    return wanted ? is : negated(is, e);
+  }
+  ValueId margin(const sema::PathGiven& v, const sema::Expr& e, bool wanted) {
+    return atom(PathGiven{channel_of(watch_, spec_[v.input].name)}, e, wanted);
+  }
   // not (a >= b) is b > a, and so on: the margin stays that of one comparison.
   ValueId margin(const sema::Compare& v, const sema::Expr& e, bool wanted) {
     const bool at_most = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;

@@ -3,6 +3,7 @@
 
 #include "compiler/ir/angles.h"
 #include "compiler/ir/grid_help.h"
+#include "compiler/ir/signals.h"
 #include "compiler/ir/watch_blocks.h"
 #include "compiler/ir/watch_quantities.h"
 #include "compiler/sema/dimension.h"
@@ -276,6 +277,39 @@ ValueId QuantityBuilder::inside(const sema::PointInside& v, const sema::Expr& e)
     return add(SolidInside{is_there(), at.a, at.b, at.c, at.within, at.around}, std::nullopt, e);
   }
   return clearance;  // refused
+}
+
+Trail QuantityBuilder::trail(const sema::Trail& v) {
+  Trail trail;
+  for (const sema::ExprPtr& own : v.own) trail.own.push_back(coordinate(*own));
+  if (v.path) trail.channel = channel_of(watch_, spec_[*v.path].name);
+  trail.next_only = v.next_only;
+  return trail;
+}
+
+ValueId QuantityBuilder::quantity(const sema::TrailClearance& v, const sema::Expr& e) {
+  const TableMap::Regions& zone = tables_.region(v.zone);
+  return add(TrailClearance{trail(v.trail), zone.within, zone.around, v.greatest}, millimetres(),
+             e);
+}
+
+ValueId QuantityBuilder::quantity(const sema::TrailDistance& v, const sema::Expr& e) {
+  Trail one = trail(v.trail);
+  return add(TrailDistance{std::move(one), trail(v.other)}, millimetres(), e);
+}
+
+// Outside: the greatest clearance is less than nothing.
+ValueId QuantityBuilder::inside(const sema::TrailInside& v, const sema::Expr& e) {
+  const TableMap::Regions& zone = tables_.region(v.zone);
+  Trail held = trail(v.trail);
+  const ValueId clearance =
+      add(TrailClearance{held, zone.within, zone.around, v.outside}, millimetres(), e);
+  const ValueId boundary = add(Const{0}, millimetres(), e);
+  const AtLeast is =
+      v.outside ? AtLeast{boundary, clearance, true} : AtLeast{clearance, boundary, false};
+  const ValueId condition = add(is, std::nullopt, e);
+  return add(TrailInside{condition, std::move(held), zone.within, zone.around, v.outside},
+             std::nullopt, e);
 }
 
 // The operand on a grid of squares, whose root is a grid.

@@ -52,6 +52,8 @@ class QuantityBuilder {
   ValueId zero(ValueId like, const sema::Expr& e);
   // The margin of a place in a zone.
   ValueId inside(const sema::PointInside& v, const sema::Expr& e);
+  // The margin of a trail in a zone.
+  ValueId inside(const sema::TrailInside& v, const sema::Expr& e);
   // The grid of places, and of their distances.
   [[nodiscard]] Unit millimetres() const;
   // Two quantities on one grid; a constant takes the grid of the other one.
@@ -91,6 +93,8 @@ class QuantityBuilder {
   ValueId quantity(const sema::AgentDistance& v, const sema::Expr& e);
   ValueId quantity(const sema::CountOthers& v, const sema::Expr& e);
   ValueId quantity(const sema::PointClearance& v, const sema::Expr& e);
+  ValueId quantity(const sema::TrailClearance& v, const sema::Expr& e);
+  ValueId quantity(const sema::TrailDistance& v, const sema::Expr& e);
   template <class Node>
   ValueId quantity(const Node&, const sema::Expr& e);
 
@@ -104,6 +108,7 @@ class QuantityBuilder {
   template <class Node>
   ValueId gap(const Node& v, const sema::Expr& e);
   ValueId coordinate(const sema::Expr& e);
+  Trail trail(const sema::Trail& v);
   ValueId regrid(ValueId a, const Unit& to, const sema::Expr& e);
   ValueId scaled(const sema::Expr& operand, const Rational& factor, const sema::Expr& e);
   ValueId product(ValueId a, ValueId b, const sema::Expr& e);

@@ -24,6 +24,10 @@ constexpr std::int64_t age_max_us = std::int64_t{1} << 50;
 // end at 2^29 mm; a quarter of that is room for the error of a measured place.
 constexpr std::int64_t place_mm_max = (std::int64_t{1} << 29) + (std::int64_t{1} << 27);
 
+// Legs are held against zones on the map alone, and what is rounded of their distances is far below
+// the map's diagonal.
+constexpr std::int64_t map_mm_max = std::int64_t{1} << 29, trail_mm_max = std::int64_t{1} << 32;
+
 Rational exact(std::int64_t value) {
   return Rational(static_cast<long>(value));
 }
@@ -143,6 +147,17 @@ class WatchRanges {
     return {-exact(root(farthest(watch_[v.within], x, y, z), true)),
             exact(deepest(watch_[v.around])), declared};
   }
+  Wide operator()(const TrailClearance& v) {
+    on_map(v.trail);
+    const bool received = watch_[v.within].channel.has_value();
+    return {-exact(trail_mm_max), exact(received ? trail_mm_max : deepest(watch_[v.around])),
+            false};
+  }
+  Wide operator()(const TrailDistance& v) {
+    on_map(v.trail);
+    on_map(v.other);
+    return {0, exact(trail_mm_max), false};
+  }
   Wide operator()(const Between& v) const { return {exact(v.lo), exact(v.hi), true}; }
   Wide operator()(const Phase& v) {
     const Wide angle = of(v.a);
@@ -221,6 +236,14 @@ class WatchRanges {
     return Rational(whole);
   }
   static Rational exact_ceil(const Rational& v) { return -exact_floor(Rational(-v)); }
+  void on_map(const Trail& t) {
+    for (std::size_t i = 0; i + 1 < t.own.size(); i += 2) {
+      const Wide x = of(t.own[i]), y = of(t.own[i + 1]);
+      if (!fits_below(x, map_mm_max) || !fits_below(y, map_mm_max)) {
+        refuse_place(x, y, nullptr, map_mm_max);
+      }
+    }
+  }
   static bool fits_below(const Wide& w, std::int64_t limit) {
     return w.lo >= -exact(limit) && w.hi <= exact(limit);
   }
@@ -297,13 +320,14 @@ class WatchRanges {
            "`resolution`");
     return {0, exact(quantity_max), w.declared};
   }
-  void refuse_place(const Wide& x, const Wide& y, const Wide* z = nullptr) {
+  void refuse_place(const Wide& x, const Wide& y, const Wide* z = nullptr,
+                    std::int64_t most_mm = place_mm_max) {
     const Unit& unit = *value_->unit;
     const std::string height = z != nullptr ? ", in height over " + shown(*z, unit) : "";
     report("this place ranges over " + shown(x, unit) + " and " + shown(y, unit) + height +
                ", beyond the grid of zones",
            "coordinates of at most " +
-               sema::show(Rational(exact(place_mm_max) * unit.step), unit.dimension) + " work",
+               sema::show(Rational(exact(most_mm) * unit.step), unit.dimension) + " work",
            "declare a range (`in a .. b`) of the inputs that it is made of");
   }
   void refuse_root(const Wide& a) {

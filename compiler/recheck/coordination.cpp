@@ -15,6 +15,10 @@ bool answers_to_inputs(const sema::Expr& property) {
             std::holds_alternative<sema::AgeOf>(n) || std::holds_alternative<sema::SensedAge>(n) ||
             std::holds_alternative<sema::PointInside>(n) ||
             std::holds_alternative<sema::PointClearance>(n) ||
+            std::holds_alternative<sema::TrailInside>(n) ||
+            std::holds_alternative<sema::TrailClearance>(n) ||
+            std::holds_alternative<sema::TrailDistance>(n) ||
+            std::holds_alternative<sema::PathGiven>(n) ||
             std::holds_alternative<sema::ZoneOpen>(n) ||
             std::holds_alternative<sema::WhileOpen>(n) ||
             std::holds_alternative<sema::IsValue>(n) || std::holds_alternative<sema::SameValue>(n);

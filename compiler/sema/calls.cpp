@@ -8,8 +8,9 @@
 namespace rtac::sema {
 
 const std::vector<std::string>& functions_of_quantities() {
-  static const std::vector<std::string> names{"min",   "max",   "abs", "sqrt",   "norm",     "dot",
-                                              "cross", "clamp", "age", "rotate", "transform"};
+  static const std::vector<std::string> names{"min",       "max",   "abs",   "sqrt", "norm",
+                                              "dot",       "cross", "clamp", "age",  "rotate",
+                                              "transform", "leg",   "path"};
   return names;
 }
 
@@ -87,6 +88,7 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Call& call) 
   if (name == "transform") return transform(expr, call);
   if (name == "clamp") return clamp(expr, call);
   if (name == "age") return age(expr, call);
+  if (name == "leg" || name == "path") return way_of(expr, call);
   const bool of_points = std::any_of(
       call.arguments.begin(), call.arguments.end(),
       [&](const syntax::ExprPtr& each) { return speaks_of_points(*each) && !names_zone(*each); });
@@ -96,6 +98,9 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Call& call) 
     const auto any = [&](const auto& is) {
       return std::any_of(call.arguments.begin(), call.arguments.end(), is);
     };
+    if (any([&](const syntax::ExprPtr& each) { return says_way(*each); })) {
+      return distance_of_ways(expr, call);
+    }
     if (any([&](const syntax::ExprPtr& each) { return says_zone(*each); })) {
       return distance_to_zone(expr, call);
     }

@@ -30,14 +30,14 @@ struct Declared {
 
 // What a written type says. Points and vectors are quantities of `dimension`, two or, in space,
 // three of them.
-enum class TypeKind { boolean, integer, real, enumeration, point, vector, pose, twist, zone };
+enum class TypeKind { boolean, integer, real, enumeration, point, vector, pose, twist, zone, path };
 struct ValueType {
   TypeKind kind = TypeKind::real;
   Dimension dimension;
   std::optional<EnumId> enumeration;
-  std::optional<std::uint32_t> length;  // of an array; most edges of a zone
+  std::optional<std::uint32_t> length;  // of an array; most edges of a zone, way-points of a path
   bool space = false;                   // of points and vectors: three components
-  FrameId frame = map_frame;            // of points, vectors, poses and zones
+  FrameId frame = map_frame;            // of points, vectors, poses, zones and paths
   FrameId of = map_frame;               // of a pose: the frame that it places
 };
 

@@ -89,6 +89,11 @@ class TrendFinder {
             // a place that moves may come nearer to the boundary, and leave it
             [&](const PointInside& node) { return either_way(of_place(node)); },
             [&](const PointClearance& node) { return either_way(of_place(node)); },
+            [&](const TrailInside& node) { return either_way(all(node.trail.own)); },
+            [&](const TrailClearance& node) { return either_way(all(node.trail.own)); },
+            [&](const TrailDistance& node) {
+              return either_way(joined(all(node.trail.own), all(node.other.own)));
+            },
             [](const auto&) { return Trend{}; },  // speaks of no parameter
         },
         expr.node);

@@ -261,6 +261,18 @@ std::string ExprPrinter::expr(const Expr& expr) const {
             return "clearance(" + point(*atom.x, *atom.y, atom.z.get()) + ", " + zone(atom.zone) +
                    ")";
           },
+          [&](const TrailInside& atom) {
+            return "(" + trail(atom.trail) + (atom.outside ? " outside " : " inside ") +
+                   zone(atom.zone) + ")";
+          },
+          [&](const TrailClearance& atom) {
+            return std::string(atom.greatest ? "greatest" : "least") + " clearance(" +
+                   trail(atom.trail) + ", " + zone(atom.zone) + ")";
+          },
+          [&](const TrailDistance& atom) {
+            return "distance(" + trail(atom.trail) + ", " + trail(atom.other) + ")";
+          },
+          [&](const PathGiven& atom) { return "given(" + spec_[atom.input].name + ")"; },
           [&](const ZoneOpen& open) { return "open(" + zone(open.zone) + ")"; },
           [&](const WhileOpen& open) { return this->expr(*open.operand); },
           [&](const IsValue& is) {
@@ -312,6 +324,17 @@ std::string ExprPrinter::input(const InputRef& reference) const {
 
 std::string ExprPrinter::point(const Expr& x, const Expr& y, const Expr* z) const {
   return "(" + expr(x) + ", " + expr(y) + (z != nullptr ? ", " + expr(*z) : "") + ")";
+}
+
+std::string ExprPrinter::trail(const Trail& trail) const {
+  std::string places;
+  for (std::size_t i = 0; i + 1 < trail.own.size(); i += 2) {
+    places += (i > 0 ? ", " : "") + point(*trail.own[i], *trail.own[i + 1], nullptr);
+  }
+  if (!trail.path) return trail.own.size() > 2 ? "leg(" + places + ")" : places;
+  const std::string& name = spec_[*trail.path].name;
+  if (trail.own.empty()) return name;
+  return std::string(trail.next_only ? "leg(" : "path(") + places + ", " + name + ")";
 }
 
 std::string ExprPrinter::listed(const std::vector<ExprPtr>& operands) const {

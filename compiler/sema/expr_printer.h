@@ -26,6 +26,7 @@ class ExprPrinter {
  private:
   [[nodiscard]] std::string input(const InputRef& reference) const;
   [[nodiscard]] std::string point(const Expr& x, const Expr& y, const Expr* z) const;
+  [[nodiscard]] std::string trail(const Trail& trail) const;
   [[nodiscard]] std::string listed(const std::vector<ExprPtr>& operands) const;
   [[nodiscard]] std::string joined(const std::vector<ExprPtr>& operands, const char* symbol) const;
 

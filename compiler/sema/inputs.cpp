@@ -24,7 +24,7 @@ Rational default_resolution(const Spec& spec, const ValueType& type, const Dimen
 
 bool is_number(const ValueType& type) {
   return type.kind != TypeKind::boolean && type.kind != TypeKind::enumeration &&
-         type.kind != TypeKind::zone;
+         type.kind != TypeKind::zone && type.kind != TypeKind::path;
 }
 
 struct Range {
@@ -194,6 +194,7 @@ class InputChecker {
     const std::string kind = type.kind == TypeKind::boolean   ? "a condition"
                              : type.kind == TypeKind::integer ? "a whole number"
                              : type.kind == TypeKind::zone    ? "a zone"
+                             : type.kind == TypeKind::path    ? "a path"
                                                               : "a value of an enumeration";
     context_.report(Finding(Code::clause_without_effect, expr.range,
                             what + " has no effect on `" + input_.name + "`, which is " + kind)
@@ -281,6 +282,8 @@ InputType input_type_of(TypeKind kind) {
       return InputType::enumeration;
     case TypeKind::zone:
       return InputType::zone;
+    case TypeKind::path:
+      return InputType::path;
     case TypeKind::real:
     case TypeKind::point:
     case TypeKind::vector:
@@ -308,6 +311,8 @@ std::vector<std::string> components_of(const ValueType& type) {
       return {"x", "y", "heading"};
     case TypeKind::twist:
       return {"linear", "angular"};
+    case TypeKind::path:  // its way-points, and the next one
+      return {"", "index"};
   }
   return {""};
 }
@@ -325,7 +330,8 @@ void shape(Input& input, const ValueType& type) {
   input.element_size = static_cast<std::uint32_t>(element.size());
   input.components = element;
   if (type.kind == TypeKind::zone) input.edges_most = type.length.value_or(0);
-  if (!type.length || type.kind == TypeKind::zone) return;
+  if (type.kind == TypeKind::path) input.places_most = type.length.value_or(0);
+  if (!type.length || type.kind == TypeKind::zone || type.kind == TypeKind::path) return;
   input.components.clear();
   for (std::uint32_t i = 0; i < *type.length; ++i) {
     for (const std::string& part : element) {

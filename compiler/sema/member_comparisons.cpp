@@ -125,7 +125,8 @@ ExprPtr PropertyChecker::compare(const SourceRange& range, CompareOp op, ExprPtr
   return compare_while_open(range, op, std::move(left), std::move(right));
 }
 
-// What is endless while a zone is not open decides the comparison then, whatever the other side is.
+// What is endless while a zone is not open, or a path is empty, decides the comparison then,
+// whatever the other side is.
 ExprPtr PropertyChecker::compare_while_open(const SourceRange& range, CompareOp op, ExprPtr left,
                                             ExprPtr right) {
   std::vector<Found> found;
@@ -139,8 +140,10 @@ ExprPtr PropertyChecker::compare_while_open(const SourceRange& range, CompareOp 
   place = std::move(taken.operand);
   const bool above = op == CompareOp::greater || op == CompareOp::greater_equal;
   const bool rising = (found.front().sign > 0) == above;
-  ExprPtr open = make_condition(range, ZoneOpen{taken.zone});
-  ExprPtr meanwhile = make_condition(range, Compare{op, std::move(left), std::move(right)});
+  const auto* zone = std::get_if<ZoneId>(&taken.what);
+  ExprPtr open = zone != nullptr ? make_condition(range, ZoneOpen{*zone})
+                                 : make_condition(range, PathGiven{std::get<InputId>(taken.what)});
+  ExprPtr meanwhile = compare_while_open(range, op, std::move(left), std::move(right));
   const bool holds_otherwise = rising == taken.endless;
   const LogicOp joins = holds_otherwise ? LogicOp::implies : LogicOp::logical_and;
   return make_condition(range, Logic{joins, operands_of(std::move(open), std::move(meanwhile))});

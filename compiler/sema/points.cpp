@@ -59,23 +59,24 @@ std::optional<Pair> PropertyChecker::place_of(const syntax::Expr& expr, const st
   return std::nullopt;
 }
 
-// The zone that a place is held against, in the frame of the place. A literal is in that of the
-// zone.
-std::optional<ZoneId> PropertyChecker::zone_around(const Pair& place, const syntax::Expr& zone) {
+// The zone that a place is held against, in the frame of the place: a literal, which has none, is
+// in that of the zone.
+std::optional<ZoneId> PropertyChecker::zone_around(const std::optional<FrameId>& of, bool in_space,
+                                                   const syntax::Expr& zone) {
   const syntax::Name* name = name_in(zone);
   const Symbol* symbol = name != nullptr ? context_.symbols.find(name->text) : nullptr;
   const bool received = symbol != nullptr && is_received_zone(context_, *symbol);
   if (received && !signal_allowed(zone.range, *name, Sort::input)) return std::nullopt;
-  const FrameId frame = place.frame ? *place.frame : frame_of_zone(context_, zone);
+  const FrameId frame = of ? *of : frame_of_zone(context_, zone);
   const Change change = scope_.of_robot() ? Change::refused : Change::allowed;
   const auto id = zone_in_property(context_, zone, frame, change, Height::allowed);
-  if (!id || has_height(context_, zone) == (place.z != nullptr)) return id;
+  if (!id || has_height(context_, zone) == in_space) return id;
   if (height_is_open(context_, zone)) return std::nullopt;
   Finding finding(Code::spaces_differ, zone.range,
-                  place.z ? "a point of space is held against a zone of the plane"
-                          : "a place in the plane is held against a zone with height");
-  finding.label(place.z ? "this zone lies in the plane" : "this zone has height");
-  finding.help(place.z
+                  in_space ? "a point of space is held against a zone of the plane"
+                           : "a place in the plane is held against a zone with height");
+  finding.label(in_space ? "this zone lies in the plane" : "this zone has height");
+  finding.help(in_space
                    ? "say how high the zone reaches, `prism (zone) from 0 m to 50 m`, or write "
                      "`.xy` for the part of the point in the plane"
                    : "an input of type `point3` has a height; robots move in the plane, and are "
@@ -154,8 +155,10 @@ ExprPtr PropertyChecker::gap_of(const syntax::Expr& expr, Centre place, ZoneId z
 
 ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Binary& binary) {
   if (is_error(*binary.left) || is_error(*binary.right)) return nullptr;
+  if (says_way(*binary.left)) return way_inside(expr, binary);
   auto held = placed(*binary.left, "inside");
-  const auto zone = held ? zone_around(held->centre, *binary.right) : std::nullopt;
+  const auto zone = held ? zone_around(held->centre.frame, held->centre.z != nullptr, *binary.right)
+                         : std::nullopt;
   if (!zone || !seen_from_carrier(expr, *zone, held->centre)) return nullptr;
   Centre centre = centre_of(held->centre);
   if (held->radius == 0) {
@@ -206,13 +209,15 @@ std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const synt
     return std::nullopt;
   }
   auto held = placed(first, user);
-  const auto zone = held ? zone_around(held->centre, second) : std::nullopt;
+  const auto zone =
+      held ? zone_around(held->centre.frame, held->centre.z != nullptr, second) : std::nullopt;
   if (!zone || !seen_from_carrier(expr, *zone, held->centre)) return std::nullopt;
   Centre centre = centre_of(held->centre);
   return CentreGap{gap_of(expr, std::move(centre), *zone), held->radius, *zone};
 }
 
 ExprPtr PropertyChecker::clearance_of_place(const syntax::Expr& expr, const syntax::Call& call) {
+  if (!call.arguments.empty() && says_way(*call.arguments[0])) return clearance_of_way(expr, call);
   auto found = centre_gap(expr, call, call.callee.text);
   if (!found) return nullptr;
   return gap_while_open(expr.range, found->zone, false,

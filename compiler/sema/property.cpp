@@ -27,20 +27,32 @@ std::optional<Rational> constant_of(const Expr& expr) {
   return constant != nullptr ? std::optional(constant->value) : std::nullopt;
 }
 
-// Reports a distance from a zone that is not always there where no comparison has taken it apart.
+// Reports a distance from a zone that is not always there, or of a path that may be empty, where no
+// comparison has taken it apart.
 static bool counts_while_open(Context& context, const Expr& checked) {
   const Expr* found = nullptr;
   for_each_expr(checked, [&](const Expr& each) {
     if (found == nullptr && std::holds_alternative<WhileOpen>(each.node)) found = &each;
   });
   if (found == nullptr) return false;
-  const std::string& zone = context.spec[std::get<WhileOpen>(found->node).zone].name;
+  const auto& what = std::get<WhileOpen>(found->node).what;
+  if (const auto* path = std::get_if<InputId>(&what)) {
+    const std::string& name = context.spec[*path].name;
+    context.report(Finding(Code::expression_not_supported, found->range,
+                           "the distance of `" + name + "` is endless while that path is empty")
+                       .label("compared with nothing by itself")
+                       .note(context.spec[*path].name_range, "`" + name + "` may have no way-point")
+                       .help("compare it where it stands, alone or in a sum, as in `distance(" +
+                             name + ", p) >= 5 m`, and join such comparisons by `and`"));
+    return true;
+  }
+  const ZoneId zone_id = std::get<ZoneId>(what);
+  const std::string& zone = context.spec[zone_id].name;
   context.report(
       Finding(Code::zone_not_fixed, found->range,
               "the distance from `" + zone + "` is endless while that zone is not there")
           .label("compared with nothing by itself")
-          .note(context.spec[std::get<WhileOpen>(found->node).zone].name_range,
-                "`" + zone + "` is there at certain times only")
+          .note(context.spec[zone_id].name_range, "`" + zone + "` is there at certain times only")
           .help("compare it where it stands, alone or in a sum, as in `distance(p, " + zone +
                 ") >= 5 m`, and join such comparisons by `and`; their past is that of `once` and "
                 "`historically`"));

@@ -252,13 +252,33 @@ class PropertyChecker {
   std::optional<CentreGap> centre_gap(const syntax::Expr& expr, const syntax::Call& call,
                                       const std::string& user);
   std::optional<Pair> place_of(const syntax::Expr& expr, const std::string& user);
-  std::optional<ZoneId> zone_around(const Pair& place, const syntax::Expr& zone);
+  std::optional<ZoneId> zone_around(const std::optional<FrameId>& of, bool in_space,
+                                    const syntax::Expr& zone);
   bool seen_from_carrier(const syntax::Expr& expr, ZoneId zone, Pair& place);
   ExprPtr inside_while_open(const SourceRange& range, ZoneId zone, ExprPtr inside);
   ExprPtr gap_while_open(const SourceRange& range, ZoneId zone, bool endless, ExprPtr gap);
   ExprPtr point_inside(const syntax::Expr& expr, const syntax::Binary& binary);
   ExprPtr clearance_of_place(const syntax::Expr& expr, const syntax::Call& call);
   ExprPtr distance_to_zone(const syntax::Expr& expr, const syntax::Call& call);
+
+  // ---- ways.cpp: legs and paths
+  struct HeldWay {
+    Way way;          // of one place: a point, or a body around its centre
+    Rational radius;  // m; 0 of all but a body
+  };
+  [[nodiscard]] bool says_way(const syntax::Expr& expr) const;
+  Value way_of(const syntax::Expr& expr, const syntax::Call& call);
+  bool way_in_plane(const syntax::Expr& written, const Pair& place);
+  Value led_on(const syntax::Expr& written, Way way);
+  std::optional<HeldWay> held_way(const syntax::Expr& expr, const std::string& user);
+  std::optional<ZoneId> zone_around_way(const Way& way, const syntax::Expr& zone);
+  static ExprPtr extreme_of(const SourceRange& range, std::vector<ExprPtr> gaps, bool greatest);
+  static ExprPtr while_given(const SourceRange& range, const Way& way, ExprPtr gap);
+  ExprPtr way_inside(const syntax::Expr& expr, const syntax::Binary& binary);
+  ExprPtr gap_of_way(const SourceRange& range, const Way& way, ZoneId zone, bool greatest);
+  ExprPtr clearance_of_way(const syntax::Expr& expr, const syntax::Call& call);
+  ExprPtr way_from_zone(const syntax::Expr& expr, const HeldWay& held, const syntax::Expr& written);
+  ExprPtr distance_of_ways(const syntax::Expr& expr, const syntax::Call& call);
 
   // ---- space.cpp: points, vectors and frames
   bool agree(const SourceRange& range, const std::string& user, const Pair& left,

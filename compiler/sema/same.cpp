@@ -10,6 +10,9 @@ namespace {
 bool same(const InputRef& a, const InputRef& b) {
   return a.input == b.input && a.component == b.component;
 }
+bool same(const Trail& a, const Trail& b) {
+  return a.own.size() == b.own.size() && a.path == b.path && a.next_only == b.next_only;
+}
 bool same(const Interval& a, const Interval& b) {
   if (a.from.value != b.from.value || a.to.has_value() != b.to.has_value()) return false;
   return !a.to || a.to->value == b.to->value;
@@ -32,7 +35,20 @@ struct SameNode {
   bool operator()(const PointInside& a) const { return a.zone == that<PointInside>().zone; }
   bool operator()(const PointClearance& a) const { return a.zone == that<PointClearance>().zone; }
   bool operator()(const ZoneOpen& a) const { return a.zone == that<ZoneOpen>().zone; }
-  bool operator()(const WhileOpen& a) const { return a.zone == that<WhileOpen>().zone; }
+  bool operator()(const WhileOpen& a) const { return a.what == that<WhileOpen>().what; }
+  bool operator()(const PathGiven& a) const { return a.input == that<PathGiven>().input; }
+  bool operator()(const TrailInside& a) const {
+    const auto& b = that<TrailInside>();
+    return same(a.trail, b.trail) && a.zone == b.zone && a.outside == b.outside;
+  }
+  bool operator()(const TrailClearance& a) const {
+    const auto& b = that<TrailClearance>();
+    return same(a.trail, b.trail) && a.zone == b.zone && a.greatest == b.greatest;
+  }
+  bool operator()(const TrailDistance& a) const {
+    const auto& b = that<TrailDistance>();
+    return same(a.trail, b.trail) && same(a.other, b.other);
+  }
   bool operator()(const IsValue& a) const {
     const auto& b = that<IsValue>();
     return same({a.input, a.component}, {b.input, b.component}) && a.value == b.value;

@@ -201,6 +201,8 @@ Value element_value(const SourceRange& range, const Input& declared, InputId inp
                   type.of};
     case TypeKind::twist:
       return Twist{quantity(first), quantity(first + 1)};
+    case TypeKind::path:
+      return Way{{}, input, false, type.frame};
     case TypeKind::zone:  // stands for no value
       break;
   }
@@ -214,7 +216,9 @@ Value PropertyChecker::input_value(const SourceRange& range, InputId input) {
   if (context_.faulty_inputs.count(input) > 0) return nullptr;
   const ValueType& type = context_.input_types[index_of(input)];
   const Input& declared = context_.spec[input];
-  if (!type.length) return element_value(range, declared, input, type, 0);
+  if (!type.length || type.kind == TypeKind::path) {
+    return element_value(range, declared, input, type, 0);
+  }
   Array array;
   for (std::uint32_t i = 0; i < *type.length; ++i) {
     array.elements.push_back(

@@ -285,8 +285,8 @@ struct Enumeration {
   SourceRange name_range;
   std::vector<std::string> values;
 };
-// A zone is none of the numbers, only whether one is there.
-enum class InputType { boolean, integer, real, enumeration, zone };
+// A zone is none of the numbers, only whether one is there; nor is a path, but for its index.
+enum class InputType { boolean, integer, real, enumeration, zone, path };
 // What is declared of one number of an input, of integer and real.
 struct Measurement {
   Dimension dimension;                  // of integer: none
@@ -307,6 +307,7 @@ struct Input : Measurement {
   std::optional<Measurement> turning;
   std::uint32_t element_size = 1;  // components of one element of an array, or of all
   std::uint32_t edges_most = 0;    // of a zone
+  std::uint32_t places_most = 0;   // of a path: way-points
   [[nodiscard]] const Measurement& measurement(std::uint32_t component) const {
     return turning && component % element_size + 1 == element_size ? *turning : *this;
   }
@@ -438,10 +439,34 @@ struct PointClearance {  // clearance(p, Z): distance to the boundary, negative 
 struct ZoneOpen {  // now is within an opening of the zone
   ZoneId zone;
 };
-// A distance from a zone while that is open; else more than any other (`endless`), or less. The
-// comparison that it stands in takes it apart, so that a checked property has none.
-struct WhileOpen {
+// Places one after the other, and the straight legs between them: up to two of its own, then those
+// of a path. In the plane.
+struct Trail {
+  std::vector<ExprPtr> own;     // m: x and y of the first place, of the second one
+  std::optional<InputId> path;  // behind places of its own what is left of it, else all of it
+  bool next_only = false;       // the next way-point of it, none behind
+};
+struct TrailInside {  // every place of it lies in the zone or, `outside`, none does
+  Trail trail;
   ZoneId zone;
+  bool outside;
+};
+struct TrailClearance {  // the least distance to the boundary, negative outside; or the greatest
+  Trail trail;
+  ZoneId zone;
+  bool greatest;
+};
+struct TrailDistance {  // the least one between places of both
+  Trail trail, other;
+};
+struct PathGiven {  // it has way-points
+  InputId input;
+};
+// A distance from a zone while that is open, or of a path while it has way-points; else more than
+// any other (`endless`), or less. The comparison that it stands in takes it apart, so that a
+// checked property has none.
+struct WhileOpen {
+  std::variant<ZoneId, InputId> what;
   bool endless;
   ExprPtr operand;
 };
@@ -497,8 +522,8 @@ struct Expr {
   std::variant<Constant, Truth, SignalRef, Clearance, Distance, EnergyTo, InsideZone, PlanInside,
                Arithmetic, Compare, Logic, HeldFor, ForOthers, CountOthers, OverMembers, InputRef,
                AgeOf, SensedAge, ParamRef, PointInside, PointClearance, ZoneOpen, WhileOpen,
-               IsValue, SameValue, Math, Choice, Previously, Past, Since, WithinOf, Aggregate,
-               AgentDistance>
+               TrailInside, TrailClearance, TrailDistance, PathGiven, IsValue, SameValue, Math,
+               Choice, Previously, Past, Since, WithinOf, Aggregate, AgentDistance>
       node;
 };
 

@@ -267,6 +267,8 @@ class SpecPrinter {
         return spec_[*input.enumeration].name;
       case InputType::zone:
         return "zone[" + std::to_string(input.edges_most) + "]";
+      case InputType::path:
+        return "path[" + std::to_string(input.places_most) + "]";
       case InputType::real:
         break;
     }

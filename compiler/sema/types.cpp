@@ -5,6 +5,7 @@
 
 #include "compiler/sema/frames.h"
 #include "compiler/sema/quantity.h"
+#include "compiler/sema/robots.h"
 #include "compiler/sema/suggest.h"
 #include "compiler/sema/units.h"
 
@@ -30,6 +31,7 @@ constexpr NamedType named_types[] = {
     {"pose", TypeKind::pose, dims::length, false},
     {"twist", TypeKind::twist, dims::speed, false},
     {"zone", TypeKind::zone, dims::number, false},
+    {"path", TypeKind::path, dims::length, false},
     {"length", TypeKind::real, dims::length, false},
     {"time", TypeKind::real, dims::time, false},
     {"speed", TypeKind::real, dims::speed, false},
@@ -170,7 +172,7 @@ bool apply_unit(Context& context, const syntax::TypeRef& written, bool takes_uni
 bool apply_frames(Context& context, const syntax::TypeRef& written, ValueType& type) {
   const bool is_pose = type.kind == TypeKind::pose;
   const bool has_frame = is_pose || type.kind == TypeKind::point || type.kind == TypeKind::vector ||
-                         type.kind == TypeKind::zone;
+                         type.kind == TypeKind::zone || type.kind == TypeKind::path;
   const auto without_effect = [&](const syntax::Name& name, const std::string& what) {
     context.report(Finding(Code::clause_without_effect, name.range,
                            "the type `" + written.name.text + "` has no " + what)
@@ -201,6 +203,12 @@ bool apply_frames(Context& context, const syntax::TypeRef& written, ValueType& t
 
 bool apply_length(Context& context, const syntax::TypeRef& written, ValueType& type) {
   const bool is_zone = type.kind == TypeKind::zone;
+  const bool is_path = type.kind == TypeKind::path;
+  if (written.length.empty() && is_path) {
+    context.missing_clause(written.range, "the path",
+                           "most way-points, so that its memory is fixed", "path[16]");
+    return false;
+  }
   if (written.length.empty() && is_zone) {
     context.missing_clause(written.range, "the zone", "most edges, so that its memory is fixed",
                            "zone[64]");
@@ -218,12 +226,14 @@ bool apply_length(Context& context, const syntax::TypeRef& written, ValueType& t
   }
   // behind other types than quantities a unit in brackets is read as a length: `bool [m]`
   const auto* name = std::get_if<syntax::NameRef>(&first.node);
-  if (name != nullptr && !is_zone && parse_unit(name->name.text)) {
+  if (name != nullptr && !is_zone && !is_path && parse_unit(name->name.text)) {
     report_unit_without_effect(context, written, first.range, name->name.text);
     return false;
   }
   const auto length = is_zone ? count(context, first, "the most edges of a zone", 3, max_zone_edges)
-                              : count(context, first, "the length of an array", 1, max_array);
+                      : is_path
+                          ? count(context, first, "the most way-points of a path", 1, max_path)
+                          : count(context, first, "the length of an array", 1, max_array);
   if (length) type.length = static_cast<std::uint32_t>(*length);
   return length.has_value();
 }
@@ -234,6 +244,13 @@ std::optional<ValueType> check_type(Context& context, const syntax::TypeRef& wri
                                     MayBeZone may_be_zone) {
   bool takes_unit = false;
   auto type = element_type(context, written.name, takes_unit);
+  if (type && type->kind == TypeKind::path && may_be_zone == MayBeZone::no) {
+    context.report(Finding(Code::wrong_argument, written.range, "only an input is of type `path`")
+                       .label("not an input")
+                       .help("declare `input plan : path[16] max_age 1 s;`, and pass the quantity "
+                             "that is made of it, such as `distance(plan, p)`"));
+    return std::nullopt;
+  }
   if (type && type->kind == TypeKind::zone && may_be_zone == MayBeZone::no) {
     context.report(Finding(Code::wrong_argument, written.range, "only an input is of type `zone`")
                        .label("not an input")

@@ -73,7 +73,16 @@ decltype(Expr::node) clone_node(const decltype(Expr::node)& written) {
             return Node(PointClearance{clone(*node.x), clone(*node.y), cloned(node.z), node.zone});
           },
           [](const WhileOpen& node) {
-            return Node(WhileOpen{node.zone, node.endless, clone(*node.operand)});
+            return Node(WhileOpen{node.what, node.endless, clone(*node.operand)});
+          },
+          [](const TrailInside& node) {
+            return Node(TrailInside{clone(node.trail), node.zone, node.outside});
+          },
+          [](const TrailClearance& node) {
+            return Node(TrailClearance{clone(node.trail), node.zone, node.greatest});
+          },
+          [](const TrailDistance& node) {
+            return Node(TrailDistance{clone(node.trail), clone(node.other)});
           },
           [](const auto& leaf) { return Node(leaf); },
       },
@@ -94,6 +103,9 @@ std::size_t over_parts(const Value& value, Measure&& measure, Join&& join) {
   if (const auto* pose = std::get_if<Pose>(&value.node)) {
     add_pair(pose->position);
     add(pose->heading);
+  }
+  if (const auto* way = std::get_if<Way>(&value.node)) {
+    for (const Pair& place : way->places) add_pair(place);
   }
   if (const auto* twist = std::get_if<Twist>(&value.node)) {
     add(twist->linear);
@@ -122,6 +134,11 @@ std::size_t depth_of(const Expr& expr) {
 
 }  // namespace
 
+Trail clone(const Trail& trail) {
+  Trail copy{{}, trail.path, trail.next_only};
+  for (const ExprPtr& coordinate : trail.own) copy.own.push_back(clone(*coordinate));
+  return copy;
+}
 Pair clone(const Pair& pair) {
   return {pair.kind, clone(*pair.x), clone(*pair.y), pair.z ? clone(*pair.z) : nullptr, pair.frame};
 }
@@ -166,6 +183,11 @@ Value clone(const Value& value) {
           },
           [](const EnumChoice& choice) {
             return Value(EnumChoice{clone(*choice.condition), clone_all(choice.options)});
+          },
+          [](const Way& way) {
+            Way copy{{}, way.path, way.next_only, way.frame};
+            for (const Pair& place : way.places) copy.places.push_back(clone(place));
+            return Value(std::move(copy));
           },
       },
       value.node);
@@ -253,6 +275,7 @@ std::string describe(const Spec& spec, const Value& value) {
           },
           [&](const Pose& pose) { return "a pose of `" + spec[pose.of].name + "`"; },
           [](const Twist&) { return std::string("a twist"); },
+          [](const Way& way) { return std::string(way.is_leg() ? "a leg" : "a path"); },
           [&](const EnumChoice&) { return enumeration_text(spec, *enumeration_of(value)); },
           [](const Array& array) {
             const std::size_t length = array.elements.size();
@@ -284,10 +307,13 @@ std::string describe(const Spec& spec, const ValueType& type) {
         return "a twist";
       case TypeKind::zone:
         return "a zone";
+      case TypeKind::path:
+        return "a path";
     }
     return "";
   }();
-  if (!type.length || type.kind == TypeKind::zone) return element;
+  const bool is_whole = type.kind == TypeKind::zone || type.kind == TypeKind::path;
+  if (!type.length || is_whole) return element;
   return "an array of " + std::to_string(*type.length) + ", each " + element;
 }
 
@@ -330,6 +356,7 @@ bool fits(const Spec& spec, const Value& value, const ValueType& type) {
     case TypeKind::twist:
       return std::holds_alternative<Twist>(value.node);
     case TypeKind::zone:
+    case TypeKind::path:
       return false;
     case TypeKind::enumeration:
       break;

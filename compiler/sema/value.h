@@ -35,6 +35,15 @@ struct Pose {
 struct Twist {
   ExprPtr linear, angular;
 };
+// Places one after the other, and the straight legs between them: those of its own, then those of
+// a path. In the plane.
+struct Way {
+  std::vector<Pair> places;
+  std::optional<InputId> path;  // behind places of its own what is left of it, else all of it
+  bool next_only = false;       // the next way-point of it, none behind
+  std::optional<FrameId> frame = map_frame;
+  [[nodiscard]] bool is_leg() const { return next_only || (!path && places.size() == 2); }
+};
 struct Value;
 struct Array {
   std::vector<Value> elements;
@@ -59,9 +68,11 @@ struct Value {
   Value(Pose pose) : node(std::move(pose)) {}            // NOLINT(google-explicit-constructor)
   Value(Twist twist) : node(std::move(twist)) {}         // NOLINT(google-explicit-constructor)
   Value(EnumChoice choice) : node(std::move(choice)) {}  // NOLINT(google-explicit-constructor)
+  Value(Way way) : node(std::move(way)) {}               // NOLINT(google-explicit-constructor)
   explicit operator bool() const { return !std::holds_alternative<std::monostate>(node); }
 
-  std::variant<std::monostate, ExprPtr, EnumValue, EnumSignal, Pair, Array, Pose, Twist, EnumChoice>
+  std::variant<std::monostate, ExprPtr, EnumValue, EnumSignal, Pair, Array, Pose, Twist, EnumChoice,
+               Way>
       node;
 };
 
@@ -69,6 +80,7 @@ ExprPtr clone(const Expr& expr);
 Value clone(const Value& value);
 
 Pair clone(const Pair& pair);
+Trail clone(const Trail& trail);
 
 // The enumeration of which it is a value; none: of no one.
 std::optional<EnumId> enumeration_of(const Value& value);

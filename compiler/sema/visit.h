@@ -37,6 +37,12 @@ void for_each_operand(Tree& expr, Visit&& visit) {
           visit(node.x);
           visit(node.y);
           if (node.z) visit(node.z);
+        } else if constexpr (std::is_same_v<Node, TrailInside> ||
+                             std::is_same_v<Node, TrailClearance>) {
+          for (auto& coordinate : node.trail.own) visit(coordinate);
+        } else if constexpr (std::is_same_v<Node, TrailDistance>) {
+          for (auto& coordinate : node.trail.own) visit(coordinate);
+          for (auto& coordinate : node.other.own) visit(coordinate);
         } else if constexpr (std::is_same_v<Node, WithinOf>) {
           visit(node.operand);
           visit(node.trigger);
@@ -49,7 +55,8 @@ void for_each_operand(Tree& expr, Visit&& visit) {
                         std::is_same_v<Node, InputRef> || std::is_same_v<Node, AgeOf> ||
                         std::is_same_v<Node, SensedAge> || std::is_same_v<Node, ParamRef> ||
                         std::is_same_v<Node, ZoneOpen> || std::is_same_v<Node, IsValue> ||
-                        std::is_same_v<Node, SameValue> || std::is_same_v<Node, AgentDistance>);
+                        std::is_same_v<Node, SameValue> || std::is_same_v<Node, AgentDistance> ||
+                        std::is_same_v<Node, PathGiven>);
         }
       },
       expr.node);
