@@ -130,7 +130,7 @@ struct ConditionOf {
     return margin;
   }
 
-  // Rule 7.9: that of the least clearance that is at least 0, or of the greatest that is below.
+  // Rule 8.1: that of the least clearance that is at least 0, or of the greatest that is below.
   Margin operator()(const sema::TrailInside& node) const {
     static const sema::Dimension& length = sema::dims::length;
     const Trail trail = self.trail(node.trail);
@@ -308,7 +308,7 @@ Whereabouts Evaluator::whereabouts(const Node& node) {
   return at;
 }
 
-// Rule 7.9: places of its own, then all of a path or, behind such places, what is left of it.
+// Rule 8.1: places of its own, then all of a path or, behind such places, what is left of it.
 Trail Evaluator::trail(const sema::Trail& node) {
   Trail trail;
   for (std::size_t i = 0; i + 1 < node.own.size(); i += 2) {

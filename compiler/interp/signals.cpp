@@ -113,7 +113,7 @@ std::shared_ptr<const ReceivedZone> Signals::zone(sema::InputId input) const {
   return state.seen[0] ? state.arrived->zone : nullptr;
 }
 
-// Rule 7.9: one way-point off the map, or an index that it does not have, and nothing is known.
+// Rule 8.1: one way-point off the map, or an index that it does not have, and nothing is known.
 std::optional<PathSeen> Signals::path(sema::InputId input) const {
   const State& state = states_[index(input)];
   if (!state.seen[0] || !state.seen[1] || state.arrived->path == nullptr) return std::nullopt;

@@ -220,8 +220,9 @@ void TraceReader::find_robots(const std::vector<bool>& seen) {
     if (!column.robot || !is_decided(*column.robot)) continue;
     const std::size_t robot = *column.robot;
     if (!seen[i]) lacks[robot] = true;
-    if (!seen[i] || column.input != nullptr) continue;
-    const bool of_plan = column.form == Form::plan || column.form == Form::index;
+    const bool proposes = column.form == Form::path && takes(robot, true);
+    if (!seen[i] || (column.input != nullptr && !proposes)) continue;
+    const bool of_plan = proposes || column.form == Form::plan || column.form == Form::index;
     if (of_plan && takes(robot, true)) {
       robots_[robot].proposes = true;
     } else {
@@ -236,8 +237,10 @@ void TraceReader::find_robots(const std::vector<bool>& seen) {
 // A robot of which there is no column, or only those of inputs, is not looked at, unless nothing
 // else is; without a decision it never is.
 bool TraceReader::is_due(const Column& column, bool needs_a_robot) const {
-  if (column.input != nullptr) return true;
-  if (!is_decided(*column.robot)) return false;
+  const bool is_index = column.input != nullptr && column.form == Form::input &&
+                        column.input->type == sema::InputType::path;
+  if (column.input != nullptr && !is_index) return true;
+  if (!column.robot || !is_decided(*column.robot)) return false;
   const RobotColumns& robot = robots_[*column.robot];
   const bool plan = column.form == Form::plan;
   if (robot.given || (plan && robot.proposes)) return true;
@@ -373,7 +376,7 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
   if (column.input != nullptr && column.input->type == sema::InputType::zone) {
     return read_zone(cell, column, reading);
   }
-  if (column.form == Form::path) return read_path(cell, column, reading);
+  if (column.form == Form::path) return read_path(cell, column, row);
   if (auto number = parse(column, cell.text)) {
     reading.kind = Reading::Kind::number;
     reading.number = std::move(*number);
@@ -411,10 +414,13 @@ bool TraceReader::read_zone(const CsvCell& cell, const Column& column, Reading& 
   return true;
 }
 
-// With more way-points than are declared it has no value.
-bool TraceReader::read_path(const CsvCell& cell, const Column& column, Reading& reading) {
+// An input, and perhaps the plan of a robot as well. With more way-points than are declared it has
+// no value.
+bool TraceReader::read_path(const CsvCell& cell, const Column& column, TraceRow& row) {
   PlanReading plan;
   if (!read_plan(cell, column, plan)) return false;
+  if (column.robot) row.plans[*column.robot] = plan;
+  Reading& reading = row.readings[column.reading];
   const bool fits = plan.points.size() <= column.input->places_most;
   reading.kind = fits ? plan.kind : Reading::Kind::unknown;
   reading.number = Decimal(1);

@@ -99,7 +99,7 @@ class TraceReader {
   bool read_time(const CsvCell& cell, TraceRow& row);
   bool read_cell(const CsvCell& cell, const Column& column, TraceRow& row);
   bool read_zone(const CsvCell& cell, const Column& column, Reading& reading);
-  bool read_path(const CsvCell& cell, const Column& column, Reading& reading);
+  bool read_path(const CsvCell& cell, const Column& column, TraceRow& row);
   bool read_plan(const CsvCell& cell, const Column& column, PlanReading& plan);
   [[nodiscard]] std::optional<Decimal> parse(const Column& column, std::string_view text) const;
   [[nodiscard]] std::string expected(const Column& column) const;

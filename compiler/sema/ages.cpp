@@ -65,6 +65,10 @@ ExprPtr PropertyChecker::age_of_sense(const syntax::Expr& expr, const syntax::Na
 ExprPtr PropertyChecker::age_of_member(const syntax::Expr& expr, const syntax::Member& member) {
   const auto robot = robot_named(*member.base);
   if (!robot || member.field.text.empty()) return nullptr;
+  if (member.field.text == "plan") {
+    const auto plan = robot_plan(*robot, expr.range);
+    return plan ? make_quantity(expr.range, dims::time, AgeOf{*plan}) : nullptr;
+  }
   if (sensed_named(member.field.text) == nullptr) {
     report_ageless(context_, member.field);
     return nullptr;

@@ -16,6 +16,8 @@ namespace {
 
 // Farther away a position is unknown: differences of two have squares that fit the kernel.
 constexpr long far_m = 100'000;
+// Headings that are counted on and on, about a hundred turns of them.
+constexpr long far_rad = 600;
 
 struct RobotSignal {
   const char* name;
@@ -27,6 +29,7 @@ struct RobotSignal {
 const RobotSignal signals[] = {
     {"position", Need::position, TypeKind::point, dims::length, &RobotKind::position},
     {"velocity", Need::velocity, TypeKind::vector, dims::speed, &RobotKind::velocity},
+    {"heading", Need::heading, TypeKind::real, dims::angle, &RobotKind::heading},
     {"battery", Need::battery, TypeKind::real, dims::ratio, &RobotKind::battery},
 };
 
@@ -41,6 +44,7 @@ const RobotSignal* signal_named(const std::string& name) {
 Rational most_of(const RobotSignal& signal, const RobotKind& kind) {
   const Rational error = (kind.*signal.sense)->error.value;
   if (signal.need == Need::position) return Rational(far_m);
+  if (signal.need == Need::heading) return Rational(far_rad);
   if (signal.need == Need::velocity) return Rational(kind.motion.speed.value + error);
   return Rational(1 + error);
 }
@@ -117,12 +121,41 @@ std::optional<InputId> PropertyChecker::robot_input(RobotId robot, const std::st
   return next;
 }
 
+// The plan of a robot counts until another one comes.
+std::optional<InputId> PropertyChecker::robot_plan(RobotId robot, const SourceRange& range) {
+  const Robot& owner = context_.spec[robot];
+  const RobotKind& kind = context_.spec[owner.kind];
+  context_.require(owner.kind, Need::plan, range, "`plan`");
+  if (!kind.plan) return std::nullopt;
+  const InputId next{static_cast<std::uint32_t>(context_.spec.inputs.size())};
+  const auto [place, added] = context_.robot_inputs.emplace(std::pair(robot, "plan"), next);
+  context_.used_inputs.insert(place->second);
+  if (!added) return place->second;
+  ValueType type;
+  type.kind = TypeKind::path;
+  type.dimension = dims::length;
+  type.length = static_cast<std::uint32_t>(kind.plan->capacity);
+  Input input{};
+  input.name = owner.name + ".plan";
+  input.name_range = owner.name_range;
+  shape(input, type);
+  input.held = true;
+  input.robot = robot;
+  context_.spec.inputs.push_back(std::move(input));
+  context_.input_types.push_back(type);
+  return next;
+}
+
 Value PropertyChecker::robot_signal(const syntax::Expr& expr, const syntax::Member& member) {
   const std::string& field = member.field.text;
   const auto robot = robot_named(*member.base);
   if (!robot || field.empty()) return nullptr;
   if (signal_named(field) != nullptr) {
     const auto input = robot_input(*robot, field, expr.range);
+    return input ? input_value(expr.range, *input) : nullptr;
+  }
+  if (field == "plan") {
+    const auto input = robot_plan(*robot, expr.range);
     return input ? input_value(expr.range, *input) : nullptr;
   }
   if (field == "speed") {
@@ -134,11 +167,12 @@ Value PropertyChecker::robot_signal(const syntax::Expr& expr, const syntax::Memb
     if (pair->z) parts.push_back(std::move(pair->z));
     return math(expr, MathOp::norm, dims::speed, std::move(parts));
   }
-  context_.report(Finding(Code::unknown_signal, member.field.range,
-                          "a monitor without a robot sees no signal `" + field + "` of a robot")
-                      .label("not a signal")
-                      .help(did_you_mean(field, {"position", "velocity", "speed", "battery"},
-                                         "signals of robots")));
+  context_.report(
+      Finding(Code::unknown_signal, member.field.range,
+              "a monitor without a robot sees no signal `" + field + "` of a robot")
+          .label("not a signal")
+          .help(did_you_mean(field, {"position", "velocity", "speed", "heading", "battery", "plan"},
+                             "signals of robots")));
   return nullptr;
 }
 

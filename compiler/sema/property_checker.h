@@ -107,6 +107,7 @@ class PropertyChecker {
   Value robot_signal(const syntax::Expr& expr, const syntax::Member& member);
   std::optional<InputId> robot_input(RobotId robot, const std::string& signal,
                                      const SourceRange& range);
+  std::optional<InputId> robot_plan(RobotId robot, const SourceRange& range);
   Value distance_of_bodies(const syntax::Expr& expr, const syntax::Call& call);
   // The robots that the head goes through; nullopt: it has a mistake.
   std::optional<std::vector<RobotId>> members(const Head& head);

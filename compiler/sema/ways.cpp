@@ -46,6 +46,10 @@ std::optional<InputId> may_be_empty(const Way& way) {
 
 bool PropertyChecker::says_way(const syntax::Expr& expr) const {
   if (is_way_function(context_, expr)) return true;
+  const auto* member = std::get_if<syntax::Member>(&expr.node);
+  if (member != nullptr) {
+    return member->field.text == "plan" && sees_fleets() && names_robot(*member->base);
+  }
   const syntax::Name* name = name_in(expr);
   if (name == nullptr) return false;
   if (const Local* bound = local(name->text)) {
@@ -150,7 +154,7 @@ std::optional<ZoneId> PropertyChecker::zone_around_way(const Way& way, const syn
 }
 
 ExprPtr PropertyChecker::extreme_of(const SourceRange& range, std::vector<ExprPtr> gaps,
-                                  bool greatest) {
+                                    bool greatest) {
   if (gaps.size() == 1) return std::move(gaps.front());
   return make_quantity(range, dims::length,
                        Math{greatest ? MathOp::maximum : MathOp::minimum, std::move(gaps)});

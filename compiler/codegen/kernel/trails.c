@@ -150,39 +150,32 @@ static stretch stretch_of(int32_t from, int64_t lo_from, int32_t to, int64_t lo_
   s.least = half_down(lo_from + lo_to - length * (to - from) / 2048 - 1) - 2;
   return s;
 }
-/*= crossing_gap : signed_gap part_of_way stretch_of minus dot root_up min_of */
-/* The least signed distance of the places of a leg which is not all on the right side: of eight
- * stretches, the one that may be least divided eight times more, where it may be least. */
+/*= crossing_gap : signed_gap part_of_way stretch_of minus dot root_up span_of min_of */
+/* The least signed distance of the places of a leg which is not all on the right side. The stretch that
+ * may be least is divided, time and again: 32 times, or until it is known to 8 mm. */
 static span crossing_gap(const zone *z, vec a, vec b, int32_t turned) {
   const vec d = minus(b, a);
   const int64_t length = root_up(dot(d, d));
-  span least = signed_gap(z, a, turned);
-  stretch low = stretch_of(0, least.lo, 0, least.lo, 0);
-  int64_t lo = INT64_MAX; /* of all other stretches */
-  int64_t before = least.lo;
+  const span start = signed_gap(z, a, turned), end = signed_gap(z, b, turned);
+  span least = span_of(start.lo, min_of(start.hi, end.hi));
+  stretch all[33];
+  int32_t count = 1;
+  int32_t low = 0;
   int32_t k;
-  for (k = 256; k <= 2048; k += 256) {
-    const span next = signed_gap(z, part_of_way(a, b, k), turned);
-    const stretch s = stretch_of(k - 256, before, k, next.lo, length);
-    least.hi = min_of(least.hi, next.hi + 2);
-    before = next.lo;
-    if (low.to == 0 || s.least < low.least) {
-      lo = low.to == 0 ? lo : min_of(lo, low.least);
-      low = s;
-    } else {
-      lo = min_of(lo, s.least);
+  all[0] = stretch_of(0, start.lo, 2048, end.lo, length);
+  while (count < 33 && all[low].to - all[low].from > 1 && least.hi - all[low].least > 8) {
+    const stretch s = all[low];
+    const int32_t middle = (s.from + s.to) / 2;
+    const span at = signed_gap(z, part_of_way(a, b, middle), turned);
+    least.hi = min_of(least.hi, at.hi + 2);
+    all[low] = stretch_of(s.from, s.lo_from, middle, at.lo, length);
+    all[count] = stretch_of(middle, at.lo, s.to, s.lo_to, length);
+    count += 1;
+    for (low = 0, k = 1; k < count; ++k) {
+      low = all[k].least < all[low].least ? k : low;
     }
   }
-  while (low.to - low.from > 1) {
-    const int32_t middle = (low.from + low.to) / 2;
-    const span at = signed_gap(z, part_of_way(a, b, middle), turned);
-    const stretch first = stretch_of(low.from, low.lo_from, middle, at.lo, length);
-    const stretch second = stretch_of(middle, at.lo, low.to, low.lo_to, length);
-    least.hi = min_of(least.hi, at.hi + 2);
-    lo = min_of(lo, first.least < second.least ? second.least : first.least);
-    low = first.least < second.least ? first : second;
-  }
-  least.lo = min_of(lo, low.least);
+  least.lo = all[low].least;
   return least;
 }
 /*= leg_clearance : segment_boundary_lo inside_zone leg_gap_hi crossing_gap span_of min_of */

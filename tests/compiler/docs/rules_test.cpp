@@ -193,6 +193,9 @@ TEST(Rule7_8, IsAsShown) {
 TEST(Rule8, IsAsShown) {
   expect_as_shown("8");
 }
+TEST(Rule8_1, IsAsShown) {
+  expect_as_shown("8.1");
+}
 TEST(Rule9_1, IsAsShown) {
   expect_as_shown("9.1");
 }
