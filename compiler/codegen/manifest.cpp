@@ -103,7 +103,6 @@ Json assumptions(const Module& module, const sema::RobotKind& k) {
 
 // What a tool needs to fill plain inputs and to read findings.
 Json signals(const Module& module, const Watch& watch) {
-  static const char* const kinds[] = {"truth", "number", "choice", "zone", "path"};
   Json list = Json::array();
   const WatchNames names = watch_names(watch);
   for (const WatchSignal& s : names.signals) {
@@ -113,7 +112,7 @@ Json signals(const Module& module, const Watch& watch) {
     j["input"] = c.name;
     j["component"] = c.components[s.component];
     j["number"] = watch_input_number(module, s.channel);
-    j["kind"] = kinds[static_cast<std::size_t>(c.kind)];
+    j["kind"] = word(c.kind);
     if (c.kind == ChannelKind::number) {
       const ChannelGrid& grid = c.grid(s.component);
       j["unit"] = sema::unit_of(grid.unit.dimension);
@@ -138,9 +137,10 @@ Json signals(const Module& module, const Watch& watch) {
 }
 // Exact margins that are further from 0 are decided; null: no bound that margins can tell.
 Json rounding(const sema::Spec& spec, const Watch& w, const PlainMonitor& m) {
-  const Rational bound = rounding_of(spec, w, m.property).millionths;
-  if (bound > Rational(static_cast<long>(margin_max))) return nullptr;
-  return ceil_to_int(bound);
+  const Rounding bound = rounding_of(spec, w, m.property);
+  const Rational& most = bound.millionths;
+  if (bound.has_crossing_legs || most > Rational(static_cast<long>(margin_max))) return nullptr;
+  return ceil_to_int(most);
 }
 Json params(const Watch& w) {
   Json list = Json::array();

@@ -198,9 +198,8 @@ class Decisions {
   }
   // SI.
   Json input(const ir::Channel& c) const {
-    static const char* const kinds[] = {"truth", "number", "choice", "zone", "path"};
     const bool whole = spec_.inputs[c.declared].type == sema::InputType::integer;
-    Json j{{"name", c.name}, {"kind", whole ? "whole" : kinds[static_cast<std::size_t>(c.kind)]}};
+    Json j{{"name", c.name}, {"kind", whole ? "whole" : ir::word(c.kind)}};
     if (c.kind == ir::ChannelKind::choice) j["values"] = c.values;
     j["components"] = Json::array();
     for (std::uint32_t k = 0; k < c.components.size(); ++k) {

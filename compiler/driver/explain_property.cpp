@@ -55,7 +55,8 @@ void quantity(const Value& value, const Rational& width, const std::optional<Ran
   to.push_back(grid(*value.unit));
   to.emplace_back(is_rounded ? "rounding: outward, the lower end down and the upper end up"
                              : "rounding: none");
-  to.push_back(wide(width, *value.unit));
+  const bool of_legs = std::holds_alternative<ir::TrailClearance>(value.op);
+  to.push_back(wide(width, *value.unit) + (of_legs ? ", of legs on one side of the boundary" : ""));
 }
 
 // Of the past, over windows that are too long for it.
@@ -113,6 +114,10 @@ std::string near_enough(const ir::Watch& watch, const Block& block) {
       look(c->within);
       look(c->around);
     }
+    if (const auto* c = std::get_if<ir::TrailClearance>(&v.op)) {
+      look(c->within);
+      look(c->around);
+    }
   }
   if (!least_mm) return "";
   return ", of places within " + to_decimal(Rational(*least_mm, 1000)) +
@@ -139,6 +144,7 @@ std::string PropertyRemarks::rounding(const PlainMonitor& m) const {
   }
   return "rounding: an exact margin is decided when it is more than " + text + " away from 0" +
          (bound.has_rounded_choice ? ", with both sides of a choice known" : "") +
+         (bound.has_crossing_legs ? ", of legs that lie on one side of each boundary" : "") +
          near_enough(watch_, m.property);
 }
 

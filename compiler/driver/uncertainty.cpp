@@ -84,8 +84,10 @@ class Widths {
     return diagonal + 2 * (middle_mm + rounding_steps) + bounds_mm;
   }
   Rational operator()(const SolidInside& v) const { return of(v.condition); }
-  // Beyond the boundary a clearance is known within an eighth of a leg, of any length.
-  Rational operator()(const TrailClearance&) const { return span(); }
+  // Of legs on one side of the boundary; of others nothing bounds it.
+  Rational operator()(const TrailClearance& v) const {
+    return v.within != v.around || watch_[v.within].channel ? span() : 3 + reached(v.trail);
+  }
   Rational operator()(const TrailInside& v) const { return of(v.condition); }
   // The boxes of places add half their diagonals on either side.
   Rational operator()(const TrailDistance& v) const {

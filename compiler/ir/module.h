@@ -4,6 +4,7 @@
 // Canonical text: printer.h. Well-formedness: verifier.h.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -489,6 +490,10 @@ struct Block {
 
 // Of a zone or a path, whether there is one.
 enum class ChannelKind { truth, number, choice, zone, path };
+inline const char* word(ChannelKind kind) {
+  constexpr const char* words[] = {"truth", "number", "choice", "zone", "path"};
+  return words[static_cast<std::size_t>(kind)];
+}
 struct ChannelGrid {  // of a number: what is possible on the grid, the error in steps
   Unit unit;
   Range range;  // outside: unknown

@@ -331,8 +331,7 @@ class Printer {
     return text;
   }
   void channel(const Channel& c) {
-    static const char* const kinds[] = {"truth", "number", "choice", "zone"};
-    std::string text = "  input " + c.name + " : " + kinds[std::size_t(c.kind)];
+    std::string text = "  input " + c.name + " : " + word(c.kind);
     if (c.kind == ChannelKind::number) {
       text += grid(c);
       if (c.turning) text += "," + grid(*c.turning);

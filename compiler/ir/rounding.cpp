@@ -28,7 +28,7 @@ struct Slack {
   // margin: it is that verdict.
   bool decides = true;
   bool measured = false;  // of a margin: it may be finite
-  bool has_rounded_choice = false, has_verdicts_only = false;
+  bool has_rounded_choice = false, has_verdicts_only = false, has_crossing_legs = false;
 };
 
 class Roundings {
@@ -111,9 +111,14 @@ class Roundings {
     return derived(by, {v.a, v.b, v.c});
   }
   Slack operator()(const SolidInside& v) const { return of(v.condition); }
-  // Where a part of it lies beyond the boundary, what bounds the clearance is an eighth of a leg
-  // apart: nothing more is promised.
-  Slack operator()(const TrailClearance& v) const { return of_trail(span(), v.trail); }
+  // On one side of the boundary as of places, of two regions as there. How far a leg that crosses
+  // it leads beyond is found by places along it: nothing bounds how much of that they miss.
+  Slack operator()(const TrailClearance& v) const {
+    const bool is_exact = v.within == v.around && !watch_[v.within].channel;
+    Slack result = of_trail(is_exact ? Rational(reached(v.trail) + 3) : span(), v.trail);
+    result.has_crossing_legs = true;
+    return result;
+  }
   Slack operator()(const TrailInside& v) const { return of(v.condition); }
   // Bounds of distances are 3 mm apart, of middles with a room that is rounded up.
   Slack operator()(const TrailDistance& v) const {
@@ -225,6 +230,7 @@ class Roundings {
     to.measured = to.measured || from.measured;
     to.has_rounded_choice = to.has_rounded_choice || from.has_rounded_choice;
     to.has_verdicts_only = to.has_verdicts_only || from.has_verdicts_only;
+    to.has_crossing_legs = to.has_crossing_legs || from.has_crossing_legs;
   }
   [[nodiscard]] Slack derived(Rational by, std::initializer_list<ValueId> operands) const {
     const bool is_exact = sgn(by) == 0;
@@ -261,7 +267,8 @@ class Roundings {
 
 Rounding rounding_of(const sema::Spec& spec, const Watch& watch, const Block& block) {
   Slack slack = Roundings(spec, watch, block).run();
-  return {std::move(slack.by), slack.decides, slack.has_rounded_choice, slack.has_verdicts_only};
+  return {std::move(slack.by), slack.decides, slack.has_rounded_choice, slack.has_verdicts_only,
+          slack.has_crossing_legs};
 }
 
 }  // namespace rtac::ir

@@ -20,6 +20,9 @@ struct Rounding {
   bool has_rounded_choice = false;
   // A window is too long for margins: finite ones become infinite, the verdict stays as above.
   bool has_verdicts_only = false;
+  // It asks how far legs are within a zone, or outside: the bound is that of legs on one side of the
+  // boundary, and others may be unknown where they lead beyond by more.
+  bool has_crossing_legs = false;
 };
 
 // The block has its ranges (passes: analyse_watch_ranges). What is more than `margin_max`

@@ -154,6 +154,8 @@ ExprPtr PropertyChecker::not_a_quantity(const syntax::Expr& expr, const std::str
     help =
         "a condition stands alone or behind `not`, without a number; `count[0 s, 1 s](...)` counts "
         "its ticks";
+  } else if (what == "a path" || what == "a leg") {
+    help = "write `X inside Z`, `clearance(X, Z)` or `distance(X, p)` with it";
   } else if (what.rfind("an array", 0) == 0) {
     help = "write one of its elements, as in `a[0]`";
   } else if (what.rfind("a value of", 0) == 0) {
