@@ -4,6 +4,9 @@
 //   0.00,true,0.5,1.0,2.0,293.5,park
 //   0.01,,0.6,nan,2.0,,drive                  empty: no new sample; nan, inf: a sample of no value
 //
+// A path, `plan`, and the index of its next way-point, `plan.index`, which may be left out: as the
+// plans of robots below.
+//
 // Of a robot that a decision is about there are the columns of all that its kind senses, or those
 // of inputs alone. Of any other robot only the inputs count: what else is known of it is ignored.
 //

@@ -27,9 +27,8 @@ const SensedName* sensed_named(const std::string& name) {
 }
 
 // Reports that a robot measures nothing of this name that has an age.
-void report_ageless(Context& context, const syntax::Name& field) {
-  std::vector<std::string> names;
-  for (const SensedName& each : sensed_names) names.emplace_back(each.name);
+void report_ageless(Context& context, const syntax::Name& field,
+                    const std::vector<std::string>& names) {
   Finding finding(Code::unknown_signal, field.range,
                   "`" + field.text + "` of a robot has no age here");
   finding.label("only " + listing(names) + " have one");
@@ -54,7 +53,9 @@ ExprPtr PropertyChecker::age_of_sense(const syntax::Expr& expr, const syntax::Na
   }
   const SensedName* sensed = sensed_named(field.text);
   if (sensed == nullptr) {
-    report_ageless(context_, field);
+    std::vector<std::string> names;
+    for (const SensedName& each : sensed_names) names.emplace_back(each.name);
+    report_ageless(context_, field, names);
     return nullptr;
   }
   require(sensed->need, expr.range, "`age`");
@@ -69,8 +70,9 @@ ExprPtr PropertyChecker::age_of_member(const syntax::Expr& expr, const syntax::M
     const auto plan = robot_plan(*robot, expr.range);
     return plan ? make_quantity(expr.range, dims::time, AgeOf{*plan}) : nullptr;
   }
-  if (sensed_named(member.field.text) == nullptr) {
-    report_ageless(context_, member.field);
+  static const std::vector<std::string> names{"position", "velocity", "heading", "battery", "plan"};
+  if (std::find(names.begin(), names.end(), member.field.text) == names.end()) {
+    report_ageless(context_, member.field, names);
     return nullptr;
   }
   const auto input = robot_input(*robot, member.field.text, expr.range);
