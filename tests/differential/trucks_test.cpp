@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "paths.h"
+#include "trucks.h"
 
 namespace rtac::differential {
 namespace {
@@ -24,7 +24,7 @@ class PathsOfApplications : public ::testing::Test {
     std::string text;
     const auto& findings = monitors_.step(now_us);
     const auto verdicts = monitors_.verdicts(now_us);
-    for (std::size_t k = 0; k < paths::Monitors::count; ++k) {
+    for (std::size_t k = 0; k < trucks::Monitors::count; ++k) {
       EXPECT_EQ(findings[k].verdict, verdicts[k]);
       text += verdicts[k] == Verdict::is_true ? 'y' : verdicts[k] == Verdict::is_false ? 'n' : '?';
     }
@@ -35,7 +35,7 @@ class PathsOfApplications : public ::testing::Test {
     monitors_.plan(plan, now_us);
     return judged(now_us);
   }
-  paths::Monitors monitors_;
+  trucks::Monitors monitors_;
 };
 
 TEST_F(PathsOfApplications, AreUnknownUntilOneHasCome) {
