@@ -20,8 +20,8 @@ struct Rounding {
   bool has_rounded_choice = false;
   // A window is too long for margins: finite ones become infinite, the verdict stays as above.
   bool has_verdicts_only = false;
-  // It asks how far legs are within a zone, or outside: the bound is that of legs on one side of the
-  // boundary, and others may be unknown where they lead beyond by more.
+  // It asks how far legs are within a zone, or outside: the bound is that of legs on one side of
+  // the boundary, and others may be unknown where they lead beyond by more.
   bool has_crossing_legs = false;
 };
 
