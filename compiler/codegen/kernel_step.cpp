@@ -116,8 +116,9 @@ class StepPrinter : public CheckPrinter {
                    each.line("out->monitors[k].margin = checks[k].ahead.lo;");
                    each.line("out->monitors[k].now_margin = checks[k].now.lo;");
                    if (mixes_units(module_)) {
-                     each.line("out->monitors[k].unit = checks[k].ahead.unit;");
-                     each.line("out->monitors[k].now_unit = checks[k].now.unit;");
+                     uses_.insert("told_unit");
+                     each.line("out->monitors[k].unit = told_unit(checks[k].ahead);");
+                     each.line("out->monitors[k].now_unit = told_unit(checks[k].now);");
                    }
                    if (has_return_conditions(module_)) {
                      each.line("out->monitors[k].returns = verdict_of(checks[k].gives_back);");

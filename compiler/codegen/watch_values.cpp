@@ -159,8 +159,8 @@ std::string WatchValuePrinter::operator()(const TrailInside& v) {
                                             (v.outside ? "1, " : "0, ") + trail(v.trail));
   }
   const Region& crossed = kernel_.watch[v.outside ? v.within : v.around];
-  return use("trail_inside",
-             operand(v.condition) + ", &" + region_symbol(crossed) + ", " + trail(v.trail));
+  return use("trail_inside", operand(v.condition) + ", &" + region_symbol(crossed) + ", " +
+                                 trail(v.trail) + (v.outside ? ", 1" : ", 0"));
 }
 std::string WatchValuePrinter::operator()(const TrailDistance& v) {
   return use("trails_apart", trail(v.trail) + ", " + trail(v.other));

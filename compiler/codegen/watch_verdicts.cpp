@@ -375,7 +375,8 @@ class VerdictPrinter {
                                             (v.outside ? "1, " : "0, ") + trail);
     }
     const Region& crossed = kernel_.watch[v.outside ? v.within : v.around];
-    return use("bits_trail", kept(v.condition) + ", &" + region_symbol(crossed) + ", " + trail);
+    return use("bits_trail", kept(v.condition) + ", &" + region_symbol(crossed) + ", " + trail +
+                                 (v.outside ? ", 1" : ", 0"));
   }
   // That it surely (perhaps) holds, or that it does not.
   Text condition(ValueId id, Side side, bool wanted) {

@@ -372,11 +372,11 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
   reading.kind = Reading::Kind::none;
   reading.zone = nullptr;
   reading.path = nullptr;
+  if (column.form == Form::path) return read_path(cell, column, row);
   if (cell.text.empty()) return true;
   if (column.input != nullptr && column.input->type == sema::InputType::zone) {
     return read_zone(cell, column, reading);
   }
-  if (column.form == Form::path) return read_path(cell, column, row);
   if (auto number = parse(column, cell.text)) {
     reading.kind = Reading::Kind::number;
     reading.number = std::move(*number);

@@ -307,6 +307,7 @@ class Checker {
     plain();
     for (const ValueId id : t.own) operand(id), in_mm(before(id));
     if (t.own.size() % 2 != 0 || t.own.size() > 4) fail("a trail of other places than two");
+    if (t.own.size() == 4 && t.channel) fail("a path behind a leg");
     if (t.own.empty() && !t.channel) fail("a trail of nothing");
     if (t.channel) component(*t.channel, 0, ChannelKind::path);
   }

@@ -24,9 +24,9 @@ constexpr std::int64_t age_max_us = std::int64_t{1} << 50;
 // end at 2^29 mm; a quarter of that is room for the error of a measured place.
 constexpr std::int64_t place_mm_max = (std::int64_t{1} << 29) + (std::int64_t{1} << 27);
 
-// Legs are held against zones on the map alone, and what is rounded of their distances is far below
-// the map's diagonal.
-constexpr std::int64_t map_mm_max = std::int64_t{1} << 29, trail_mm_max = std::int64_t{1} << 32;
+// Legs are held against zones on the map alone. Far from them distances are known to 2^32 mm, and
+// what a leg may fall below is half of the map's diagonal more.
+constexpr std::int64_t map_mm_max = std::int64_t{1} << 29, trail_mm_max = std::int64_t{1} << 33;
 
 Rational exact(std::int64_t value) {
   return Rational(static_cast<long>(value));

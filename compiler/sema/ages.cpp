@@ -132,6 +132,13 @@ Value PropertyChecker::age(const syntax::Expr& expr, const syntax::Call& call) {
   if (!signal_allowed(argument.range, *name, Sort::input)) return nullptr;
   const InputId input{symbol->index};
   context_.used_inputs.insert(input);
+  if (scope_.of_robot() && context_.input_types[symbol->index].kind == TypeKind::path) {
+    context_.report(Finding(Code::wrong_argument, argument.range,
+                            "the path `" + name->text + "` is judged by monitors without a robot")
+                        .label("in the monitor of a robot")
+                        .help("write a monitor without `for` about its age"));
+    return nullptr;
+  }
   if (scope_.of_robot() && is_received_zone(context_, *symbol)) {
     context_.report(Finding(Code::zone_not_fixed, argument.range,
                             "the zone `" + name->text + "` is received while the monitors run")

@@ -178,6 +178,7 @@ ExprPtr PropertyChecker::not_scalar(const syntax::Expr& expr, const syntax::Name
 
 ExprPtr PropertyChecker::inside(const syntax::Expr& expr, const syntax::Binary& binary) {
   if (!sees_robot()) return point_inside(expr, binary);
+  if (says_way(*binary.left) && !ways_allowed(*binary.left)) return nullptr;
   const auto* member = std::get_if<syntax::Member>(&binary.left->node);
   if (member != nullptr) return plan_inside(expr, *member, *binary.right);
   const bool self = is_self(*binary.left, "`inside`");

@@ -89,6 +89,10 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Call& call) 
   if (name == "clamp") return clamp(expr, call);
   if (name == "age") return age(expr, call);
   if (name == "leg" || name == "path") return way_of(expr, call);
+  for (const syntax::ExprPtr& each : call.arguments) {
+    const bool takes_ways = name == "distance" || name == "clearance";
+    if (takes_ways && sees_robot() && says_way(*each) && !ways_allowed(*each)) return nullptr;
+  }
   const bool of_points = std::any_of(
       call.arguments.begin(), call.arguments.end(),
       [&](const syntax::ExprPtr& each) { return speaks_of_points(*each) && !names_zone(*each); });

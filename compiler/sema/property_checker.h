@@ -268,6 +268,8 @@ class PropertyChecker {
     Rational radius;  // m; 0 of all but a body
   };
   [[nodiscard]] bool says_way(const syntax::Expr& expr) const;
+  // Reports one in the monitor of a robot.
+  bool ways_allowed(const syntax::Expr& expr);
   Value way_of(const syntax::Expr& expr, const syntax::Call& call);
   bool way_in_plane(const syntax::Expr& written, const Pair& place);
   Value led_on(const syntax::Expr& written, Way way);

@@ -37,6 +37,12 @@ std::vector<Trail> trails_of(const Way& way) {
   return trails;
 }
 
+std::size_t size_of_places(const Way& way) {
+  std::size_t size = 1;
+  for (const Pair& place : way.places) size += size_of(Value(clone(place)));
+  return size;
+}
+
 // What is said of it holds of nothing while the path is empty.
 std::optional<InputId> may_be_empty(const Way& way) {
   return way.places.empty() ? way.path : std::nullopt;
@@ -66,7 +72,11 @@ Value PropertyChecker::way_of(const syntax::Expr& expr, const syntax::Call& call
   const bool is_leg = name == "leg";
   if (is_leg && !argument_count(expr, call, 2, "leg(p, q)")) return nullptr;
   if (!is_leg && call.arguments.size() < 2) {
-    argument_count(expr, call, 2, "path(p, q)");
+    context_.report(
+        Finding(Code::wrong_argument_count, expr.range,
+                "`path` takes two arguments or more, not " + std::to_string(call.arguments.size()))
+            .label("like `path(p, q)`")
+            .help("write `path(p, q)`, or a path that arrives by its name alone"));
     return nullptr;
   }
   Way way;
@@ -113,19 +123,21 @@ Value PropertyChecker::led_on(const syntax::Expr& written, Way way) {
   return way;
 }
 
+bool PropertyChecker::ways_allowed(const syntax::Expr& expr) {
+  if (!scope_.of_robot()) return true;
+  context_.report(Finding(Code::wrong_argument, expr.range,
+                          "legs and paths are judged by monitors without a robot")
+                      .label("in the monitor of a robot")
+                      .help("here `ahead 2 waypoints` judges the plan of the robot leg by leg; a "
+                            "monitor without `for` judges legs and paths"));
+  return false;
+}
+
 // What stands for a way: itself, or a place alone; a body with its radius.
 std::optional<PropertyChecker::HeldWay> PropertyChecker::held_way(const syntax::Expr& expr,
                                                                   const std::string& user) {
   if (says_way(expr)) {
-    if (scope_.of_robot()) {
-      context_.report(
-          Finding(Code::wrong_argument, expr.range,
-                  "legs and paths are judged by monitors without a robot")
-              .label("in the monitor of a robot")
-              .help("here `ahead 2 waypoints` judges the plan of the robot leg by leg; a monitor "
-                    "without `for` judges an input of type `path`"));
-      return std::nullopt;
-    }
+    if (!ways_allowed(expr)) return std::nullopt;
     Value value = infer(expr);
     auto* way = std::get_if<Way>(&value.node);
     return way != nullptr ? std::optional(HeldWay{std::move(*way), 0}) : std::nullopt;
@@ -170,7 +182,7 @@ ExprPtr PropertyChecker::while_given(const SourceRange& range, const Way& way, E
 ExprPtr PropertyChecker::way_inside(const syntax::Expr& expr, const syntax::Binary& binary) {
   const auto held = held_way(*binary.left, "inside");
   const auto zone = held ? zone_around_way(held->way, *binary.right) : std::nullopt;
-  if (!zone) return nullptr;
+  if (!zone || !affordable(expr, 2 * size_of_places(held->way))) return nullptr;
   const auto of = complemented(context_.spec, *zone);
   std::vector<ExprPtr> parts;
   for (Trail& trail : trails_of(held->way)) {
@@ -208,7 +220,7 @@ ExprPtr PropertyChecker::clearance_of_way(const syntax::Expr& expr, const syntax
   if (!argument_count(expr, call, 2, "clearance(plan, zone)")) return nullptr;
   const auto held = held_way(*call.arguments[0], "clearance");
   const auto zone = held ? zone_around_way(held->way, *call.arguments[1]) : std::nullopt;
-  if (!zone) return nullptr;
+  if (!zone || !affordable(expr, 2 * size_of_places(held->way))) return nullptr;
   ExprPtr gap = gap_of_way(expr.range, held->way, *zone, false);
   return while_given(expr.range, held->way,
                      gap_while_open(expr.range, *zone, false, std::move(gap)));
@@ -218,7 +230,7 @@ ExprPtr PropertyChecker::clearance_of_way(const syntax::Expr& expr, const syntax
 ExprPtr PropertyChecker::way_from_zone(const syntax::Expr& expr, const HeldWay& held,
                                        const syntax::Expr& written) {
   const auto zone = zone_around_way(held.way, written);
-  if (!zone) return nullptr;
+  if (!zone || !affordable(expr, 2 * size_of_places(held.way))) return nullptr;
   ExprPtr outside = make_quantity(
       expr.range, dims::length,
       Arithmetic{ArithmeticOp::negate, operands_of(gap_of_way(expr.range, held.way, *zone, true))});
@@ -243,6 +255,12 @@ ExprPtr PropertyChecker::distance_of_ways(const syntax::Expr& expr, const syntax
   const auto one = held_way(first, "distance");
   const auto other = one ? held_way(second, "distance") : std::nullopt;
   if (!other || !frames_agree(expr.range, "`distance`", one->way.frame, other->way.frame)) {
+    return nullptr;
+  }
+  // each leg of one is copied for each of the other one
+  const std::size_t legs = one->way.places.size() + 1, others = other->way.places.size() + 1;
+  if (!affordable(expr,
+                  2 * (size_of_places(one->way) * others + size_of_places(other->way) * legs))) {
     return nullptr;
   }
   std::vector<ExprPtr> gaps;

@@ -471,7 +471,8 @@ bool stays(Context& context, const syntax::Name& name, ZoneId id, Change change)
                                       "`distance(r, agent) >= c` from an `agent`"
                                     : "monitors without a robot judge places against it by its "
                                       "name: `p inside base and not p inside " +
-                                          name.text + "`"));
+                                          name.text + "`, and paths by `distance(plan, " +
+                                          name.text + ") > 0 m`"));
   return false;
 }
 
@@ -495,7 +496,8 @@ static std::optional<ZoneId> received_zone(Context& context, const syntax::Name&
                        .note(symbol.range, "`" + name.text + "` is declared here")
                        .help("monitors without a robot judge places against it by its name: `p "
                              "inside base and not p inside " +
-                             name.text + "`"));
+                             name.text + "`, and paths by `distance(plan, " + name.text +
+                             ") > 0 m`"));
     return std::nullopt;
   }
   const auto zone = context.received_zones.find(input);

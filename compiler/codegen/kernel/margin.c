@@ -27,6 +27,12 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   /*? atom_units */ m.upper_unit = 0;
   return m;
 }
+/*= told_unit : margin_type atom_units */
+/* That of the lower end as applications are told it: what is infinite for them has none. */
+static int32_t told_unit(margin m) {
+  const int64_t most = INT64_C(1000000000000000);
+  return m.lo > -most && m.lo < most ? m.unit : 0;
+}
 /*= in_unit : margin_type atom_units */
 /* The margin of one atom; connectives keep the unit of the one that decides. */
 static inline margin in_unit(margin m, int32_t unit) {

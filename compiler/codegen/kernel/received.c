@@ -16,7 +16,7 @@ static zone zone_of_outline(const KERNEL_outline *o) {
   z.rows = o->rows;
   z.depth = o->depth;
   z.leaves = o->leaves;
-  z.exact = 0; /* no legs are held against it */
+  z.exact = 0; /* its tables do not say */
   return z;
 }
 /*= received_clearance @cells : zone_of_outline clearance_of span_unknown */

@@ -65,7 +65,7 @@ static trail trail_start(trail t, span x, span y) {
   int32_t known;
   const span missing = quantity_missing(x, y, &known);
   if (!known) {
-    t.input = missing.input;
+    t.input = t.input != INPUT_NONE ? t.input : missing.input;
   } else {
     const vec p = vec_of(x.lo + (x.hi - x.lo) / 2, y.lo + (y.hi - y.lo) / 2);
     const vec half = minus(vec_of(x.hi, y.hi), p);
@@ -79,7 +79,7 @@ static trail trail_start(trail t, span x, span y) {
 /* Then way-points of the path from `first` on, at most so many. */
 static trail trail_then(trail t, path p, int32_t first, int32_t most, int32_t input) {
   if (!p.known) {
-    t.input = input;
+    t.input = t.input != INPUT_NONE ? t.input : input;
   } else {
     t.x = p.x;
     t.y = p.y;
@@ -184,7 +184,9 @@ static span crossing_gap(const zone *z, vec a, vec b, int32_t turned) {
 static span leg_clearance(const zone *z, vec a, vec b, int32_t turned) {
   const int64_t gap = segment_boundary_lo(z, a, b);
   if (gap >= 1 && (inside_zone(z, a) != 0) != (turned != 0)) {
-    return span_of(gap, leg_gap_hi(z, gap, b));
+    const int64_t hi = leg_gap_hi(z, gap, b);
+    /* farther off than the tables know, places along it tell more */
+    return span_of(gap, hi > gap + 3 ? min_of(hi, crossing_gap(z, a, b, turned).hi) : hi);
   } else {
     span least = crossing_gap(z, a, b, turned);
     least.hi = min_of(least.hi, gap >= 1 ? -gap : gap < 0 ? 0 : leg_gap_hi(z, gap, b));
@@ -226,17 +228,53 @@ static span trail_clearance(const zone *within, const zone *around, trail t, int
     return greatest ? span_of(-c.hi, min_of(-c.lo, most)) : span_of(c.lo, min_of(c.hi, most));
   }
 }
-/*= trail_crosses : trail_type trail_unknown trail_places trail_place segment_boundary_lo */
-/* Whether one of its legs crosses the boundary, for certain: then a part of it is inside, another one
- * outside. */
-static int32_t trail_crosses(const zone *z, const trail *t) {
+/*= ends_on : edge_type vec_of side_of box_gap */
+/* Whether an end of the edge lies on the leg from a to b. */
+static int32_t ends_on(const edge *e, vec a, vec b) {
+  const vec p = vec_of(e->ax, e->ay), q = vec_of(e->bx, e->by);
+  return (box_gap(p, p, a, b) <= 0 && side_of(a, b, p) == 0) ||
+         (box_gap(q, q, a, b) <= 0 && side_of(a, b, q) == 0);
+}
+/*= vertex_on_leg @edges : zone_type ends_on */
+static int32_t vertex_on_leg(const zone *z, vec a, vec b) {
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    if (ends_on(&z->edges[i], a, b)) {
+      return 1;
+    }
+  }
+  return 0;
+}
+/*= vertex_on_leg @cells : cell_at cell_count cell_edge next_cell ends_on */
+/* The edges of a vertex on the leg are those of a cell that it passes. */
+static int32_t vertex_on_leg(const zone *z, vec a, vec b) {
+  vec at = a;
+  int32_t more = 1;
+  int32_t i, k;
+  for (i = 0; i < z->leaves && more; ++i) {
+    const cell c = cell_at(z, at);
+    for (k = 0; k < cell_count(c.word); ++k) {
+      if (ends_on(cell_edge(z, c.word, k), a, b)) {
+        return 1;
+      }
+    }
+    more = next_cell(&c, a, b, &at);
+  }
+  return more;
+}
+/*= trail_crosses : trail_type trail_unknown trail_places trail_place segment_boundary_lo vertex_on_leg */
+/* Whether one of its legs crosses the boundary, for certain: then it meets the zone and, `leaving`, a
+ * part of it is outside. Where a vertex lies on the leg, two parts of the zone may touch there, and
+ * the leg lead from one into the other. */
+static int32_t trail_crosses(const zone *z, const trail *t, int32_t leaving) {
   span missing;
   int32_t k;
   if (trail_unknown(t, &missing) || t->room_mm > 0) {
     return 0;
   }
   for (k = 1; k < trail_places(t); ++k) {
-    if (segment_boundary_lo(z, trail_place(t, k - 1), trail_place(t, k)) < 0) {
+    const vec from = trail_place(t, k - 1), to = trail_place(t, k);
+    if (segment_boundary_lo(z, from, to) < 0 && (!leaving || !vertex_on_leg(z, from, to))) {
       return 1;
     }
   }
@@ -245,16 +283,16 @@ static int32_t trail_crosses(const zone *z, const trail *t) {
 /*= trail_inside : trail_crosses margin_type min_of */
 /* `m`: the margin of its clearance. Bounds of distances are some mm wide; a leg that crosses the
  * boundary leaves the zone, or enters it, however little. */
-static margin trail_inside(margin m, const zone *z, trail t) {
-  if (m.lo < 0 && m.hi >= 0 && trail_crosses(z, &t)) {
+static margin trail_inside(margin m, const zone *z, trail t, int32_t outside) {
+  if (m.lo < 0 && m.hi >= 0 && trail_crosses(z, &t, !outside)) {
     m.hi = min_of(m.hi, -1);
   }
   return m;
 }
 /*= bits_trail : trail_crosses bits_type */
 /* The verdict of trail_inside; `bits`: that of `m`. */
-static int32_t bits_trail(int32_t bits, const zone *z, trail t) {
-  return bits == BITS_UNKNOWN && trail_crosses(z, &t) ? BITS_FALSE : bits;
+static int32_t bits_trail(int32_t bits, const zone *z, trail t, int32_t outside) {
+  return bits == BITS_UNKNOWN && trail_crosses(z, &t, !outside) ? BITS_FALSE : bits;
 }
 /*= received_trail @cells : zone_of_outline trail_clearance span_unknown */
 static span received_trail(const KERNEL_zone *received, int32_t input, trail t, int32_t greatest,
@@ -272,7 +310,7 @@ static margin received_trail_inside(margin m, const KERNEL_zone *received, int32
                                     trail t) {
   if (received != 0) {
     const zone z = zone_of_outline(outside ? &received->within : &received->around);
-    return trail_inside(m, &z, t);
+    return trail_inside(m, &z, t, outside);
   }
   return m;
 }
@@ -281,12 +319,12 @@ static int32_t bits_received_trail(int32_t bits, const KERNEL_zone *received, in
                                    trail t) {
   if (received != 0) {
     const zone z = zone_of_outline(outside ? &received->within : &received->around);
-    return bits_trail(bits, &z, t);
+    return bits_trail(bits, &z, t, outside);
   }
   return bits;
 }
 /*= legs_apart_mm : cross_each_other segment_of near_point across_lo min_of root_down root_up span_of */
-/* The distance between two legs: of ends exactly, to 1 mm; across a leg less than 2 mm above the lower
+/* The distance between two legs: of ends exactly, to 1 mm; across a leg less than 3 mm above the lower
  * bound. */
 static span legs_apart_mm(vec a, vec b, vec c, vec d) {
   segment s = segment_of(a, b);
@@ -306,7 +344,7 @@ static span legs_apart_mm(vec a, vec b, vec c, vec d) {
   if (t.across < INT64_MAX) {
     gap.lo = min_of(gap.lo, across_lo(&t));
   }
-  gap.hi = gap.lo < SPAN_MAX ? gap.lo + 2 : gap.hi;
+  gap.hi = gap.lo < SPAN_MAX ? gap.lo + 3 : gap.hi;
   if (square < INT64_MAX) {
     gap.lo = min_of(gap.lo, root_down(square));
     gap.hi = min_of(gap.hi, root_up(square));

@@ -118,8 +118,6 @@ template <class KernelOut>
 void take_units(const KernelOut& from, int monitor_count, DecisionRecord& to) {
   for (int k = 0; k < monitor_count; ++k) {
     MonitorRecord& record = to.monitors[static_cast<std::size_t>(k)];
-    record.unit = MarginUnit::none;
-    if (std::isinf(record.margin)) continue;
     const int unit = from.monitors[k].unit;
     record.unit = static_cast<MarginUnit>(unit);
     if (to.info == nullptr || unit <= static_cast<int>(MarginUnit::count)) continue;

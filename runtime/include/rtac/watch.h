@@ -16,8 +16,7 @@ struct Finding {
   // Why it is not true: margin (false), within_error or input (unknown).
   Reason reason = Reason::input;
   const char* input = "";  // the one that is missing; "clock" when a tick was missed or repeated
-  // Lower end of the margin, in `unit`; infinite, without a unit, when truth values decide or
-  // nothing is known.
+  // Lower end of the margin, in `unit`; infinite when truth values decide or nothing is known.
   double margin = -std::numeric_limits<double>::infinity();
   const char* unit = "";
 };
@@ -95,11 +94,11 @@ Finding finding_of(const KernelFinding& from, const MarginUnit* units, const cha
   to.verdict = static_cast<Verdict>(from.verdict);
   to.reason = static_cast<Reason>(from.reason);
   to.input = inputs[from.input];
+  to.unit = units[from.unit].text;
   if (from.lo >= infinite_margin) {
     to.margin = std::numeric_limits<double>::infinity();
   } else if (from.lo > -infinite_margin) {
     to.margin = static_cast<double>(from.lo) * units[from.unit].scale / 1e6;
-    to.unit = units[from.unit].text;
   }
   return to;
 }

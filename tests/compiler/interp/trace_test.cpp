@@ -63,6 +63,32 @@ TEST(Trace, CellsOfEveryType) {
   EXPECT_EQ(row.readings[7].kind, Reading::Kind::unknown);
 }
 
+// A plan that a monitor without a robot asks for is an input, and that of the robot as well.
+TEST(Trace, APlanThatOthersAskForIsThereWhereItStands) {
+  const auto c = monitor(
+      "zone room = rectangle (0 m, 0 m) to (5 m, 5 m); robot Cart { body radius 10 cm; motion "
+      "point "
+      "{ speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; } sense position : point error 1 cm "
+      "max_age 1 s; sense velocity : vector error 1 cm/s max_age 1 s; input plan : path[2] "
+      "tracking "
+      "<= 10 cm; output drive : acceleration; latency 20 ms; } fleet cart : Cart; ",
+      "cart.plan inside room");
+  ASSERT_TRUE(c->spec);
+  std::istringstream in("time,cart.plan\n0,1 1; 2 2\n1,\n2,1 1; 2 2; 3 3\n");
+  TraceReader reader(in, *c->spec);
+  TraceRow row;
+  ASSERT_TRUE(reader.read_header() && reader.read_row(row));
+  EXPECT_EQ(row.plans[0].points.size(), 2U);
+  ASSERT_NE(row.readings[0].path, nullptr);
+  EXPECT_EQ(row.readings[0].path->size(), 2U);
+  ASSERT_TRUE(reader.read_row(row));
+  EXPECT_EQ(row.plans[0].kind, Reading::Kind::none);
+  EXPECT_EQ(row.readings[0].kind, Reading::Kind::none);
+  ASSERT_TRUE(reader.read_row(row));  // more way-points than it may have
+  EXPECT_EQ(row.plans[0].points.size(), 3U);
+  EXPECT_EQ(row.readings[0].kind, Reading::Kind::unknown);
+}
+
 TEST(Trace, QuotesBlanksMarksAndEmptyLines) {
   EXPECT_EQ(fault("\xef\xbb\xbf" + header + "\n0, 1 ,\"1\" ,2,\"park\",0,0,0,0\n\n1,,,,,,,,"),
             "read");

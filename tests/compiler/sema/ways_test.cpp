@@ -79,7 +79,7 @@ TEST(Ways, AreNoQuantities) {
 TEST(Ways, AreMadeOfPoints) {
   expect_said("leg(p, x) inside room", "3012", "`leg` takes points");
   expect_said("leg(p) inside room", "3013", "`leg` takes 2 arguments");
-  expect_said("path(p) inside room", "3013", "`path` takes 2 arguments");
+  expect_said("path(p) inside room", "3013", "`path` takes two arguments or more");
   expect_said("leg(plan, p) inside room", "3012", "a path");
   expect_said("leg(p, path(p, q)) inside room", "3012", "list the places one by one");
 }
@@ -116,6 +116,14 @@ TEST(Ways, ArriveWithAFixedMemory) {
 TEST(Ways, ArriveWithoutErrors) {
   EXPECT_NE(declared("input plan : path[4] error 1 cm;").find("has no effect"), std::string::npos);
   EXPECT_NE(declared("input plan : path[4] in 0 .. 1 m;").find("has no effect"), std::string::npos);
+}
+// One that is listed twice over is copied for each leg of the other one.
+TEST(Ways, OfManyLegsAreTooMany) {
+  std::string way = "path(p";
+  for (int k = 0; k < 400; ++k) way += ", (1 m, " + std::to_string(k % 9) + " m)";
+  way += ")";
+  expect_said("distance(" + way + ", " + way + ") >= 1 m", "3030", "too large");
+  EXPECT_EQ(meaning(way + " inside room").find("3030"), std::string::npos);
 }
 TEST(Ways, AreNoParameters) {
   const auto checked = check_text(

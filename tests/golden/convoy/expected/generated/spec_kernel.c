@@ -687,14 +687,15 @@ static int64_t millionths(int64_t end) {
   return (end + (end & 1)) / 2;
 }
 
+/* What is infinite has no unit. */
 static inline convoy_finding_of finding_judged(margin m) {
   convoy_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = CONVOY_REASON_NONE;
   f.input = CONVOY_INPUT_NONE;
-  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
+  f.unit = f.lo > -MARGIN_MAX / 2 && f.lo < MARGIN_MAX / 2 ? m.unit : 0;
   if (f.verdict == CONVOY_VERDICT_FALSE) {
     f.reason = CONVOY_REASON_MARGIN;
   } else if (f.verdict == CONVOY_VERDICT_UNKNOWN) {
@@ -768,7 +769,7 @@ static trail trail_start(trail t, span x, span y) {
   int32_t known;
   const span missing = quantity_missing(x, y, &known);
   if (!known) {
-    t.input = missing.input;
+    t.input = t.input != CONVOY_INPUT_NONE ? t.input : missing.input;
   } else {
     const vec p = vec_of(x.lo + (x.hi - x.lo) / 2, y.lo + (y.hi - y.lo) / 2);
     const vec half = minus(vec_of(x.hi, y.hi), p);
@@ -782,7 +783,7 @@ static trail trail_start(trail t, span x, span y) {
 /* Then way-points of the path from `first` on, at most so many. */
 static trail trail_then(trail t, path p, int32_t first, int32_t most, int32_t input) {
   if (!p.known) {
-    t.input = input;
+    t.input = t.input != CONVOY_INPUT_NONE ? t.input : input;
   } else {
     t.x = p.x;
     t.y = p.y;
@@ -883,7 +884,9 @@ static span crossing_gap(const zone *z, vec a, vec b, int32_t turned) {
 static span leg_clearance(const zone *z, vec a, vec b, int32_t turned) {
   const int64_t gap = segment_boundary_lo(z, a, b);
   if (gap >= 1 && (inside_zone(z, a) != 0) != (turned != 0)) {
-    return span_of(gap, leg_gap_hi(z, gap, b));
+    const int64_t hi = leg_gap_hi(z, gap, b);
+    /* farther off than the tables know, places along it tell more */
+    return span_of(gap, hi > gap + 3 ? min_of(hi, crossing_gap(z, a, b, turned).hi) : hi);
   } else {
     span least = crossing_gap(z, a, b, turned);
     least.hi = min_of(least.hi, gap >= 1 ? -gap : gap < 0 ? 0 : leg_gap_hi(z, gap, b));
@@ -926,16 +929,35 @@ static span trail_clearance(const zone *within, const zone *around, trail t, int
   }
 }
 
-/* Whether one of its legs crosses the boundary, for certain: then a part of it is inside, another one
- * outside. */
-static int32_t trail_crosses(const zone *z, const trail *t) {
+/* Whether an end of the edge lies on the leg from a to b. */
+static int32_t ends_on(const edge *e, vec a, vec b) {
+  const vec p = vec_of(e->ax, e->ay), q = vec_of(e->bx, e->by);
+  return (box_gap(p, p, a, b) <= 0 && side_of(a, b, p) == 0) ||
+         (box_gap(q, q, a, b) <= 0 && side_of(a, b, q) == 0);
+}
+
+static int32_t vertex_on_leg(const zone *z, vec a, vec b) {
+  int32_t i;
+  for (i = 0; i < z->count; ++i) {
+    if (ends_on(&z->edges[i], a, b)) {
+      return 1;
+    }
+  }
+  return 0;
+}
+
+/* Whether one of its legs crosses the boundary, for certain: then it meets the zone and, `leaving`, a
+ * part of it is outside. Where a vertex lies on the leg, two parts of the zone may touch there, and
+ * the leg lead from one into the other. */
+static int32_t trail_crosses(const zone *z, const trail *t, int32_t leaving) {
   span missing;
   int32_t k;
   if (trail_unknown(t, &missing) || t->room_mm > 0) {
     return 0;
   }
   for (k = 1; k < trail_places(t); ++k) {
-    if (segment_boundary_lo(z, trail_place(t, k - 1), trail_place(t, k)) < 0) {
+    const vec from = trail_place(t, k - 1), to = trail_place(t, k);
+    if (segment_boundary_lo(z, from, to) < 0 && (!leaving || !vertex_on_leg(z, from, to))) {
       return 1;
     }
   }
@@ -944,19 +966,19 @@ static int32_t trail_crosses(const zone *z, const trail *t) {
 
 /* `m`: the margin of its clearance. Bounds of distances are some mm wide; a leg that crosses the
  * boundary leaves the zone, or enters it, however little. */
-static margin trail_inside(margin m, const zone *z, trail t) {
-  if (m.lo < 0 && m.hi >= 0 && trail_crosses(z, &t)) {
+static margin trail_inside(margin m, const zone *z, trail t, int32_t outside) {
+  if (m.lo < 0 && m.hi >= 0 && trail_crosses(z, &t, !outside)) {
     m.hi = min_of(m.hi, -1);
   }
   return m;
 }
 
 /* The verdict of trail_inside; `bits`: that of `m`. */
-static int32_t bits_trail(int32_t bits, const zone *z, trail t) {
-  return bits == BITS_UNKNOWN && trail_crosses(z, &t) ? BITS_FALSE : bits;
+static int32_t bits_trail(int32_t bits, const zone *z, trail t, int32_t outside) {
+  return bits == BITS_UNKNOWN && trail_crosses(z, &t, !outside) ? BITS_FALSE : bits;
 }
 
-/* The distance between two legs: of ends exactly, to 1 mm; across a leg less than 2 mm above the lower
+/* The distance between two legs: of ends exactly, to 1 mm; across a leg less than 3 mm above the lower
  * bound. */
 static span legs_apart_mm(vec a, vec b, vec c, vec d) {
   segment s = segment_of(a, b);
@@ -976,7 +998,7 @@ static span legs_apart_mm(vec a, vec b, vec c, vec d) {
   if (t.across < INT64_MAX) {
     gap.lo = min_of(gap.lo, across_lo(&t));
   }
-  gap.hi = gap.lo < SPAN_MAX ? gap.lo + 2 : gap.hi;
+  gap.hi = gap.lo < SPAN_MAX ? gap.lo + 3 : gap.hi;
   if (square < INT64_MAX) {
     gap.lo = min_of(gap.lo, root_down(square));
     gap.hi = min_of(gap.hi, root_up(square));
@@ -1042,7 +1064,7 @@ static inline margin kept_now(const convoy_view *v) {
       trail_of_path(v->plan, CONVOY_MONITORS_INPUT_PLAN), 0, 20000);
   const margin v4 = at_least(v2, span_of(0, 0), 1000, 0, 1);
   const margin v5 = trail_inside(v4, &region_within_yard, trail_of_path(v->plan,
-      CONVOY_MONITORS_INPUT_PLAN));
+      CONVOY_MONITORS_INPUT_PLAN), 0);
   return either(v1, v5);
 }
 
@@ -1191,7 +1213,7 @@ static inline int32_t kept_verdict(const convoy_verdicts_view *v) {
       trail_of_path(v->plan, CONVOY_MONITORS_INPUT_PLAN), 0, 20000));
   const int32_t v4 = v2.lo >= 0 ? BITS_TRUE : v2.hi >= 0 ? BITS_UNKNOWN : BITS_FALSE;
   const int32_t v5 = bits_trail(v4, &region_within_yard, trail_of_path(v->plan,
-      CONVOY_MONITORS_INPUT_PLAN));
+      CONVOY_MONITORS_INPUT_PLAN), 0);
   /* plan inside yard */
   if ((v0 & 2) == 0 || (v5 & 1) != 0) {
     return CONVOY_VERDICT_TRUE;

@@ -711,14 +711,15 @@ static int64_t millionths(int64_t end) {
   return (end + (end & 1)) / 2;
 }
 
+/* What is infinite has no unit. */
 static inline field_finding_of finding_judged(margin m) {
   field_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = FIELD_REASON_NONE;
   f.input = FIELD_INPUT_NONE;
-  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
+  f.unit = f.lo > -MARGIN_MAX / 2 && f.lo < MARGIN_MAX / 2 ? m.unit : 0;
   if (f.verdict == FIELD_VERDICT_FALSE) {
     f.reason = FIELD_REASON_MARGIN;
   } else if (f.verdict == FIELD_VERDICT_UNKNOWN) {
@@ -872,7 +873,7 @@ static zone zone_of_outline(const field_outline *o) {
   z.rows = o->rows;
   z.depth = o->depth;
   z.leaves = o->leaves;
-  z.exact = 0; /* no legs are held against it */
+  z.exact = 0; /* its tables do not say */
   return z;
 }
 

@@ -150,6 +150,12 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   return m;
 }
 
+/* That of the lower end as applications are told it: what is infinite for them has none. */
+static int32_t told_unit(margin m) {
+  const int64_t most = INT64_C(1000000000000000);
+  return m.lo > -most && m.lo < most ? m.unit : 0;
+}
+
 /* The margin of one atom; connectives keep the unit of the one that decides. */
 static inline margin in_unit(margin m, int32_t unit) {
   m.unit = unit;
@@ -1760,7 +1766,7 @@ static zone zone_of_outline(const field_outline *o) {
   z.rows = o->rows;
   z.depth = o->depth;
   z.leaves = o->leaves;
-  z.exact = 0; /* no legs are held against it */
+  z.exact = 0; /* its tables do not say */
   return z;
 }
 
@@ -2138,8 +2144,8 @@ static void fly_report(const fly_view *v, const field_fly_state *s, const check 
     out->monitors[k].engaged = s->monitors[k].engaged;
     out->monitors[k].margin = checks[k].ahead.lo;
     out->monitors[k].now_margin = checks[k].now.lo;
-    out->monitors[k].unit = checks[k].ahead.unit;
-    out->monitors[k].now_unit = checks[k].now.unit;
+    out->monitors[k].unit = told_unit(checks[k].ahead);
+    out->monitors[k].now_unit = told_unit(checks[k].now);
     out->monitors[k].returns = verdict_of(checks[k].gives_back);
   }
   out->monitor = s->mode - 1;

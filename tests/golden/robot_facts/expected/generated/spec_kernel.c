@@ -193,6 +193,12 @@ static margin margin_of(int64_t lo, int64_t hi, int32_t reason) {
   return m;
 }
 
+/* That of the lower end as applications are told it: what is infinite for them has none. */
+static int32_t told_unit(margin m) {
+  const int64_t most = INT64_C(1000000000000000);
+  return m.lo > -most && m.lo < most ? m.unit : 0;
+}
+
 /* The margin of one atom; connectives keep the unit of the one that decides. */
 static inline margin in_unit(margin m, int32_t unit) {
   m.unit = unit;
@@ -1579,14 +1585,15 @@ static int64_t millionths(int64_t end) {
   return (end + (end & 1)) / 2;
 }
 
+/* What is infinite has no unit. */
 static inline facts_finding_of finding_judged(margin m) {
   facts_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = FACTS_REASON_NONE;
   f.input = FACTS_INPUT_NONE;
-  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
+  f.unit = f.lo > -MARGIN_MAX / 2 && f.lo < MARGIN_MAX / 2 ? m.unit : 0;
   if (f.verdict == FACTS_VERDICT_FALSE) {
     f.reason = FACTS_REASON_MARGIN;
   } else if (f.verdict == FACTS_VERDICT_UNKNOWN) {
@@ -2004,8 +2011,8 @@ static void fly_report(const fly_view *v, const facts_fly_state *s, const check 
     out->monitors[k].engaged = s->monitors[k].engaged;
     out->monitors[k].margin = checks[k].ahead.lo;
     out->monitors[k].now_margin = checks[k].now.lo;
-    out->monitors[k].unit = checks[k].ahead.unit;
-    out->monitors[k].now_unit = checks[k].now.unit;
+    out->monitors[k].unit = told_unit(checks[k].ahead);
+    out->monitors[k].now_unit = told_unit(checks[k].now);
     out->monitors[k].returns = verdict_of(checks[k].gives_back);
   }
   out->monitor = s->mode - 1;
