@@ -102,8 +102,8 @@ class WatchHeader {
         "One monitor in a tick. lo, hi: the margin lies between them, in millionths of its "
         "unit; infinite, +-5 * 10^17, when only truth values decide or nothing is known. No finite "
         "end is as far from 0: a greater lo is cut to less than that, a smaller one is told as "
-        "infinite; hi the other way round. unit: "
-        "0: of a truth value, or infinite, none" +
+        "infinite; hi the other way round. unit, of a "
+        "finite lo: 0: of a truth value, none" +
         units + ". input: the one that is missing.");
     record("finding_of", {"int32_t verdict, reason, input, unit;", "int64_t lo, hi;"});
     record("monitors_out",

@@ -110,6 +110,9 @@ class WatchWrapper {
             each.line(
                 "findings_[k] = rtac::bridge::finding_of(out.monitors[k], "
                 "margin_units, input_names);");
+            each.line("if (std::isinf(findings_[k].margin)) {");
+            each.line("  findings_[k].unit = \"\";");
+            each.line("}");
           });
           body.line("return findings_;");
         });

@@ -266,6 +266,8 @@ class KernelEngine : public Engine {
     KernelFinding found;
     std::memcpy(&found, out_.data() + 1 + monitor * sizeof found / sizeof(std::int64_t),
                 sizeof found);
+    // rule 4.4: what is infinite has no unit, and 0 is that of truth values
+    if (std::abs(found.lo) >= values_.margin_max) found.unit = 0;
     return found;
   }
   [[nodiscard]] const KernelInterface::Unit& unit(const KernelFinding& finding) const {

@@ -409,15 +409,14 @@ static int64_t millionths(int64_t end) {
   return (end + (end & 1)) / 2;
 }
 /*= finding_judged : verdict_of millionths atom_units */
-/* What is infinite has no unit. */
 static inline KERNEL_finding_of finding_judged(margin m) {
   KERNEL_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = REASON_NONE;
   f.input = INPUT_NONE;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
-  f.unit = f.lo > -MARGIN_MAX / 2 && f.lo < MARGIN_MAX / 2 ? m.unit : 0;
   if (f.verdict == VERDICT_FALSE) {
     f.reason = REASON_MARGIN;
   } else if (f.verdict == VERDICT_UNKNOWN) {

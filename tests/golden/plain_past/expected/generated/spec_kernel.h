@@ -217,7 +217,7 @@ typedef struct pump_monitors_verdicts_state {
 /* One monitor in a tick. lo, hi: the margin lies between them, in millionths of its unit;
  * infinite, +-5 * 10^17, when only truth values decide or nothing is known. No finite end is as
  * far from 0: a greater lo is cut to less than that, a smaller one is told as infinite; hi the
- * other way round. unit: 0: of a truth value, or infinite, none, 1: 1 kg/m/s^2, 2: 1, 3: 1
+ * other way round. unit, of a finite lo: 0: of a truth value, none, 1: 1 kg/m/s^2, 2: 1, 3: 1
  * kg/m/s^3. input: the one that is missing. */
 typedef struct pump_finding_of {
   int32_t verdict, reason, input, unit;

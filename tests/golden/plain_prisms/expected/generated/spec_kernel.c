@@ -775,15 +775,14 @@ static int64_t millionths(int64_t end) {
   return (end + (end & 1)) / 2;
 }
 
-/* What is infinite has no unit. */
 static inline airfield_finding_of finding_judged(margin m) {
   airfield_finding_of f;
   f.verdict = verdict_of(m);
   f.reason = AIRFIELD_REASON_NONE;
   f.input = AIRFIELD_INPUT_NONE;
+  f.unit = m.unit;
   f.lo = millionths(m.lo);
   f.hi = millionths(m.hi);
-  f.unit = f.lo > -MARGIN_MAX / 2 && f.lo < MARGIN_MAX / 2 ? m.unit : 0;
   if (f.verdict == AIRFIELD_VERDICT_FALSE) {
     f.reason = AIRFIELD_REASON_MARGIN;
   } else if (f.verdict == AIRFIELD_VERDICT_UNKNOWN) {
