@@ -13,9 +13,6 @@ namespace rtac::interp {
 struct Waypoint {
   std::int64_t x_mm, y_mm;  // to the nearest; far away they are cut off
 };
-inline bool operator==(const Waypoint& a, const Waypoint& b) {
-  return a.x_mm == b.x_mm && a.y_mm == b.y_mm;
-}
 
 struct Trail {
   std::vector<Place> places;

@@ -9,12 +9,9 @@ namespace rtac::sema {
 
 namespace {
 
-// `leg` and `path` are functions unless the author has declared others of that name.
-bool is_way_function(const Context& context, const syntax::Expr& expr) {
+bool is_way_function(const syntax::Expr& expr) {
   const auto* call = std::get_if<syntax::Call>(&expr.node);
-  if (call == nullptr || (call->callee.text != "leg" && call->callee.text != "path")) return false;
-  const Symbol* symbol = context.symbols.find(call->callee.text);
-  return symbol == nullptr || symbol->sort != Sort::function;
+  return call != nullptr && (call->callee.text == "leg" || call->callee.text == "path");
 }
 
 // The legs of a way one by one, then what is left of its path: of a way of one place the place.
@@ -51,7 +48,7 @@ std::optional<InputId> may_be_empty(const Way& way) {
 }  // namespace
 
 bool PropertyChecker::says_way(const syntax::Expr& expr) const {
-  if (is_way_function(context_, expr)) return true;
+  if (is_way_function(expr)) return true;
   const auto* member = std::get_if<syntax::Member>(&expr.node);
   if (member != nullptr) {
     return member->field.text == "plan" && sees_fleets() && names_robot(*member->base);
