@@ -60,6 +60,7 @@ class Deriver {
     const std::vector<ZoneUse> wanted = wanted_zones(spec_);
     zones_ = evaluate_zones(spec_, wanted, diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
+    out_.tables.gaps = zone_gaps(spec_);
     number_zones(wanted);
     std::vector<ir::Region> regions = number_regions(wanted);
     std::vector<ir::Solid> solids = number_solids(wanted, regions);

@@ -9,6 +9,7 @@
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/ring_problems.h"
 #include "compiler/analysis/sites.h"
+#include "compiler/geometry/apart.h"
 #include "compiler/geometry/place/placer.h"
 #include "compiler/geometry/united.h"
 #include "compiler/sema/dimension.h"
@@ -356,7 +357,7 @@ class Baker {
   bool check_extent(const sema::Zone& zone, const ZoneUse& use, const geometry::Region& region,
                     const std::optional<geometry::Region>& around) {
     range_ = zone.name.empty() ? zone.value->range : zone.name_range;
-    if (fits_grid(region) && (!use.points || (around && fits_grid(*around)))) return true;
+    if (fits_grid(region) && (!use.both_sides() || (around && fits_grid(*around)))) return true;
     beyond();
     return false;
   }
@@ -495,6 +496,9 @@ std::vector<ZoneUse> wanted_zones(const sema::Spec& spec) {
     if (const auto* i = std::get_if<sema::PointInside>(&e.node)) of(i->zone).points = true;
     if (const auto* c = std::get_if<sema::TrailClearance>(&e.node)) of(c->zone).points = true;
     if (const auto* i = std::get_if<sema::TrailInside>(&e.node)) of(i->zone).points = true;
+    if (const auto* d = std::get_if<sema::ZoneDistance>(&e.node)) {
+      of(d->zone).apart = of(d->other).apart = true;
+    }
   };
   for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, places);
   return wanted;
@@ -509,12 +513,12 @@ void check_zones(const sema::Spec& spec, diag::Engine& diagnostics) {
     const auto id = ZoneId(i);
     if (spec.zones[i].has_height) {
       const auto exact = evaluator.solids().zone(id, Side::inner);
-      if (exact && (use.points || use.robots)) evaluator.solids().snapped(id);
+      if (exact && use.any()) evaluator.solids().snapped(id);
       continue;
     }
     const auto region = evaluator.zone(id);
-    if (!region || (!use.robots && !use.points)) continue;
-    const auto around = use.points ? evaluator.around(id) : std::nullopt;
+    if (!region || !use.any()) continue;
+    const auto around = use.both_sides() ? evaluator.around(id) : std::nullopt;
     baker.check_extent(spec.zones[i], use, *region, around);
   }
   const RegionOf region_of = [&](ZoneId id) { return evaluator.zone(id); };
@@ -533,9 +537,10 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
     const ZoneUse& use = wanted[i];
     if (spec.zones[i].has_height) {
       const auto exact = evaluator.solids().zone(ZoneId(i), Side::inner);
-      const bool wanted_at_all = use.points || use.robots;
-      auto solid = exact && wanted_at_all ? evaluator.solids().bake(ZoneId(i), exact_mm, use.robots)
-                                          : std::nullopt;
+      if (exact && use.is_apart_alone()) evaluator.solids().snapped(ZoneId(i));
+      const bool has_table = use.any() && !use.is_apart_alone();
+      auto solid = exact && has_table ? evaluator.solids().bake(ZoneId(i), exact_mm, use.robots)
+                                      : std::nullopt;
       if (solid) {
         result[i].emplace();
         result[i]->solid = std::move(solid);
@@ -543,15 +548,59 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
       continue;
     }
     auto region = evaluator.zone(ZoneId(i));  // unused zones are validated too
-    if (!region || (!use.robots && !use.points)) continue;
+    if (!region || !use.any()) continue;
     std::optional<geometry::Region> around;
-    if (use.points) around = evaluator.around(ZoneId(i));
+    if (use.both_sides()) around = evaluator.around(ZoneId(i));
+    if (use.is_apart_alone()) {
+      baker.check_extent(spec.zones[i], use, *region, around);
+      continue;
+    }
     result[i] = baker.bake(spec.zones[i], use, std::move(*region), around);
   }
   const RegionOf region_of = [&](ZoneId id) { return evaluator.zone(id); };
   check_idle_sites(spec, region_of, diagnostics);
   check_charging_sites(spec, region_of, diagnostics);
   return result;
+}
+
+namespace {
+
+// The square of how far they are apart, in m^2: as keep-ins, or as keep-outs.
+Rational square_apart(Evaluator& evaluator, const sema::Spec& spec, const sema::ZoneDistance& of,
+                      Side side) {
+  if (spec[of.zone].has_height) {
+    return geometry::square_apart(*evaluator.solids().zone(of.zone, side),
+                                  *evaluator.solids().zone(of.other, side));
+  }
+  return geometry::square_apart(*evaluator.zone(of.zone, side), *evaluator.zone(of.other, side));
+}
+
+// The root in steps of 1 mm, down; whether something is left.
+std::pair<mpz_class, bool> root_mm(const Rational& square) {
+  const Rational mm2 = square * 1'000'000;
+  const mpz_class whole = mm2.get_num() / mm2.get_den();
+  const mpz_class root = sqrt(whole);
+  return {root, Rational(root * root) != mm2};
+}
+
+}  // namespace
+
+ZoneGaps zone_gaps(const sema::Spec& spec) {
+  diag::Engine reported_before;
+  Evaluator evaluator(spec, reported_before);
+  ZoneGaps gaps;
+  const auto add = [&](const sema::Expr& e) {
+    const auto* of = std::get_if<sema::ZoneDistance>(&e.node);
+    if (of == nullptr || gaps.contains({of->zone, of->other})) return;
+    const Rational nearer = square_apart(evaluator, spec, *of, Side::outer);
+    const Rational farther = square_apart(evaluator, spec, *of, Side::inner);
+    const auto [lo, some] = root_mm(nearer);
+    const auto [hi, more] = root_mm(farther);
+    const std::int64_t last = hi.get_si() + (more ? 1 : 0);
+    gaps[{of->zone, of->other}] = {lo.get_si(), last, some && last == lo.get_si() + 1};
+  };
+  for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, add);
+  return gaps;
 }
 
 }  // namespace rtac::analysis

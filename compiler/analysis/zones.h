@@ -10,6 +10,7 @@
 #include "compiler/geometry/bake.h"
 #include "compiler/geometry/cell_tree.h"
 #include "compiler/geometry/region.h"
+#include "compiler/ir/table_map.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::analysis {
@@ -21,9 +22,12 @@ inline constexpr std::int32_t cell_mm_least = 100;
 inline constexpr std::int64_t cells_most = 40'000;
 
 // Who asks for a zone: the robots move in it and need its cells, points are only held against its
-// edges.
+// edges. `apart`: how far it is from another one, which needs no table.
 struct ZoneUse {
-  bool robots = false, points = false;
+  bool robots = false, points = false, apart = false;
+  [[nodiscard]] bool any() const { return robots || points || apart; }
+  [[nodiscard]] bool both_sides() const { return points || apart; }
+  [[nodiscard]] bool is_apart_alone() const { return apart && !robots && !points; }
 };
 std::vector<ZoneUse> wanted_zones(const sema::Spec& spec);  // by ZoneId
 
@@ -62,6 +66,10 @@ std::vector<std::vector<ShownSlab>> exact_zones(const sema::Spec& spec);
 std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
                                                          const std::vector<ZoneUse>& wanted,
                                                          diag::Engine& diagnostics);
+
+// How far the zones are apart that monitors ask about, of a specification without errors.
+using ZoneGaps = decltype(ir::TableMap::gaps);
+ZoneGaps zone_gaps(const sema::Spec& spec);
 
 // Reports what is wrong with zones without baking any: for those that need no tables, and still are
 // to refuse what kernels do.

@@ -50,6 +50,9 @@ struct WholeRange {
     if (node.z) anywhere.z = of(node.z);
     return zones.range(node.zone, anywhere);
   }
+  Span operator()(const sema::ZoneDistance& node) const {
+    return zones.apart(node.zone, node.other);
+  }
   Span operator()(const sema::Aggregate& node) const {
     switch (node.op) {
       case sema::AggregateOp::minimum:

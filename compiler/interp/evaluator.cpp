@@ -371,6 +371,9 @@ struct QuantityOf {
   Span operator()(const sema::TrailDistance& node) const {
     return distance_of(self.trail(node.trail), self.trail(node.other));
   }
+  Span operator()(const sema::ZoneDistance& node) const {
+    return self.zones_.apart(node.zone, node.other);
+  }
   Span operator()(const sema::Arithmetic& node) const {
     if (is_square(node)) return square(of(node.operands.front()));
     return arithmetic(node.op, all(node.operands));

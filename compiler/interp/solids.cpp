@@ -188,8 +188,8 @@ const Solids::Solid& Solids::solid(sema::ZoneId zone, Bound bound) {
   return *known;
 }
 
-const geometry::Solid* Solids::within(sema::ZoneId zone) {
-  const Solid& known = solid(zone, Bound::within);
+const geometry::Solid* Solids::of(sema::ZoneId zone, Bound bound) {
+  const Solid& known = solid(zone, bound);
   return known ? &*known : nullptr;
 }
 

@@ -65,8 +65,9 @@ class Solids {
   Span clearance_of_robots(sema::ZoneId zone, const Place& place, const Rational& z);
   bool outside(sema::ZoneId zone, const Whereabouts& at);
   Span range(sema::ZoneId zone, const Whereabouts& at);
-  // What surely lies in the zone; nullptr: it is not known, or of the plane.
-  const geometry::Solid* within(sema::ZoneId zone);
+  // What surely lies in the zone, or contains it; nullptr: it is not known, or of the plane.
+  const geometry::Solid* of(sema::ZoneId zone, Bound bound);
+  const geometry::Solid* within(sema::ZoneId zone) { return of(zone, Bound::within); }
 
  private:
   using Solid = std::optional<geometry::Solid>;

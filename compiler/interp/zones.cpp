@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "compiler/geometry/apart.h"
 #include "compiler/geometry/bake.h"
 #include "compiler/sema/received.h"
 
@@ -202,6 +203,26 @@ Span Zones::clearance(sema::ZoneId zone, const Trail& trail, bool greatest) {
     return unknown(received != nullptr ? std::optional(received->input) : std::nullopt);
   }
   return clearance_of(*zones.within, *zones.around, trail, greatest);
+}
+
+std::optional<Rational> Zones::square_apart(sema::ZoneId one, sema::ZoneId other, Bound bound) {
+  if (spec_[one].has_height) {
+    const geometry::Solid *const a = solids_.of(one, bound), *const b = solids_.of(other, bound);
+    return a && b ? std::optional(geometry::square_apart(*a, *b)) : std::nullopt;
+  }
+  const Region &a = region(one, bound), &b = region(other, bound);
+  return a && b ? std::optional(geometry::square_apart(*a, *b)) : std::nullopt;
+}
+
+// What contains them is nearer than what surely lies in them.
+Span Zones::apart(sema::ZoneId one, sema::ZoneId other) {
+  const auto known = apart_.find({one, other});
+  if (known != apart_.end()) return known->second;
+  const auto nearer = square_apart(one, other, Bound::around);
+  const auto farther = nearer ? square_apart(one, other, Bound::within) : std::nullopt;
+  const Span span = farther ? between(square_root(*nearer).below, square_root(*farther).above)
+                            : unknown(std::nullopt);
+  return apart_.emplace(std::pair(one, other), span).first->second;
 }
 
 bool Zones::surely_leaves(sema::ZoneId zone, const Trail& trail, bool outside) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "compiler/interp/outline.h"
@@ -41,6 +43,8 @@ class Zones {
   WayClearance clearance_of_way(sema::ZoneId zone, const Place& from, const Place& to);
   // Of a leg or a path: the least signed distance of its places from the boundary, or the greatest.
   Span clearance(sema::ZoneId zone, const Trail& trail, bool greatest);
+  // The least distance between places of two zones that stay as they are.
+  Span apart(sema::ZoneId one, sema::ZoneId other);
   // Whether some place of it lies outside for sure, however near; `outside`: in the zone.
   bool surely_leaves(sema::ZoneId zone, const Trail& trail, bool outside);
   // What a zone of the specification is from now on that is received; nullptr: unknown.
@@ -63,6 +67,7 @@ class Zones {
     const Outline *within, *around;
   };
   Outlines outlines(sema::ZoneId zone);
+  std::optional<Rational> square_apart(sema::ZoneId one, sema::ZoneId other, Bound bound);
   const Outline* of_robots(sema::ZoneId zone);
   const Outline* around_received(sema::ZoneId zone);
 
@@ -79,6 +84,7 @@ class Zones {
   const sema::NestedOffsets nested_;
   std::vector<Known> known_;
   Solids solids_;
+  std::map<std::pair<sema::ZoneId, sema::ZoneId>, Span> apart_;
 };
 
 }  // namespace rtac::interp

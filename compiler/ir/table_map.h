@@ -1,7 +1,10 @@
 // Which table of the module stands for which zone or site of the specification.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "compiler/ir/module.h"
@@ -23,6 +26,14 @@ struct TableMap {
     SolidIndex within, around;
   };
   std::vector<std::optional<Solids>> solids;
+
+  // How far zones are apart: between two steps of 1 mm, or, where curves and offsets leave it open,
+  // between more.
+  struct Gap {
+    std::int64_t lo_mm, hi_mm;
+    bool open;  // strictly between two neighbouring steps
+  };
+  std::map<std::pair<sema::ZoneId, sema::ZoneId>, Gap> gaps;
 
   [[nodiscard]] ZoneIndex zone(sema::ZoneId id) const {
     return *zones[static_cast<std::uint32_t>(id)];

@@ -298,6 +298,12 @@ ValueId QuantityBuilder::quantity(const sema::TrailDistance& v, const sema::Expr
   return add(TrailDistance{std::move(one), trail(v.other)}, millimetres(), e);
 }
 
+ValueId QuantityBuilder::quantity(const sema::ZoneDistance& v, const sema::Expr& e) {
+  const TableMap::Gap& gap = tables_.gaps.at({v.zone, v.other});
+  if (gap.lo_mm == gap.hi_mm) return add(Const{gap.lo_mm}, millimetres(), e);
+  return add(Between{gap.lo_mm, gap.hi_mm, gap.open}, millimetres(), e);
+}
+
 // Outside: the greatest clearance is less than nothing.
 ValueId QuantityBuilder::inside(const sema::TrailInside& v, const sema::Expr& e) {
   const TableMap::Regions& zone = tables_.region(v.zone);

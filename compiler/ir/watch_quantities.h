@@ -95,6 +95,7 @@ class QuantityBuilder {
   ValueId quantity(const sema::PointClearance& v, const sema::Expr& e);
   ValueId quantity(const sema::TrailClearance& v, const sema::Expr& e);
   ValueId quantity(const sema::TrailDistance& v, const sema::Expr& e);
+  ValueId quantity(const sema::ZoneDistance& v, const sema::Expr& e);
   template <class Node>
   ValueId quantity(const Node&, const sema::Expr& e);
 

@@ -272,6 +272,9 @@ std::string ExprPrinter::expr(const Expr& expr) const {
           [&](const TrailDistance& atom) {
             return "distance(" + trail(atom.trail) + ", " + trail(atom.other) + ")";
           },
+          [&](const ZoneDistance& atom) {
+            return "distance(" + zone(atom.zone) + ", " + zone(atom.other) + ")";
+          },
           [&](const PathGiven& atom) { return "given(" + spec_[atom.input].name + ")"; },
           [&](const ZoneOpen& open) { return "open(" + zone(open.zone) + ")"; },
           [&](const WhileOpen& open) { return this->expr(*open.operand); },

@@ -21,6 +21,7 @@ class HeightFinder {
  private:
   bool zone(const syntax::PrismLit&) { return true; }
   bool zone(const syntax::RectangleLit& box) {
+    if (box.says_box) return true;
     const bool from = is_high(*box.from), to = is_high(*box.to);
     is_open_ = is_open_ || from != to;
     return from || to;
@@ -93,22 +94,23 @@ void report_height(Context& context, const SourceRange& range, const std::string
   context.report(
       Finding(Code::spaces_differ, range, zone + " has height, " + due + " has none")
           .label("a zone of the plane is due here")
-          .help("write a zone of the plane, without `prism`; robots whose position is a `point3` "
+          .help("write a zone of the plane, without `box` and `prism`; robots whose position is a "
+                "`point3` "
                 "are judged in zones with height, and inputs of that type by monitors without a "
                 "robot"));
 }
 
-bool heights_agree(Context& context, const syntax::Binary& joined) {
-  const bool left = has_height(context, *joined.left), right = has_height(context, *joined.right);
+bool heights_agree(Context& context, const ZonePair& pair) {
+  const bool left = has_height(context, pair.left), right = has_height(context, pair.right);
   if (left == right) return true;
-  const syntax::Expr& flat = left ? *joined.right : *joined.left;
-  const syntax::Expr& tall = left ? *joined.left : *joined.right;
+  const syntax::Expr& flat = left ? pair.right : pair.left;
+  const syntax::Expr& tall = left ? pair.left : pair.right;
   if (height_is_open(context, tall)) return false;
   const auto* name = std::get_if<syntax::NameRef>(&flat.node);
   const std::string base = name != nullptr ? name->name.text : "...";
   context.report(
-      Finding(Code::spaces_differ, joined.op_range,
-              "a zone with height is joined to one of the plane")
+      Finding(Code::spaces_differ, pair.where,
+              "a zone with height is " + pair.verb + " one of the plane")
           .label("how high the other one reaches is not said")
           .note(flat.range, called(flat) + " lies in the plane")
           .note(tall.range, called(tall) + " has height")
@@ -135,8 +137,31 @@ std::optional<Band> check_band(Context& context, const syntax::Expr& expr,
   return std::nullopt;
 }
 
+namespace {
+
+bool is_flat(const syntax::Expr& corner) {
+  const auto* point = std::get_if<syntax::PointLit>(&corner.node);
+  return point != nullptr && point->coordinates.size() == 2;
+}
+
+// `box (0 m, 0 m) to (5 m, 5 m)`: one mistake, not one for each corner.
+bool has_depth(Context& context, const syntax::Expr& expr, const syntax::RectangleLit& box) {
+  if (!box.says_box || !is_flat(*box.from) || !is_flat(*box.to)) return true;
+  SourceRange word = expr.range;
+  word.end = word.begin + 3;
+  context.report(Finding(Code::point_expected, expr.range, "a box has corners in space")
+                     .label("corners of the plane")
+                     .help("write three lengths, `(1 m, 2 m, 3 m)`, or `rectangle` for a zone of "
+                           "the plane")
+                     .replace(word, "rectangle"));
+  return false;
+}
+
+}  // namespace
+
 std::optional<CheckedBox> check_box(Context& context, const syntax::Expr& expr,
                                     const syntax::RectangleLit& box) {
+  if (!has_depth(context, expr, box)) return std::nullopt;
   const auto from = check_corner(context, *box.from, "a corner of a box");
   const auto to = check_corner(context, *box.to, "a corner of a box");
   if (!from || !to) return std::nullopt;

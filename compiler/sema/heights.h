@@ -25,7 +25,12 @@ void report_height(Context& context, const SourceRange& range, const std::string
                    const std::string& due);
 
 // Both have height, or neither; false: reported.
-bool heights_agree(Context& context, const syntax::Binary& joined);
+struct ZonePair {
+  const syntax::Expr &left, &right;
+  SourceRange where;
+  std::string verb;  // what one is to the other: "joined to"
+};
+bool heights_agree(Context& context, const ZonePair& pair);
 
 // From the floor to the ceiling, in m.
 struct Band {

@@ -173,17 +173,19 @@ ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Bi
                                          std::move(gap), std::move(none)}));
 }
 
-// Zones that are known beforehand need no monitor.
-void PropertyChecker::report_two_zones(const syntax::Expr& expr, const std::string& user,
-                                       const syntax::Expr& first, const syntax::Expr& second) {
-  const syntax::Name *one = name_in(first), *two = name_in(second);
-  const bool named = one != nullptr && two != nullptr;
-  context_.report(
-      Finding(Code::wrong_argument, expr.range, "`" + user + "` between two zones is not judged")
-          .label("takes a point or a robot, and one zone")
-          .help("fixed zones are compared by declaring one: `zone near = grow(" +
-                (named ? one->text : "a") + ", 1 m) & " + (named ? two->text : "b") +
-                ";` is refused as empty where they are more than 1 m apart"));
+// How far two zones are apart; nothing where they meet.
+ExprPtr PropertyChecker::distance_of_zones(const syntax::Expr& expr, const syntax::Expr& first,
+                                           const syntax::Expr& second) {
+  const FrameId frame = frame_of_zone(context_, first);
+  const auto in_frame = [&](const syntax::Expr& zone) {
+    return zone_in_property(context_, zone, frame, Change::apart, Height::allowed);
+  };
+  const auto one = in_frame(first), other = in_frame(second);
+  const ZonePair both{first, second, expr.range, "held against"};
+  if (!one || !other || !heights_agree(context_, both)) return nullptr;
+  ExprPtr gap = make_quantity(expr.range, dims::length, ZoneDistance{*one, *other});
+  return gap_while_open(expr.range, *one, true,
+                        gap_while_open(expr.range, *other, true, std::move(gap)));
 }
 
 // `clearance(p, Z)` or `distance(p, Z)`: the distance of the place, the centre of a body, to the
@@ -196,7 +198,9 @@ std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const synt
   const syntax::Expr& second = *call.arguments[1];
   if (is_error(first) || is_error(second)) return std::nullopt;
   if (says_zone(first) && says_zone(second)) {
-    report_two_zones(expr, user, first, second);
+    context_.report(Finding(Code::wrong_argument, expr.range, "`clearance` takes one zone")
+                        .label("two zones")
+                        .help("how far two zones are apart is `distance(one, other)`"));
     return std::nullopt;
   }
   if (says_zone(first)) {
@@ -227,6 +231,10 @@ ExprPtr PropertyChecker::clearance_of_place(const syntax::Expr& expr, const synt
 // Of a point nothing inside, the clearance turned round outside; bodies reach further by their
 // radius, so that those which overlap the zone have a negative one.
 ExprPtr PropertyChecker::distance_to_zone(const syntax::Expr& expr, const syntax::Call& call) {
+  const auto& given = call.arguments;
+  if (given.size() == 2 && says_zone(*given[0]) && says_zone(*given[1])) {
+    return distance_of_zones(expr, *given[0], *given[1]);
+  }
   auto found = centre_gap(expr, call, "distance");
   if (!found) return nullptr;
   ExprPtr outside =

@@ -248,8 +248,8 @@ class PropertyChecker {
   [[nodiscard]] bool says_zone(const syntax::Expr& expr) const;
   std::optional<Placed> placed(const syntax::Expr& expr, const std::string& user);
   static ExprPtr less_radius(const syntax::Expr& expr, ExprPtr gap, const Rational& radius);
-  void report_two_zones(const syntax::Expr& expr, const std::string& user,
-                        const syntax::Expr& first, const syntax::Expr& second);
+  ExprPtr distance_of_zones(const syntax::Expr& expr, const syntax::Expr& first,
+                            const syntax::Expr& second);
   std::optional<CentreGap> centre_gap(const syntax::Expr& expr, const syntax::Call& call,
                                       const std::string& user);
   std::optional<Pair> place_of(const syntax::Expr& expr, const std::string& user);

@@ -49,6 +49,10 @@ struct SameNode {
     const auto& b = that<TrailDistance>();
     return same(a.trail, b.trail) && same(a.other, b.other);
   }
+  bool operator()(const ZoneDistance& a) const {
+    const auto& b = that<ZoneDistance>();
+    return a.zone == b.zone && a.other == b.other;
+  }
   bool operator()(const IsValue& a) const {
     const auto& b = that<IsValue>();
     return same({a.input, a.component}, {b.input, b.component}) && a.value == b.value;

@@ -459,6 +459,9 @@ struct TrailClearance {  // the least distance to the boundary, negative outside
 struct TrailDistance {  // the least one between places of both
   Trail trail, other;
 };
+struct ZoneDistance {  // the least one between places of both, which stay as they are
+  ZoneId zone, other;
+};
 struct PathGiven {  // it has way-points
   InputId input;
 };
@@ -522,8 +525,8 @@ struct Expr {
   std::variant<Constant, Truth, SignalRef, Clearance, Distance, EnergyTo, InsideZone, PlanInside,
                Arithmetic, Compare, Logic, HeldFor, ForOthers, CountOthers, OverMembers, InputRef,
                AgeOf, SensedAge, ParamRef, PointInside, PointClearance, ZoneOpen, WhileOpen,
-               TrailInside, TrailClearance, TrailDistance, PathGiven, IsValue, SameValue, Math,
-               Choice, Previously, Past, Since, WithinOf, Aggregate, AgentDistance>
+               TrailInside, TrailClearance, TrailDistance, ZoneDistance, PathGiven, IsValue,
+               SameValue, Math, Choice, Previously, Past, Since, WithinOf, Aggregate, AgentDistance>
       node;
 };
 

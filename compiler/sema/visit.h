@@ -56,7 +56,7 @@ void for_each_operand(Tree& expr, Visit&& visit) {
                         std::is_same_v<Node, SensedAge> || std::is_same_v<Node, ParamRef> ||
                         std::is_same_v<Node, ZoneOpen> || std::is_same_v<Node, IsValue> ||
                         std::is_same_v<Node, SameValue> || std::is_same_v<Node, AgentDistance> ||
-                        std::is_same_v<Node, PathGiven>);
+                        std::is_same_v<Node, ZoneDistance> || std::is_same_v<Node, PathGiven>);
         }
       },
       expr.node);

@@ -170,7 +170,9 @@ class ZoneChecker {
   ZoneExprPtr join(const syntax::Expr& expr, const syntax::Binary& binary, ZoneOp op) {
     ZoneExprPtr left = check(*binary.left);
     ZoneExprPtr right = check(*binary.right);
-    if (!left || !right || !heights_agree(context_, binary)) return nullptr;
+    if (!left || !right) return nullptr;
+    const ZonePair both{*binary.left, *binary.right, binary.op_range, "joined to"};
+    if (!heights_agree(context_, both)) return nullptr;
     return make(expr.range, ZoneBinary{op, std::move(left), std::move(right)});
   }
 
@@ -458,7 +460,7 @@ bool stays(Context& context, const syntax::Name& name, ZoneId id, Change change)
   const syntax::ZoneItem& written = *context.zones[index].node;
   const bool at_times = !written.during.empty() || scheduled_in(*written.value) != nullptr;
   const bool of_robot = change == Change::timed || change == Change::looked_ahead;
-  const bool timed = of_robot || !at_times;
+  const bool timed = of_robot || change == Change::apart || !at_times;
   if (!written.around && timed) return true;
   context.report(Finding(Code::zone_not_fixed, name.range,
                          "the zone `" + name.text + "` " +
@@ -489,7 +491,7 @@ static std::optional<ZoneId> received_zone(Context& context, const syntax::Name&
                                            const Symbol& symbol, Change change) {
   const InputId input{symbol.index};
   context.used_inputs.insert(input);
-  if (change == Change::refused || change == Change::timed) {
+  if (change != Change::looked_ahead && change != Change::allowed) {
     context.report(Finding(Code::zone_not_fixed, name.range,
                            "the zone `" + name.text + "` is received while the monitors run")
                        .label("a zone that stays as it is is due here")

@@ -35,8 +35,8 @@ std::optional<ZoneId> complemented(const Spec& spec, ZoneId zone);
 
 // Whether a zone may be one that changes with time.
 // `timed`: it may be one that is there at certain times. `looked_ahead`: or one that is received,
-// which robots of the plane look ahead at, too.
-enum class Change { refused, timed, looked_ahead, allowed };
+// which robots of the plane look ahead at, too. `apart`: as `timed`, from another zone.
+enum class Change { refused, timed, looked_ahead, apart, allowed };
 
 // The complement of a zone, without a name: one for all that ask.
 ZoneId complement_of(Context& context, ZoneId zone, const SourceRange& range);

@@ -147,6 +147,7 @@ struct PointLit {  // (1 m, 2 m)
 };
 struct RectangleLit {  // rectangle (0 m, 0 m) to (5 m, 5 m); of space: a box
   ExprPtr from, to;
+  bool says_box = false;  // box (0 m, 0 m, 0 m) to (5 m, 5 m, 3 m): of space alone
 };
 struct CircleLit {  // circle (1 m, 1 m) radius 30 cm
   ExprPtr centre, radius;

@@ -212,6 +212,11 @@ Operand Builder::rectangle(const SourceRange& range, Operand from, Operand to) {
               RectangleLit{std::move(from.expr), std::move(to.expr)});
 }
 
+Operand Builder::box(const SourceRange& range, Operand from, Operand to) {
+  return grow(range, std::max(from.height, to.height),
+              RectangleLit{std::move(from.expr), std::move(to.expr), true});
+}
+
 Operand Builder::circle(const SourceRange& range, Operand centre, Operand radius) {
   return grow(range, std::max(centre.height, radius.height),
               CircleLit{std::move(centre.expr), std::move(radius.expr)});

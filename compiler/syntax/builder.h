@@ -130,6 +130,7 @@ class Builder {
   Operand member(const SourceRange& range, Operand base, Name field);
   Operand point(const SourceRange& range, Operand first, Operands rest);
   Operand rectangle(const SourceRange& range, Operand from, Operand to);
+  Operand box(const SourceRange& range, Operand from, Operand to);
   Operand circle(const SourceRange& range, Operand centre, Operand radius);
   Operand prism(const SourceRange& range, Operand base, Operand floor, Operand ceiling);
   Operand polygon(const SourceRange& range, PolygonParts parts);

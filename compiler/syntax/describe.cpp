@@ -150,7 +150,8 @@ class Describer {
   }
 
   static bool is_expression_start(TokenKind kind) {
-    return kind == T::LEFT_PAREN || kind == T::MINUS || kind == T::NUMBER || find_word(kind);
+    return kind == T::LEFT_PAREN || kind == T::MINUS || kind == T::NUMBER || kind == T::BOX ||
+           find_word(kind);
   }
 
   // What may follow an operand: `x.y`, `f(x)`, `a[2]`, `φ for 1 s`, `φ since ψ`.

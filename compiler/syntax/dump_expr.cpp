@@ -138,7 +138,7 @@ class ExprDumper {
     add_all(node.coordinates);
   }
   void add(const RectangleLit& node, const SourceRange& range) {
-    line("Rectangle", range);
+    line(node.says_box ? "Box" : "Rectangle", range);
     Level level{text_};
     add(*node.from);
     add(*node.to);

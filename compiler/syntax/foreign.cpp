@@ -174,7 +174,7 @@ class Explainer {
     return true;
   }
 
-  // `rect (0 m, 0 m) to (5 m, 5 m)`, `box (0 m, 0 m, 0 m) to (5 m, 5 m, 3 m)`
+  // `rect (0 m, 0 m) to (5 m, 5 m)`
   bool explain_rectangle() {
     const std::size_t at = error_.index;
     if (kind(at) != T::TO || at == 0 || kind(at - 1) != T::RIGHT_PAREN) return false;
@@ -186,7 +186,7 @@ class Explainer {
     report_.label = "not a word that fits here";
     give(
         "from one corner to the other it is a `rectangle`; of space, where corners have three "
-        "lengths, a box",
+        "lengths, a `box`",
         {{tokens_[open - 1].range, "rectangle"}});
     return true;
   }

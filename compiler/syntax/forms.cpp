@@ -13,6 +13,7 @@ struct Construct {
 // Parts of clauses with a form of their own.
 constexpr Construct kConstructs[] = {
     {T::RECTANGLE, "rectangle (0 m, 0 m) to (5 m, 5 m)"},
+    {T::BOX, "box (0 m, 0 m, 0 m) to (5 m, 5 m, 3 m)"},
     {T::CIRCLE, "circle (1 m, 1 m) radius 2 m"},
     {T::POLYGON, "polygon [(0 m, 0 m), (5 m, 0 m), (4 m, 5 m)]"},
     {T::PRISM, "prism (field) from 10 m to 50 m"},

@@ -130,6 +130,14 @@ void LexerSink::word(std::string_view text) {
   push(word ? word->kind : T::IDENT);
 }
 
+// In front of a bracket: the shape, but for `site box(r1) = ...`, and in a file with `fun
+// box(...)`.
+void LexerSink::box() {
+  const TokenKind before = tokens_.empty() ? T::END : tokens_.back().kind;
+  box_is_function_ = box_is_function_ || before == T::FUN;
+  push(before == T::SITE || box_is_function_ ? T::IDENT : T::BOX);
+}
+
 bool LexerSink::in_type() const {
   return tokens_.size() >= 2 && real_at_ == tokens_.size() - 2;
 }

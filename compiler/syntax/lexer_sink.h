@@ -24,6 +24,7 @@ class LexerSink {
   void punctuation(TokenKind kind) { push(kind); }
   void foreign_operator(TokenKind kind, std::string_view text);
   void word(std::string_view text);
+  void box();
   void number(std::string_view text);
   void moment(std::string_view text) { push(T::MOMENT, std::string{text}); }
   void malformed_number(std::string_view text);
@@ -91,6 +92,7 @@ class LexerSink {
   bool at_line_start_ = true;
   bool next_is_bad_ = false;  // a character before the next token was skipped
   bool stopped_ = false;
+  bool box_is_function_ = false;  // `fun box(...)` was read
 };
 
 }  // namespace rtac::syntax

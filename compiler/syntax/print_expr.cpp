@@ -202,7 +202,8 @@ std::string print_node(const PointLit& node) {
   return '(' + print_list(node.coordinates) + ')';
 }
 std::string print_node(const RectangleLit& node) {
-  return "rectangle " + print_expr(*node.from) + " to " + print_expr(*node.to);
+  return (node.says_box ? "box " : "rectangle ") + print_expr(*node.from) + " to " +
+         print_expr(*node.to);
 }
 std::string print_node(const CircleLit& node) {
   return "circle " + print_expr(*node.centre) + " radius " + print_signed(node.radius);

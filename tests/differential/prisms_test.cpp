@@ -11,7 +11,7 @@ namespace {
 const std::vector<ZoneCase>& cases() {
   static const std::vector<ZoneCase> all = {
       {"box",
-       "rectangle (0 m, 0 m, -1 m) to (5 m, 4 m, 2 m)",
+       "box (0 m, 0 m, -1 m) to (5 m, 4 m, 2 m)",
        true,
        6,
        {{0, 0, -1}, {5, 0, -1}, {5, 4, 2}, {0, 4, 2}, {5, 4, -1}, {0, 0, 2}}},
