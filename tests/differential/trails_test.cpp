@@ -276,6 +276,69 @@ TEST(Trails, WhatLeadsThroughAPlaceWherePartsTouchIsInside) {
   EXPECT_EQ(found(without), interp::Verdict::no);
 }
 
+// Along a wall all places are as far outside, so that no division of the leg is better than
+// another: the worst case. Random legs are known better.
+class FarLegs {
+ public:
+  FarLegs()
+      : checked_(check("spec s;\nperiod 1 s;\n"
+                       "zone yard = rectangle (0 m, 0 m) to (64 m, 10 m) - rectangle (20 m, 2 m) "
+                       "to (44 m, 8 m);\n"
+                       "input plan : path[2];\n"
+                       "monitor m { \"R1\" always clearance(plan, yard) >= -1 m; }\n",
+                       Until::kernel)),
+        reference_(driver::make_interpreter(*checked_->compilation.spec)),
+        code_(driver::kernel_code(checked_->compilation)) {}
+
+  // How far generated code is below the reference, in parts of the leg: 10 mm are given away
+  // anyhow.
+  double below(driver::Engine& kernel, const Waypoint& from, const Waypoint& to) {
+    Reading plan;
+    plan.kind = Reading::Kind::number;
+    plan.path = std::make_shared<const std::vector<Waypoint>>(std::vector<Waypoint>{from, to});
+    const std::vector<Observed> inputs = {
+        {plan, now_us_, true}, {{Reading::Kind::number, interp::Decimal(0)}, now_us_, true}};
+    std::vector<driver::Judgement> found;
+    reference_->step(now_us_, inputs, found);
+    kernel.step(now_us_, inputs, found);
+    now_us_ += 1'000'000;
+    const double gap =
+        Rational(reference_->margin(0).hi.value() - kernel.margin(0).lo.value()).get_d();
+    const double length = std::hypot(static_cast<double>(to.x_mm - from.x_mm),
+                                     static_cast<double>(to.y_mm - from.y_mm));
+    return (gap * 1000 - 10) / length;
+  }
+  [[nodiscard]] driver::LoadedKernel loaded(const Edit& edit) const {
+    return load(code_, edit, Speed::of_building);
+  }
+
+ private:
+  std::unique_ptr<Checked> checked_;
+  std::unique_ptr<driver::Engine> reference_;
+  driver::KernelCode code_;
+  std::int64_t now_us_ = 0;
+};
+
+TEST(Trails, TheFarthestPlaceOutsideIsKnownToASixtyFourthOfALeg) {
+  FarLegs legs;
+  const driver::LoadedKernel kernel = legs.loaded({});
+  ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
+  const Waypoint from{0, -5000}, to{64'000, -5000};
+  EXPECT_LE(legs.below(*kernel.engine, from, to), 1.0 / 64);
+  EXPECT_GE(legs.below(*kernel.engine, from, to), 1.0 / 70);
+  std::mt19937 random(3);
+  const auto place = [&] {
+    return Waypoint{static_cast<std::int64_t>(random() % 90'000) - 10'000,
+                    static_cast<std::int64_t>(random() % 40'000) - 10'000};
+  };
+  for (int k = 0; k < 300; ++k) {
+    const Waypoint a = place(), b = place();
+    // what the reference leaves open itself is a two-hundredth
+    ASSERT_LE(legs.below(*kernel.engine, a, b), 1.0 / 64 + 1.0 / 200)
+        << a.x_mm << ' ' << a.y_mm << " to " << b.x_mm << ' ' << b.y_mm;
+  }
+}
+
 struct Mistake {
   const char *name, *text, *instead;
 };
