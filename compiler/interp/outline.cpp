@@ -12,16 +12,6 @@ namespace {
 // Doubles are off by less than this share of the largest coordinate, however they were computed.
 constexpr double rough_share = 1e-9;
 
-Place minus(const Place& a, const Place& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-Rational cross(const Place& a, const Place& b) {
-  return a.x * b.y - a.y * b.x;
-}
-Rational dot(const Place& a, const Place& b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 }  // namespace
 
 Outline::Edge Outline::edge(const Place& a, const Place& b) {

@@ -12,6 +12,15 @@ namespace rtac::interp {
 struct Place {  // m
   Rational x, y;
 };
+inline Place minus(const Place& a, const Place& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+inline Rational cross(const Place& a, const Place& b) {
+  return a.x * b.y - a.y * b.x;
+}
+inline Rational dot(const Place& a, const Place& b) {
+  return a.x * b.x + a.y * b.y;
+}
 
 class Outline {
  public:

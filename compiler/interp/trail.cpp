@@ -5,15 +5,6 @@
 namespace rtac::interp {
 namespace {
 
-Place minus(const Place& a, const Place& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-Rational cross(const Place& a, const Place& b) {
-  return a.x * b.y - a.y * b.x;
-}
-Rational dot(const Place& a, const Place& b) {
-  return a.x * b.x + a.y * b.y;
-}
 Rational square(const Place& a) {
   return dot(a, a);
 }
