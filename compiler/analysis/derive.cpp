@@ -10,6 +10,7 @@
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_met.h"
+#include "compiler/analysis/spread.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/superfluous.h"
 #include "compiler/analysis/timing.h"
@@ -17,6 +18,7 @@
 #include "compiler/analysis/well_formed.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/geometry/spread.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/signals.h"
@@ -223,6 +225,7 @@ class Deriver {
       if (!std::ranges::equal(zones_[i]->baked.edges, zones_[i]->around, same)) {
         around = ir::RegionIndex(regions.size());
         regions.push_back({name, true, edges(zones_[i]->around), tree(zones_[i]->around_tree)});
+        regions.back().spread_mm = geometry::spread_mm(zones_[i]->baked.edges, zones_[i]->around);
       }
       out_.tables.regions[i] = {within, around};
     }
@@ -259,6 +262,7 @@ class Deriver {
       if (!std::ranges::equal(zone.within, zone.around, same_slab)) {
         around = ir::SolidIndex(solids.size());
         solids.push_back(solid(name, true, zone.around, regions));
+        solids.back().spread_mm = spread_mm(zone.within, zone.around);
       }
       out_.tables.solids[i] = {within, around};
     }

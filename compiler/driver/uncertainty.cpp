@@ -68,25 +68,28 @@ class Widths {
   }
   // The kernel bounds distances within 3 mm, of a middle that is off the grid by 1 mm at most, for
   // which it leaves 1 mm; the box of the place adds half its diagonal on either side. Where the
-  // zone is none of the grid, nothing bounds what lies between its two regions.
+  // zone is none of the grid, what lies between its two regions is unknown as well.
   Rational operator()(const PointClearance& v) const {
     constexpr int bounds_mm = 3, middle_mm = 2;
-    if (v.within != v.around || watch_[v.within].channel) return span();
+    const auto spread = watch_.spread_mm(v.within, v.around);
+    if (!spread) return span();
     const Rational diagonal = root_up(of(v.a) * of(v.a) + of(v.b) * of(v.b));
-    return diagonal + 2 * (middle_mm + rounding_steps) + bounds_mm;
+    return diagonal + exact(*spread) + 2 * (middle_mm + rounding_steps) + bounds_mm;
   }
   Rational operator()(const PointInside& v) const { return of(v.condition); }
   // In space they are 4 mm apart, with 2 mm for a middle that is off by less than 2 mm.
   Rational operator()(const SolidClearance& v) const {
     constexpr int bounds_mm = 4, middle_mm = 4;
-    if (v.within != v.around) return span();
+    const auto spread = watch_.spread_mm(v.within, v.around);
+    if (!spread) return span();
     const Rational diagonal = root_up(of(v.a) * of(v.a) + of(v.b) * of(v.b) + of(v.c) * of(v.c));
-    return diagonal + 2 * (middle_mm + rounding_steps) + bounds_mm;
+    return diagonal + exact(*spread) + 2 * (middle_mm + rounding_steps) + bounds_mm;
   }
   Rational operator()(const SolidInside& v) const { return of(v.condition); }
   // Of legs on one side of the boundary; of others nothing bounds it.
   Rational operator()(const TrailClearance& v) const {
-    return v.within != v.around || watch_[v.within].channel ? span() : 3 + reached(v.trail);
+    const auto spread = watch_.spread_mm(v.within, v.around);
+    return spread ? Rational(exact(3 + *spread) + reached(v.trail)) : span();
   }
   Rational operator()(const TrailInside& v) const { return of(v.condition); }
   // The boxes of places add half their diagonals on either side.

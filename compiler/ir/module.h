@@ -473,6 +473,9 @@ struct Region {  // a zone that places are held against
   // region here.
   std::optional<std::uint32_t> channel = std::nullopt;
   std::uint32_t slab = 0;  // of a zone with height: which one from below, from 1 on
+  // Of one that contains the zone: by how many mm distances from its boundary, and from that of the
+  // one within the zone, may disagree; none: nothing bounds that.
+  std::optional<std::int64_t> spread_mm = std::nullopt;
 };
 struct Slab {  // both ends belong to it
   std::int32_t floor_mm = 0, ceiling_mm = 0;
@@ -482,6 +485,7 @@ struct Solid {  // a zone with height
   std::string name;
   bool around = false;      // as of regions
   std::vector<Slab> slabs;  // from below to above; their insides are apart
+  std::optional<std::int64_t> spread_mm = std::nullopt;  // as of regions
 };
 struct Opening {  // from the first on, before the second
   std::int64_t from_us = 0, until_us = 0;
@@ -521,6 +525,15 @@ struct Watch {
   }
   [[nodiscard]] const Solid& operator[](SolidIndex i) const {
     return solids[static_cast<std::uint32_t>(i)];
+  }
+  // By how much distances from both may disagree; none: nothing bounds that.
+  [[nodiscard]] std::optional<std::int64_t> spread_mm(RegionIndex within,
+                                                      RegionIndex around) const {
+    if (within != around) return (*this)[around].spread_mm;
+    return (*this)[within].channel ? std::nullopt : std::optional<std::int64_t>(0);
+  }
+  [[nodiscard]] std::optional<std::int64_t> spread_mm(SolidIndex within, SolidIndex around) const {
+    return within != around ? (*this)[around].spread_mm : 0;
   }
   [[nodiscard]] const Schedule& operator[](ScheduleIndex i) const {
     return schedules[static_cast<std::uint32_t>(i)];

@@ -93,29 +93,29 @@ class Roundings {
   }
   // Distances are bounded within 3 mm, of a middle that is taken down to the grid; how far the box
   // reaches from there is rounded up, with 1 mm for the middle. A box that is wider by some steps
-  // moves its middle by half of them. A zone that is none of the grid is known within two regions:
-  // nothing bounds how far they are apart at a sharp tip.
+  // moves its middle by half of them.
   Slack operator()(const PointClearance& v) const {
     const Slack &a = of(v.a), &b = of(v.b);
     const Rational wider = root_up(a.by * a.by + b.by * b.by);
-    const Rational by =
-        v.within == v.around && !watch_[v.within].channel ? Rational(7 + wider * 3 / 2) : span();
-    return derived(by, {v.a, v.b});
+    const auto spread = watch_.spread_mm(v.within, v.around);
+    return derived(spread ? Rational(exact(7 + *spread) + wider * 3 / 2) : span(), {v.a, v.b});
   }
   Slack operator()(const PointInside& v) const { return of(v.condition); }
   // In space bounds are 4 mm apart, and both the middle and its room are off by 1 mm more.
   Slack operator()(const SolidClearance& v) const {
     const Slack &a = of(v.a), &b = of(v.b), &c = of(v.c);
     const Rational wider = root_up(a.by * a.by + b.by * b.by + c.by * c.by);
-    const Rational by = v.within == v.around ? Rational(10 + wider * 3 / 2) : span();
+    const auto spread = watch_.spread_mm(v.within, v.around);
+    const Rational by = spread ? Rational(exact(10 + *spread) + wider * 3 / 2) : span();
     return derived(by, {v.a, v.b, v.c});
   }
   Slack operator()(const SolidInside& v) const { return of(v.condition); }
   // On one side of the boundary as of places, of two regions as there. How far a leg that crosses
   // it leads beyond is found by places along it: nothing bounds how much of that they miss.
   Slack operator()(const TrailClearance& v) const {
-    const bool is_exact = v.within == v.around && !watch_[v.within].channel;
-    Slack result = of_trail(is_exact ? Rational(reached(v.trail) + 3) : span(), v.trail);
+    const auto spread = watch_.spread_mm(v.within, v.around);
+    Slack result =
+        of_trail(spread ? Rational(reached(v.trail) + exact(3 + *spread)) : span(), v.trail);
     result.has_crossing_legs = true;
     return result;
   }
