@@ -302,6 +302,7 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
   }
   const bool quantified = other_ != nullptr;
   if (!quantified && one == Subject::self && !is_known(second)) return nullptr;
+  if (!quantified && two == Subject::self && !is_known(first)) return nullptr;
   Finding finding(Code::distance_needs_other, expr.range,
                   quantified
                       ? "`distance` is the one between `" + self + "` and `" + other_->text + "`"
@@ -325,12 +326,13 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
 // A name that nobody has declared, and that is nearly the one of a zone, is reported as that; so is
 // any where a declaration may be lost. Others are robots that no quantifier binds.
 bool PropertyChecker::is_known(const syntax::Expr& expr) {
-  const auto* name = std::get_if<syntax::NameRef>(&expr.node);
-  if (name == nullptr || name->name.text == scope_.self.text) return true;
-  if (context_.symbols.find(name->name.text) != nullptr) return true;
-  const auto likely = nearest(name->name.text, context_.symbols.names_of(Sort::zone));
+  const auto* index = std::get_if<syntax::Index>(&expr.node);
+  const syntax::Name* name = name_in(index != nullptr ? *index->base : expr);
+  if (name == nullptr || name->text == scope_.self.text) return true;
+  if (context_.symbols.find(name->text) != nullptr) return true;
+  const auto likely = nearest(name->text, context_.symbols.names_of(Sort::zone));
   if (!likely && !context_.broken_tree()) return true;
-  (void)context_.resolve(name->name, Sort::zone);
+  (void)context_.resolve(*name, Sort::zone);
   return false;
 }
 

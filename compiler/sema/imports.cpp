@@ -293,7 +293,8 @@ class Importer {
       job_.origin = in_degrees(*context_.spec.origin);
       return true;
     }
-    if (context_.origin_written) return false;
+    // what was lost by another mistake may be the origin
+    if (context_.origin_written || context_.broken_tree()) return false;
     context_.report(Finding(Code::origin_missing, written_.path.range,
                             "`" + job_.path + "` is in degrees, and the map has no origin")
                         .label("where on the map is this?")

@@ -57,7 +57,7 @@ bool PropertyChecker::quantifier_fits(const Head& head) {
             .help("a property relates robots of one kind: write `" + due + "`"));
     return false;
   }
-  return guard_fits(head) && kind.has_value();
+  return kind && guard_fits(head);
 }
 
 bool PropertyChecker::guard_fits(const Head& head) {

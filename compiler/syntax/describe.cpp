@@ -7,6 +7,7 @@
 #include "compiler/syntax/foreign.h"
 #include "compiler/syntax/forms.h"
 #include "compiler/syntax/lookalike.h"
+#include "compiler/syntax/signs.h"
 
 namespace rtac::syntax {
 namespace {
@@ -17,10 +18,6 @@ using diag::Diagnostic;
 bool is_operator(TokenKind kind) {
   return (kind >= T::LESS && kind <= T::SLASH) || kind == T::INSIDE ||
          (kind >= T::AND && kind <= T::XOR);
-}
-
-bool is_bracket_end(TokenKind kind) {
-  return kind == T::RIGHT_PAREN || kind == T::RIGHT_BRACKET || kind == T::RIGHT_BRACE;
 }
 
 std::string join_choices(const std::vector<std::string>& choices) {
@@ -40,6 +37,7 @@ class Describer {
 
   Diagnostic describe(const std::optional<Edit>& edit) {
     if (found_.kind == T::UNKNOWN) return unknown_character();
+    if (is_comment_in_unit(tokens_, error_.index, sources_)) return comment_in_unit();
     if (!edit) return plain();
     switch (edit->reason) {
       case EditReason::missing:
@@ -65,6 +63,10 @@ class Describer {
         return superfluous(edit->kind == EditKind::remove);
       case EditReason::doubled:
         return Describer{tokens_, earlier(*edit), sources_}.doubled();
+      case EditReason::other_sign:
+        return Describer{tokens_, earlier(*edit), sources_}.other_sign(*edit);
+      case EditReason::missing_number:
+        return missing_number();
     }
     return plain();
   }
@@ -203,6 +205,7 @@ class Describer {
   }
 
   [[nodiscard]] Diagnostic missing(TokenKind kind) const {
+    if (kind == T::COMMA && lacks_more()) return plain();
     const std::string what = describe_kind(kind);
     Diagnostic result =
         make(Code::unexpected_token, "expected " + what + after() + ", found " + found(),
@@ -223,19 +226,38 @@ class Describer {
       result.fixits.push_back(
           {behind_previous(), (is_word ? " " : "") + std::string{token_name(kind)}});
     }
-    if (is_bracket_end(kind)) add_opener(result);
+    if (is_closer(kind)) {
+      result.code = Code::unclosed_bracket;
+      add_opener(result);
+    }
+    return result;
+  }
+
+  // `100 ms` alone behind the error of an input lacks a word, `(a b)` an operator: a `,` would be
+  // read, and be wrong.
+  [[nodiscard]] bool lacks_more() const {
+    return error_.expects(T::MAX_AGE) || error_.expects(T::RESOLUTION) ||
+           groups_conditions(tokens_, error_.index);
+  }
+
+  // `3 m//s`
+  [[nodiscard]] Diagnostic comment_in_unit() const {
+    const SourceRange& unit = tokens_[error_.index - 1].range;
+    Diagnostic result = make(Code::unexpected_token, "`//` starts a comment, also behind a unit",
+                             "the rest of the line is not read");
+    result.range = {unit.file, unit.end, unit.end + 2};
+    result.help = "a unit has one `/` at a time: `m/s`";
+    result.fixits.push_back({*result.range, "/"});
     return result;
   }
 
   // Points at the bracket that is still open.
   void add_opener(Diagnostic& result) const {
-    result.code = Code::unclosed_bracket;
     int depth = 0;
     for (std::size_t i = error_.index; i-- > 0;) {
       const TokenKind kind = tokens_[i].kind;
-      if (is_bracket_end(kind)) ++depth;
-      const bool opens = kind == T::LEFT_PAREN || kind == T::LEFT_BRACKET || kind == T::LEFT_BRACE;
-      if (!opens || depth-- > 0) continue;
+      if (is_closer(kind)) ++depth;
+      if (!is_opener(kind) || depth-- > 0) continue;
       result.notes.push_back({tokens_[i].range, ticks(kind) + " is opened here"});
       return;
     }
@@ -285,14 +307,38 @@ class Describer {
              ticks(kind) + " is due");
     // all of a list at once
     for (std::size_t i = error_.index; i < tokens_.size(); ++i) {
-      if (tokens_[i].kind == T::SEMICOLON && i > error_.index) break;
-      if (tokens_[i].kind == T::RIGHT_BRACE || (i > error_.index && kind != T::GREATER)) break;
+      const bool ends = ends_clause(tokens_[i].kind) || kind != T::GREATER;
+      if (ends && i > error_.index) break;
       if (tokens_[i].kind != found_.kind) continue;
       const bool touches = i > 0 && tokens_[i - 1].range.end == tokens_[i].range.begin;
       const bool is_relation = kind != T::COMMA && kind != T::DOT_DOT;
       result.fixits.push_back(
           {tokens_[i].range, (touches && is_relation ? " " : "") + std::string{token_name(kind)}});
     }
+    return result;
+  }
+
+  // Of a pair of brackets both.
+  [[nodiscard]] Diagnostic other_sign(const Edit& edit) const {
+    Diagnostic result = make(Code::unexpected_token,
+                             "expected " + ticks(edit.token) + after() + ", found " + found(),
+                             ticks(edit.token) + " is due");
+    result.fixits.push_back({found_.range, std::string{token_name(edit.token)}});
+    if (edit.partner > 0) {
+      result.fixits.push_back({tokens_[error_.index + edit.partner].range,
+                               std::string{token_name(closer_of(edit.token))}});
+    }
+    if (is_closer(edit.token)) add_opener(result);
+    return result;
+  }
+
+  [[nodiscard]] Diagnostic missing_number() const {
+    const SourceRange& next = tokens_[error_.index + 1].range;
+    const std::string unit{unit_at(sources_.text(next.file).substr(next.begin))};
+    Diagnostic result =
+        make(Code::unexpected_token,
+             "expected a number in front of `" + unit + "`, found " + found(), "a number is due");
+    result.help = "write the number that is meant, such as `3 " + unit + '`';
     return result;
   }
 
@@ -351,19 +397,44 @@ class Describer {
       result.fixits.push_back({found_.range, ""});
       return result;
     }
-    if (found_.kind == T::SEMICOLON && error_.expects(T::BAD_CLAUSE)) {
+    if (found_.kind == T::SEMICOLON && error_.expects(T::BAD_CLAUSE) && may_be_removed()) {
       Diagnostic result =
           make(Code::unexpected_token, "a `;` that ends nothing", "not needed here");
       result.fixits.push_back({found_.range, ""});
       return result;
     }
     Diagnostic result = plain();
-    // a word or a number means something: leaving it out is no repair
+    if (removed && may_be_removed()) result.fixits.push_back({found_.range, joint()});
+    return result;
+  }
+
+  // A word or a number means something: leaving it out is no repair. Neither is it of a sign that
+  // may stand for something: `10 )` for a unit, the first one of a monitor for its text.
+  [[nodiscard]] bool may_be_removed() const {
+    const std::size_t at = error_.index;
     const bool is_sign = found_.kind != T::IDENT && found_.kind != T::NUMBER &&
                          found_.kind != T::UNIT && found_.kind != T::STRING &&
                          find_word(found_.kind) == nullptr;
-    if (removed && is_sign) result.fixits.push_back({found_.range, ""});
-    return result;
+    if (!is_sign || at == 0) return is_sign;
+    const TokenKind before = tokens_[at - 1].kind;
+    const bool touches = tokens_[at - 1].range.end == found_.range.begin;
+    const bool ends_unit = before == T::UNIT && (found_.kind == T::SLASH || found_.kind == T::STAR);
+    if ((before == T::NUMBER && !touches) || ends_unit) return false;
+    return before != T::LEFT_BRACE || !error_.expects(T::ALWAYS) ||
+           tokens_[at + 1].kind == T::STRING;
+  }
+
+  // What keeps the words on both sides of a sign that goes apart.
+  [[nodiscard]] std::string joint() const {
+    const auto is_word = [&](std::size_t i) {
+      const TokenKind kind = tokens_[i].kind;
+      return kind == T::IDENT || kind == T::NUMBER || kind == T::UNIT || find_word(kind) != nullptr;
+    };
+    const std::size_t at = error_.index;
+    const bool joins = at > 0 && at + 1 < tokens_.size() && is_word(at - 1) && is_word(at + 1) &&
+                       tokens_[at - 1].range.end == found_.range.begin &&
+                       tokens_[at + 1].range.begin == found_.range.end;
+    return joins ? " " : "";
   }
 
   const std::vector<Token>& tokens_;
@@ -374,8 +445,12 @@ class Describer {
 
 }  // namespace
 
-// A sign that is not all that is missing may be another one than that which is due.
-static bool may_mislead(const Edit& edit) {
+// A sign that is not all that is missing may be another one than that which is due, and one that is
+// not all that is too much may stand for what is missing.
+static bool may_mislead(const Edit& edit, TokenKind found) {
+  if (edit.kind == EditKind::remove) {
+    return edit.reason == EditReason::superfluous && found != T::RIGHT_BRACE && edit.back == 0;
+  }
   return edit.kind == EditKind::insert && edit.reason == EditReason::missing &&
          edit.token != T::COLON && edit.token != T::SEMICOLON && !find_word(edit.token);
 }
@@ -383,8 +458,9 @@ static bool may_mislead(const Edit& edit) {
 Diagnostic describe_error(const std::vector<Token>& tokens, const SyntaxError& error,
                           const std::optional<Edit>& edit, bool mends,
                           const SourceManager& sources) {
-  const bool misleads = edit && !mends && may_mislead(*edit);
-  const bool closes = edit && is_bracket_end(edit->token);  // what is open is told all the same
+  const bool misleads = edit && !mends && may_mislead(*edit, tokens[error.index].kind);
+  const bool closes = edit && edit->kind == EditKind::insert &&
+                      is_closer(edit->token);  // what is open is told all the same
   Describer describer{tokens, error, sources};
   Diagnostic result = describer.describe(misleads && !closes ? std::nullopt : edit);
   if (misleads) result.fixits.clear();

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "compiler/syntax/signs.h"
+
 namespace rtac::syntax {
 namespace {
 
@@ -66,6 +68,7 @@ class EditList {
     add_missing_brace();
     add_missing_name();
     add_separators();
+    for (const Edit& edit : find_sign_edits(tokens_, error_, sources_)) edits_.push_back(edit);
     add_spelling();
     add_earlier_spelling();
     add_missing_tokens();
@@ -184,8 +187,11 @@ class EditList {
     if (!is_bound || index_ == 0) return;
     const std::string_view name = sources_.text(tokens_[index_ - 1].range);
     const bool is_least = found_.kind == T::GREATER || name == "brake" || name == "charge";
-    if (found_.kind == T::COLON || found_.kind == T::ASSIGN || found_.kind == T::LESS ||
-        found_.kind == T::GREATER) {
+    const bool is_sign = found_.kind == T::COLON || found_.kind == T::ASSIGN ||
+                         found_.kind == T::COMMA || found_.kind == T::SEMICOLON ||
+                         found_.kind == T::LESS || found_.kind == T::GREATER ||
+                         is_opener(found_.kind) || is_closer(found_.kind);
+    if (is_sign) {
       replace(EditReason::separator, is_least ? T::GREATER_EQUAL : T::LESS_EQUAL);
     }
   }
@@ -296,6 +302,10 @@ std::vector<Token> apply_edit(std::vector<Token> tokens, std::size_t index, cons
     case EditKind::replace:
       at->kind = edit.token;
       at->text.clear();
+      if (edit.partner > 0) {
+        (at + static_cast<std::ptrdiff_t>(edit.partner))->kind = closer_of(edit.token);
+      }
+      tokens.erase(at + 1, at + 1 + static_cast<std::ptrdiff_t>(edit.swallows));
       break;
     case EditKind::remove:
       tokens.erase(at);

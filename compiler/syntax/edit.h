@@ -21,7 +21,9 @@ enum class EditReason {
   word_as_name,        // a reserved word where a name is expected
   missing_operand,     // an expression or name is missing
   superfluous,         // the token does not belong here
-  doubled,             // a word or a number that stands twice
+  doubled,             // a word, a number or a bracket that stands twice
+  other_sign,          // one sign for another: `;` for `:`, `(` for `{`
+  missing_number,      // a sign in front of a unit, where the number is due
 };
 
 struct Edit {
@@ -29,6 +31,9 @@ struct Edit {
   EditReason reason;
   TokenKind token;       // what is inserted or written instead
   std::size_t back = 0;  // so many tokens in front of the error
+  // So many tokens behind the edited one stands the other bracket of a pair, which changes with it.
+  std::size_t partner = 0;
+  std::size_t swallows = 0;  // so many tokens behind it go with what is replaced
 };
 
 // Where the edit applies when the error is at `index`.

@@ -47,11 +47,22 @@ bool starts_stretch(const std::vector<Token>& tokens, std::size_t index, int bra
          is_first_in_column(tokens[index], sources);
 }
 
+// Is the last `}` that of the first `{`?
+bool spec_is_closed(const std::vector<Token>& tokens) {
+  int depth = 0;
+  for (std::size_t i = 2; i + 2 < tokens.size(); ++i) {
+    if (tokens[i].kind == T::LEFT_BRACE) ++depth;
+    if (tokens[i].kind == T::RIGHT_BRACE && --depth == 0) return false;
+  }
+  return depth == 1;
+}
+
 // `spec a { ... }`: a specification is a whole file.
 void mend_spec_braces(std::vector<Token>& tokens, diag::Engine& diagnostics) {
   const bool has_braces = tokens.size() > 4 && tokens[0].kind == T::SPEC &&
                           tokens[1].kind == T::IDENT && tokens[2].kind == T::LEFT_BRACE &&
-                          tokens[tokens.size() - 2].kind == T::RIGHT_BRACE;
+                          tokens[tokens.size() - 2].kind == T::RIGHT_BRACE &&
+                          spec_is_closed(tokens);
   if (!has_braces) return;
   const auto close = tokens.end() - 2;
   const SourceRange before{tokens[2].range.file, tokens[1].range.end, tokens[2].range.end};
@@ -235,6 +246,7 @@ class ProgramParser {
 
   // A file is read once, however many zones are taken from it.
   void read_zones(const Text& import, FileId importer) {
+    if (import.range.begin == import.range.end) return;  // it is missing, and was reported
     const std::string path = path_from(importer, import.text);
     std::shared_ptr<const std::string> text;
     for (const ZoneFile& known : program_.zone_files) {

@@ -9,6 +9,7 @@
 #include "compiler/syntax/describe.h"
 #include "compiler/syntax/edit.h"
 #include "compiler/syntax/lexer.h"
+#include "compiler/syntax/signs.h"
 
 namespace rtac::syntax {
 namespace {
@@ -16,11 +17,6 @@ namespace {
 // Parses of one stretch. Each repairs one mistake; those that may follow from others are not
 // reported, so the limit of errors alone would not end a flood of them.
 constexpr int kRoundsMax = 100;
-
-bool ends_clause(TokenKind kind) {
-  return kind == T::SEMICOLON || kind == T::LEFT_BRACE || kind == T::RIGHT_BRACE ||
-         kind == T::BAD_CLAUSE;
-}
 
 class Repairer {
  public:
@@ -68,10 +64,11 @@ class Repairer {
     const std::optional<Edit> edit = find_edit(tokens_, error, sources_);
     const bool doubtful = is_doubtful(error.index);
     const bool silent = doubtful || follows_bad_token(error.index) || is_left_over(error, edit) ||
-                        is_used_as_declared(error.index, edit);
+                        is_used_as_declared(error.index, edit) || rest_is_comment_;
+    rest_is_comment_ = rest_is_comment_ || is_comment_in_unit(tokens_, error.index, sources_);
     if (!silent) {
-      diagnostics_.report(
-          describe_error(tokens_, error, edit, edit && mends(error, *edit), sources_));
+      diagnostics_.report(describe_error(
+          tokens_, error, edit, edit && mends_clause(tokens_, error, *edit, sources_), sources_));
     } else {
       silent_edits_.push_back(tokens_[error.index].range);
     }
@@ -137,16 +134,6 @@ class Repairer {
       return each.code == diag::Code::reserved_word &&
              sources_.text(*each.range) == sources_.text(tokens_[index].range);
     });
-  }
-
-  // Is there no further mistake in the clause?
-  [[nodiscard]] bool mends(const SyntaxError& error, const Edit& edit) const {
-    const std::vector<Token> edited = apply_edit(tokens_, error.index, edit);
-    const Attempt attempt = attempt_parse(edited, sources_);
-    if (!attempt.error) return true;
-    const auto at = [&](std::size_t i) { return edited.begin() + static_cast<std::ptrdiff_t>(i); };
-    return std::any_of(at(edit_index(error.index, edit)), at(attempt.error->index),
-                       [](const Token& token) { return ends_clause(token.kind); });
   }
 
   // `input ( : bool;`, `enum G { 1, b }`: the name that is declared there is something else. In
@@ -226,12 +213,13 @@ class Repairer {
     return true;
   }
 
-  // An import, or what is one in other languages: `include "robots.rta";`.
+  // An import, what is one in other languages, `include "robots.rta";`, or what another sign stands
+  // in front of.
   [[nodiscard]] bool names_file(std::size_t begin, std::size_t end) const {
     const TokenKind first = tokens_[begin].kind;
-    const bool may_be_word = first == T::IDENT && begin + 1 < end;
+    const bool has_next = begin + 1 < end;
     return first == T::IMPORT || is_file_of_items(tokens_[begin]) ||
-           (may_be_word && tokens_[begin + 1].kind == T::STRING);
+           (has_next && tokens_[begin + 1].kind == T::STRING);
   }
 
   // Behind the `;` or the block that ends the clause, in front of a `}` that closes a block around
@@ -270,7 +258,8 @@ class Repairer {
   const SourceManager& sources_;
   diag::Engine& diagnostics_;
   std::optional<std::size_t> edited_at_;
-  bool item_in_doubt_ = false;  // an earlier mistake may have ended its item too early
+  bool item_in_doubt_ = false;    // an earlier mistake may have ended its item too early
+  bool rest_is_comment_ = false;  // what is missing may stand in a comment that was none
   Loss loss_;
   std::vector<SourceRange> silent_edits_;
 };
