@@ -1,5 +1,5 @@
-// What is known of declarations that no decision makes anything of: robots that only monitors
-// without a robot speak of, and the times at which zones are there.
+// What is known of declarations that no decision drives by: robots that only monitors without a
+// robot speak of, or whose plans alone are judged, and the times at which zones are there.
 #include <algorithm>
 #include <iterator>
 
@@ -22,10 +22,10 @@ class DeclaredRemarks {
       if (!zone.openings.empty() && !zone.name.empty()) times(zone);
     }
     for (std::uint32_t i = 0; i < spec_.kinds.size(); ++i) {
-      const bool decided =
-          std::any_of(spec_.decisions.begin(), spec_.decisions.end(),
-                      [&](const sema::Decision& d) { return d.kind == sema::KindId{i}; });
-      if (!decided) kind(sema::KindId{i});
+      const bool driven = std::any_of(
+          spec_.decisions.begin(), spec_.decisions.end(),
+          [&](const sema::Decision& d) { return d.kind == sema::KindId{i} && !d.on_plan; });
+      if (!driven) kind(sema::KindId{i});
     }
     return std::move(out_);
   }
@@ -53,18 +53,29 @@ class DeclaredRemarks {
     return all;
   }
 
-  // ---- robots without a decision
+  // ---- robots that no decision drives
 
   void kind(sema::KindId id) {
     const sema::RobotKind& k = spec_[id];
+    const auto planner = std::find_if(spec_.decisions.begin(), spec_.decisions.end(),
+                                      [&](const sema::Decision& d) { return d.kind == id; });
+    planner_ = planner != spec_.decisions.end() ? planner->name : "";
     add(k.name_range, "robot " + k.name,
-        {"no decision: monitors without a robot judge where it is and how it moves"});
-    add(k.radius.range, "radius: " + sema::show(k.radius.value, dims::length),
-        {"gaps between bodies are those of the centres less both radii, gaps to zones less one"});
-    add(k.motion.range, "motion of " + k.name,
-        {"a velocity of more than " + sema::show(k.motion.speed.value, dims::speed) +
-             " along one of the axes, by more than its error, is unknown",
-         "what else is declared here, a decision alone makes use of"});
+        {planner_.empty()
+             ? "no decision: monitors without a robot judge where it is and how it moves"
+             : "decision " + planner_ +
+                   " judges the lines of its plans, as they are "
+                   "proposed: nothing but the way-points counts there"});
+    add_counted(k.radius.range, "radius: " + sema::show(k.radius.value, dims::length),
+                "gaps between bodies are those of the centres less both radii, gaps to zones less "
+                "one",
+                "what a body needs beside the lines of a plan its zones leave, as `shrink(zone, "
+                "length)` does");
+    add_counted(k.motion.range, "motion of " + k.name,
+                "a velocity of more than " + sema::show(k.motion.speed.value, dims::speed) +
+                    " along one of the axes, by more than its error, is unknown",
+                planner_.empty() ? "what else is declared here, a decision alone makes use of"
+                                 : "a plan says where it leads, and not how fast");
     sense(id, "position", k.position, dims::length);
     sense(id, "heading", k.heading, dims::angle);
     sense(id, "velocity", k.velocity, dims::speed);
@@ -75,8 +86,25 @@ class DeclaredRemarks {
     for_decisions(k.latency.range, "latency: " + sema::show(k.latency.value, dims::time));
     fleets(id);
   }
+  // What monitors without a robot make of it, and why a decision on plans makes nothing of it.
+  void add_counted(const SourceRange& source, std::string text, std::string watched,
+                   std::string else_said) {
+    if (planner_.empty()) {
+      add(source, std::move(text), {std::move(watched), std::move(else_said)});
+      return;
+    }
+    std::vector<std::string> details{"decision " + planner_ + " does not count it: " + else_said};
+    if (c_.module->watch) details.push_back("in monitors without a robot " + watched);
+    add(source, std::move(text), std::move(details));
+  }
   void for_decisions(const SourceRange& source, std::string text) {
-    add(source, std::move(text), {"a decision alone makes use of it"});
+    const bool of_plan = text == "plan";
+    std::string detail = "a decision alone makes use of it";
+    if (!planner_.empty()) {
+      detail = of_plan ? "decision " + planner_ + " judges all of it; it does not count `tracking`"
+                       : "decision " + planner_ + " does not count it";
+    }
+    add(source, std::move(text), {std::move(detail)});
   }
 
   void sense(sema::KindId id, const std::string& name, const std::optional<sema::Sense>& s,
@@ -92,7 +120,12 @@ class DeclaredRemarks {
     add(range, "sense " + name,
         {"error " + sema::show(s->error.value, dimension),
          "unknown when older than " + sema::show(s->max_age.value, dims::time),
-         inputs.empty() ? "no monitor speaks of it" : "inputs: " + listed(inputs)});
+         inputs.empty() ? unused_sense() : "inputs: " + listed(inputs)});
+  }
+  [[nodiscard]] std::string unused_sense() const {
+    if (planner_.empty()) return "no monitor speaks of it";
+    return "decision " + planner_ +
+           " does not count it: it judges plans, wherever the robot is when they are proposed";
   }
   static std::string listed(const std::vector<std::string>& inputs) {
     constexpr std::size_t shown_max = 6;
@@ -128,11 +161,14 @@ class DeclaredRemarks {
     add(first.name_range,
         (numbered ? "fleet " + first.fleet : "robot " + first.name) + " : " +
             spec_[first.kind].name + (numbered ? ", " + count(robots, "robot") : ""),
-        {"no decision: the monitors without a robot are told what they ask of it as inputs"});
+        {planner_.empty()
+             ? "no decision: the monitors without a robot are told what they ask of it as inputs"
+             : "decision " + planner_ + " judges its plans"});
   }
 
   const Compilation& c_;
   const sema::Spec& spec_;
+  std::string planner_;  // the decision that judges the plans of a kind; empty: none does
   std::vector<Remark> out_;
 };
 

@@ -337,6 +337,45 @@ TEST_F(Explain, ARobotWithoutADecision) {
   EXPECT_NE(at(12).find("fleet more : Rover, 9 robots\n  no decision: "), std::string::npos);
 }
 
+// Robots whose plans alone are judged: what is declared of them does not count there.
+TEST_F(Explain, ARobotWithADecisionOnPlans) {
+  const std::string robot =
+      "spec yard;\n"
+      "zone room = rectangle (0 m, 0 m) to (9 m, 9 m);\n"
+      "robot Rover {\n"
+      "  body radius 10 cm;\n"
+      "  motion point { speed <= 0.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }\n"
+      "  sense position : point error 1 cm max_age 100 ms;\n"
+      "  sense velocity : vector error 1 cm/s max_age 100 ms;\n"
+      "  input plan : path[16] tracking <= 10 cm;\n"
+      "  output push : acceleration;\n"
+      "  latency 20 ms;\n"
+      "}\n"
+      "fleet one : Rover;\n"
+      "controller dreamer : advanced for Rover extern;\n"
+      "controller careful : safe for Rover extern;\n"
+      "monitor ok for r : Rover { \"R1: in\" always r.plan inside shrink(room, 20 cm); }\n"
+      "decision choose for Rover { advanced dreamer; safe careful; on plan; priority ok; }\n";
+  write("door.rta", robot);
+  EXPECT_NE(at(3).find("decision choose judges the lines of its plans"), std::string::npos);
+  EXPECT_EQ(
+      about(4, "radius: 0.1 m"),
+      "radius: 0.1 m\n  decision choose does not count it: what a body needs beside the lines "
+      "of a plan its zones leave, as `shrink(zone, length)` does\n");
+  EXPECT_NE(at(5).find("does not count it: a plan says where it leads"), std::string::npos);
+  EXPECT_NE(at(6).find("decision choose does not count it: it judges plans"), std::string::npos);
+  EXPECT_NE(at(7).find("decision choose does not count it"), std::string::npos);
+  EXPECT_NE(at(8).find("it does not count `tracking`"), std::string::npos);
+  EXPECT_NE(at(10).find("decision choose does not count it\n"), std::string::npos);
+  EXPECT_NE(at(12).find("decision choose judges its plans\n"), std::string::npos);
+  write("door.rta",
+        robot +
+            "period 100 ms;\nmonitor near { \"R2: near\" always distance(one, (1 m, 1 m)) >= 1 "
+            "m; }\n");
+  EXPECT_NE(at(4).find("in monitors without a robot gaps between bodies"), std::string::npos);
+  EXPECT_NE(at(6).find("inputs: one.position\n"), std::string::npos);
+}
+
 // The windows of a zone, on each of its lines, whether a monitor speaks of it or not.
 TEST_F(Explain, AZoneThatIsThereAtCertainTimes) {
   write("door.rta",
