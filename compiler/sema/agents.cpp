@@ -99,6 +99,24 @@ bool PropertyChecker::names_agent(const syntax::Expr& expr) const {
   return symbol != nullptr && (symbol->sort == Sort::agent || symbol->sort == Sort::agents);
 }
 
+// Where an agent is, only monitors of robots say: their decision is told of it.
+ExprPtr PropertyChecker::agent_as_value(const syntax::Expr& expr, const syntax::Name& name) {
+  if (sees_robot()) return not_a_quantity(expr, "an agent");
+  const bool is_group = context_.symbols.find(name.text)->sort == Sort::agents;
+  context_.report(Finding(Code::quantity_expected, expr.range,
+                          "`" + name.text + "` is " +
+                              (is_group ? "a group of agents" : "an agent") +
+                              ", which only monitors of robots speak of")
+                      .label("in a monitor without a robot")
+                      .help("write `distance(r, " + name.text + (is_group ? "[0]" : "") +
+                            ") >= 1 m` behind `monitor m for r : Kind`, or declare its place once "
+                            "more, `input " +
+                            name.text +
+                            "_at : point error 5 cm max_age 200 ms;`, and take its "
+                            "radius off the distance"));
+  return nullptr;
+}
+
 ExprPtr PropertyChecker::distance_from_agent(const syntax::Expr& expr,
                                              const syntax::Expr& written) {
   const auto* index = std::get_if<syntax::Index>(&written.node);

@@ -136,7 +136,22 @@ std::optional<std::uint32_t> Context::resolve(const syntax::Name& name, Sort sor
       faulty_inputs.count(InputId{symbol->index}) > 0) {
     return std::nullopt;
   }
-  if (symbol != nullptr) {
+  const bool is_path = symbol != nullptr && symbol->sort == Sort::input &&
+                       input_types[symbol->index].kind == TypeKind::path;
+  const bool are_agents = symbol != nullptr && symbol->sort == Sort::agents;
+  if (are_agents && sort == Sort::robot_kind) {
+    report(Finding(Code::wrong_sort, name.range, "`" + name.text + "` are agents, not robots")
+               .label("a kind of robot is due")
+               .note(symbol->range, "`" + name.text + "` is declared here")
+               .help("monitors of robots go through them: `forall p : " + name.text +
+                     " : distance(r, p) >= 1 m` behind `monitor m for r : Kind`"));
+  } else if (is_path && sort == Sort::zone) {
+    report(Finding(Code::wrong_sort, name.range, "`" + name.text + "` is a path, but a zone is due")
+               .label("a zone is due")
+               .note(symbol->range, "`" + name.text + "` is declared here")
+               .help("write `distance(p, " + name.text + ") <= 1 m` for what stays near it, `" +
+                     name.text + " inside Z` for where it leads"));
+  } else if (symbol != nullptr) {
     report(Finding(Code::wrong_sort, name.range,
                    "`" + name.text + "` is " + a_name_of(symbol->sort) + ", but " +
                        a_name_of(sort) + " is due")

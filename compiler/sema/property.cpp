@@ -39,10 +39,11 @@ static bool counts_while_open(Context& context, const Expr& checked) {
   if (const auto* path = std::get_if<InputId>(&what)) {
     const std::string& name = context.spec[*path].name;
     context.report(Finding(Code::expression_not_supported, found->range,
-                           "the distance of `" + name + "` is endless while that path is empty")
+                           "`" + name + "` is endlessly far from everything while it is empty")
                        .label("compared with nothing by itself")
                        .note(context.spec[*path].name_range, "`" + name + "` may have no way-point")
-                       .help("compare it where it stands, alone or in a sum, as in `distance(" +
+                       .help("compare distances and clearances of it where they stand, alone or in "
+                             "a sum, as in `distance(" +
                              name + ", p) >= 5 m`, and join such comparisons by `and`"));
     return true;
   }

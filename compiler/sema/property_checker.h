@@ -119,6 +119,7 @@ class PropertyChecker {
 
   // ---- agents.cpp: what moves by itself, in monitors of robots.
   [[nodiscard]] bool names_agent(const syntax::Expr& expr) const;
+  ExprPtr agent_as_value(const syntax::Expr& expr, const syntax::Name& name);
   ExprPtr distance_from_agent(const syntax::Expr& expr, const syntax::Expr& written);
   Value quantified_agents(const syntax::Expr& expr, const syntax::Quantified& quantified);
 
@@ -271,6 +272,7 @@ class PropertyChecker {
   // Reports one in the monitor of a robot.
   bool ways_allowed(const syntax::Expr& expr);
   Value way_of(const syntax::Expr& expr, const syntax::Call& call);
+  std::optional<Pair> body_in_way(const syntax::Expr& written, const std::string& user);
   bool way_in_plane(const syntax::Expr& written, const Pair& place);
   Value led_on(const syntax::Expr& written, Way way);
   std::optional<HeldWay> held_way(const syntax::Expr& expr, const std::string& user);

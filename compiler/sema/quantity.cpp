@@ -33,6 +33,13 @@ void report_not_constant(Context& context, const syntax::Expr& expr) {
     const std::string& name = reference->name.text;
     if (name == "inf")
       help = "`inf` stands as the upper end of an interval and as the `max_age` of an input only";
+    const Symbol* symbol = context.symbols.find(name);
+    const bool is_param = symbol != nullptr && symbol->sort == Sort::parameter;
+    if (is_param || (symbol != nullptr && symbol->sort == Sort::input)) {
+      help = "`" + name + "` is " +
+             (is_param ? "a `param`, which may move" : "an input, which is known") +
+             " at run time" + (is_param ? "" : " only") + ": write a number here";
+    }
     if (name == "infinity" || name == "Inf" || name == "INF") help = "write `inf`";
   }
   context.report(Finding(Code::not_constant, expr.range, "this value must be known at compile time")
@@ -279,6 +286,9 @@ std::optional<Quantity> quantity(Context& context, const syntax::Expr& expr, con
       std::string help = due.dimension == dims::number
                              ? "write a number without a unit"
                              : "write a value in " + unit_of(due.dimension);
+      const auto* literal = std::get_if<syntax::NumberLit>(&expr.node);
+      const bool has_unit = literal != nullptr && literal->unit;
+      if (due.dimension == dims::number && has_unit) help = "write `" + literal->text + "`";
       // a rate for a period, or the reverse
       if (due.dimension == dims::time && measure->dimension == dims::number / dims::time &&
           sgn(measure->value) != 0) {
@@ -290,8 +300,7 @@ std::optional<Quantity> quantity(Context& context, const syntax::Expr& expr, con
                unit_of(measure->dimension) + "]`";
       }
       // `162 deg` for `162 deg/s`
-      const auto* literal = std::get_if<syntax::NumberLit>(&expr.node);
-      if (literal != nullptr && literal->unit && measure->dimension / dims::time == due.dimension) {
+      if (has_unit && measure->dimension / dims::time == due.dimension) {
         help = "write `" + literal->text + " " + literal->unit->text + "/s` for a rate";
       }
       context.report(

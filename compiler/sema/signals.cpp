@@ -6,6 +6,7 @@
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/suggest.h"
 #include "compiler/sema/units.h"
+#include "compiler/syntax/print_expr.h"
 
 namespace rtac::sema {
 
@@ -154,9 +155,10 @@ Value PropertyChecker::declared(const syntax::Expr& expr, const syntax::Name& na
     case Sort::decision:
     case Sort::enumeration:
     case Sort::frame:
+      return not_a_quantity(expr, a_name_of(symbol.sort));
     case Sort::agent:
     case Sort::agents:
-      return not_a_quantity(expr, a_name_of(symbol.sort));
+      return agent_as_value(expr, name);
   }
   return nullptr;
 }
@@ -164,12 +166,20 @@ Value PropertyChecker::declared(const syntax::Expr& expr, const syntax::Name& na
 bool PropertyChecker::signal_allowed(const SourceRange& range, const syntax::Name& name,
                                      Sort sort) {
   if (function_ == nullptr || sort != Sort::input) return true;
+  std::string help =
+      "a function depends on its arguments alone: add a parameter for `" + name.text + "`";
+  const Symbol* symbol = context_.symbols.find(name.text);
+  if (symbol != nullptr && context_.input_types[symbol->index].kind == TypeKind::path) {
+    help = "no argument is a path: pass what is made of it, `distance(" + name.text +
+           ", p)` as a length or `" + name.text +
+           " inside Z` as a condition, or judge it in the "
+           "monitor itself";
+  }
   context_.report(Finding(Code::function_not_pure, range,
                           "the function `" + function_->node->name.text + "` uses the input `" +
                               name.text + "`")
                       .label("not an argument of the function")
-                      .help("a function depends on its arguments alone: add a parameter for `" +
-                            name.text + "`"));
+                      .help(help));
   return false;
 }
 
@@ -349,6 +359,12 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Index& index
   if (unit_in_brackets(expr, index)) return nullptr;
   Value base = infer(*index.base);
   auto* array = std::get_if<Array>(&base.node);
+  if (std::holds_alternative<Way>(base.node)) {
+    return wrong_operand(expr.range, "the way-points of a path are not judged one by one",
+                         "judge all of it, `" + print_expr(*index.base) +
+                             " inside Z`, or `leg(p, plan)`, the way to the next way-point; a "
+                             "place of its own is an `input next : point max_age 1 s;`");
+  }
   if (base && array == nullptr) {
     return wrong_operand(expr.range,
                          describe(context_.spec, base) + " has no elements to choose from",

@@ -201,6 +201,17 @@ bool apply_frames(Context& context, const syntax::TypeRef& written, ValueType& t
   return true;
 }
 
+// `path[m]`, `zone[m]`: both are in metres, and the brackets say how large they may be.
+void report_unit_for_size(Context& context, const SourceRange& range, bool is_path) {
+  const std::string what = is_path ? "path" : "zone";
+  const std::string parts = is_path ? "way-points" : "edges";
+  context.report(
+      Finding(Code::clause_without_effect, range, "a " + what + " has no unit of its own")
+          .label("the number of its most " + parts + " is due")
+          .help("it arrives in metres; write how many " + parts + " it may have, `" +
+                (is_path ? "path[16]" : "zone[64]") + "`"));
+}
+
 bool apply_length(Context& context, const syntax::TypeRef& written, ValueType& type) {
   const bool is_zone = type.kind == TypeKind::zone;
   const bool is_path = type.kind == TypeKind::path;
@@ -216,6 +227,16 @@ bool apply_length(Context& context, const syntax::TypeRef& written, ValueType& t
   if (written.length.empty()) return !is_zone;
   const syntax::Expr& first = *written.length.front();
   if (is_error(first)) return false;
+  if (written.length.size() > 1 && (is_path || is_zone)) {
+    const std::string what = is_path ? "path" : "zone";
+    context.report(Finding(Code::limit_exceeded, written.length[1]->range,
+                           "an input is one " + what + ", not several")
+                       .label("the second number")
+                       .help("its only number is that of its most " +
+                             std::string(is_path ? "way-points, `path[16]`" : "edges, `zone[64]`") +
+                             "; declare each " + what + " as an input of its own"));
+    return false;
+  }
   if (written.length.size() > 1) {
     context.report(Finding(Code::limit_exceeded, written.length[1]->range,
                            "arrays of arrays do not exist: an array has 1 dimension")
@@ -226,7 +247,11 @@ bool apply_length(Context& context, const syntax::TypeRef& written, ValueType& t
   }
   // behind other types than quantities a unit in brackets is read as a length: `bool [m]`
   const auto* name = std::get_if<syntax::NameRef>(&first.node);
-  if (name != nullptr && !is_zone && !is_path && parse_unit(name->name.text)) {
+  if (name != nullptr && parse_unit(name->name.text) && (is_path || is_zone)) {
+    report_unit_for_size(context, first.range, is_path);
+    return false;
+  }
+  if (name != nullptr && parse_unit(name->name.text)) {
     report_unit_without_effect(context, written, first.range, name->name.text);
     return false;
   }

@@ -4,6 +4,7 @@
 #include "compiler/sema/heights.h"
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/zones.h"
+#include "compiler/syntax/print_expr.h"
 
 namespace rtac::sema {
 
@@ -82,7 +83,7 @@ Value PropertyChecker::way_of(const syntax::Expr& expr, const syntax::Call& call
   for (const syntax::ExprPtr& argument : call.arguments) {
     const bool is_last = argument == call.arguments.back();
     if (is_last && says_way(*argument)) return led_on(*argument, std::move(way));
-    auto place = place_of(*argument, name);
+    auto place = names_robot(*argument) ? body_in_way(*argument, name) : place_of(*argument, name);
     if (!place || !way_in_plane(*argument, *place) ||
         !frames_agree(argument->range, "`" + name + "`", way.frame, place->frame)) {
       return nullptr;
@@ -94,11 +95,35 @@ Value PropertyChecker::way_of(const syntax::Expr& expr, const syntax::Call& call
   return way;
 }
 
+// `leg(cart, p)`: a way leads between points, and a body is none.
+std::optional<Pair> PropertyChecker::body_in_way(const syntax::Expr& written,
+                                                 const std::string& user) {
+  const auto held = placed(written, user);
+  if (!held) return std::nullopt;
+  const std::string part = held->centre.z ? ".position.xy" : ".position";
+  context_.report(
+      Finding(Code::wrong_argument, written.range, "`" + user + "` leads between points")
+          .label("this is a robot")
+          .help("write `" + print_expr(written) + part + "`, the place of its centre")
+          .insert_after(written.range, part));
+  return std::nullopt;
+}
+
 bool PropertyChecker::way_in_plane(const syntax::Expr& written, const Pair& place) {
   if (!place.z) return true;
-  context_.report(Finding(Code::spaces_differ, written.range, "legs and paths lie in the plane")
-                      .label("this has three coordinates")
-                      .help("write `.xy` for its part in the plane"));
+  Finding finding(Code::spaces_differ, written.range, "legs and paths lie in the plane");
+  finding.label("this has three coordinates");
+  if (std::holds_alternative<syntax::PointLit>(written.node)) {
+    context_.report(finding.help("leave out its height, the third coordinate"));
+    return false;
+  }
+  const bool of_body = names_robot(written);
+  const std::string part = of_body ? ".position.xy" : ".xy";
+  finding
+      .help("write `" + print_expr(written) + part + "`, " +
+            (of_body ? "the place of its centre in the plane" : "its part in the plane"))
+      .insert_after(written.range, part);
+  context_.report(finding);
   return false;
 }
 

@@ -1,4 +1,5 @@
 #include "compiler/sema/zones.h"
+#include "compiler/syntax/print_expr.h"
 
 #include <algorithm>
 
@@ -215,6 +216,7 @@ class ZoneChecker {
 
   ZoneExprPtr other_call(const syntax::Expr& expr, const syntax::Call& call) {
     const std::string& name = call.callee.text;
+    if (name == "leg" || name == "path") return way_as_zone(expr);
     if (name == "clearance" || name == "distance" || name == "energy_to" ||
         context_.symbols.find(name) != nullptr) {
       return not_a_zone(expr, zone_help);
@@ -225,6 +227,16 @@ class ZoneChecker {
               .label("not a function")
               .help(did_you_mean(name, {"shrink", "grow", "complement"}, "functions of zones")));
     }
+    return nullptr;
+  }
+
+  // How near a leg or a path is, is a distance.
+  ZoneExprPtr way_as_zone(const syntax::Expr& expr) {
+    const std::string way = print_expr(expr);
+    context_.report(Finding(Code::zone_expected, expr.range, "a leg or a path is no zone")
+                        .label("a zone is due here")
+                        .help("write `distance(p, " + way + ") <= 1 m` for what stays near it, `" +
+                              way + " inside Z` for where it leads"));
     return nullptr;
   }
 

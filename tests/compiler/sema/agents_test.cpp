@@ -20,6 +20,24 @@ TEST(Agents, AreNamedOneByOne) {
   EXPECT_EQ(property("distance(people[2], r) > 30 cm"), "(distance(self, people[2]) > 0.3 m)");
 }
 
+// Only monitors of robots speak of them; others have the place as an input of its own.
+TEST(Agents, AreNotKnownToMonitorsWithoutARobot) {
+  const auto said = [](const std::string& property) {
+    const auto checked = check_text(
+        "spec s;\nperiod 1 s;\ninput one : point in 0 .. 9 m;\n"
+        "agent child : radius 20 cm, speed <= 1 m/s error 5 cm max_age 1 s;\n"
+        "agent more[2] : radius 20 cm, speed <= 1 m/s error 5 cm max_age 1 s;\n"
+        "monitor m { \"R\" always " +
+        property + "; }\n");
+    return checked->reports();
+  };
+  EXPECT_NE(said("distance(one, child) >= 1 m").find("`input child_at : point"), std::string::npos);
+  EXPECT_NE(said("distance(one, more[1]) >= 1 m").find("`distance(r, more[0]) >= 1 m`"),
+            std::string::npos);
+  EXPECT_NE(said("forall p : more : distance(one, p) >= 1 m").find("monitors of robots go through"),
+            std::string::npos);
+}
+
 TEST(Agents, AreQuantifiedOneByOne) {
   EXPECT_EQ(property("forall p : people : distance(r, p) >= 1 m"),
             "(((distance(self, people[0]) >= 1 m) and (distance(self, people[1]) >= 1 m)) and "

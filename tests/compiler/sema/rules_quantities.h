@@ -114,7 +114,7 @@ inline std::vector<Rule> rules_of_quantities() {
        Code::wrong_dimension,
        "3 m",
        "a number without a unit is due, this is a length (m)",
-       "without a unit"},
+       "write `3`"},
       {"unknown_unit_with_a_slip_of_the_pen",
        {{"radius 11 cm", "radius 11 sm"}},
        Code::unknown_unit,

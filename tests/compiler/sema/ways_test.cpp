@@ -83,8 +83,17 @@ TEST(Ways, AreMadeOfPoints) {
   expect_said("leg(plan, p) inside room", "3012", "a path");
   expect_said("leg(p, path(p, q)) inside room", "3012", "list the places one by one");
 }
+TEST(Ways, AreNoZones) {
+  expect_said("p inside leg(p, q)", "3019", "write `distance(p, leg(p, q)) <= 1 m`");
+  expect_said("clearance(p, path(p, plan)) >= 1 m", "3019", "a leg or a path is no zone");
+  expect_said("p inside plan", "2011", "write `distance(p, plan) <= 1 m`");
+  expect_said("p inside grow(leg(p, q), 1 m)", "3019", "a leg or a path is no zone");
+}
+TEST(Ways, HaveNoElements) {
+  expect_said("plan[0] inside room", "3033", "`plan inside Z`, or `leg(p, plan)`");
+}
 TEST(Ways, LieInThePlane) {
-  expect_said("leg(s, p) inside room", "3040", "write `.xy`");
+  expect_said("leg(s, p) inside room", "3040", "write `s.xy`");
   expect_said("leg(p, q) inside hall", "3040", "height");
 }
 TEST(Ways, LieInOneFrame) {
@@ -97,7 +106,38 @@ TEST(Ways, AreHeldAgainstZonesThatStay) {
 }
 // The least of what may be endless is not always that.
 TEST(Ways, OfAPathThatMayBeEmptyAreComparedWhereTheyStand) {
-  expect_said("min(distance(plan, p), x) >= 1 m", "7002", "is endless while that path is empty");
+  expect_said("min(distance(plan, p), x) >= 1 m", "7002",
+              "is endlessly far from everything while it is empty");
+}
+
+// The body of a robot is no point; its centre is, in the plane that of a robot in space.
+TEST(Ways, LeadBetweenCentres) {
+  const auto said = [](const std::string& property, const std::string& point) {
+    const auto checked = check_text(
+        "spec s;\nperiod 1 s;\nrobot Quad {\n  body radius 30 cm;\n"
+        "  motion point { speed <= 2 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }\n"
+        "  sense position : " +
+        point + " error 2 cm max_age 100 ms;\n  sense velocity : " +
+        (point == "point" ? "vector" : "vector3") +
+        " error 2 cm/s max_age 100 ms;\n  output move : acceleration;\n  latency 10 ms;\n}\n"
+        "fleet quad : Quad;\ninput plan : path[8] max_age 1 s;\n"
+        "monitor m { \"R\" always " +
+        property + "; }\n");
+    return checked->spec ? "" : checked->reports();
+  };
+  EXPECT_NE(said("distance(plan, quad) >= 1 m", "point3").find("write `quad.position.xy`"),
+            std::string::npos);
+  EXPECT_EQ(said("distance(plan, quad.position.xy) >= 1 m", "point3"), "");
+  EXPECT_NE(said("distance(plan, quad.position) >= 1 m", "point3").find("`quad.position.xy`"),
+            std::string::npos);
+  EXPECT_NE(said("distance(leg(quad, plan), (0 m, 0 m)) >= 1 m", "point3")
+                .find("write `quad.position.xy`, the place of its centre"),
+            std::string::npos);
+  EXPECT_NE(said("distance(leg(quad, plan), (0 m, 0 m)) >= 1 m", "point")
+                .find("write `quad.position`, the place of its centre"),
+            std::string::npos);
+  EXPECT_NE(said("distance(plan, (1 m, 1 m, 1 m)) >= 1 m", "point").find("the third coordinate"),
+            std::string::npos);
 }
 
 std::string declared(const std::string& input) {
@@ -111,6 +151,15 @@ TEST(Ways, ArriveWithAFixedMemory) {
   EXPECT_NE(declared("input plan : path max_age inf;").find("`path[16]`"), std::string::npos);
   EXPECT_NE(declared("input plan : path[65] max_age inf;").find("64"), std::string::npos);
   EXPECT_NE(declared("input plan : path[0] max_age inf;").find("1 to 64"), std::string::npos);
+  EXPECT_EQ(declared("input plan : path [8] max_age inf;"), "");
+  EXPECT_NE(declared("input plan : path[4][2] max_age inf;").find("one path, not several"),
+            std::string::npos);
+  EXPECT_NE(declared("input plan : path[m] max_age inf;").find("write how many way-points"),
+            std::string::npos);
+  EXPECT_NE(declared("input plan : path[8 m] max_age inf;").find("write `8`"), std::string::npos);
+  EXPECT_NE(declared("param n : int in 1 .. 8 = 4;\ninput plan : path[n] max_age inf;")
+                .find("`n` is a `param`"),
+            std::string::npos);
 }
 // Way-points are what they are.
 TEST(Ways, ArriveWithoutErrors) {
@@ -132,6 +181,12 @@ TEST(Ways, AreNoParameters) {
       "1 m);\ninput plan : path[4];\nmonitor m { \"R\" always f(plan); }\n");
   EXPECT_NE(checked->reports().find("only an input is of type `path`"), std::string::npos)
       << checked->reports();
+  const auto used = check_text(
+      "spec s;\nperiod 1 s;\ninput plan : path[4];\ninput p : point in 0 .. 1 m;\n"
+      "fun f(q : point) : bool = distance(plan, q) >= 1 m;\nmonitor m { \"R\" always f(p); }\n");
+  EXPECT_NE(used->reports().find("no argument is a path: pass what is made of it"),
+            std::string::npos)
+      << used->reports();
 }
 
 }  // namespace
