@@ -323,15 +323,19 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
   return nullptr;
 }
 
-// A name that nobody has declared, and that is nearly the one of a zone, is reported as that; so is
-// any where a declaration may be lost. Others are robots that no quantifier binds.
+// A name that nobody has declared, and that is nearly the one of a zone or an agent, is reported as
+// that; so is any where a declaration may be lost. Others are robots that no quantifier binds.
 bool PropertyChecker::is_known(const syntax::Expr& expr) {
   const auto* index = std::get_if<syntax::Index>(&expr.node);
   const syntax::Name* name = name_in(index != nullptr ? *index->base : expr);
   if (name == nullptr || name->text == scope_.self.text) return true;
   if (context_.symbols.find(name->text) != nullptr) return true;
-  const auto likely = nearest(name->text, context_.symbols.names_of(Sort::zone));
-  if (!likely && !context_.broken_tree()) return true;
+  for (const Sort sort : {Sort::zone, Sort::agent, Sort::agents}) {
+    if (!nearest(name->text, context_.symbols.names_of(sort))) continue;
+    (void)context_.resolve(*name, sort);
+    return false;
+  }
+  if (!context_.broken_tree()) return true;
   (void)context_.resolve(*name, Sort::zone);
   return false;
 }

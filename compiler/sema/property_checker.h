@@ -89,6 +89,7 @@ class PropertyChecker {
     const syntax::ExprPtr& guard;
   };
   bool not_nested(const Head& head);
+  bool may_be_agents(const syntax::Name& name);
   bool quantifier_fits(const Head& head);
   bool guard_fits(const Head& head);
   [[nodiscard]] const SourceRange* taken_at(std::string_view name) const;
@@ -167,6 +168,7 @@ class PropertyChecker {
   Value form(const syntax::Expr& expr, const syntax::Aggregate& aggregate);
   ExprPtr aggregate_of(const syntax::Expr& expr, AggregateOp op, Interval interval,
                        const syntax::Expr& operand);
+  bool ends_share_unit(const syntax::Expr& from, const syntax::Expr& to);
   bool ends_fit(const syntax::Interval& written);
   std::optional<Interval> interval_of(const syntax::Interval* written, const SourceRange& place,
                                       Longer wider);

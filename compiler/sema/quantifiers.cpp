@@ -1,6 +1,7 @@
 // The quantifiers over other robots, `count`, `min` and `max` over them: who is bound, and that it
 // is another one.
 #include "compiler/sema/property_checker.h"
+#include "compiler/sema/suggest.h"
 
 namespace rtac::sema {
 
@@ -45,8 +46,19 @@ bool PropertyChecker::variable_fits(const Head& head) {
   return false;
 }
 
+// A name that nobody has declared, and that is nearly the one of agents, is reported as that.
+bool PropertyChecker::may_be_agents(const syntax::Name& name) {
+  if (context_.symbols.find(name.text) != nullptr) return false;
+  for (const Sort sort : {Sort::agents, Sort::agent}) {
+    if (!nearest(name.text, context_.symbols.names_of(sort))) continue;
+    (void)context_.resolve(name, sort);
+    return true;
+  }
+  return false;
+}
+
 bool PropertyChecker::quantifier_fits(const Head& head) {
-  if (!variable_fits(head)) return false;
+  if (!variable_fits(head) || may_be_agents(head.kind)) return false;
   const auto kind = context_.resolve<KindId>(head.kind, Sort::robot_kind);
   if (kind && scope_.kind && *kind != *scope_.kind) {
     const std::string& due = context_.spec[*scope_.kind].name;

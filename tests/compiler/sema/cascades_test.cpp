@@ -39,6 +39,27 @@ monitor apart { "R2: apart" always min(c : Cart, c != lead : distance(lead, c)) 
   EXPECT_EQ(codes_of(*checked), std::vector<Code>{Code::unknown_robot}) << checked->reports();
 }
 
+// Agents under another name, or behind a mistake in their declaration, are missed wherever they are
+// used, which is one mistake.
+TEST(Cascades, MisspeltAgentsAreOneMistake) {
+  const auto codes = [](const std::string& agents) {
+    const auto checked =
+        check_text(edited(yard(), {{"r inside free",
+                                    "distance(worker, r) >= 1 m and distance(r, people[0]) >= "
+                                    "1 m and forall p : people : distance(r, p) >= 2 m"}}) +
+                   agents);
+    return codes_of(*checked);
+  };
+  const std::string declared = " : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n";
+  EXPECT_EQ(codes("agent worker" + declared + "agent peolpe[2]" + declared),
+            std::vector<Code>{Code::unknown_name});
+  EXPECT_EQ(codes("agent wroker" + declared + "agent people[2]" + declared),
+            std::vector<Code>{Code::unknown_name});
+  EXPECT_EQ(codes("agent worker" + declared + "agent people[2 : radius 25 cm;\n"),
+            std::vector<Code>{Code::unclosed_bracket});
+  EXPECT_EQ(codes("agent worker [ radius 25 cm;\nagent people[2]" + declared).size(), 1U);
+}
+
 TEST(Cascades, IndependentMistakesAreAllReported) {
   const auto checked = check_text(edited(yard(), {{"radius 11 cm", "radius 0.2"},
                                                   {"r inside free", "r inside fre"},
