@@ -157,6 +157,23 @@ std::optional<Quantity> PropertyChecker::duration_of(const syntax::Expr& expr,
   return duration && whole_ticks(*duration, limit, longer) ? duration : std::nullopt;
 }
 
+// `[0 s, 2]`: the end that lacks a unit is in that of the other one.
+bool PropertyChecker::ends_share_unit(const syntax::Expr& from, const syntax::Expr& to) {
+  const auto& low = std::get<syntax::NumberLit>(from.node);
+  const auto& high = std::get<syntax::NumberLit>(to.node);
+  const std::string& unit = (low.unit ? low : high).unit->text;
+  const auto meaning = parse_unit(unit);
+  if (!meaning || meaning->dimension != dims::time) return true;  // which is told first
+  const syntax::Expr& bare = low.unit ? to : from;
+  const std::string& number = std::get<syntax::NumberLit>(bare.node).text;
+  context_.report(Finding(Code::unit_missing, bare.range,
+                          "`" + number + "` has no unit where a time (s) is due")
+                      .label("an interval reaches from one time to another")
+                      .help("write `" + number + " " + unit + "`")
+                      .insert_after(bare.range, " " + unit));
+  return false;
+}
+
 // Mistakes of both ends at once, which are one mistake: `[0, 10]`, and `inf` where it cannot stand.
 bool PropertyChecker::ends_fit(const syntax::Interval& written) {
   const syntax::Name* from = name_in(*written.from);
@@ -169,7 +186,8 @@ bool PropertyChecker::ends_fit(const syntax::Interval& written) {
   }
   const auto* low = written.to ? std::get_if<syntax::NumberLit>(&written.from->node) : nullptr;
   const auto* high = written.to ? std::get_if<syntax::NumberLit>(&written.to->node) : nullptr;
-  if (low == nullptr || high == nullptr || low->unit || high->unit) return true;
+  if (low == nullptr || high == nullptr || (low->unit && high->unit)) return true;
+  if (low->unit || high->unit) return ends_share_unit(*written.from, *written.to);
   const std::string unit = " " + likely_unit(dims::time, high->value);
   context_.report(
       Finding(Code::unit_missing, written.range,
