@@ -65,6 +65,8 @@ class Describer {
         return Describer{tokens_, earlier(*edit), sources_}.doubled();
       case EditReason::other_sign:
         return Describer{tokens_, earlier(*edit), sources_}.other_sign(*edit);
+      case EditReason::unit_of_name:
+        return unit_of_name(*edit);
       case EditReason::missing_number:
         return missing_number();
     }
@@ -189,6 +191,10 @@ class Describer {
   [[nodiscard]] bool in_input() const { return error_.expects(T::RESOLUTION); }
 
   [[nodiscard]] Diagnostic plain() const {
+    if (lacks_operator()) {
+      return make(Code::unexpected_token, "expected an operator" + after() + ", found " + found(),
+                  "an operator such as `<=` is missing");
+    }
     const std::string what = expected();
     if (error_.expects(T::BAD_CLAUSE) && error_.expects(T::RIGHT_BRACE)) {
       return make(Code::unexpected_token, found() + " starts no clause here", "expected " + what);
@@ -205,7 +211,9 @@ class Describer {
   }
 
   [[nodiscard]] Diagnostic missing(TokenKind kind) const {
-    if (kind == T::COMMA && lacks_more()) return plain();
+    if ((kind == T::COMMA && lacks_more()) || (kind == T::SEMICOLON && lacks_operator())) {
+      return plain();
+    }
     const std::string what = describe_kind(kind);
     Diagnostic result =
         make(Code::unexpected_token, "expected " + what + after() + ", found " + found(),
@@ -231,6 +239,18 @@ class Describer {
       add_opener(result);
     }
     return result;
+  }
+
+  // `speed 2 m/s` where a comparison is due: a number starts no clause and ends none. Other clauses
+  // of an input may be what is missing in front of it.
+  [[nodiscard]] bool lacks_operator() const {
+    const bool has_clauses =
+        std::any_of(error_.expected.begin(), error_.expected.end(), [](TokenKind kind) {
+          const Word* word = find_word(kind);
+          return word != nullptr && word->word_kind == WordKind::clause && kind != T::OF;
+        });
+    return found_.kind == T::NUMBER && !found_.first_on_line && error_.expects(T::PLUS) &&
+           !has_clauses;
   }
 
   // `100 ms` alone behind the error of an input lacks a word, `(a b)` an operator: a `,` would be
@@ -329,6 +349,16 @@ class Describer {
                                std::string{token_name(closer_of(edit.token))}});
     }
     if (is_closer(edit.token)) add_opener(result);
+    return result;
+  }
+
+  [[nodiscard]] Diagnostic unit_of_name(const Edit& edit) const {
+    const SourceRange& before = tokens_[error_.index - 1].range;
+    const SourceRange& last = tokens_[error_.index + edit.swallows].range;
+    Diagnostic result = make(Code::unexpected_token, "a unit stands behind a number, not" + after(),
+                             "what is in front of it has its unit already");
+    result.range = {found_.range.file, found_.range.begin, last.end};
+    result.fixits.push_back({{before.file, before.end, last.end}, ""});
     return result;
   }
 
@@ -452,7 +482,8 @@ static bool may_mislead(const Edit& edit, TokenKind found) {
     return edit.reason == EditReason::superfluous && found != T::RIGHT_BRACE && edit.back == 0;
   }
   return edit.kind == EditKind::insert && edit.reason == EditReason::missing &&
-         edit.token != T::COLON && edit.token != T::SEMICOLON && !find_word(edit.token);
+         edit.token != T::COLON && edit.token != T::SEMICOLON &&
+         (!find_word(edit.token) || edit.token == T::THEN || edit.token == T::ELSE);
 }
 
 Diagnostic describe_error(const std::vector<Token>& tokens, const SyntaxError& error,

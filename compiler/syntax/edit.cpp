@@ -186,7 +186,7 @@ class EditList {
     const bool is_bound = expects(T::LESS_EQUAL) && expects(T::GREATER_EQUAL) && !expects(T::PLUS);
     if (!is_bound || index_ == 0) return;
     const std::string_view name = sources_.text(tokens_[index_ - 1].range);
-    const bool is_least = found_.kind == T::GREATER || name == "brake" || name == "charge";
+    const bool is_least = found_.kind == T::GREATER || is_least_bound(name);
     const bool is_sign = found_.kind == T::COLON || found_.kind == T::ASSIGN ||
                          found_.kind == T::COMMA || found_.kind == T::SEMICOLON ||
                          found_.kind == T::LESS || found_.kind == T::GREATER ||
@@ -308,7 +308,7 @@ std::vector<Token> apply_edit(std::vector<Token> tokens, std::size_t index, cons
       tokens.erase(at + 1, at + 1 + static_cast<std::ptrdiff_t>(edit.swallows));
       break;
     case EditKind::remove:
-      tokens.erase(at);
+      tokens.erase(at, at + 1 + static_cast<std::ptrdiff_t>(edit.swallows));
       break;
   }
   return tokens;

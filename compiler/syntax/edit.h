@@ -23,6 +23,7 @@ enum class EditReason {
   superfluous,         // the token does not belong here
   doubled,             // a word, a number or a bracket that stands twice
   other_sign,          // one sign for another: `;` for `:`, `(` for `{`
+  unit_of_name,        // a unit behind something else than a number
   missing_number,      // a sign in front of a unit, where the number is due
 };
 

@@ -180,7 +180,7 @@ class Explainer {
     if (kind(at) != T::TO || at == 0 || kind(at - 1) != T::RIGHT_PAREN) return false;
     std::size_t open = at - 1;
     while (open > 0 && kind(open) != T::LEFT_PAREN) --open;
-    if (open == 0 || kind(open - 1) != T::IDENT) return false;
+    if (open == 0 || kind(open - 1) != T::IDENT || kind_at(at + 1) != T::LEFT_PAREN) return false;
     report_.range = tokens_[open - 1].range;
     report_.message = "`" + std::string{text(open - 1)} + "` is no zone";
     report_.label = "not a word that fits here";

@@ -5,6 +5,7 @@
 
 #include "compiler/diagnostics/characters.h"
 #include "compiler/syntax/lookalike.h"
+#include "compiler/syntax/signs.h"
 
 namespace rtac::syntax {
 namespace {
@@ -109,6 +110,18 @@ std::string LexerSink::set_apart(std::string word) const {
   return word;
 }
 
+// `{ speed => 1 m/s;`: the name of a bound tells which of both is due, whatever sign is written.
+TokenKind LexerSink::relation_of_bound(TokenKind kind) const {
+  const std::size_t size = tokens_.size();
+  if ((kind != T::LESS_EQUAL && kind != T::GREATER_EQUAL) || size < 2) return kind;
+  const TokenKind before = tokens_[size - 2].kind;
+  const bool is_name = tokens_[size - 1].kind == T::IDENT || find_word(tokens_[size - 1].kind);
+  if (!is_name || (before != T::LEFT_BRACE && before != T::SEMICOLON)) return kind;
+  const SourceRange& name = tokens_[size - 1].range;
+  return is_least_bound(text_.substr(name.begin, name.end - name.begin)) ? T::GREATER_EQUAL
+                                                                         : T::LESS_EQUAL;
+}
+
 void LexerSink::foreign_operator(TokenKind kind, std::string_view text) {
   if (text == "->" && before_result()) kind = T::COLON;
   std::string help;
@@ -117,6 +130,7 @@ void LexerSink::foreign_operator(TokenKind kind, std::string_view text) {
   } else if (text == "=>") {
     help = "for a comparison, write `>=`";
   }
+  kind = relation_of_bound(kind);
   const std::string ours{token_name(kind)};
   report({Code::wrong_operator, quote(text) + " is not an operator of this language",
           "`" + ours + "` is meant?", std::move(help), set_apart(ours)});
@@ -243,12 +257,13 @@ std::size_t LexerSink::foreign_run(std::string_view text) {
             std::string{found.ascii}});
     next_is_bad_ = true;
   } else {
+    const TokenKind kind = relation_of_bound(found.kind);
     report({Code::unknown_character,
             quote(found.text) + " is not an operator of this language",
             "operators are written in ASCII",
             {},
-            set_apart(std::string{found.ascii})});
-    push(found.kind, {}, true);
+            set_apart(std::string{kind == found.kind ? found.ascii : token_name(kind)})});
+    push(kind, {}, true);
   }
   return found.text.size();
 }

@@ -22,6 +22,7 @@ class LexerSink {
   void line_break() { at_line_start_ = true; }
 
   void punctuation(TokenKind kind) { push(kind); }
+  [[nodiscard]] TokenKind relation_of_bound(TokenKind kind) const;
   void foreign_operator(TokenKind kind, std::string_view text);
   void word(std::string_view text);
   void box();

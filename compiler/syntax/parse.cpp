@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/syntax/builder.h"
+#include "compiler/syntax/decimal_comma.h"
 #include "compiler/syntax/lexer.h"
 #include "compiler/syntax/lookalike.h"
 #include "compiler/syntax/repair.h"
@@ -361,6 +362,7 @@ File parse_file(FileId file, const SourceManager& sources, diag::Engine& diagnos
   std::vector<SourceRange> silent_edits;
   std::vector<Token> tokens = tokenize(file, sources, found);
   mend_spec_braces(tokens, found);
+  mend_decimal_commas(tokens, sources, found);
   for (auto& stretch : split_items(tokens, sources)) {
     Attempt attempt = parse_with_repair(std::move(stretch), sources, found);
     append(silent_edits, std::move(attempt.silent_edits));

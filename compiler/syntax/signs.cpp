@@ -26,6 +26,9 @@ constexpr std::array<std::string_view, 21> kOfQuantities{
     "abs",   "sqrt",     "min",       "max",    "clamp", "norm",      "dot",
     "cross", "distance", "clearance", "age",    "leg",   "path",      "rate",
     "mean",  "sum",      "count",     "shrink", "grow",  "energy_to", "rotate"};
+// Of them those of a name, which is in no sum.
+constexpr std::array<std::string_view, 2> kOfNames{"age", "energy_to"};
+constexpr std::array kSums{T::PLUS, T::MINUS, T::STAR, T::SLASH};
 // Of them those over a window, `max[0 s, 1 s](x)`.
 constexpr std::array<std::string_view, 6> kWindowed{"min", "max", "rate", "mean", "sum", "count"};
 // Functions of one place or vector, which may be written by its coordinates.
@@ -61,6 +64,7 @@ class SignFinder {
 
   std::vector<Edit> run() {
     add_missing_number();
+    add_unit_of_name();
     add_doubled_bracket();
     add_closer_further_on();
     add_opener_of_call();
@@ -83,6 +87,27 @@ class SignFinder {
     if (mends_clause(tokens_, error_, edit, sources_)) edits_.push_back(edit);
   }
 
+  // How many tokens the unit is that begins at `first`.
+  [[nodiscard]] std::size_t tokens_of_unit(std::size_t first) const {
+    const SourceRange& begin = tokens_[first].range;
+    const std::size_t end =
+        begin.begin + unit_at(sources_.text(begin.file).substr(begin.begin)).size();
+    std::size_t count = 0;
+    while (kind(first + count) != T::END && tokens_[first + count].range.begin < end) ++count;
+    return count;
+  }
+
+  // `speed <= limit m/s`
+  void add_unit_of_name() {
+    const std::size_t at = error_.index;
+    if (at == 0 || kind(at) != T::IDENT || !error_.expects(T::PLUS)) return;
+    const bool is_value = kind(at - 1) == T::IDENT || kind(at - 1) == T::RIGHT_PAREN;
+    if (!is_value || tokens_[at].first_on_line || !is_unit_word(text(at))) return;
+    Edit edit{EditKind::remove, EditReason::unit_of_name, kind(at)};
+    edit.swallows = tokens_of_unit(at) - 1;
+    try_edit(edit);
+  }
+
   // `speed <= ; m/s`: another sign stands where the number is due.
   void add_missing_number() {
     const std::size_t at = error_.index;
@@ -90,13 +115,7 @@ class SignFinder {
     if (kind(at + 1) != T::IDENT || tokens_[at + 1].first_on_line) return;
     if (!is_unit_word(text(at + 1))) return;
     Edit edit{EditKind::replace, EditReason::missing_number, T::BAD_EXPR};
-    const SourceRange& begin = tokens_[at + 1].range;
-    const std::size_t end =
-        begin.begin + unit_at(sources_.text(begin.file).substr(begin.begin)).size();
-    while (kind(at + 1 + edit.swallows) != T::END &&
-           tokens_[at + 1 + edit.swallows].range.begin < end) {
-      ++edit.swallows;
-    }
+    edit.swallows = tokens_of_unit(at + 1);
     try_edit(edit);
   }
 
@@ -180,11 +199,14 @@ class SignFinder {
   [[nodiscard]] std::size_t end_of_quantity(std::size_t open) const {
     int depth = 0;
     std::size_t end = error_.index;
+    const bool is_single = contains(kOfNames, callee(open));
     for (std::size_t i = open + 1; i < error_.index; ++i) {
       if (is_opener(kind(i))) ++depth;
       if (is_closer(kind(i))) --depth;
       if (depth != 0) continue;
-      if (end == error_.index && contains(kBehindQuantity, kind(i))) end = i;
+      const bool ends =
+          contains(kBehindQuantity, kind(i)) || (is_single && contains(kSums, kind(i)));
+      if (end == error_.index && ends) end = i;
       if (kind(i) == T::COLON) end = error_.index;  // `min(q : Cart, q != r : ...`
     }
     return end;
@@ -283,6 +305,10 @@ bool groups_conditions(const std::vector<Token>& tokens, std::size_t index) {
 TokenKind closer_of(TokenKind opener) {
   if (opener == T::LEFT_PAREN) return T::RIGHT_PAREN;
   return opener == T::LEFT_BRACKET ? T::RIGHT_BRACKET : T::RIGHT_BRACE;
+}
+
+bool is_least_bound(std::string_view name) {
+  return name == "brake" || name == "charge";
 }
 
 bool is_unit_word(std::string_view text) {

@@ -26,6 +26,9 @@ TokenKind closer_of(TokenKind opener);
 // Is `index` inside of brackets around conditions, which are no point: `always (open and moving)`?
 bool groups_conditions(const std::vector<Token>& tokens, std::size_t index);
 
+// `brake >= 1 m/s^2`: is the bound of this name one from below?
+bool is_least_bound(std::string_view name);
+
 // Does a word look like a unit, and not like a value: `m/s`, `kg`?
 bool is_unit_word(std::string_view text);
 

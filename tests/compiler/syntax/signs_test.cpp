@@ -85,6 +85,8 @@ TEST(Signs, OfAnotherKind) {
 TEST(Signs, BracketsAtTheirPlaces) {
   expect_mended({
       {"monitor m { always distance(p, q <= 2 m; }", "monitor m { always distance(p, q) <= 2 m; }"},
+      {"monitor m { always b >= energy_to(dock(r) + 5 %; }",
+       "monitor m { always b >= energy_to(dock(r)) + 5 %; }"},
       {"monitor m { always count[0 s, 9 s](p <= 5; }",
        "monitor m { always count[0 s, 9 s](p) <= 5; }"},
       {"monitor m { always abs(rate[0 s, 1 s](v) <= 8 and p; }",
@@ -106,6 +108,42 @@ TEST(Signs, BracketsAtTheirPlaces) {
       {"monitor m { always abs((a - b) * 2 <= 1 m; }",
        "monitor m { always abs((a - b) * 2) <= 1 m; }"},
       {"monitor m { always ((p or q) and s; }", "monitor m { always ((p or q) and s); }"},
+  });
+}
+
+TEST(Signs, OfBoundsFollowTheirNames) {
+  expect_mended({
+      {"robot T { motion point { speed => 1 m/s; brake >= 1 m/s^2; } }",
+       "robot T { motion point { speed <= 1 m/s; brake >= 1 m/s^2; } }"},
+      {"robot T { motion point { speed <= 1 m/s; brake =< 1 m/s^2; } }",
+       "robot T { motion point { speed <= 1 m/s; brake >= 1 m/s^2; } }"},
+      {"robot T { energy { charge \u2264 1 %/s at dock; } }",
+       "robot T { energy { charge >= 1 %/s at dock; } }"},
+      {"monitor m { always v => 1 m/s; }", "monitor m { always v >= 1 m/s; }"},
+  });
+}
+
+TEST(Signs, DecimalsStandBehindAPoint) {
+  expect_mended({
+      {"origin 47,3977 deg, 8.5456 deg;", "origin 47.3977 deg, 8.5456 deg;"},
+      {"zone a = circle (0,5 m, 1 m) radius 2 m;", "zone a = circle (0.5 m, 1 m) radius 2 m;"},
+      {"input v : point in 0 .. 3 m error 0,5 cm;", "input v : point in 0 .. 3 m error 0.5 cm;"},
+      {"monitor m { always v <= 1,5 m/s; }", "monitor m { always v <= 1.5 m/s; }"},
+  });
+  // two values
+  for (const char* text :
+       {"monitor m { always wait(3,5 s); }", "zone a = circle (0,5 m) radius 2 m;",
+        "monitor m { always once[0,5 s] p; }"}) {
+    EXPECT_EQ(Parsed{text}.messages(), "");
+  }
+}
+
+TEST(Signs, UnitsStandBehindNumbers) {
+  expect_mended({
+      {"monitor m { always v <= limit m/s; }", "monitor m { always v <= limit; }"},
+      {"monitor m { always v <= 2 * limit m/s^2 and p; }",
+       "monitor m { always v <= 2 * limit and p; }"},
+      {"monitor m { always abs(v) m <= 3 m; }", "monitor m { always abs(v) <= 3 m; }"},
   });
 }
 
@@ -136,6 +174,19 @@ TEST(Signs, ThatMayStandForSomething) {
     const Parsed parsed{text};
     ASSERT_EQ(parsed.engine.error_count(), 1) << parsed.messages();
     EXPECT_TRUE(parsed.engine.all()[0].fixits.empty()) << parsed.messages();
+  }
+}
+
+// A number behind an operand ends no clause.
+TEST(Signs, OperatorsThatAreMissing) {
+  for (const char* text :
+       {"monitor m { always v 2 m/s; }", "monitor m { always p and v 2 m/s; }",
+        "monitor m { always if p then v 1 m/s else q; }", "monitor m { always (v 3 m); }"}) {
+    const Parsed parsed{text};
+    ASSERT_EQ(parsed.engine.error_count(), 1) << parsed.messages();
+    const auto& found = parsed.engine.all()[0];
+    EXPECT_EQ(found.message.rfind("expected an operator after `v`", 0), 0U) << parsed.messages();
+    EXPECT_TRUE(found.fixits.empty()) << parsed.messages();
   }
 }
 
