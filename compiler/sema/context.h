@@ -152,7 +152,8 @@ class Context {
   // Each file is read once, however many zones are taken from it.
   std::map<std::string, std::variant<geometry::import::Areas, geometry::import::Failure>>
       read_files;
-  bool origin_written = false;    // it may have a mistake
+  bool origin_written = false;      // it may have a mistake
+  std::set<KindId> faulty_outputs;  // how the robot follows its commands is open
   std::set<SiteId> faulty_sites;  // a place of theirs has a mistake: which robots lack one is open
 
  private:

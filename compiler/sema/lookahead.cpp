@@ -80,7 +80,7 @@ class AheadChecker {
                           .label("no reason is due")
                           .help("leave it out"));
     }
-    if (!kind_) return;
+    if (!kind_ || context_.faulty_outputs.count(*kind_) > 0) return;
     const RobotKind& kind = context_.spec[*kind_];
     if (kind.output == OutputType::twist) {
       context_.report(Finding(Code::output_unsuited, range,

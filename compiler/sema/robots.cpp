@@ -232,6 +232,7 @@ class KindChecker {
                           .note(position->second.first, "the position is declared here")
                           .help("write `" + due + "`")
                           .replace(velocity->second.first, due));
+      context_.height_unclear = true;
       return;
     }
     if (!high) return;
@@ -306,7 +307,8 @@ class KindChecker {
       output_range_.reset();
       context_.unknown_word(output.type, "an output of a robot", {"twist", "acceleration"});
     }
-    if (output.error) output_error(*output.error);
+    if (output.error && output_range_) output_error(*output.error);
+    if (output.error && !kind_.output_error) context_.faulty_outputs.insert(id_);
   }
 
   // How far the robot is from doing what it is told. A twist takes its time, and how is not
@@ -325,6 +327,7 @@ class KindChecker {
 
   // A twist is a speed along the heading and a turn rate; only a unicycle can follow it.
   void check_output() {
+    if (!output_range_) context_.faulty_outputs.insert(id_);  // lost, or of another type
     const bool twist = kind_.output == OutputType::twist;
     const bool unicycle = kind_.motion.model == MotionModel::unicycle;
     if (!motion_known_ || !output_range_ || twist == unicycle) return;

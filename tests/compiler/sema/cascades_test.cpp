@@ -60,6 +60,33 @@ TEST(Cascades, MisspeltAgentsAreOneMistake) {
   EXPECT_EQ(codes("agent worker [ radius 25 cm;\nagent people[2]" + declared).size(), 1U);
 }
 
+// Of an output with a mistake it is open how the robot follows its commands, of a velocity in the
+// plane whether it has a height.
+TEST(Cascades, AFaultyRobotIsNotHeldAgainstItsMonitors) {
+  const auto codes = [](const std::string& output, const std::string& velocity) {
+    return codes_of(*check_text(
+        "spec s;\nrobot Quad {\n  body radius 25 cm;\n"
+        "  motion point { speed <= 1 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }\n"
+        "  sense position : point3 error 5 cm max_age 50 ms;\n  sense velocity : " +
+        velocity + " error 5 cm/s max_age 50 ms;\n  output " + output +
+        ";\n  latency 20 ms;\n}\nfleet one : Quad;\n"
+        "zone shaft = prism (rectangle (0 m, 0 m) to (90 m, 90 m)) from 0 m to 90 m;\n"
+        "controller go : advanced for Quad extern;\n"
+        "controller back : safe for Quad = brake_and_hold;\n"
+        "monitor walls for r : Quad { \"R1: in\" always r inside shaft; ahead 200 ms, command; "
+        "recover back; }\n"
+        "decision fly for Quad { advanced go; period 50 ms; priority walls; }\n"));
+  };
+  EXPECT_EQ(codes("thrust : acceleration error 10 cm/s^2", "vector3"), std::vector<Code>{});
+  EXPECT_EQ(codes("thrust : accelerations error 10 cm/s^2", "vector3"),
+            std::vector<Code>{Code::unknown_word});
+  EXPECT_EQ(codes("thrust : acceleration error 10 cm", "vector3"),
+            std::vector<Code>{Code::wrong_dimension});
+  EXPECT_EQ(codes("thrust : acceleration 10 cm/s^2", "vector3").size(), 1U);
+  EXPECT_EQ(codes("thrust : acceleration error 10 cm/s^2", "vector"),
+            std::vector<Code>{Code::spaces_differ});
+}
+
 TEST(Cascades, IndependentMistakesAreAllReported) {
   const auto checked = check_text(edited(yard(), {{"radius 11 cm", "radius 0.2"},
                                                   {"r inside free", "r inside fre"},
