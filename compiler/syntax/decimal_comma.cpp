@@ -67,7 +67,7 @@ class Joiner {
     const std::string number = tokens_[i].text + "." + tokens_[i + 2].text;
     diagnostics_.report({diag::Code::unexpected_token,
                          tokens_[i + 1].range,
-                         "decimals stand behind a point, not a comma",
+                         "decimals stand behind a point: `" + number + "`",
                          "a comma separates two values",
                          {},
                          {},
