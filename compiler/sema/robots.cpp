@@ -232,7 +232,7 @@ class KindChecker {
                           .note(position->second.first, "the position is declared here")
                           .help("write `" + due + "`")
                           .replace(velocity->second.first, due));
-      context_.height_unclear = true;
+      kind_.in_space = high;  // as its position says
       return;
     }
     if (!high) return;
@@ -308,7 +308,8 @@ class KindChecker {
       context_.unknown_word(output.type, "an output of a robot", {"twist", "acceleration"});
     }
     if (output.error && output_range_) output_error(*output.error);
-    if (output.error && !kind_.output_error) context_.faulty_outputs.insert(id_);
+    const bool lost = output.error && !kind_.output_error;
+    if (lost && kind_.output == OutputType::acceleration) context_.faulty_outputs.insert(id_);
   }
 
   // How far the robot is from doing what it is told. A twist takes its time, and how is not
