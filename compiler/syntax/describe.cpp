@@ -244,11 +244,8 @@ class Describer {
   // `speed 2 m/s` where a comparison is due: a number starts no clause and ends none. Other clauses
   // of an input may be what is missing in front of it.
   [[nodiscard]] bool lacks_operator() const {
-    const bool has_clauses =
-        std::any_of(error_.expected.begin(), error_.expected.end(), [](TokenKind kind) {
-          const Word* word = find_word(kind);
-          return word != nullptr && word->word_kind == WordKind::clause && kind != T::OF;
-        });
+    const bool has_clauses = error_.expects(T::MAX_AGE) || error_.expects(T::RESOLUTION) ||
+                             error_.expects(T::WAYPOINTS) || error_.expects(T::AT);
     return found_.kind == T::NUMBER && !found_.first_on_line && error_.expects(T::PLUS) &&
            !has_clauses;
   }
