@@ -291,11 +291,12 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
                               "always distance(one, other) >= 1 m; }`"));
     return nullptr;
   }
+  if (one == Subject::self && says_zone(second)) return distance_from_zone(expr, second);
+  if (two == Subject::self && says_zone(first)) return distance_from_zone(expr, first);
   for (const syntax::Expr* argument : {&first, &second}) {
     if (!says_zone(*argument)) continue;
-    if (argument == &second && one == Subject::self) return distance_from_zone(expr, second);
     context_.report(Finding(Code::wrong_argument, argument->range,
-                            "`distance` from a zone takes `" + self + "` first")
+                            "`distance` from a zone is that of `" + self + "`")
                         .label("a zone")
                         .help("write `distance(" + self + ", ...)` with the zone"));
     return nullptr;

@@ -189,8 +189,11 @@ class Declarer {
     add(written.name, Sort::enumeration, index_of(id));
     Enumeration enumeration{written.name.text, written.name.range, {}};
     for (const syntax::Name& value : written.values) {
-      if (!add(value, Sort::enum_value, next_id(context_.enum_values))) continue;
-      context_.enum_values.push_back({id, static_cast<std::uint32_t>(enumeration.values.size())});
+      // one whose name is taken stays a value of its enumeration, so that nothing else is said of
+      // it
+      const bool is_new = add(value, Sort::enum_value, next_id(context_.enum_values));
+      const auto number = static_cast<std::uint32_t>(enumeration.values.size());
+      if (is_new) context_.enum_values.push_back({id, number});
       enumeration.values.push_back(value.text);
     }
     spec().enumerations.push_back(std::move(enumeration));

@@ -38,6 +38,19 @@ void PropertyChecker::function(std::uint32_t index) {
   function.state = good && !circular ? FunctionState::good : FunctionState::faulty;
 }
 
+namespace {
+
+// `vector` alone has no unit.
+std::string result_help(const ValueType& due, const Value& body) {
+  const auto* pair = std::get_if<Pair>(&body.node);
+  const bool lacks_unit = due.kind == TypeKind::vector && pair != nullptr && !due.length &&
+                          due.dimension == Dimension{} && pair->x->dimension != Dimension{};
+  if (!lacks_unit) return "change the declared type or the body";
+  return "write the unit, `vector [" + unit_of(pair->x->dimension) + "]`";
+}
+
+}  // namespace
+
 bool PropertyChecker::result_fits(const Function& function, const Value& body) {
   if (fits(context_.spec, body, function.result)) return true;
   const syntax::Expr& written = *function.node->body;
@@ -57,7 +70,7 @@ bool PropertyChecker::result_fits(const Function& function, const Value& body) {
                               describe(context_.spec, body))
                       .label("must be " + describe(context_.spec, function.result))
                       .note(function.node->result.range, "the type is declared here")
-                      .help("change the declared type or the body"));
+                      .help(result_help(function.result, body)));
   return false;
 }
 

@@ -194,8 +194,10 @@ std::optional<PropertyChecker::CentreGap> PropertyChecker::centre_gap(const synt
                                                                       const syntax::Call& call,
                                                                       const std::string& user) {
   if (!argument_count(expr, call, 2, user + "(p, zone)")) return std::nullopt;
-  const syntax::Expr& first = *call.arguments[0];
-  const syntax::Expr& second = *call.arguments[1];
+  // a distance is the same from either side
+  const bool swapped = user == "distance" && says_zone(*call.arguments[0]);
+  const syntax::Expr& first = *call.arguments[swapped ? 1 : 0];
+  const syntax::Expr& second = *call.arguments[swapped ? 0 : 1];
   if (is_error(first) || is_error(second)) return std::nullopt;
   if (says_zone(first) && says_zone(second)) {
     context_.report(Finding(Code::wrong_argument, expr.range, "`clearance` takes one zone")

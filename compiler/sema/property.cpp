@@ -135,7 +135,9 @@ ExprPtr PropertyChecker::as_quantity(const syntax::Expr& expr, Value value) {
 ExprPtr PropertyChecker::not_a_quantity(const syntax::Expr& expr, const std::string& what) {
   const std::string& self = scope_.self.text;
   std::string help = "write a number with its unit, or the name of an input of quantities";
-  if (sees_robot()) {
+  if (what == a_name_of(Sort::site)) {
+    help = "a place is written as a point, `(1 m, 1 m)`; sites are for `energy_to` and `route to`";
+  } else if (sees_robot()) {
     help =
         what == "a zone"
             ? "write `" + self + " inside ...` or `clearance(" + self + ", ...)` with the zone"

@@ -485,8 +485,10 @@ bool stays(Context& context, const syntax::Name& name, ZoneId id, Change change)
                                       "`distance(r, agent) >= c` from an `agent`"
                                     : "monitors without a robot judge places against it by its "
                                       "name: `p inside base and not p inside " +
-                                          name.text + "`, and paths by `distance(plan, " +
-                                          name.text + ") > 0 m`"));
+                                          name.text + "`" +
+                                          (written.around ? ""
+                                                          : ", and paths by `distance(plan, " +
+                                                                name.text + ") > 0 m`")));
   return false;
 }
 

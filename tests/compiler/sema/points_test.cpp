@@ -105,6 +105,12 @@ TEST(Points, AreNoVectors) {
 TEST(Points, StandBeforeTheirZone) {
   EXPECT_NE(meaning("clearance(room, p) >= 1 m").find("takes the point first"), std::string::npos);
 }
+// A distance has no direction.
+TEST(Points, StandOnEitherSideOfTheirDistance) {
+  EXPECT_EQ(meaning("distance(room, p) >= 1 m"), meaning("distance(p, room) >= 1 m"));
+  EXPECT_EQ(of_robots("distance(room, bots[1]) >= 1 m"),
+            of_robots("distance(bots[1], room) >= 1 m"));
+}
 TEST(Points, AreHeldAgainstZonesAlone) {
   EXPECT_NE(meaning("p inside q").find("a zone is due"), std::string::npos)
       << meaning("p inside q");
