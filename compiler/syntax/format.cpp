@@ -69,10 +69,7 @@ class Writer {
     if (lines_.size() > first) lines_[first].blank_before = false;
     Line line;
     line.indent = indent;
-    line.code = close.text;
-    for (const Comment& comment : close.before) {
-      if (comment.place == CommentPlace::inside) line.code.insert(0, comment.text + ' ');
-    }
+    line.code = text_of(close);
     lines_.push_back(std::move(line));
   }
 

@@ -51,7 +51,7 @@ std::vector<std::string> comments_of(const std::string& text) {
       std::string word, comment;
       while (words >> word) comment += word + ' ';
       result.push_back(comment);
-      i = end;
+      i = end + (to_line_end ? 0 : 1);  // behind both marks: `/* c */*` begins no other one
     }
   }
   return result;
@@ -162,6 +162,8 @@ std::string with_other_blanks(const std::string& text, std::mt19937& random) {
                                        "\n// own\n",
                                        "\n\n/* b */\n",
                                        "\n /* two\n lines */ ",
+                                       "\n/* 1 */ /* 2 */ /* 3 */",
+                                       " /* 4 */\n/* 5 */ // 6\n",
                                        "\n\n/* in */ "};
   SourceManager sources;
   diag::Engine engine;
@@ -306,6 +308,12 @@ TEST(Format, KeepsCommentsAtTheirPlaces) {
             "\n"
             "  // end\n"
             "}  // last\n");
+}
+
+TEST(Format, KeepsTheOrderOfCommentsInFrontOfAClosingBrace) {
+  EXPECT_EQ(formatted("enum G { a, b\n/*c*/ /*d*/ }"), "enum G {\n  a, b\n/*c*/ /*d*/ }\n");
+  EXPECT_EQ(formatted("monitor m {\nalways p; /*0*/ /*1*/ /*2*/ }"),
+            "monitor m {\n  always p;\n/*0*/ /*1*/ /*2*/ }\n");
 }
 
 // The empty line above a comment on the line of an item is that above the item.
