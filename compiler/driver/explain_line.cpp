@@ -46,17 +46,17 @@ int refuse(Compilation& c, std::string message, std::string help) {
 
 // The nearest lines before and behind that something is known of.
 std::string nearest(const std::vector<Lines>& known, std::uint32_t line) {
-  std::optional<std::uint32_t> before, behind;
+  std::optional<std::uint32_t> above, below;
   for (const Lines& lines : known) {
-    if (lines.last < line) before = std::max(before.value_or(lines.last), lines.last);
-    if (lines.first > line) behind = std::min(behind.value_or(lines.first), lines.first);
+    if (lines.last < line) above = std::max(above.value_or(lines.last), lines.last);
+    if (lines.first > line) below = std::min(below.value_or(lines.first), lines.first);
   }
-  if (before && behind) {
-    return "lines " + std::to_string(*before) + " and " + std::to_string(*behind) +
+  if (above && below) {
+    return "lines " + std::to_string(*above) + " and " + std::to_string(*below) +
            " are the nearest that have something";
   }
-  if (!before && !behind) return "no line of it has something";
-  return "line " + std::to_string(before ? *before : *behind) +
+  if (!above && !below) return "no line of it has something";
+  return "line " + std::to_string(above ? *above : *below) +
          " is the nearest that has something";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/codegen/temporal.h"
+#include "compiler/driver/explain_margin.h"
 #include "compiler/driver/explain_text.h"
 #include "compiler/driver/uncertainty.h"
 #include "compiler/ir/rounding.h"
@@ -59,25 +60,10 @@ void quantity(const Value& value, const Rational& width, const std::optional<Ran
   to.push_back(wide(width, *value.unit) + (of_legs ? ", of legs on one side of the boundary" : ""));
 }
 
-// Of the past, over windows that are too long for it.
-bool forgets_margin(const Op& op) {
-  return std::visit(
-      [](const auto& node) {
-        if constexpr (requires { node.window; }) {
-          return !node.window.full;
-        } else {
-          return false;
-        }
-      },
-      op);
-}
-
 void margin(const Block& block, const Value& value, const Rational& width,
             std::vector<std::string>& to) {
-  if (forgets_margin(value.op)) {
-    to.emplace_back(
-        "margin: infinite, of a window this long the verdict alone is kept; `margin full;` "
-        "in the monitor keeps it");
+  if (const std::string why = why_infinite(block, value); !why.empty()) {
+    to.push_back("margin: infinite, " + why);
   }
   const auto* compare = std::get_if<AtLeast>(&value.op);
   if (!compare) return;
@@ -129,16 +115,8 @@ std::string near_enough(const ir::Watch& watch, const Block& block) {
 std::string PropertyRemarks::rounding(const PlainMonitor& m) const {
   const Rounding bound = rounding_of(spec_, watch_, m.property);
   if (sgn(bound.millionths) == 0) return "rounding: none, verdicts and margins are exact";
-  std::vector<Unit> units;
-  for (const Value& v : m.property.values) {
-    const auto* compare = std::get_if<AtLeast>(&v.op);
-    if (!compare) continue;
-    const Unit& unit = *m.property[compare->a].unit;
-    const auto same = [&](const Unit& u) { return u.dimension == unit.dimension; };
-    if (std::none_of(units.begin(), units.end(), same)) units.push_back(unit);
-  }
   std::string text;
-  for (const Unit& unit : units) {
+  for (const Unit& unit : margin_units(m.property)) {
     const Rational si = bound.millionths * unit.scale / 1'000'000;
     text += (text.empty() ? "" : ", or ") + sema::show(decimals(si, true), unit.dimension);
   }

@@ -94,6 +94,47 @@ TEST_F(Explain, AConditionHasAScaleAndTheErrorOfItsMargin) {
   EXPECT_NE(text.find("at most 0.042 m/s wide\n"), std::string::npos) << text;
 }
 
+// Why a margin of the past is infinite: Booleans have none, whatever the window.
+TEST_F(Explain, WhatIsAskedOfThePastSaysWhyItsMarginIsInfinite) {
+  write("door.rta",
+        "spec s; period 1 s; input p : bool; input q : bool; input x : real [m] in 0 .. 9 m;\n"
+        "monitor a { \"R\" always once[0 s, 2 s] p; margin full; }\n"
+        "monitor b { \"R\" always p since[0 s, 2000 s] q; }\n"
+        "monitor c { \"R\" always historically[0 s, 2000 s] x >= 1 m; }\n"
+        "monitor d { \"R\" always historically[0 s, 2000 s] x >= 1 m; margin full; }\n"
+        "monitor e { \"R\" always once[0 s, 2 s] historically[0 s, 2000 s] x >= 1 m; }\n");
+  const auto margin = [](int line, const std::string& what) {
+    const std::string all = about(line, what);
+    const std::size_t begin = all.find("  margin: ");
+    return begin == std::string::npos ? ""
+                                      : all.substr(begin + 2, all.find('\n', begin) - begin - 2);
+  };
+  const std::string of_booleans = "margin: infinite, of Booleans there are verdicts alone";
+  EXPECT_EQ(margin(2, "`once[0 s, 2 s] p`"), of_booleans);
+  EXPECT_EQ(margin(3, "`p since[0 s, 2000 s] q`"), of_booleans);
+  EXPECT_EQ(margin(4, "`historically[0 s, 2000 s] x >= 1 m`"),
+            "margin: infinite, of a window this long the verdict alone is kept; `margin full;` in "
+            "the monitor keeps it");
+  EXPECT_EQ(margin(5, "`historically[0 s, 2000 s] x >= 1 m`"), "");
+  EXPECT_EQ(margin(6, "`once[0 s, 2 s] historically[0 s, 2000 s] x >= 1 m`"),
+            "margin: infinite, that of the longer window in it is; `margin full;` in the monitor "
+            "keeps it");
+}
+
+// A comparison that a number is made of gives no unit to the margin.
+TEST_F(Explain, TheBoundOfAMarginIsInItsUnits) {
+  write("door.rta",
+        "spec s; period 1 s; input v : vector [m/s] in -5 .. 5 m/s; input x : real [m];\n"
+        "monitor a { \"R\" always count[0 s, 2 s](norm(v) <= 1 m/s) >= 2; }\n"
+        "monitor b { \"R\" always (if norm(v) <= 1 m/s then 0.2 else 0.6) >= 0.5; }\n"
+        "monitor c { \"R\" always norm(v) <= 1 m/s or once[0 s, 1 s] not x >= 1 m; }\n");
+  EXPECT_NE(at(2).find(" when it is more than 3 away from 0"), std::string::npos) << at(2);
+  EXPECT_NE(at(3).find(" when it is more than 0.4 away from 0"), std::string::npos) << at(3);
+  const std::string both = at(4).substr(at(4).find(" more than "), 60);
+  EXPECT_NE(both.find(" m/s, or "), std::string::npos) << both;
+  EXPECT_NE(both.find(" m away from 0"), std::string::npos) << both;
+}
+
 TEST_F(Explain, TypesOfWholeNumbersStayWhole) {
   const std::string text = about(19, "`n * n`");
   EXPECT_NE(text.find("  type: int\n  range: 0 .. 100\n"), std::string::npos) << text;
