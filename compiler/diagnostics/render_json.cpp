@@ -9,7 +9,9 @@ using Json = nlohmann::ordered_json;
 
 Json place_json(FileId file, std::uint32_t offset, const SourceManager& sources) {
   const LineColumn place = sources.position(file, offset);
-  return {{"line", place.line}, {"column", place.column}, {"offset", offset}};
+  return {{"line", place.line},
+          {"column", place.column},
+          {"offset", sources.offset_in_file(file, offset)}};
 }
 
 Json location_json(const std::optional<SourceRange>& range, const SourceManager& sources) {

@@ -171,8 +171,8 @@ class Replay {
     }
     if (reader.error() || printed_ > 0) return reader.error();
     // Only decisions on plans wait for something: findings of nothing would look like good ones.
-    return interp::TraceError{1, 1, "no row of the trace has a plan to judge",
-                              "each proposal stands in a row of its own: `1 2; 3.5 2`, or `none`"};
+    return reader.error_of_all("no row of the trace has a plan to judge",
+                               "each proposal stands in a row of its own: `1 2; 3.5 2`, or `none`");
   }
   [[nodiscard]] bool violated() const {
     return violated_ || (judges_.decisions && judges_.decisions->violated());
@@ -272,17 +272,23 @@ bool open(const std::string& path, std::ifstream& file, Compilation& c) {
   return false;
 }
 
+// Of the trace the row at fault alone is kept: it may be longer than memory.
+void report_row(const Options& options, Compilation& c, const interp::TraceError& error) {
+  const FileId row =
+      c.sources.add_part(options.trace == "-" ? "<stdin>" : options.trace, error.row.text,
+                         static_cast<std::uint32_t>(error.row.line), error.row.offset);
+  const SourceRange range{row, static_cast<std::uint32_t>(error.begin),
+                          static_cast<std::uint32_t>(error.end)};
+  c.diagnostics.report({diag::Code::bad_trace, range, error.message, "", {}, error.help, {}});
+}
+
 int run(const Options& options, Compilation& c, Judges& judges, std::ostream& out) {
   std::ifstream file;
   if (options.trace != "-" && !open(options.trace, file, c)) return exit_usage;
   Replay replay(*c.spec, judges);
   const auto error = replay.run(options.trace == "-" ? std::cin : file);
   if (error) {
-    const std::string name = options.trace == "-" ? "<stdin>" : options.trace;
-    report(c, diag::Code::bad_trace,
-           name + ":" + std::to_string(error->line) + ":" + std::to_string(error->column) + ": " +
-               error->message,
-           error->help);
+    report_row(options, c, *error);
     return exit_usage;
   }
   if (const std::string problem = replay.findings().release(out); !problem.empty()) {

@@ -14,6 +14,13 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+// Its place is that of the text without the blanks around it.
+CsvCell plain_cell(std::string_view record, std::size_t begin, std::size_t end) {
+  const std::string_view text = trimmed(record.substr(begin, end - begin));
+  if (text.empty()) return {text, begin + 1};
+  return {text, static_cast<std::size_t>(text.data() - record.data()) + 1, text.size()};
+}
+
 // The line break that ends the record, outside quotes; npos: not in this text.
 std::size_t end_of_record(std::string_view text, bool& in_quotes) {
   const std::size_t line_break = text.find('\n');
@@ -42,6 +49,7 @@ std::size_t take_quoted(std::string_view text, std::size_t at, std::string& to) 
 
 bool CsvReader::refill() {
   buffer_.erase(0, begin_);
+  dropped_ += begin_;
   begin_ = 0;
   const std::size_t before = buffer_.size();
   buffer_.resize(before + block_bytes);
@@ -61,11 +69,14 @@ CsvReader::Result CsvReader::find(std::string_view& record) {
       begin_ += end + 1;
       return record.size() > record_bytes_max ? Result::too_long : Result::record;
     }
-    if (text.size() > record_bytes_max) return Result::too_long;
+    if (text.size() > record_bytes_max) {
+      record = text.substr(0, record_bytes_max);
+      return Result::too_long;
+    }
     if (at_end_ || !refill()) {
+      record = std::string_view(buffer_).substr(begin_);
       if (in_.bad()) return Result::unreadable;
       if (in_quotes) return Result::unclosed_quote;
-      record = std::string_view(buffer_).substr(begin_);
       begin_ = buffer_.size();
       return record.empty() ? Result::end : Result::record;
     }
@@ -78,7 +89,9 @@ CsvReader::Result CsvReader::next(CsvRecord& record) {
   do {
     record.cells.clear();
     record.line = line_;
+    record.offset = dropped_ + begin_;
     const Result result = find(text);
+    record.text = text;
     if (result != Result::record) {
       record.cells.push_back({{}, 1});
       return result;
@@ -100,7 +113,7 @@ CsvReader::Result CsvReader::split(std::string_view text, CsvRecord& record) {
   std::size_t begin = 0;
   for (;;) {
     const std::size_t comma = text.find(',', begin);
-    record.cells.push_back({trimmed(text.substr(begin, comma - begin)), begin + 1});
+    record.cells.push_back(plain_cell(text, begin, std::min(comma, text.size())));
     if (comma == std::string_view::npos) return Result::record;
     begin = comma + 1;
   }
@@ -120,10 +133,10 @@ CsvReader::Result CsvReader::split_quoted(std::string_view text, CsvRecord& reco
       const std::size_t kept = cells_.size();
       const std::size_t end = take_quoted(text, at + 1, cells_);
       if (end == text.size()) {
-        record.cells = {{{}, begin + 1}};
+        record.cells = {{{}, at + 1}};
         return Result::unclosed_quote;
       }
-      record.cells.push_back({std::string_view(cells_).substr(kept), begin + 1});
+      record.cells.push_back({std::string_view(cells_).substr(kept), at + 1, end + 1 - at});
       at = skip_blanks(end + 1);
       if (at < text.size() && text[at] != ',') {
         record.cells = {{{}, at + 1}};
@@ -131,7 +144,7 @@ CsvReader::Result CsvReader::split_quoted(std::string_view text, CsvRecord& reco
       }
     } else {
       at = std::min(text.find(',', at), text.size());
-      record.cells.push_back({trimmed(text.substr(begin, at - begin)), begin + 1});
+      record.cells.push_back(plain_cell(text, begin, at));
     }
     if (at == text.size()) return Result::record;
   }

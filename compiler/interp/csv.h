@@ -12,11 +12,14 @@
 namespace rtac::interp {
 
 struct CsvCell {
-  std::string_view text;  // without quotes and outer blanks; valid until the next record
-  std::size_t column;     // byte of the cell in its line, from 1
+  std::string_view text;   // without quotes and outer blanks; valid until the next record
+  std::size_t column;      // byte of the cell in its record, from 1
+  std::size_t length = 0;  // with its quotes
 };
 struct CsvRecord {
-  std::uint64_t line = 0;  // where it starts, from 1
+  std::uint64_t line = 0;    // where it starts, from 1
+  std::uint64_t offset = 0;  // in bytes, from 0
+  std::string_view text{};   // as it stands there, without its line break; valid until the next one
   std::vector<CsvCell> cells;
 };
 
@@ -27,7 +30,7 @@ class CsvReader {
 
   explicit CsvReader(std::istream& in) : in_(in) {}
   enum class Result { record, end, unclosed_quote, too_long, text_behind_quote, unreadable };
-  // Of a fault: the record has its line, and one cell with the column.
+  // Of a fault: the record has its place and text, and one cell with the column.
   Result next(CsvRecord& record);
 
  private:
@@ -39,8 +42,9 @@ class CsvReader {
 
   std::istream& in_;
   std::string buffer_, cells_;
-  std::size_t begin_ = 0;   // of the next record in the buffer
-  std::uint64_t line_ = 1;  // its line
+  std::uint64_t dropped_ = 0;  // bytes in front of the buffer
+  std::size_t begin_ = 0;      // of the next record in the buffer
+  std::uint64_t line_ = 1;     // its line
   bool at_end_ = false, started_ = false;
 };
 

@@ -145,27 +145,39 @@ void TraceReader::declare_robot(std::size_t robot) {
   to.plan_index = declare(prefix + "plan.index", Form::index, robot);
 }
 
-bool TraceReader::fail(std::uint64_t line, std::size_t column, std::string message,
-                       std::string help) {
-  error_ = TraceError{line, column, std::move(message), std::move(help)};
+// A cell in quotes may hold line breaks: what stands behind them is on a later line.
+bool TraceReader::fail(const CsvCell& at, std::string message, std::string help) {
+  const std::size_t begin = at.column - 1;
+  const std::string_view before = record_.text.substr(0, begin);
+  const auto breaks = static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n'));
+  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 without one
+  error_ = TraceError{record_.line + breaks,
+                      begin - line_begin + 1,
+                      std::move(message),
+                      std::move(help),
+                      {std::string(record_.text), record_.line, record_.offset},
+                      begin,
+                      begin + at.length};
   return false;
 }
 
+TraceError TraceReader::error_of_all(std::string message, std::string help) const {
+  return {header_.line, 1, std::move(message), std::move(help), header_};
+}
+
 bool TraceReader::fault(CsvReader::Result result) {
-  const std::size_t column = record_.cells.front().column;
+  const CsvCell& at = record_.cells.front();
   switch (result) {
     case CsvReader::Result::unclosed_quote:
-      return fail(record_.line, column, "a quoted cell of this row is not closed",
+      return fail(at, "a quoted cell of this row is not closed",
                   "end it with `\"`; a quote inside of it is doubled");
     case CsvReader::Result::too_long:
-      return fail(record_.line, column, "the row is longer than 1 MiB",
-                  "a row is a line: end it with a line break");
+      return fail(at, "the row is longer than 1 MiB", "a row is a line: end it with a line break");
     case CsvReader::Result::text_behind_quote:
-      return fail(record_.line, column, "text follows a quoted cell",
+      return fail(at, "text follows a quoted cell",
                   "put a comma behind the closing quote; a quote inside of a cell is doubled");
     case CsvReader::Result::unreadable:
-      return fail(record_.line, column, "the trace cannot be read any further",
-                  "check the medium that it is on");
+      return fail(at, "the trace cannot be read any further", "check the medium that it is on");
     case CsvReader::Result::record:
     case CsvReader::Result::end:
       break;
@@ -176,22 +188,24 @@ bool TraceReader::fault(CsvReader::Result result) {
 bool TraceReader::read_header() {
   const auto result = csv_.next(record_);
   if (result == CsvReader::Result::end) {
-    return fail(1, 1, "the trace is empty", "its first line names the columns: `time,...`");
+    return fail(record_.cells.front(), "the trace is empty",
+                "its first line names the columns: `time,...`");
   }
   if (result != CsvReader::Result::record) return fault(result);
+  header_ = {std::string(record_.text), record_.line, record_.offset};
   for (const CsvCell& cell : record_.cells) {
     const std::size_t at = cell.text.find('\r');
     if (at == std::string_view::npos) continue;
-    return fail(1, cell.column + at, "a carriage return does not end a line",
+    return fail({{}, cell.column + at}, "a carriage return does not end a line",
                 "end lines with LF or CR LF");
   }
   const CsvCell& first = record_.cells.front();
   if (first.text.starts_with("time;") || first.text.starts_with("time\t")) {
-    return fail(1, first.column + 4, "cells are separated by commas",
+    return fail({{}, first.column + 4}, "cells are separated by commas",
                 "write `,` between them, and decimals with a point");
   }
   if (first.text != "time") {
-    return fail(1, first.column, "the first column is " + quoted(first.text) + ", not `time`",
+    return fail(first, "the first column is " + quoted(first.text) + ", not `time`",
                 "the first line names the columns: `time`, in seconds, then the inputs");
   }
   std::vector<bool> seen(declared_.size(), false);
@@ -259,7 +273,7 @@ bool TraceReader::check_missing(const std::vector<bool>& seen) {
     if (!seen[i] && is_due(declared_[i], needs_a_robot)) missing.push_back(declared_[i].name);
   }
   if (missing.empty()) return true;
-  return fail(1, record_.cells.back().column,
+  return fail(record_.cells.back(),
               (missing.size() == 1 ? "the column " : "the columns ") + sema::listing(missing) +
                   (missing.size() == 1 ? " is missing" : " are missing"),
               "every declared input has its column; the cells of one that never arrives are empty");
@@ -270,7 +284,7 @@ bool TraceReader::assign(const CsvCell& cell, std::vector<bool>& seen) {
     const Column& column = declared_[i];
     if (column.name != cell.text) continue;
     if (seen[i]) {
-      return fail(1, cell.column, "the column " + quoted(cell.text) + " is there twice",
+      return fail(cell, "the column " + quoted(cell.text) + " is there twice",
                   "leave one of them out");
     }
     seen[i] = true;
@@ -278,13 +292,13 @@ bool TraceReader::assign(const CsvCell& cell, std::vector<bool>& seen) {
     return true;
   }
   if (cell.text == "time") {
-    return fail(1, cell.column, "the column `time` is there twice", "leave one of them out");
+    return fail(cell, "the column `time` is there twice", "leave one of them out");
   }
   std::vector<std::string> names;
   for (const Column& column : declared_) names.push_back(column.name);
   std::string help = sema::did_you_mean(cell.text, names, "inputs");
   if (help.back() != '?') help += "; leave out the column of anything else";
-  return fail(1, cell.column, "no input is called " + quoted(cell.text), std::move(help));
+  return fail(cell, "no input is called " + quoted(cell.text), std::move(help));
 }
 
 bool TraceReader::read_row(TraceRow& row) {
@@ -293,7 +307,7 @@ bool TraceReader::read_row(TraceRow& row) {
   if (result == CsvReader::Result::end) {
     // Findings without a row look like those of a run in which nothing went wrong.
     return !before_us_ &&
-           fail(record_.line, 1, "the trace ends without a row",
+           fail(record_.cells.front(), "the trace ends without a row",
                 "behind the names of the columns there is a row for each time at which samples "
                 "arrived; without one nothing can be judged");
   }
@@ -302,7 +316,7 @@ bool TraceReader::read_row(TraceRow& row) {
   if (record_.cells.size() != due) {
     const bool more = record_.cells.size() > due;
     const CsvCell& at = more ? record_.cells[due] : record_.cells.back();
-    return fail(record_.line, at.column,
+    return fail(at,
                 "the row has " + std::to_string(record_.cells.size()) +
                     (record_.cells.size() == 1 ? " cell" : " cells") + ", the first line " +
                     std::to_string(due),
@@ -323,18 +337,17 @@ bool TraceReader::read_time(const CsvCell& cell, TraceRow& row) {
   constexpr std::int64_t far_us = std::numeric_limits<std::int64_t>::max() / 2;
   const auto time = Decimal::parse(cell.text);
   if (!time) {
-    return fail(record_.line, cell.column, quoted(cell.text) + " is no time",
+    return fail(cell, quoted(cell.text) + " is no time",
                 "give the time in seconds, such as `0.25`");
   }
   row.time_us = time->on_grid(microsecond).lo;
   row.time.assign(cell.text);
   if (row.time_us > far_us || row.time_us < -far_us) {
-    return fail(record_.line, cell.column, "the time " + quoted(cell.text) + " is out of range",
+    return fail(cell, "the time " + quoted(cell.text) + " is out of range",
                 "times are at most " + std::to_string(far_us / 1000000) + " seconds");
   }
   if (before_us_ && row.time_us <= *before_us_) {
-    return fail(record_.line, cell.column,
-                "the time " + quoted(cell.text) + " is not after that of the row before",
+    return fail(cell, "the time " + quoted(cell.text) + " is not after that of the row before",
                 "sort the rows by time; two rows are at least 1 us apart");
   }
   before_us_ = row.time_us;
@@ -388,8 +401,7 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
   }
   // `NULL`, `N/A`, `-`: how others write that there is nothing
   const bool is_word = cell.text.find_first_of("0123456789") == std::string_view::npos;
-  return fail(record_.line, cell.column,
-              quoted(cell.text) + " is no value of `" + column.name + "`",
+  return fail(cell, quoted(cell.text) + " is no value of `" + column.name + "`",
               expected(column) + (is_word ? "; an empty cell is no new sample, `nan` is one that "
                                             "has no value"
                                           : ""));
@@ -398,8 +410,8 @@ bool TraceReader::read_cell(const CsvCell& cell, const Column& column, TraceRow&
 // What a robot would refuse is no trace of it.
 bool TraceReader::read_zone(const CsvCell& cell, const Column& column, Reading& reading) {
   const auto refused = [&](const geometry::RefusedZone& why) {
-    return fail(record_.line, cell.column,
-                "`" + column.name + "` is refused: " + why.where + ": " + why.message, why.help);
+    return fail(cell, "`" + column.name + "` is refused: " + why.where + ": " + why.message,
+                why.help);
   };
   const std::size_t edges_most = column.input->edges_most;
   auto received = geometry::receive_wkt(std::string(cell.text), edges_most);
@@ -442,8 +454,7 @@ bool TraceReader::read_plan(const CsvCell& cell, const Column& column, PlanReadi
   if (read_waypoints(cell.text, plan.points)) return true;
   // `NULL`, `N/A`, `-`: how others write that there is nothing
   const bool is_word = cell.text.find_first_of("0123456789") == std::string_view::npos;
-  return fail(record_.line, cell.column,
-              quoted(cell.text) + " is no value of `" + column.name + "`",
+  return fail(cell, quoted(cell.text) + " is no value of `" + column.name + "`",
               expected(column) + (is_word ? "; an empty cell is no new sample, `nan` is one that "
                                             "has no value"
                                           : ""));

@@ -33,9 +33,16 @@
 
 namespace rtac::interp {
 
+// A row of the trace, or its header, as it stands there.
+struct TraceText {
+  std::string text;
+  std::uint64_t line = 1, offset = 0;  // where it starts
+};
 struct TraceError {
   std::uint64_t line = 0, column = 0;
   std::string message, help;
+  TraceText row{};
+  std::size_t begin = 0, end = 0;  // of what is wrong in it
 };
 
 // What a row says about one component of an input. Conditions are 0 or 1, values of an enumeration
@@ -77,6 +84,8 @@ class TraceReader {
   // false: the end, or error().
   bool read_row(TraceRow& row);
   [[nodiscard]] const std::optional<TraceError>& error() const { return error_; }
+  // About the trace as a whole; after the header has been read.
+  [[nodiscard]] TraceError error_of_all(std::string message, std::string help) const;
   // By robot; after the header has been read.
   [[nodiscard]] const std::vector<RobotColumns>& robots() const { return robots_; }
 
@@ -89,7 +98,7 @@ class TraceReader {
     std::optional<std::size_t> robot;  // none: an input
     std::size_t reading;               // index; of a plan that of the robot
   };
-  bool fail(std::uint64_t line, std::size_t column, std::string message, std::string help);
+  bool fail(const CsvCell& at, std::string message, std::string help);
   bool fault(CsvReader::Result result);
   void declare_robot(std::size_t robot);
   [[nodiscard]] bool takes(std::size_t robot, bool plans) const;
@@ -114,6 +123,7 @@ class TraceReader {
   std::size_t readings_ = 0;
   std::vector<RobotColumns> robots_;
   std::vector<const Column*> columns_;  // behind `time`
+  TraceText header_;
   std::optional<std::int64_t> before_us_;
   std::optional<TraceError> error_;
 };

@@ -48,8 +48,13 @@ std::optional<std::string> read_file(const std::string& path, std::string& why) 
 }
 
 FileId SourceManager::add(std::string path, std::string text) {
+  return add_part(std::move(path), std::move(text), 1, 0);
+}
+
+FileId SourceManager::add_part(std::string path, std::string text, std::uint32_t line,
+                               std::uint64_t offset) {
   auto line_starts = find_line_starts(text);
-  files_.push_back({std::move(path), std::move(text), std::move(line_starts)});
+  files_.push_back({std::move(path), std::move(text), std::move(line_starts), line, offset});
   return FileId{static_cast<std::uint32_t>(files_.size() - 1)};
 }
 
@@ -83,13 +88,19 @@ LineColumn SourceManager::position(FileId file, std::uint32_t offset) const {
   offset = std::min(offset, static_cast<std::uint32_t>(entry.text.size()));
   const auto& starts = entry.line_starts;
   const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
-  return {static_cast<std::uint32_t>(next - starts.begin()), offset - *(next - 1) + 1};
+  const auto lines = static_cast<std::uint32_t>(next - starts.begin() - 1);
+  return {entry.first_line + lines, offset - *(next - 1) + 1};
+}
+
+std::uint64_t SourceManager::offset_in_file(FileId file, std::uint32_t offset) const {
+  return get(file).first_offset + offset;
 }
 
 std::string_view SourceManager::line_text(FileId file, std::uint32_t line) const {
   const File& entry = get(file);
-  if (line == 0 || line > entry.line_starts.size()) return {};
-  std::string_view rest = std::string_view{entry.text}.substr(entry.line_starts[line - 1]);
+  if (line < entry.first_line || line - entry.first_line >= entry.line_starts.size()) return {};
+  const std::uint32_t start = entry.line_starts[line - entry.first_line];
+  std::string_view rest = std::string_view{entry.text}.substr(start);
   rest = rest.substr(0, rest.find('\n'));
   if (!rest.empty() && rest.back() == '\r') rest.remove_suffix(1);
   return rest;

@@ -37,6 +37,9 @@ class SourceManager {
   // `path` is kept as it is shown to the user (as given on the command line or resolved by an
   // import relative to its importer).
   FileId add(std::string path, std::string text);
+  // Lines of a file that is not kept as a whole: the text starts `line` (1-based), `offset` bytes
+  // into the file.
+  FileId add_part(std::string path, std::string text, std::uint32_t line, std::uint64_t offset);
   // nullopt: the file cannot be opened or read; `why` receives the system's reason.
   std::optional<FileId> load(const std::string& path, std::string& why);
 
@@ -44,6 +47,8 @@ class SourceManager {
   [[nodiscard]] std::string_view text(FileId file) const;
   [[nodiscard]] std::string_view text(const SourceRange& range) const;
   [[nodiscard]] LineColumn position(FileId file, std::uint32_t offset) const;
+  // Bytes from the start of the file, of which `offset` is one in the text that is kept.
+  [[nodiscard]] std::uint64_t offset_in_file(FileId file, std::uint32_t offset) const;
   // The line without its line break; `line` is 1-based.
   [[nodiscard]] std::string_view line_text(FileId file, std::uint32_t line) const;
   [[nodiscard]] std::size_t file_count() const { return files_.size(); }
@@ -53,6 +58,8 @@ class SourceManager {
     std::string path;
     std::string text;
     std::vector<std::uint32_t> line_starts;
+    std::uint32_t first_line = 1;
+    std::uint64_t first_offset = 0;
   };
   [[nodiscard]] const File& get(FileId file) const;
   std::vector<File> files_;

@@ -97,10 +97,10 @@ TEST_F(ReplayDecision, APlanIsNamedByItsNextWayPoint) {
 
 TEST_F(ReplayDecision, FaultsOfTheTraceNameLineAndColumn) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"0,2.5,2.5,0,0,3,\n", "trace.csv:2:15: `3` is no value of `d1.plan`"},
+      {"0,2.5,2.5,0,0,3,\n", "`3` is no value of `d1.plan`\n --> trace.csv:2:15\n"},
       {"0,2.5,2.5,0,0,3 4 5,\n", "`3 4 5` is no value of `d1.plan`"},
       {"0,2.5,2.5,0,0,none,1.5\n", "`1.5` is no value of `d1.plan.index`"},
-      {"0,far,2.5,0,0,none,\n", "trace.csv:2:3: `far` is no value of `d1.position.x`"}};
+      {"0,far,2.5,0,0,none,\n", "`far` is no value of `d1.position.x`\n --> trace.csv:2:3\n"}};
   for (const auto& [rows, message] : cases) {
     const Outcome o = replay(rows);
     EXPECT_EQ(o.status, 2) << rows;

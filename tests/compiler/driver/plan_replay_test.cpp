@@ -179,14 +179,14 @@ TEST_F(ReplayPlans, SeveralRobots) {
 
 TEST_F(ReplayPlans, FaultsOfTheTraceNameLineAndColumn) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"time,d1.plan\n0,3\n", "trace.csv:2:3: `3` is no value of `d1.plan`"},
-      {"time,d1.plan.index\n0,1\n", "trace.csv:1:6: the column `d1.plan` is missing"},
-      {"time\n0\n", "trace.csv:1:1: the column `d1.plan` is missing"},
-      {"time,d1.plan,d1.plan\n0,,\n", "trace.csv:1:14: the column `d1.plan` is there twice"},
-      {"time,d1.plans\n0,\n", "trace.csv:1:6: no input is called `d1.plans`"},
+      {"time,d1.plan\n0,3\n", "`3` is no value of `d1.plan`\n --> trace.csv:2:3\n"},
+      {"time,d1.plan.index\n0,1\n", "the column `d1.plan` is missing\n --> trace.csv:1:6\n"},
+      {"time\n0\n", "the column `d1.plan` is missing\n --> trace.csv:1:1\n"},
+      {"time,d1.plan,d1.plan\n0,,\n", "the column `d1.plan` is there twice\n --> trace.csv:1:14\n"},
+      {"time,d1.plans\n0,\n", "no input is called `d1.plans`\n --> trace.csv:1:6\n"},
       {"time,d1.plan,d1.position.x\n0,,\n", "`d1.position.y`"},
       {"time,d1.plan,d1.plan.index\n0,1 1,first\n",
-       "trace.csv:2:7: `first` is no value of `d1.plan.index`"}};
+       "`first` is no value of `d1.plan.index`\n --> trace.csv:2:7\n"}};
   for (const auto& [trace, message] : cases) {
     const Outcome o = replay(trace);
     EXPECT_EQ(o.status, 2) << trace;

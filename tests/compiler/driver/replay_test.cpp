@@ -1,11 +1,14 @@
 // `rtac replay`: findings of a trace, by the generated code and by the reference interpreter.
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/compiler/driver/testing.h"
 
 namespace rtac::driver::test {
 namespace {
+
+using nlohmann::literals::operator""_json_pointer;
 
 const char* const door = R"(spec door;
 period 10 ms;
@@ -166,7 +169,8 @@ TEST_P(ReplayBy, AnInvalidZoneIsRefusedWithItsVertex) {
     const Outcome bad = replayed(cell);
     EXPECT_EQ(bad.status, 2) << cell;
     EXPECT_EQ(bad.out, "");
-    EXPECT_NE(bad.err.find("zones.csv:3:3: `fence` is refused"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("error[9004]: `fence` is refused"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find(" --> zones.csv:3:3\n"), std::string::npos) << bad.err;
     EXPECT_NE(bad.err.find(why), std::string::npos) << bad.err;
   }
 }
@@ -208,7 +212,8 @@ TEST_P(ReplayBy, AFaultInTheLastRowLeavesNothingOnStandardOutput) {
   const Outcome o = replay({"door.rta", "long.csv"});
   EXPECT_EQ(o.status, 2);
   EXPECT_EQ(o.out, "");
-  EXPECT_NE(o.err.find("long.csv:200002:10: `fast` is no value of `speed`"), std::string::npos)
+  EXPECT_NE(o.err.find("`fast` is no value of `speed`\n      --> long.csv:200002:10\n"),
+            std::string::npos)
       << o.err;
 }
 
@@ -248,8 +253,41 @@ TEST_F(ReplayCode, bad_trace) {
   EXPECT_EQ(o.status, 2);
   EXPECT_EQ(o.out, "");
   EXPECT_EQ(o.err,
-            "error[9004]: faulty.csv:1:11: no input is called `sped`\n"
+            "error[9004]: no input is called `sped`\n"
+            " --> faulty.csv:1:11\n"
+            "  |\n"
+            "1 | time,open,sped\n"
+            "  |           ^^^^\n"
+            "  |\n"
             "help: did you mean `speed`?\n\n1 error\n");
+}
+
+// Tools find the cell in the trace, also where it is behind much that was not kept.
+TEST_F(ReplayCode, FaultsOfATraceHaveAPlaceForTools) {
+  std::string rows = "time,open,speed,battery,gear\n";
+  while (rows.size() < 200'000) rows += std::to_string(rows.size()) + ",1,0,1,park\n";
+  const auto line = 1 + std::count(rows.begin(), rows.end(), '\n');
+  write("long.csv", rows + std::to_string(rows.size()) + ", \xC2\xB5,0,1,park\n");
+  const auto report = [](const std::string& format) {
+    const Outcome o = rtac({"replay", "door.rta", "long.csv", "--engine", "interp", format});
+    EXPECT_EQ(o.status, 2);
+    return nlohmann::json::parse(o.err);
+  };
+  const auto place = [&](std::size_t column) -> nlohmann::json {
+    return {{"line", line}, {"column", column}, {"offset", rows.size() + column - 1}};
+  };
+  const nlohmann::json json = report("--format=json")[0];
+  EXPECT_EQ(json["message"], "`\xC2\xB5` is no value of `open`");
+  const nlohmann::json location = {{"file", "long.csv"}, {"begin", place(9)}, {"end", place(11)}};
+  EXPECT_EQ(json["location"], location);
+  const nlohmann::json log = report("--format=sarif");
+  const nlohmann::json physical =
+      log["/runs/0/invocations/0/toolExecutionNotifications/0"
+          "/locations/0/physicalLocation"_json_pointer];
+  const nlohmann::json region = {
+      {"startLine", line}, {"startColumn", 9}, {"endLine", line}, {"endColumn", 10}};
+  EXPECT_EQ(physical["artifactLocation"]["uri"], "long.csv");
+  EXPECT_EQ(physical["region"], region);
 }
 
 TEST_P(ReplayBy, OfATraceWithoutARowThereAreNoFindings) {
@@ -257,7 +295,7 @@ TEST_P(ReplayBy, OfATraceWithoutARowThereAreNoFindings) {
   const Outcome o = replay({"door.rta", "none.csv"});
   EXPECT_EQ(o.status, 2);
   EXPECT_EQ(o.out, "");
-  EXPECT_NE(o.err.find("error[9004]: none.csv:2:1: the trace ends without a row"),
+  EXPECT_NE(o.err.find("error[9004]: the trace ends without a row\n --> none.csv:2:1\n"),
             std::string::npos)
       << o.err;
 }

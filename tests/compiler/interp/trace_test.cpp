@@ -111,6 +111,14 @@ TEST(Trace, WrongMissingAndDoubleColumns) {
   EXPECT_EQ(fault("time,open,speed,n,gear,p.x,p.y,t.0\n"), "1:32: the column `t.1` is missing");
 }
 
+TEST(Trace, FaultsStandWhereTheirTextDoes) {
+  EXPECT_EQ(fault("\n\r\ntime,open,sped\n"), "3:11: no input is called `sped`");
+  EXPECT_EQ(fault(header + "0,  far,0,1,park,0,0,0,0\n"), "2:5: `far` is no value of `open`");
+  EXPECT_EQ(fault(header + "0, \"far\",0,1,park,0,0,0,0\n"), "2:4: `far` is no value of `open`");
+  EXPECT_EQ(fault(header + "0,\"\n1\",0,1,park,0,0,0,0\n"), "2:3: `\n1` is no value of `open`");
+  EXPECT_EQ(fault(header + "0,\"\n\",1\n"), "3:3: the row has 3 cells, the first line 9");
+}
+
 // A recorder that wrote nothing must not look like a run in which nothing went wrong.
 TEST(Trace, ATraceWithoutARowIsNone) {
   EXPECT_EQ(fault(header), "2:1: the trace ends without a row");

@@ -45,6 +45,18 @@ TEST(SourceManager, AcceptsAnEmptyFile) {
   EXPECT_EQ(sources.line_text(file, 1), "");
 }
 
+TEST(SourceManager, PartsOfAFileHaveTheirPlaceInIt) {
+  SourceManager sources;
+  const FileId part = sources.add_part("a.csv", "1,2\n3,4", 7, 100);
+  EXPECT_EQ(sources.position(part, 0).line, 7U);
+  EXPECT_EQ(sources.position(part, 6).line, 8U);
+  EXPECT_EQ(sources.position(part, 6).column, 3U);
+  EXPECT_EQ(sources.offset_in_file(part, 6), 106U);
+  EXPECT_EQ(sources.line_text(part, 8), "3,4");
+  EXPECT_EQ(sources.line_text(part, 6), "");
+  EXPECT_EQ(sources.line_text(part, 9), "");
+}
+
 TEST(SourceManager, KeepsReferencesWhenFilesAreAdded) {
   // Ids stay valid while imports are loaded.
   SourceManager sources;
