@@ -46,4 +46,10 @@ void Engine::report(Diagnostic diagnostic) {
   all_.push_back(std::move(diagnostic));
 }
 
+void Engine::add_note(Code code, std::string text) {
+  const auto last = std::find_if(all_.rbegin(), all_.rend(),
+                                 [code](const Diagnostic& d) { return d.code == code; });
+  if (last != all_.rend()) last->notes.push_back({std::nullopt, std::move(text)});
+}
+
 }  // namespace rtac::diag

@@ -57,6 +57,8 @@ class Engine {
  public:
   // Reports are kept in order; the same code at the same range is kept once.
   void report(Diagnostic diagnostic);
+  // To the last report with that code, when there is one.
+  void add_note(Code code, std::string text);
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] int error_count() const { return errors_; }
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }

@@ -34,6 +34,21 @@ void run_passes(const Options& options, std::ostream& out, Compilation& c) {
   }
 }
 
+// What is imported has no `spec` line, and must not get one: it is read with what imports it.
+void tell_of_parts(const Options& options, const syntax::File& root, Compilation& c) {
+  const auto& all = c.diagnostics.all();
+  const bool lacks_spec = std::any_of(all.begin(), all.end(), [&](const diag::Diagnostic& d) {
+    return d.code == diag::Code::missing_spec_name && d.range == SourceRange{root.id, 0, 0};
+  });
+  if (!lacks_spec || root.items.empty()) return;
+  const std::string command =
+      options.line.empty() ? "rtac check MAIN.rta"
+                           : "rtac explain " + options.spec + ":" + options.line + " --in MAIN.rta";
+  c.diagnostics.add_note(diag::Code::missing_spec_name,
+                         "a file that others import has none: `" + command +
+                             "` works, where MAIN.rta is a specification that imports it");
+}
+
 // A recovery that spends charge is built as if that were acknowledged.
 int errors_in_building(const diag::Engine& diagnostics) {
   const auto& all = diagnostics.all();
@@ -93,6 +108,7 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   if (!file) return;
   const syntax::Program program =
       syntax::parse_program(*file, c.sources, c.diagnostics, c.dependencies);
+  tell_of_parts(options, program.files.back(), c);  // the root is visited to its end last
   if (options.dump_ast) out << syntax::dump(program, c.sources);
   c.spec = sema::check(program, c.diagnostics);
   if (!c.spec && !c.diagnostics.has_errors()) {

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "compiler/driver/driver.h"
+#include "compiler/driver/files.h"
 #include "compiler/driver/sim.h"
 #include "compiler/ir/source_text.h"
 
@@ -56,14 +57,30 @@ std::string nearest(const std::vector<Lines>& known, std::uint32_t line) {
            " are the nearest that have something";
   }
   if (!above && !below) return "no line of it has something";
-  return "line " + std::to_string(above ? *above : *below) +
-         " is the nearest that has something";
+  return "line " + std::to_string(above ? *above : *below) + " is the nearest that has something";
+}
+
+// The file that the line is of; none: the specification has no such part, which is reported.
+std::optional<FileId> file_of(const Options& options, Compilation& c) {
+  if (options.part.empty()) return FileId{};  // the one that was named is read first
+  std::string others;
+  for (std::uint32_t i = 0; i < c.sources.file_count(); ++i) {
+    const std::string& path = c.sources.path(FileId{i});
+    if (same_file(path, options.part)) return FileId{i};
+    if (i > 0) others += (others.empty() ? "`" : ", `") + path + "`";
+  }
+  const std::string main = "`" + c.sources.path(FileId{}) + "`";
+  refuse(c, "`" + options.part + "` is no part of " + main,
+         others.empty() ? main + " imports nothing" : "it imports " + others);
+  return std::nullopt;
 }
 
 }  // namespace
 
 int explain_line(const Options& options, Compilation& c, std::ostream& out) {
-  const FileId file{};  // the one that was named is read first
+  const std::optional<FileId> part = file_of(options, c);
+  if (!part) return exit_usage;
+  const FileId file = *part;
   const std::string& path = c.sources.path(file);
   const std::uint32_t lines = line_count(c, file);
   const std::uint32_t line = line_of(options.line, lines);

@@ -237,7 +237,7 @@ void PropertyRemarks::expression(const sema::Expr& e, const Place& place) {
     if (found->own) {
       details.push_back(cost(e, place.block, place.of_others));
     } else {
-      elsewhere(value, details);
+      elsewhere(e, value, details);
     }
     if (place.is_fact) details.emplace_back("judged now, whatever lies ahead");
   } else if (!constant) {
@@ -246,9 +246,12 @@ void PropertyRemarks::expression(const sema::Expr& e, const Place& place) {
   out_.push_back({e.range, "`" + one_line(c_.sources.text(e.range)) + "`", std::move(details)});
 }
 
-void PropertyRemarks::elsewhere(const Value& value, std::vector<std::string>& to) const {
-  const auto line = c_.sources.position(value.source.file, value.source.begin).line;
-  to.push_back("computed once, for line " + std::to_string(line));
+void PropertyRemarks::elsewhere(const sema::Expr& e, const Value& value,
+                                std::vector<std::string>& to) const {
+  const FileId file = value.source.file;
+  const auto line = c_.sources.position(file, value.source.begin).line;
+  to.push_back("computed once, for line " + std::to_string(line) +
+               (file == e.range.file ? "" : " of " + c_.sources.path(file)));
 }
 
 }  // namespace rtac::driver

@@ -50,7 +50,7 @@ class PropertyRemarks {
   [[nodiscard]] std::optional<Found> find(const sema::Expr& e, const ir::Block& block);
   [[nodiscard]] const std::vector<Rational>& errors_of(const ir::Block& block);
   void widen(Found& found, const ir::Block& block);
-  void elsewhere(const ir::Value& value, std::vector<std::string>& to) const;
+  void elsewhere(const sema::Expr& e, const ir::Value& value, std::vector<std::string>& to) const;
 
   const Compilation& c_;
   const sema::Spec& spec_;

@@ -45,6 +45,9 @@ constexpr FlagText flag_texts[] = {
      "where the first run with a violation is written; default: the specification's name with\n"
      ".trace"},
     {"--replay", "FILE", "play a recorded run again instead"},
+    {"--in", "SPEC",
+     "FILE is imported by this specification, or by what it imports: the line is explained as a\n"
+     "part of it; - is standard input"},
     {"--simulate", "N",
      "simulate each decision N times, too, as `rtac sim` does, and tell how much of the time its\n"
      "advanced controller had, and how far that is from what is predicted; needs a C compiler"},
@@ -231,14 +234,15 @@ constexpr CommandText command_texts[] = {
      "  1  a file has errors, or with --check is not in the layout\n"
      "  2  usage, or a file that cannot be read or written\n"
      "  70 a bug of rtac\n"},
-    {"explain", "rtac explain CODE\n       rtac explain FILE:LINE [--simulate N]",
+    {"explain", "rtac explain CODE\n       rtac explain FILE:LINE [--in SPEC] [--simulate N]",
      "CODE is the number or name of a diagnostic: what it means, with a faulty and a mended\n"
      "specification. FILE:LINE is a line of a specification: what was derived for each expression\n"
      "on it, range, grid, rounding, error, bytes and operations; of robots look-ahead and\n"
-     "clearances.\n",
+     "clearances. A line of a file that is imported is one of the specification that imports it.\n",
      "  rtac explain 3001\n"
      "  rtac explain unit_missing\n"
      "  rtac explain door.rta:7\n"
+     "  rtac explain common/limits.rta:3 --in door.rta\n"
      "  rtac explain delivery.rta:57 --simulate 20\n",
      "  0  it was printed\n"
      "  1  the specification has errors\n"

@@ -51,6 +51,7 @@ std::string value_hint(const std::string& flag, bool picture = false) {
   if (flag == "--jobs") return "`--jobs 4`";
   if (flag == "--simulate") return "`--simulate 20`";
   if (flag == "--adversary") return "`--adversary chase-fence`";
+  if (flag == "--in") return "`--in main.rta`";
   return "`" + flag + (flag == "-o" && !picture ? " DIR`" : " FILE`");
 }
 
@@ -93,7 +94,7 @@ const std::vector<CommandInfo>& commands() {
       {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"protocol", Command::protocol, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"fmt", Command::format, {"--check", "--format"}, any_number},
-      {"explain", Command::explain, {"--simulate"}, 1},
+      {"explain", Command::explain, {"--in", "--simulate"}, 1},
   };
   return all;
 }
@@ -109,7 +110,7 @@ struct Parser {
   Options options;
   UsageError problem;
   std::vector<std::string> operands;
-  std::string format, engine, bytes_max;
+  std::string format, engine, bytes_max, importer;
 
   // Flags that take the next word.
   std::map<std::string, std::string*> with_value() {
@@ -128,6 +129,7 @@ struct Parser {
             {"--adversary", &options.adversary},
             {"--trace", &options.trace_out},
             {"--replay", &options.recorded},
+            {"--in", &importer},
             {"--simulate", &options.simulated},
             {"--recheck", &options.recheck},
             {"--mutate", &options.mutant}};
@@ -168,10 +170,10 @@ struct Parser {
   // A second value of a flag would silently win over the first.
   void take(const std::string& flag, const std::string& value, std::string& place) {
     const bool picture = options.command == Command::zones;
-    const bool standard_output = picture && flag == "-o" && value == "-";
+    const bool is_stream = value == "-" && ((picture && flag == "-o") || flag == "--in");
     if (value.empty()) {
       problem = {"`" + flag + "` needs a value after it", value_hint(flag, picture)};
-    } else if (value[0] == '-' && flag != "--max-bytes" && !standard_output) {
+    } else if (value[0] == '-' && flag != "--max-bytes" && !is_stream) {
       problem = {"`" + flag + "` needs a value after it, not the flag `" + value + "`",
                  "a path that starts with a dash is written `./" + value + "`"};
     } else if (!place.empty()) {
@@ -302,6 +304,9 @@ struct Parser {
     if (std::string line = cut_number(text); !line.empty()) last = std::move(line);
     options.spec = text;
     options.line = last;
+    if (importer.empty()) return true;
+    options.part = text;
+    options.spec = importer;
     return true;
   }
   // Cuts `:12` off the end, when there is something before it; empty: there is no such end.
@@ -349,6 +354,11 @@ struct Parser {
     if (!options.simulated.empty() && options.line.empty()) {
       problem = {"`--simulate` tells of a specification, and `" + options.topic + "` is none",
                  "give FILE:LINE, such as the line of a monitor"};
+    }
+    if (!importer.empty() && options.line.empty()) {
+      problem = {
+          "`--in` names what imports the file of a line, and `" + options.topic + "` is none",
+          "give FILE:LINE, such as `imported.rta:2`"};
     }
     if (options.command == Command::zones && options.output.empty()) {
       problem = {"`rtac zones` needs a place for the picture",

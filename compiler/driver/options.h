@@ -36,6 +36,7 @@ struct Options {
   std::vector<std::string> help_flags;  // of the command that `help` is about
   std::string topic;  // of `help`: a command; of `explain`: number or name of a diagnostic,
   std::string line;   // or a line of `spec`, when `topic` is empty: digits
+  std::string part;   // of `explain`: the line is of this file, which `spec` imports
   std::vector<std::string> files;  // of `fmt`: paths, or "-"
   std::string output;              // directory of `build` and `protocol`; of `zones`: path, or "-"
   std::string depfile;             // may be empty

@@ -254,6 +254,60 @@ TEST_F(Explain, ALineThatIsNotThere) {
   }
 }
 
+// A part is explained as it is in what imports it.
+class ExplainPart : public Explain {
+ protected:
+  void SetUp() override {
+    Explain::SetUp();
+    write("parts/limits.rta", "fun slow(v : real [m/s]) : bool =\n  v <= 1 m/s;\n");
+    write("main.rta",
+          "spec s; period 1 s; import \"parts/limits.rta\";\n"
+          "input v : real [m/s] in 0 .. 5 m/s;\n"
+          "monitor m { \"R: r\" always v + 0 m/s <= 1 m/s and slow(v + 0 m/s); }\n");
+  }
+};
+
+TEST_F(ExplainPart, InWhatImportsIt) {
+  const Outcome o = rtac({"explain", "parts/../parts/limits.rta:2", "--in", "main.rta"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.out.substr(0, o.out.find("  type")),
+            "parts/limits.rta:2: v <= 1 m/s;\n\n`v <= 1 m/s`\n  in monitor m\n");
+  const Outcome main = rtac({"explain", "main.rta:2", "--in=main.rta"});
+  EXPECT_EQ(main.out, rtac({"explain", "main.rta:2"}).out);
+}
+
+TEST_F(ExplainPart, WithoutItSaysWhatWorks) {
+  const Outcome o = rtac({"explain", "parts/limits.rta:2"});
+  EXPECT_EQ(o.status, 1);
+  EXPECT_NE(o.err.find("error[1017]"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("note: a file that others import has none: `rtac explain "
+                       "parts/limits.rta:2 --in MAIN.rta` works, where MAIN.rta is"),
+            std::string::npos)
+      << o.err;
+  EXPECT_NE(o.err.find("help: insert `spec my_spec;`"), std::string::npos) << o.err;
+  const std::string check = rtac({"check", "parts/limits.rta"}).err;
+  EXPECT_NE(check.find("`rtac check MAIN.rta` works"), std::string::npos) << check;
+  write("nothing.rta", "// nothing\n");
+  EXPECT_EQ(rtac({"check", "nothing.rta"}).err.find("note:"), std::string::npos);
+  write("nameless.rta", "spec ;\nperiod 1 s;\n");
+  EXPECT_EQ(rtac({"check", "nameless.rta"}).err.find("note:"), std::string::npos);
+}
+
+TEST_F(ExplainPart, OfAnotherSpecification) {
+  const Outcome other = rtac({"explain", "door.rta:2", "--in", "main.rta"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_EQ(other.err,
+            "error[9001]: `door.rta` is no part of `main.rta`\n"
+            "help: it imports `parts/limits.rta`\n\n1 error\n");
+  const Outcome alone = rtac({"explain", "main.rta:2", "--in", "door.rta"});
+  EXPECT_NE(alone.err.find("help: `door.rta` imports nothing\n"), std::string::npos) << alone.err;
+  const Outcome page = rtac({"explain", "3001", "--in", "main.rta"});
+  EXPECT_EQ(page.status, 2);
+  EXPECT_NE(page.err.find("`--in` names what imports the file of a line, and `3001` is none"),
+            std::string::npos)
+      << page.err;
+}
+
 TEST_F(Explain, AFileThatIsNotThere) {
   const Outcome o = rtac({"explain", "missing.rta:3"});
   EXPECT_EQ(o.status, 2);
