@@ -591,13 +591,13 @@ ZoneGaps zone_gaps(const sema::Spec& spec) {
   ZoneGaps gaps;
   const auto add = [&](const sema::Expr& e) {
     const auto* of = std::get_if<sema::ZoneDistance>(&e.node);
-    if (of == nullptr || gaps.contains({of->zone, of->other})) return;
+    if (of == nullptr || gaps.contains(ir::TableMap::pair(*of))) return;
     const Rational nearer = square_apart(evaluator, spec, *of, Side::outer);
     const Rational farther = square_apart(evaluator, spec, *of, Side::inner);
     const auto [lo, some] = root_mm(nearer);
     const auto [hi, more] = root_mm(farther);
     const std::int64_t last = hi.get_si() + (more ? 1 : 0);
-    gaps[{of->zone, of->other}] = {lo.get_si(), last, some && last == lo.get_si() + 1};
+    gaps[ir::TableMap::pair(*of)] = {lo.get_si(), last, some && more && last == lo.get_si() + 1};
   };
   for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, add);
   return gaps;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace rtac::geometry {
 namespace {
@@ -75,6 +76,52 @@ bool Nearby::keeps(std::size_t from, std::size_t to, std::size_t node, const Seg
   const std::size_t half = middle(from, to);
   return keeps(from, half, 2 * node + 1, s, distance_m) &&
          keeps(half, to, 2 * node + 2, s, distance_m);
+}
+
+double Nearby::to_box(const Vector& p, const Part& part) const {
+  const Box& box = boxes_[part.node];
+  return std::hypot(std::max({0.0, box.x0 - p.x, p.x - box.x1}),
+                    std::max({0.0, box.y0 - p.y, p.y - box.y1}));
+}
+
+double Nearby::nearest(const Vector& p, double most_m) const {
+  if (!segments_.empty()) shorten(all(), p, most_m);
+  return most_m;
+}
+
+// The nearer half first: then the other one is seldom looked at.
+void Nearby::shorten(const Part& part, const Vector& p, double& least) const {
+  if (to_box(p, part) >= least) return;
+  if (part.to - part.from <= leaf) {
+    for (std::size_t i = part.from; i < part.to; ++i) {
+      least = std::min(least, distance(p, segments_[order_[i]]));
+    }
+    return;
+  }
+  const std::size_t half = middle(part.from, part.to);
+  Part near{part.from, half, 2 * part.node + 1}, far{half, part.to, 2 * part.node + 2};
+  if (to_box(p, far) < to_box(p, near)) std::swap(near, far);
+  shorten(near, p, least);
+  shorten(far, p, least);
+}
+
+void Nearby::each_within(const Vector& p, double distance_m,
+                         const std::function<void(std::size_t)>& visit) const {
+  if (!segments_.empty()) this->visit(all(), p, distance_m, visit);
+}
+
+void Nearby::visit(const Part& part, const Vector& p, double distance_m,
+                   const std::function<void(std::size_t)>& each) const {
+  if (to_box(p, part) > distance_m) return;
+  if (part.to - part.from <= leaf) {
+    for (std::size_t i = part.from; i < part.to; ++i) {
+      if (distance(p, segments_[order_[i]]) <= distance_m) each(order_[i]);
+    }
+    return;
+  }
+  const std::size_t half = middle(part.from, part.to);
+  visit({part.from, half, 2 * part.node + 1}, p, distance_m, each);
+  visit({half, part.to, 2 * part.node + 2}, p, distance_m, each);
 }
 
 }  // namespace rtac::geometry

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace rtac::geometry {
@@ -38,6 +39,11 @@ class Nearby {
  public:
   // Of segments that must outlive it.
   explicit Nearby(const std::vector<Segment>& segments);
+  // How far the nearest one is from `p`, or `most_m` where none is nearer.
+  [[nodiscard]] double nearest(const Vector& p, double most_m) const;
+  // Calls `visit` with the index of each that is no farther from `p`.
+  void each_within(const Vector& p, double distance_m,
+                   const std::function<void(std::size_t)>& visit) const;
   // Does every segment keep that distance from `s`?
   [[nodiscard]] bool keeps(const Segment& s, double distance_m) const {
     return segments_.empty() || keeps(0, segments_.size(), 0, s, distance_m);
@@ -52,6 +58,14 @@ class Nearby {
   Box build(std::size_t from, std::size_t to, std::size_t node, int axis);
   [[nodiscard]] bool keeps(std::size_t from, std::size_t to, std::size_t node, const Segment& s,
                            double distance_m) const;
+  struct Part {
+    std::size_t from, to, node;
+  };
+  [[nodiscard]] Part all() const { return {0, segments_.size(), 0}; }
+  [[nodiscard]] double to_box(const Vector& p, const Part& part) const;
+  void shorten(const Part& part, const Vector& p, double& least) const;
+  void visit(const Part& part, const Vector& p, double distance_m,
+             const std::function<void(std::size_t)>& each) const;
 
   const std::vector<Segment>& segments_;
   std::vector<std::size_t> order_;

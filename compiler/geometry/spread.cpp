@@ -13,8 +13,9 @@ namespace {
 
 using Line = std::vector<Vector>;  // of a ring: the first vertex is the last one, too
 
-// Rings times edges: about a second.
-constexpr double comparisons_max = 2e8;
+// Rings times edges, and steps of the walks: some tenths of a second.
+constexpr double comparisons_max = 2e7;
+constexpr std::size_t steps_max = 20'000'000;
 
 Vector vector_of(const GridPoint& p) {
   return {static_cast<double>(p.x_mm), static_cast<double>(p.y_mm)};
@@ -78,7 +79,8 @@ Line opened(const Line& ring, const At& at) {
 // the second one that is not far ahead.
 class Walk {
  public:
-  Walk(const Line& one, const Line& other) : one_(one), other_(other) {}
+  Walk(const Line& one, const Line& other, std::size_t& steps)
+      : one_(one), other_(other), steps_(steps) {}
 
   double leash() {
     for (std::size_t i = 0; i + 1 < one_.size(); ++i) {
@@ -89,12 +91,13 @@ class Walk {
   }
 
  private:
-  [[nodiscard]] At ahead(const Vector& from, const Vector& to) const {
+  At ahead(const Vector& from, const Vector& to) {
     At best = at_;
     double gap = length(to - place(other_, at_));
     const double way_max = 2 * length(to - from) + 2 * gap + 100;
     double way = 0;
     for (At at = at_; at.edge + 1 < other_.size() && way <= way_max; at = {at.edge + 1, 0}) {
+      if (++steps_ > steps_max) break;
       const At here{at.edge, nearest_share(to, other_[at.edge], other_[at.edge + 1], at.share)};
       const double found = length(to - place(other_, here));
       if (found < gap) {
@@ -118,14 +121,10 @@ class Walk {
   void meet(const Vector& a, const Vector& b) { leash_ = std::max(leash_, length(a - b)); }
 
   const Line &one_, &other_;
+  std::size_t& steps_;
   At at_;
   double leash_ = 0;
 };
-
-double apart(const Line& ring, const Line& other) {
-  const auto [at, gap] = nearest(ring.front(), other);
-  return std::max(gap, Walk(ring, opened(other, at)).leash());
-}
 
 }  // namespace
 
@@ -142,13 +141,19 @@ std::optional<std::int64_t> spread_mm(const std::vector<EdgeRow>& within,
   const double comparisons = static_cast<double>(inner.size()) * static_cast<double>(around.size());
   if (inner.size() != outer.size() || comparisons > comparisons_max) return std::nullopt;
   double most = 0;
+  std::size_t steps = 0;
   for (const Line& ring : inner) {
-    const auto gap_to = [&](const Line& other) { return nearest(ring.front(), other).second; };
-    const auto pair =
-        std::min_element(outer.begin(), outer.end(),
-                         [&](const Line& a, const Line& b) { return gap_to(a) < gap_to(b); });
-    most = std::max(most, apart(ring, *pair));
-    outer.erase(pair);
+    std::size_t pair = 0;
+    std::pair<At, double> start{{}, std::numeric_limits<double>::infinity()};
+    for (std::size_t k = 0; k < outer.size(); ++k) {
+      const auto found = nearest(ring.front(), outer[k]);
+      if (found.second < start.second) start = found, pair = k;
+    }
+    const Line other = opened(outer[pair], start.first);
+    most = std::max({most, start.second, Walk(ring, other, steps).leash()});
+    if (steps > steps_max) return std::nullopt;
+    std::swap(outer[pair], outer.back());
+    outer.pop_back();
   }
   return static_cast<std::int64_t>(std::ceil(2 * most)) + 1;
 }

@@ -216,6 +216,7 @@ std::optional<Rational> Zones::square_apart(sema::ZoneId one, sema::ZoneId other
 
 // What contains them is nearer than what surely lies in them.
 Span Zones::apart(sema::ZoneId one, sema::ZoneId other) {
+  if (other < one) std::swap(one, other);
   const auto known = apart_.find({one, other});
   if (known != apart_.end()) return known->second;
   const auto nearer = square_apart(one, other, Bound::around);

@@ -98,7 +98,7 @@ class Roundings {
     const Slack &a = of(v.a), &b = of(v.b);
     const Rational wider = root_up(a.by * a.by + b.by * b.by);
     const auto spread = watch_.spread_mm(v.within, v.around);
-    return derived(spread ? Rational(exact(7 + *spread) + wider * 3 / 2) : span(), {v.a, v.b});
+    return derived(spread ? up_to_span(exact(7 + *spread) + wider * 3 / 2) : span(), {v.a, v.b});
   }
   Slack operator()(const PointInside& v) const { return of(v.condition); }
   // In space bounds are 4 mm apart, and both the middle and its room are off by 1 mm more.
@@ -106,7 +106,7 @@ class Roundings {
     const Slack &a = of(v.a), &b = of(v.b), &c = of(v.c);
     const Rational wider = root_up(a.by * a.by + b.by * b.by + c.by * c.by);
     const auto spread = watch_.spread_mm(v.within, v.around);
-    const Rational by = spread ? Rational(exact(10 + *spread) + wider * 3 / 2) : span();
+    const Rational by = spread ? up_to_span(exact(10 + *spread) + wider * 3 / 2) : span();
     return derived(by, {v.a, v.b, v.c});
   }
   Slack operator()(const SolidInside& v) const { return of(v.condition); }
@@ -115,7 +115,7 @@ class Roundings {
   Slack operator()(const TrailClearance& v) const {
     const auto spread = watch_.spread_mm(v.within, v.around);
     Slack result =
-        of_trail(spread ? Rational(reached(v.trail) + exact(3 + *spread)) : span(), v.trail);
+        of_trail(spread ? up_to_span(reached(v.trail) + exact(3 + *spread)) : span(), v.trail);
     result.has_crossing_legs = true;
     return result;
   }
@@ -251,6 +251,7 @@ class Roundings {
   [[nodiscard]] Rational span() const {
     return exact(value_->range->hi) - exact(value_->range->lo);
   }
+  [[nodiscard]] Rational up_to_span(const Rational& by) const { return std::min(by, span()); }
   [[nodiscard]] Rational largest(ValueId id) const {
     const Range& range = *block_[id].range;
     return std::max(abs(exact(range.lo)), abs(exact(range.hi)));

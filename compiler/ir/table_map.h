@@ -1,6 +1,7 @@
 // Which table of the module stands for which zone or site of the specification.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -34,6 +35,9 @@ struct TableMap {
     bool open;  // strictly between two neighbouring steps
   };
   std::map<std::pair<sema::ZoneId, sema::ZoneId>, Gap> gaps;
+  static std::pair<sema::ZoneId, sema::ZoneId> pair(const sema::ZoneDistance& of) {
+    return std::minmax(of.zone, of.other);
+  }
 
   [[nodiscard]] ZoneIndex zone(sema::ZoneId id) const {
     return *zones[static_cast<std::uint32_t>(id)];

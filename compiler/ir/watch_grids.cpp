@@ -299,7 +299,7 @@ ValueId QuantityBuilder::quantity(const sema::TrailDistance& v, const sema::Expr
 }
 
 ValueId QuantityBuilder::quantity(const sema::ZoneDistance& v, const sema::Expr& e) {
-  const TableMap::Gap& gap = tables_.gaps.at({v.zone, v.other});
+  const TableMap::Gap& gap = tables_.gaps.at(TableMap::pair(v));
   if (gap.lo_mm == gap.hi_mm) return add(Const{gap.lo_mm}, millimetres(), e);
   return add(Between{gap.lo_mm, gap.hi_mm, gap.open}, millimetres(), e);
 }

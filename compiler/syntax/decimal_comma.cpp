@@ -15,8 +15,14 @@ class Joiner {
 
   void run() {
     for (std::size_t i = 0; i + 3 < tokens_.size(); ++i) {
-      if (is_decimal(i) && is_mistaken(i)) join(i);
+      const std::size_t end = number_end(i);
+      if (end == i || !is_mistaken(i)) continue;
+      join(i, end);
+      i = end;
     }
+    if (is_joined_.empty()) return;
+    std::size_t at = 0;
+    std::erase_if(tokens_, [&](const Token&) { return is_joined_[at++]; });
   }
 
  private:
@@ -28,22 +34,35 @@ class Joiner {
     return tokens_[i].kind == T::NUMBER && !tokens_[i].bad &&
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
   }
-  // Digits on both sides of a comma without blanks, and one unit behind them.
-  [[nodiscard]] bool is_decimal(std::size_t i) const {
-    return is_digits(i) && tokens_[i + 1].kind == T::COMMA && is_digits(i + 2) &&
-           tokens_[i + 3].kind == T::UNIT && touches(i) && touches(i + 1);
+  // The last digits of a number with commas and without blanks, in front of a unit; i: there is
+  // none.
+  [[nodiscard]] std::size_t number_end(std::size_t i) const {
+    std::size_t end = i;
+    if (!is_digits(i)) return i;
+    while (end + 3 < tokens_.size() && tokens_[end + 1].kind == T::COMMA && is_digits(end + 2) &&
+           touches(end) && touches(end + 1)) {
+      end += 2;
+    }
+    return tokens_[end + 1].kind == T::UNIT ? end : i;
+  }
+  // `1,000 m`: of thousands, or between one and two?
+  [[nodiscard]] bool is_of_thousands(std::size_t i, std::size_t end) const {
+    return end > i + 2 || (tokens_[i + 2].text.size() == 3 && tokens_[i].text != "0");
   }
 
   // A point keeps two coordinates, arguments of functions and the ends of intervals may be numbers.
   [[nodiscard]] bool is_mistaken(std::size_t i) const {
+    // far more than a point or a clause has
+    const std::size_t first = i > 400 ? i - 400 : 0;
     std::size_t open = i;
     int depth = 0;
-    while (open-- > 0) {
+    while (open-- > first) {
       if (is_closer(tokens_[open].kind)) ++depth;
       if (is_opener(tokens_[open].kind) && depth-- == 0) break;
       if (tokens_[open].kind == T::SEMICOLON) return true;
     }
-    if (open >= i || tokens_[open].kind == T::LEFT_BRACE) return true;
+    if (open < first || open >= i) return first == 0;
+    if (tokens_[open].kind == T::LEFT_BRACE) return true;
     if (tokens_[open].kind != T::LEFT_PAREN) return false;
     const bool is_call = open > 0 && tokens_[open - 1].kind == T::IDENT;
     return !is_call && other_commas(open, i + 1) > 0;
@@ -59,28 +78,41 @@ class Joiner {
     return count;
   }
 
-  [[nodiscard]] SourceRange number_range(std::size_t i) const {
-    return {tokens_[i].range.file, tokens_[i].range.begin, tokens_[i + 2].range.end};
-  }
-
-  void join(std::size_t i) {
-    const std::string number = tokens_[i].text + "." + tokens_[i + 2].text;
-    diagnostics_.report({diag::Code::unexpected_token,
-                         tokens_[i + 1].range,
-                         "decimals stand behind a point: `" + number + "`",
-                         "a comma separates two values",
-                         {},
-                         {},
-                         {{number_range(i), number}}});
-    tokens_[i].text = number;
-    tokens_[i].range = number_range(i);
-    const auto at = tokens_.begin() + static_cast<std::ptrdiff_t>(i);
-    tokens_.erase(at + 1, at + 3);
+  void join(std::size_t i, std::size_t end) {
+    Token& number = tokens_[i];
+    const SourceRange whole{number.range.file, number.range.begin, tokens_[end].range.end};
+    std::string digits = number.text;
+    for (std::size_t k = i + 2; k <= end; k += 2) digits += tokens_[k].text;
+    const std::string decimal = number.text + "." + tokens_[i + 2].text;
+    diag::Diagnostic mistake{diag::Code::unexpected_token,
+                             tokens_[i + 1].range,
+                             {},
+                             "a comma separates two values",
+                             {},
+                             {},
+                             {}};
+    if (is_of_thousands(i, end)) {
+      mistake.message = "thousands have no sign between them: `" + digits + "`";
+      if (end == i + 2) {
+        mistake.help = "decimals stand behind a point: `" + decimal + "`";
+      } else {
+        mistake.fixits.push_back({whole, digits});
+      }
+    } else {
+      mistake.message = "decimals stand behind a point: `" + decimal + "`";
+      mistake.fixits.push_back({whole, decimal});
+    }
+    diagnostics_.report(std::move(mistake));
+    number.text = is_of_thousands(i, end) ? digits : decimal;
+    number.range = whole;
+    is_joined_.resize(tokens_.size());
+    for (std::size_t k = i + 1; k <= end; ++k) is_joined_[k] = true;
   }
 
   std::vector<Token>& tokens_;
   const SourceManager& sources_;
   diag::Engine& diagnostics_;
+  std::vector<bool> is_joined_;  // tokens that are part of a number in front of them
 };
 
 }  // namespace

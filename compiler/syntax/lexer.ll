@@ -85,8 +85,6 @@ INQUOTES   ([^\n\xE2]|\xE2[^\x80\n]|\xE2\x80[^\x9C\x9D\n])*
 {DIGIT}+(_{DIGIT}+)+      { yyextra->malformed_number(MATCH); BEGIN(UNIT); }
 
 {OPENQUOTE}{INQUOTES}{CLOSEQUOTE}  { yyextra->foreign_quotes(MATCH, 3); }
-  /* The shape alone has a bracket behind it, so that zones and robots may be called `box`. */
-"box"/[ \t\r\n]*"("        { yyextra->box(); }
 {WORD}                    { yyextra->word(MATCH); }
 ({WORD}|{HIGH})[A-Za-z0-9_\x80-\xFF]*  { KEEP(yyextra->foreign_run(MATCH)); }
 

@@ -77,6 +77,11 @@ void LexerSink::push(TokenKind kind, std::string text, bool bad) {
 void LexerSink::track_depth(TokenKind kind) {
   const bool opens = kind == T::LEFT_PAREN || kind == T::LEFT_BRACKET || kind == T::LEFT_BRACE;
   const bool closes = kind == T::RIGHT_PAREN || kind == T::RIGHT_BRACKET || kind == T::RIGHT_BRACE;
+  if (opens) opened_at_.push_back(tokens_.size() - 1);
+  if (closes && !opened_at_.empty()) {
+    closed_at_ = opened_at_.back();
+    opened_at_.pop_back();
+  }
   if (closes && bracket_depth_ > 0) --bracket_depth_;
   if (!opens || ++bracket_depth_ <= kBracketDepthMax) return;
   const std::string limit = std::to_string(kBracketDepthMax);
@@ -122,6 +127,13 @@ TokenKind LexerSink::relation_of_bound(TokenKind kind) const {
                                                                          : T::LESS_EQUAL;
 }
 
+// What is written bounds it from the other side.
+std::string LexerSink::other_bound(TokenKind kind) const {
+  const SourceRange& name = tokens_.back().range;
+  return quote(text_.substr(name.begin, name.end - name.begin)) + " is bounded from " +
+         (kind == T::LESS_EQUAL ? "above: `<=`" : "below: `>=`");
+}
+
 void LexerSink::foreign_operator(TokenKind kind, std::string_view text) {
   if (text == "->" && before_result()) kind = T::COLON;
   std::string help;
@@ -130,10 +142,11 @@ void LexerSink::foreign_operator(TokenKind kind, std::string_view text) {
   } else if (text == "=>") {
     help = "for a comparison, write `>=`";
   }
-  kind = relation_of_bound(kind);
+  const TokenKind bound = std::exchange(kind, relation_of_bound(kind));
   const std::string ours{token_name(kind)};
   report({Code::wrong_operator, quote(text) + " is not an operator of this language",
-          "`" + ours + "` is meant?", std::move(help), set_apart(ours)});
+          bound == kind ? "`" + ours + "` is meant?" : other_bound(kind), std::move(help),
+          set_apart(ours)});
   push(kind, {}, true);
 }
 
@@ -141,15 +154,17 @@ void LexerSink::word(std::string_view text) {
   const Word* word = find_word(text);
   const bool is_type = !tokens_.empty() && tokens_.back().kind == T::COLON;
   if (is_type && may_have_unit(text)) real_at_ = tokens_.size();
+  if (text == "to") name_box();
   push(word ? word->kind : T::IDENT);
 }
 
-// In front of a bracket: the shape, but for `site box(r1) = ...`, and in a file with `fun
-// box(...)`.
-void LexerSink::box() {
-  const TokenKind before = tokens_.empty() ? T::END : tokens_.back().kind;
-  box_is_function_ = box_is_function_ || before == T::FUN;
-  push(before == T::SITE || box_is_function_ ? T::IDENT : T::BOX);
+// `box (...) to`: the shape. Everywhere else `box` is a name, of a function as well.
+void LexerSink::name_box() {
+  if (tokens_.empty() || tokens_.back().kind != T::RIGHT_PAREN || closed_at_ == 0) return;
+  Token& before = tokens_[closed_at_ - 1];
+  if (before.kind == T::IDENT &&
+      text_.substr(before.range.begin, before.range.end - before.range.begin) == "box")
+    before.kind = T::BOX;
 }
 
 bool LexerSink::in_type() const {
@@ -260,7 +275,7 @@ std::size_t LexerSink::foreign_run(std::string_view text) {
     const TokenKind kind = relation_of_bound(found.kind);
     report({Code::unknown_character,
             quote(found.text) + " is not an operator of this language",
-            "operators are written in ASCII",
+            kind == found.kind ? "operators are written in ASCII" : other_bound(kind),
             {},
             set_apart(std::string{kind == found.kind ? found.ascii : token_name(kind)})});
     push(kind, {}, true);

@@ -25,7 +25,6 @@ class LexerSink {
   [[nodiscard]] TokenKind relation_of_bound(TokenKind kind) const;
   void foreign_operator(TokenKind kind, std::string_view text);
   void word(std::string_view text);
-  void box();
   void number(std::string_view text);
   void moment(std::string_view text) { push(T::MOMENT, std::string{text}); }
   void malformed_number(std::string_view text);
@@ -59,6 +58,7 @@ class LexerSink {
  private:
   void push(TokenKind kind, std::string text = {}, bool bad = false);
   void track_depth(TokenKind kind);
+  void name_box();
   [[nodiscard]] SourceRange range() const { return range(begin_, end_); }
   [[nodiscard]] SourceRange range(std::size_t begin, std::size_t end) const;
   struct Mistake {
@@ -79,6 +79,7 @@ class LexerSink {
   void report_text(TextMistake mistake);
   static std::size_t text_length(std::string_view text);
   [[nodiscard]] bool continues(std::size_t line_end) const;
+  [[nodiscard]] std::string other_bound(TokenKind kind) const;
   [[nodiscard]] bool before_number() const;
   [[nodiscard]] std::string set_apart(std::string word) const;
   std::string resolve_escapes(std::string_view inner);
@@ -89,11 +90,12 @@ class LexerSink {
   std::vector<Token> tokens_;
   std::size_t begin_ = 0, end_ = 0, comment_begin_ = 0, string_begin_ = 0;
   std::size_t bracket_depth_ = 0;
+  std::vector<std::size_t> opened_at_;                  // brackets that are open, by index
+  std::size_t closed_at_ = 0;                           // the one that was closed last
   std::size_t real_at_ = static_cast<std::size_t>(-1);  // index of the last such word behind a `:`
   bool at_line_start_ = true;
   bool next_is_bad_ = false;  // a character before the next token was skipped
   bool stopped_ = false;
-  bool box_is_function_ = false;  // `fun box(...)` was read
 };
 
 }  // namespace rtac::syntax

@@ -33,9 +33,9 @@ constexpr std::array kSums{T::PLUS, T::MINUS, T::STAR, T::SLASH};
 constexpr std::array<std::string_view, 6> kWindowed{"min", "max", "rate", "mean", "sum", "count"};
 // Functions of one place or vector, which may be written by its coordinates.
 constexpr std::array<std::string_view, 2> kOfOnePoint{"norm", "energy_to"};
-constexpr std::array<std::string_view, 28> kUnits{
-    "m", "cm", "mm", "km", "um", "s", "ms", "us", "min", "h", "rad", "mrad", "deg", "kg",
-    "g", "A",  "mA", "K",  "N",  "J", "kJ", "Wh", "kWh", "W", "kW",  "V",    "Hz",  "kHz"};
+constexpr std::array<std::string_view, 30> kUnits{
+    "m", "cm", "mm", "km", "um", "s",  "ms", "us",  "min", "h",  "rad", "mrad", "deg", "kg", "g",
+    "A", "mA", "K",  "N",  "J",  "kJ", "Wh", "kWh", "W",   "kW", "V",   "mV",   "Ah",  "Hz", "kHz"};
 
 template <class Set, class Value>
 bool contains(const Set& set, const Value& value) {
@@ -149,9 +149,13 @@ class SignFinder {
 
   // `distance((p, q) <= 2 m`, `rectangle ((0 m, 0 m) to (5 m, 5 m)`
   void add_doubled_bracket() {
-    for (std::size_t i = error_.index; i-- > clause_begin() + 1;) {
+    const std::size_t begin = clause_begin();
+    int tries = 4;  // each parses the file once more
+    for (std::size_t i = error_.index; i-- > begin + 1 && tries > 0;) {
       const bool twice = kind(i) == T::LEFT_PAREN && kind(i - 1) == T::LEFT_PAREN && touch(i - 1);
-      if (!twice || !(starts_point(i - 1) || holds_arguments(i))) continue;
+      if (!twice) continue;
+      --tries;
+      if (!(starts_point(i - 1) || holds_arguments(i))) continue;
       try_edit({EditKind::remove, EditReason::doubled, T::LEFT_PAREN, error_.index - i});
     }
   }
@@ -315,14 +319,32 @@ bool is_unit_word(std::string_view text) {
   return contains(kUnits, text);
 }
 
+namespace {
+
+std::size_t letters_at(std::string_view text) {
+  const auto* const end = std::find_if_not(text.begin(), text.end(), [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+  });
+  return static_cast<std::size_t>(end - text.begin());
+}
+std::size_t power_at(std::string_view text) {
+  if (text.empty() || text.front() != '^') return 0;
+  const std::size_t end = text.find_first_not_of("0123456789", text.substr(0, 2) == "^-" ? 2 : 1);
+  return end == std::string_view::npos ? text.size() : end;
+}
+
+}  // namespace
+
+// Behind a `/` or a `*` it goes on with a unit alone: in `m*factor` it ends.
 std::string_view unit_at(std::string_view text) {
-  constexpr std::string_view signs = "%/*^0123456789";
-  std::size_t end = 0;
-  while (end < text.size() && (std::isalpha(static_cast<unsigned char>(text[end])) != 0 ||
-                               (end > 0 && signs.find(text[end]) != std::string_view::npos))) {
-    ++end;
+  std::size_t end = letters_at(text);
+  end += power_at(text.substr(end));
+  while (end > 0 && end < text.size() && (text[end] == '/' || text[end] == '*')) {
+    const std::size_t letters = letters_at(text.substr(end + 1));
+    if (!is_unit_word(text.substr(end + 1, letters))) break;
+    end += 1 + letters;
+    end += power_at(text.substr(end));
   }
-  while (end > 0 && (text[end - 1] == '/' || text[end - 1] == '*')) --end;
   return text.substr(0, end);
 }
 
@@ -331,7 +353,13 @@ bool is_comment_in_unit(const std::vector<Token>& tokens, std::size_t index,
   if (index == 0 || tokens[index - 1].kind != T::UNIT) return false;
   const SourceRange& unit = tokens[index - 1].range;
   const std::string_view behind = sources.text(unit.file).substr(unit.end);
-  return behind.substr(0, 2) == "//" && !unit_at(behind.substr(2)).empty();
+  if (behind.substr(0, 2) != "//") return false;
+  const std::string_view rest = behind.substr(2);
+  if (!is_unit_word(rest.substr(0, letters_at(rest)))) return false;
+  // the clause goes on: words behind a blank are those of a comment
+  const std::size_t next = rest.find_first_not_of(" \t", unit_at(rest).size());
+  return next == std::string_view::npos ||
+         std::string_view(";,)]\r\n").find(rest[next]) != std::string_view::npos;
 }
 
 bool mends_clause(const std::vector<Token>& tokens, const SyntaxError& error, const Edit& edit,

@@ -15,6 +15,8 @@ constexpr const char* pairs[] = {
     "pad, polygon [(2.0004 m, 0.5 m), (4 m, 0 m), (4 m, 1 m)]",
     "pad, polygon [(2.9999 m, 3 m), (4 m, 3 m), (3 m, 4.0001 m)]",
     "pad, pond",
+    // what surely lies in them is 3 m apart, what contains them a little less
+    "rectangle (5 m, 0 m) to (6 m, 1 m) | circle (5.085372 m, 2.303883 m) radius 0.1 m, pad",
     "pond, circle (8 m, 4 m) radius 50 cm",
     "grow(pad, 1 m), hut",
     "shrink(hut, 10 cm), complement(grow(hut, 1 m))",

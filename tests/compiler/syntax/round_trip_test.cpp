@@ -47,12 +47,13 @@ TEST(RoundTrip, KeepsPrisms) {
   expect_round_trip("zone a = circle (1 m, 2 m) radius -3 m - circle (b, c) radius -(4 m - c);");
 }
 
-// `box` is a shape in front of a bracket, and a name elsewhere.
+// `box` is a shape in front of two corners, and a name elsewhere.
 TEST(RoundTrip, KeepsBoxes) {
   expect_round_trip("zone box = box (1 m, 2 m, 3 m) to (4 m, 5 m, 6 m) - box;");
   expect_round_trip(
       "zone a = grow(box (1 m, 2 m, 3 m) to (box, -b, c.z), box) & box | box\n (a, b, c) to (d, e, "
       "f);");
+  expect_round_trip("zone a = box /* a */ (1 m, b, c) // b\n to (d, e, f);");
   expect_round_trip("site box(box) = (1 m, 2 m);\nfleet box, boxes : box;\nzone a = boxes(b, c);");
   expect_round_trip("fun box(x : real) : real = x;\nmonitor m { always box(1) <= box (2); }");
 }

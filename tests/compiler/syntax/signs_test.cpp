@@ -1,8 +1,13 @@
 // One sign for another, and brackets that are missing or too many: one error, whose fix-it gives
 // what was meant.
+#include "compiler/syntax/signs.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -202,6 +207,23 @@ TEST(Signs, CommentsInUnits) {
 
 TEST(Signs, BraceBehindTheName) {
   expect_mended({{"spec a{\nmonitor m { always p; }", "spec a;\nmonitor m { always p; }"}});
+}
+
+// Sema knows the units; what repairs take for one behind a name must be all of them.
+TEST(Signs, KnowEveryUnit) {
+  std::ifstream file(RTAC_SOURCE_DIR "/compiler/sema/units.cpp");
+  const std::string units{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t table = units.find("table = {");
+  ASSERT_NE(table, std::string::npos);
+  const std::string entries = units.substr(table, units.find("};", table) - table);
+  const std::regex entry(R"re(\n\s+\{"([A-Za-z]+)",)re");
+  const std::sregex_iterator end;
+  int count = 0;
+  for (std::sregex_iterator each(entries.begin(), entries.end(), entry); each != end; ++each) {
+    EXPECT_TRUE(is_unit_word((*each)[1].str())) << (*each)[1].str();
+    ++count;
+  }
+  EXPECT_GE(count, 25);
 }
 
 }  // namespace
