@@ -99,45 +99,72 @@ class Checker {
   diag::Engine& diagnostics_;
 };
 
-// The zones that a robot is in wherever the property holds.
-void collect_fences(const sema::Expr& e, std::vector<sema::ZoneId>& fences) {
-  if (const auto* logic = std::get_if<sema::Logic>(&e.node)) {
-    if (logic->op != sema::LogicOp::logical_and) return;
-    for (const auto& operand : logic->operands) collect_fences(*operand, fences);
-  } else if (const auto* inside = std::get_if<sema::InsideZone>(&e.node)) {
-    fences.push_back(inside->zone);
-  } else if (const auto* compare = std::get_if<sema::Compare>(&e.node)) {
-    const auto* clearance = std::get_if<sema::Clearance>(&compare->left->node);
-    const auto* least = std::get_if<sema::Constant>(&compare->right->node);
-    const bool keeps =
-        compare->op == sema::CompareOp::greater_equal || compare->op == sema::CompareOp::greater;
-    if (keeps && clearance != nullptr && least != nullptr && least->value >= 0) {
-      fences.push_back(clearance->zone);
-    }
-  }
+// What a property asks for of a zone: so much of the clearance of the body, in m.
+struct Fence {
+  sema::ZoneId zone;
+  double least_m = 0;
+};
+std::optional<Fence> fence_of(const sema::Expr& e) {
+  if (const auto* inside = std::get_if<sema::InsideZone>(&e.node)) return Fence{inside->zone, 0};
+  const auto* compare = std::get_if<sema::Compare>(&e.node);
+  if (compare == nullptr) return std::nullopt;
+  const bool at_most =
+      compare->op == sema::CompareOp::less || compare->op == sema::CompareOp::less_equal;
+  const sema::Expr& larger = at_most ? *compare->right : *compare->left;
+  const sema::Expr& smaller = at_most ? *compare->left : *compare->right;
+  const auto* clearance = std::get_if<sema::Clearance>(&larger.node);
+  const auto* least = std::get_if<sema::Constant>(&smaller.node);
+  if (clearance == nullptr || least == nullptr) return std::nullopt;
+  return Fence{clearance->zone, least->value.get_d()};
 }
 
 // A robot charges so near to the place: see `charge` in the language reference.
 constexpr double charges_within_m = 0.15;
 
-// The places at which robots of a kind charge and no controller of theirs ends.
-class ChargingPlaces {
+// Sites that no controller ends at, against the fences of those whose sites they are.
+class FencedOut {
  public:
-  ChargingPlaces(const sema::Spec& spec, const RegionOf& region_of, diag::Engine& diagnostics)
+  FencedOut(const sema::Spec& spec, const RegionOf& region_of, diag::Engine& diagnostics)
       : spec_(spec), region_of_(region_of), diagnostics_(diagnostics) {}
 
-  void check(sema::KindId kind) {
-    const auto& energy = spec_[kind].energy;
-    if (!energy || is_routed_to(energy->charge_at, kind)) return;
-    const sema::Site& site = spec_[energy->charge_at];
+  void check(sema::SiteId id) {
+    const sema::Site& site = spec_[id];
     for (const sema::Site::Place& place : site.places) {
-      if (place.robot && spec_[*place.robot].kind != kind) continue;
-      const auto fence = against({place.position.x, place.position.y}, kind);
-      if (fence) warn(site, place, spec_[*fence]);
+      bool charges = false;
+      for (const sema::KindId kind : kinds_for(place)) {
+        const auto& energy = spec_[kind].energy;
+        if (!energy || energy->charge_at != id) continue;
+        charges = true;
+        if (is_routed_to(id, kind)) continue;
+        if (const auto fence = against(place, kind)) report(site, place, *fence, true);
+      }
+      if (charges) continue;
+      if (const auto fence = against_all(id, place)) report(site, place, *fence, false);
     }
   }
 
  private:
+  // Nobody charges there; it is for whoever gets there.
+  [[nodiscard]] std::optional<sema::MonitorId> against_all(sema::SiteId id,
+                                                           const sema::Site::Place& place) const {
+    std::optional<sema::MonitorId> fence;
+    for (const sema::KindId kind : kinds_for(place)) {
+      fence = is_routed_to(id, kind) ? std::nullopt : against(place, kind);
+      if (!fence) return std::nullopt;
+    }
+    return fence;
+  }
+  // Those of which there are robots.
+  [[nodiscard]] std::vector<sema::KindId> kinds_for(const sema::Site::Place& place) const {
+    if (place.robot) return {spec_[*place.robot].kind};
+    std::vector<sema::KindId> kinds;
+    for (std::uint32_t i = 0; i < spec_.kinds.size(); ++i) {
+      const bool has_robots = std::ranges::any_of(
+          spec_.robots, [&](const sema::Robot& r) { return r.kind == sema::KindId(i); });
+      if (has_robots) kinds.push_back(sema::KindId(i));
+    }
+    return kinds;
+  }
   [[nodiscard]] bool is_routed_to(sema::SiteId site, sema::KindId kind) const {
     return std::any_of(spec_.controllers.begin(), spec_.controllers.end(), [&](const auto& c) {
       const auto route = sema::route_of(c);
@@ -145,36 +172,50 @@ class ChargingPlaces {
     });
   }
   // The first monitor that never lets a robot of the kind be there.
-  [[nodiscard]] std::optional<sema::MonitorId> against(const geometry::Point& p,
+  [[nodiscard]] std::optional<sema::MonitorId> against(const sema::Site::Place& place,
                                                        sema::KindId kind) const {
+    const geometry::Point p{place.position.x, place.position.y};
     for (const sema::Decision& decision : spec_.decisions) {
       if (decision.kind != kind) continue;
       for (const sema::MonitorId id : decision.priority) {
-        if (is_outside(p, *spec_[id].always)) return id;
+        if (is_outside(p, *spec_[id].always, spec_[kind].radius.value.get_d())) return id;
       }
     }
     return std::nullopt;
   }
-  [[nodiscard]] bool is_outside(const geometry::Point& p, const sema::Expr& always) const {
-    std::vector<sema::ZoneId> fences;
-    collect_fences(always, fences);
-    return std::any_of(fences.begin(), fences.end(), [&](sema::ZoneId zone) {
-      if (spec_[zone].has_height) return false;  // a site has none
-      const auto region = region_of_(zone);
-      return region && !region->contains(p) && distance_m(p, *region) > charges_within_m;
-    });
+  // No place within reach of `p` has what the property asks for: its clearance would be more than
+  // that of `p` by no more than the reach.
+  [[nodiscard]] bool is_outside(const geometry::Point& p, const sema::Expr& always,
+                                double radius_m) const {
+    if (const auto* logic = std::get_if<sema::Logic>(&always.node)) {
+      const auto outside = [&](const auto& operand) { return is_outside(p, *operand, radius_m); };
+      if (logic->op == sema::LogicOp::logical_and) {
+        return std::ranges::any_of(logic->operands, outside);
+      }
+      return logic->op == sema::LogicOp::logical_or &&
+             std::ranges::all_of(logic->operands, outside);
+    }
+    const std::optional<Fence> fence = fence_of(always);
+    if (!fence || spec_[fence->zone].has_height) return false;  // a site has none
+    const auto region = region_of_(fence->zone);
+    if (!region) return false;
+    const double clear_m = distance_m(p, *region) * (region->contains(p) ? 1 : -1);
+    return clear_m + charges_within_m + rounding_m < fence->least_m + radius_m;
   }
-  void warn(const sema::Site& site, const sema::Site::Place& place, const sema::Monitor& monitor) {
+  void report(const sema::Site& site, const sema::Site::Place& place, sema::MonitorId by,
+              bool charges) {
+    const sema::Monitor& monitor = spec_[by];
     const std::string robot = place.robot ? "(" + spec_[*place.robot].name + ")" : "";
-    const std::string& kind = spec_[monitor.kind].name;
-    diagnostics_.report({diag::Code::charge_behind_fence,
-                         place.range,
-                         "`" + site.name + robot + "`, where `" + kind + "` charges, lies where `" +
-                             monitor.name + "` lets none be",
-                         "out of reach",
-                         {{monitor.always_range, "robots are kept in here"}},
-                         "move it inside, as far as the body needs",
-                         {}});
+    const std::string use = charges ? ", where `" + spec_[monitor.kind].name + "` charges," : "";
+    diagnostics_.report(
+        {charges ? diag::Code::charge_behind_fence : diag::Code::site_behind_fence,
+         place.range,
+         "`" + site.name + robot + "`" + use + " lies where `" + monitor.name + "` lets none be",
+         "out of reach",
+         {{monitor.always_range, "robots are kept in here"}},
+         "move it inside, as far as the body needs" +
+             std::string(charges ? "" : ", or leave it out"),
+         {}});
   }
 
   const sema::Spec& spec_;
@@ -184,10 +225,10 @@ class ChargingPlaces {
 
 }  // namespace
 
-void check_charging_sites(const sema::Spec& spec, const RegionOf& region_of,
-                          diag::Engine& diagnostics) {
-  ChargingPlaces places(spec, region_of, diagnostics);
-  for (std::size_t i = 0; i < spec.kinds.size(); ++i) places.check(sema::KindId(i));
+void check_fenced_out_sites(const sema::Spec& spec, const RegionOf& region_of,
+                            diag::Engine& diagnostics) {
+  FencedOut fenced_out(spec, region_of, diagnostics);
+  for (std::uint32_t i = 0; i < spec.sites.size(); ++i) fenced_out.check(sema::SiteId(i));
 }
 
 void check_idle_sites(const sema::Spec& spec, const RegionOf& region_of,

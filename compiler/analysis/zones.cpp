@@ -452,6 +452,40 @@ std::int64_t exact_wanted_mm(const sema::Spec& spec) {
   return most_mm;
 }
 
+// The square of how far they are apart, in m^2: as keep-ins, or as keep-outs.
+Rational square_apart(Evaluator& evaluator, const sema::Spec& spec, const sema::ZoneDistance& of,
+                      Side side) {
+  if (spec[of.zone].has_height) {
+    return geometry::square_apart(*evaluator.solids().zone(of.zone, side),
+                                  *evaluator.solids().zone(of.other, side));
+  }
+  return geometry::square_apart(*evaluator.zone(of.zone, side), *evaluator.zone(of.other, side));
+}
+
+// The root in steps of 1 mm, down; whether something is left.
+std::pair<mpz_class, bool> root_mm(const Rational& square) {
+  const Rational mm2 = square * 1'000'000;
+  const mpz_class whole = mm2.get_num() / mm2.get_den();
+  const mpz_class root = sqrt(whole);
+  return {root, Rational(root * root) != mm2};
+}
+
+ZoneGaps gaps_of(Evaluator& evaluator, const sema::Spec& spec) {
+  ZoneGaps gaps;
+  const auto add = [&](const sema::Expr& e) {
+    const auto* of = std::get_if<sema::ZoneDistance>(&e.node);
+    if (of == nullptr || gaps.contains(ir::TableMap::pair(*of))) return;
+    const Rational nearer = square_apart(evaluator, spec, *of, Side::outer);
+    const Rational farther = square_apart(evaluator, spec, *of, Side::inner);
+    const auto [lo, some] = root_mm(nearer);
+    const auto [hi, more] = root_mm(farther);
+    const std::int64_t last = hi.get_si() + (more ? 1 : 0);
+    gaps[ir::TableMap::pair(*of)] = {lo.get_si(), last, some && more && last == lo.get_si() + 1};
+  };
+  for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, add);
+  return gaps;
+}
+
 }  // namespace
 
 std::vector<std::vector<ShownSlab>> exact_zones(const sema::Spec& spec) {
@@ -523,12 +557,11 @@ void check_zones(const sema::Spec& spec, diag::Engine& diagnostics) {
   }
   const RegionOf region_of = [&](ZoneId id) { return evaluator.zone(id); };
   check_idle_sites(spec, region_of, diagnostics);
-  check_charging_sites(spec, region_of, diagnostics);
+  check_fenced_out_sites(spec, region_of, diagnostics);
 }
 
-std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
-                                                         const std::vector<ZoneUse>& wanted,
-                                                         diag::Engine& diagnostics) {
+EvaluatedZones evaluate_zones(const sema::Spec& spec, const std::vector<ZoneUse>& wanted,
+                              diag::Engine& diagnostics) {
   Evaluator evaluator(spec, diagnostics);
   const std::int64_t exact_mm = diagnostics.has_errors() ? 0 : exact_wanted_mm(spec);
   Baker baker(exact_mm, diagnostics);
@@ -559,48 +592,10 @@ std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
   }
   const RegionOf region_of = [&](ZoneId id) { return evaluator.zone(id); };
   check_idle_sites(spec, region_of, diagnostics);
-  check_charging_sites(spec, region_of, diagnostics);
-  return result;
-}
-
-namespace {
-
-// The square of how far they are apart, in m^2: as keep-ins, or as keep-outs.
-Rational square_apart(Evaluator& evaluator, const sema::Spec& spec, const sema::ZoneDistance& of,
-                      Side side) {
-  if (spec[of.zone].has_height) {
-    return geometry::square_apart(*evaluator.solids().zone(of.zone, side),
-                                  *evaluator.solids().zone(of.other, side));
-  }
-  return geometry::square_apart(*evaluator.zone(of.zone, side), *evaluator.zone(of.other, side));
-}
-
-// The root in steps of 1 mm, down; whether something is left.
-std::pair<mpz_class, bool> root_mm(const Rational& square) {
-  const Rational mm2 = square * 1'000'000;
-  const mpz_class whole = mm2.get_num() / mm2.get_den();
-  const mpz_class root = sqrt(whole);
-  return {root, Rational(root * root) != mm2};
-}
-
-}  // namespace
-
-ZoneGaps zone_gaps(const sema::Spec& spec) {
-  diag::Engine reported_before;
-  Evaluator evaluator(spec, reported_before);
-  ZoneGaps gaps;
-  const auto add = [&](const sema::Expr& e) {
-    const auto* of = std::get_if<sema::ZoneDistance>(&e.node);
-    if (of == nullptr || gaps.contains(ir::TableMap::pair(*of))) return;
-    const Rational nearer = square_apart(evaluator, spec, *of, Side::outer);
-    const Rational farther = square_apart(evaluator, spec, *of, Side::inner);
-    const auto [lo, some] = root_mm(nearer);
-    const auto [hi, more] = root_mm(farther);
-    const std::int64_t last = hi.get_si() + (more ? 1 : 0);
-    gaps[ir::TableMap::pair(*of)] = {lo.get_si(), last, some && more && last == lo.get_si() + 1};
-  };
-  for (const sema::Watch& w : spec.watches) sema::for_each_expr(*w.always, add);
-  return gaps;
+  check_fenced_out_sites(spec, region_of, diagnostics);
+  EvaluatedZones all{std::move(result), {}};
+  if (!diagnostics.has_errors()) all.gaps = gaps_of(evaluator, spec);
+  return all;
 }
 
 }  // namespace rtac::analysis

@@ -62,14 +62,14 @@ struct ShownSlab {
 };
 std::vector<std::vector<ShownSlab>> exact_zones(const sema::Spec& spec);
 
-// By ZoneId; nullopt for a zone that is faulty (reported) or not wanted.
-std::vector<std::optional<EvaluatedZone>> evaluate_zones(const sema::Spec& spec,
-                                                         const std::vector<ZoneUse>& wanted,
-                                                         diag::Engine& diagnostics);
-
-// How far the zones are apart that monitors ask about, of a specification without errors.
 using ZoneGaps = decltype(ir::TableMap::gaps);
-ZoneGaps zone_gaps(const sema::Spec& spec);
+struct EvaluatedZones {
+  // By ZoneId; nullopt for a zone that is faulty (reported) or needs no table.
+  std::vector<std::optional<EvaluatedZone>> zones;
+  ZoneGaps gaps;  // of those that monitors ask about; none where something was reported
+};
+EvaluatedZones evaluate_zones(const sema::Spec& spec, const std::vector<ZoneUse>& wanted,
+                              diag::Engine& diagnostics);
 
 // Reports what is wrong with zones without baking any: for those that need no tables, and still are
 // to refuse what kernels do.
