@@ -60,9 +60,10 @@ class Deriver {
     out_.module.name = spec_.name;
     check_magnitudes(spec_, diagnostics_);
     const std::vector<ZoneUse> wanted = wanted_zones(spec_);
-    zones_ = evaluate_zones(spec_, wanted, diagnostics_);
+    EvaluatedZones evaluated = evaluate_zones(spec_, wanted, diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;
-    out_.tables.gaps = zone_gaps(spec_);
+    zones_ = std::move(evaluated.zones);
+    out_.tables.gaps = std::move(evaluated.gaps);
     number_zones(wanted);
     std::vector<ir::Region> regions = number_regions(wanted);
     std::vector<ir::Solid> solids = number_solids(wanted, regions);

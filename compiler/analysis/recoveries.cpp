@@ -13,6 +13,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/widening.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/words.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -243,7 +244,6 @@ class Recoveries {
   void claimed() {
     const ir::Recovery& r = monitor_.recovery;
     if (r.kind != ir::RecoveryKind::external) return;
-    if (r.claims && decision_.body.in_space) return;  // refused before
     if (r.claims) return claims_too_little();
     const auto fences = fences_of(monitor_.property, decision_.facts.params);
     const std::string zone = fences.empty() ? "Z" : module_[fences.front()].name;
@@ -276,7 +276,7 @@ class Recoveries {
     d.label = "braked at once, and for good";
     d.notes.push_back({std::nullopt, "the widest place of `" + zone.name + "` has a clearance of " +
                                          metres(zone.widest_mm) + ", at " +
-                                         place(zone.widest_x_mm, zone.widest_y_mm)});
+                                         ir::widest_place(zone)});
     d.notes.push_back({std::nullopt,
                        "body, errors, and what a robot at rest may do until it is "
                        "braked take " +

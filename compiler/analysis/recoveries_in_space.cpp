@@ -51,7 +51,7 @@ class InSpace {
   Found run() const {
     for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
       Found found;
-      if (ir::goes_back(step->kind)) found = retreat(*step);
+      if (ir::goes_back(step->kind) || step->claims) found = retreat(*step);
       if (step->kind == ir::RecoveryKind::land) found = landing(*step);
       if (found) return found;
     }
@@ -95,7 +95,8 @@ class InSpace {
                      some_corner(slab.region),
           "a zone that lies in `" + module_[fence].name + "` works, such as that one itself");
     }
-    if (Found found = across(step)) return found;
+    // an external one is braked where its claim does not hold: it leads nowhere from there
+    if (Found found = step.claims ? std::nullopt : across(step)) return found;
     if (!zone.has_height()) return std::nullopt;  // it keeps its height
     const std::int64_t top_mm = zone.slabs.back().ceiling_mm;
     const std::int64_t bottom_mm = zone.slabs.front().floor_mm;

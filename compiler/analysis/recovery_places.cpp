@@ -410,7 +410,7 @@ bool comes_nearer(const diag::Diagnostic& report) {
 }
 
 std::optional<Region> within(const Region& region, std::int64_t mm) {
-  constexpr std::size_t vertices_most = 2000;  // a second
+  constexpr std::size_t vertices_most = 4000;  // two seconds
   if (region.vertices() > vertices_most) return std::nullopt;
   Rational by_m(static_cast<long>(-mm), 1000);
   by_m.canonicalize();

@@ -16,7 +16,7 @@ namespace rtac::analysis {
 // The exact zone of a table.
 using ExactZone = std::function<const geometry::Region&(ir::ZoneIndex)>;
 
-// The places of the region that are so far from its boundary, all that are `offset_excess_mm`
+// The places of the region that are so far from its boundary, all that are `offset_excess_m()`
 // farther among them; none: the region has so many vertices that this takes long.
 std::optional<geometry::Region> within(const geometry::Region& region, std::int64_t mm);
 

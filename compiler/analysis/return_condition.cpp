@@ -9,6 +9,7 @@
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/site_room.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/words.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -258,13 +259,10 @@ class Judge {
     if (least <= best) return std::nullopt;
     diag::Diagnostic d = finding(source);
     d.label = "holds nowhere in `" + table.name + "`";
-    d.notes.push_back(
-        {std::nullopt, "in the widest place, at (" + metres(table.widest_x_mm) + ", " +
-                           metres(table.widest_y_mm) +
-                           (table.has_height() ? ", " + metres(table.widest_z_mm) : "") +
-                           "), the centre has " + metres(table.widest_mm) +
-                           "; body, errors and the age of a sample take " +
-                           metres(table.widest_mm - best)});
+    d.notes.push_back({std::nullopt, "in the widest place, at " + ir::widest_place(table) +
+                                         ", the centre has " + metres(table.widest_mm) +
+                                         "; body, errors and the age of a sample take " +
+                                         metres(table.widest_mm - best)});
     d.help = best - strict >= 0 ? "a clearance of " + metres(best - strict) + " works"
                                 : "no clearance works: widen the zone";
     return d;

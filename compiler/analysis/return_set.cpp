@@ -9,6 +9,7 @@
 #include "compiler/analysis/timing.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/words.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -227,9 +228,7 @@ class ReturnSet {
   diag::Note note(const ir::Monitor& retreat) const {
     const ir::ZoneTable& zone = zone_of(retreat);
     return {std::nullopt, "the widest place of `" + zone.name + "` has a clearance of " +
-                              metres(zone.widest_mm) + ", at (" + metres(zone.widest_x_mm) + ", " +
-                              metres(zone.widest_y_mm) +
-                              (zone.has_height() ? ", " + metres(zone.widest_z_mm) : "") + ")"};
+                              metres(zone.widest_mm) + ", at " + ir::widest_place(zone)};
   }
 
   // Of the comparison that asks for so much.

@@ -12,10 +12,8 @@ constexpr std::size_t vertices_most = 200, cells_tried_most = 12'000;
 
 std::optional<ir::Cells> cells_of(const geometry::Region& zone, std::int64_t by_mm) {
   // zones to stay in grow less than they are told (zones.cpp, offsets)
-  const std::int64_t least_mm = std::max<std::int64_t>(by_mm - geometry::offset_excess_mm, 0);
-  Rational by_m(static_cast<long>(least_mm), 1000);
-  by_m.canonicalize();
-  const auto snapped = geometry::snap_inside(zone.grow(by_m));
+  const Rational by_m = Rational(static_cast<long>(by_mm)) / 1000 - geometry::offset_excess_m();
+  const auto snapped = geometry::snap_inside(zone.grow(std::max(by_m, Rational(0))));
   if (!snapped) return std::nullopt;
   const geometry::CellGrid cells = baked(*snapped).cells;
   return ir::Cells{cells.origin.x_mm, cells.origin.y_mm, cells.cell_mm,

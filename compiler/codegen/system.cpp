@@ -390,10 +390,12 @@ class SystemPrinter {
   std::string claim_of(const Recovery& r) const {
     const Body& b = d().body;
     const auto part = [](std::int64_t thousandths) { return real_metres(thousandths); };
-    return "{&" + names_(module_[r.zone].name) + "_zone(), " + real_metres(r.speed_mmps) + ", " +
+    const bool has_height = module_[r.zone].has_height();
+    const std::string zone = "&" + names_(module_[r.zone].name) + "_zone()";
+    return "{" + (has_height ? "nullptr" : zone) + ", " + real_metres(r.speed_mmps) + ", " +
            std::to_string(reaction_us(d(), r)) + ", " + part(b.accel_mmps2) + ", " +
            part(b.brake_lag_ms) + ", " + part(b.brake_lag_permille) + ", " +
-           real_metres(b.hold_mm) + "}";
+           real_metres(b.hold_mm) + (has_height ? ", " + zone : "") + "}";
   }
   // The setting of whoever does not move: it needs no zone.
   void standing(Code& body) {

@@ -81,7 +81,9 @@ class DeclaredRemarks {
     sense(id, "velocity", k.velocity, dims::speed);
     sense(id, "battery", k.battery, dims::ratio);
     if (k.hears_max_age) for_decisions(k.hears_max_age->range, "hears other robots");
-    if (k.plan) for_decisions(k.plan->range, "plan");
+    if (k.plan) {
+      for_decisions(k.plan->range, "plan", "judges all of it; it does not count `tracking`");
+    }
     if (k.energy) for_decisions(k.energy->range, "energy");
     for_decisions(k.latency.range, "latency: " + sema::show(k.latency.value, dims::time));
     fleets(id);
@@ -97,14 +99,12 @@ class DeclaredRemarks {
     if (c_.module->watch) details.push_back("in monitors without a robot " + watched);
     add(source, std::move(text), std::move(details));
   }
-  void for_decisions(const SourceRange& source, std::string text) {
-    const bool of_plan = text == "plan";
-    std::string detail = "a decision alone makes use of it";
-    if (!planner_.empty()) {
-      detail = of_plan ? "decision " + planner_ + " judges all of it; it does not count `tracking`"
-                       : "decision " + planner_ + " does not count it";
-    }
-    add(source, std::move(text), {std::move(detail)});
+  // `planned`: what a decision on plans does with it.
+  void for_decisions(const SourceRange& source, std::string text,
+                     const std::string& planned = "does not count it") {
+    add(source, std::move(text),
+        {planner_.empty() ? "a decision alone makes use of it"
+                          : "decision " + planner_ + " " + planned});
   }
 
   void sense(sema::KindId id, const std::string& name, const std::optional<sema::Sense>& s,

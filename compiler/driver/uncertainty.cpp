@@ -66,9 +66,10 @@ class Widths {
   Rational operator()(const Norm& v) const {
     return root_up(of(v.a) * of(v.a) + of(v.b) * of(v.b)) + rounding_steps;
   }
-  // The kernel bounds distances within 3 mm, of a middle that is off the grid by 1 mm at most, for
-  // which it leaves 1 mm; the box of the place adds half its diagonal on either side. Where the
-  // zone is none of the grid, what lies between its two regions is unknown as well.
+  // The kernel bounds distances within 3 mm, of a middle that is off the grid by 1 mm at most; it
+  // leaves 1 mm at most for a measurement off it; the box of the place adds half its diagonal on
+  // either side. Where the zone is none of the grid, what lies between its two regions is unknown
+  // as well.
   Rational operator()(const PointClearance& v) const {
     constexpr int bounds_mm = 3, middle_mm = 2;
     const auto spread = watch_.spread_mm(v.within, v.around);
@@ -77,7 +78,8 @@ class Widths {
     return diagonal + exact(*spread) + 2 * (middle_mm + rounding_steps) + bounds_mm;
   }
   Rational operator()(const PointInside& v) const { return of(v.condition); }
-  // In space they are 4 mm apart, with 2 mm for a middle that is off by less than 2 mm.
+  // In space they are 4 mm apart, with 2 mm at most for a measurement off the middle, which is off
+  // by less than 2 mm.
   Rational operator()(const SolidClearance& v) const {
     constexpr int bounds_mm = 4, middle_mm = 4;
     const auto spread = watch_.spread_mm(v.within, v.around);

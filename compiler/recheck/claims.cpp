@@ -32,6 +32,9 @@ Doubt wrong(std::string why) {
 Rational milli(std::int64_t n) {
   return Rational(static_cast<long>(n)) / 1000;
 }
+Rational without_excess(const Rational& length) {
+  return std::max(Rational(length - geometry::offset_excess_m()), Rational(0));
+}
 Rational micro(std::int64_t n) {
   return Rational(static_cast<long>(n)) / 1'000'000;
 }
@@ -224,8 +227,7 @@ Found Claims::contained(const Values& v) {
   }
   const auto standoff = far ? number(v, "standoff_mm") : std::optional<std::int64_t>(0);
   if (!standoff || *standoff < 0) return wrong("the standoff is no number");
-  // what is known of curves and offsets from inside
-  const Rational off = milli(std::max<std::int64_t>(*standoff - geometry::offset_excess_mm, 0));
+  const Rational off = without_excess(milli(*standoff));
   const geometry::Region *const in = zones_.region(*inner), *const out = zones_.region(*outer);
   if (in != nullptr && out != nullptr) {
     const auto kept = out->offset(-off);
@@ -363,8 +365,7 @@ Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::Z
 Found Claims::lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm) {
   const auto x = number(v, "x_mm"), y = number(v, "y_mm"), z = number(v, "z_mm");
   if (!x || !y) return wrong("no such place");
-  // what is known of curves and offsets from inside
-  const Rational near = milli(std::max<std::int64_t>(gap_mm - geometry::offset_excess_mm, 0));
+  const Rational near = without_excess(milli(gap_mm));
   const bool clear = z ? zones_.clear_in_space(zone, {milli(*x), milli(*y)}, milli(*z), near)
                        : zones_.clear(zone, {milli(*x), milli(*y)}, near);
   if (!clear) return wrong("the place is nearer to the boundary");

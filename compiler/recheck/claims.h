@@ -67,6 +67,8 @@ class Claims {
 
 Doubt wrong(std::string why);
 Rational milli(std::int64_t n);
+// What is left of a length where curves and offsets are known from inside.
+Rational without_excess(const Rational& length);
 Rational micro(std::int64_t n);
 // nullopt: there is none, or it is no number.
 std::optional<std::int64_t> number(const Values& v, const std::string& key);

@@ -188,9 +188,7 @@ class Condition {
   }
   bool clear(sema::ZoneId zone, const Rational& gap) {
     if (at_) {
-      // what is known of curves and offsets from inside
-      const Rational near =
-          std::max(Rational(seen(gap) - geometry::offset_excess_m()), Rational(0));
+      const Rational near = without_excess(seen(gap));
       return z_ ? claims_.zones().clear_in_space(zone, *at_, *z_, near)
                 : claims_.zones().clear(zone, *at_, near);
     }
@@ -204,7 +202,8 @@ class Condition {
       const auto small = claims_.zones().solid(within.back()), large = claims_.zones().solid(zone);
       return more <= 0 && small && large && small->subtract(*large).empty();
     }
-    if (more <= 0 ? out->contains(*own) : out->shrink(more).contains(*own)) return true;
+    if (more <= 0 ? out->contains(*own) : out->shrink(without_excess(more)).contains(*own))
+      return true;
     const auto way = sema::route_of(recovery_);
     const Rational parked(1, 10);  // it counts as parked within this of its site
     return way && std::ranges::all_of(spec_[way->site].places, [&](const auto& place) {

@@ -154,7 +154,7 @@ class Turns {
     }
     const geometry::Region* const in = claims_.zones().region(within.back());
     const geometry::Region* const out = claims_.zones().region(zone);
-    return in != nullptr && out != nullptr && out->shrink(more).contains(*in);
+    return in != nullptr && out != nullptr && out->shrink(without_excess(more)).contains(*in);
   }
   // A period, two where the recovery is external (rule 9.1).
   [[nodiscard]] Rational least_ahead(const sema::Monitor& m) const {

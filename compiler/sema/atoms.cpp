@@ -283,14 +283,7 @@ ExprPtr PropertyChecker::distance(const syntax::Expr& expr, const syntax::Call& 
   }
   if (one == Subject::self && names_agent(second)) return distance_from_agent(expr, second);
   if (two == Subject::self && names_agent(first)) return distance_from_agent(expr, first);
-  if (says_zone(first) && says_zone(second)) {
-    context_.report(Finding(Code::wrong_argument, expr.range,
-                            "how far two zones are apart does not depend on `" + self + "`")
-                        .label("no distance of a robot")
-                        .help("write it in a monitor without `for`: `monitor apart { \"...\" "
-                              "always distance(one, other) >= 1 m; }`"));
-    return nullptr;
-  }
+  if (says_zone(first) && says_zone(second)) return distance_of_zones(expr, first, second);
   if (one == Subject::self && says_zone(second)) return distance_from_zone(expr, second);
   if (two == Subject::self && says_zone(first)) return distance_from_zone(expr, first);
   for (const syntax::Expr* argument : {&first, &second}) {

@@ -29,7 +29,7 @@ class ControllerChecker {
     if (node.zone) {
       range_ = written_.implementation_range;
       built_in("keeps");
-      const auto zone = zone_in_frame(context_, *node.zone);
+      const auto zone = zone_flown_in(*node.zone);
       external.claim = {zone.value_or(ZoneId{}), speed(node.speed, "keeps")};
     }
     controller_.implementation = std::move(external);
@@ -135,8 +135,8 @@ class ControllerChecker {
                                 "of your own"));
     }
     if (!kind_known_) return;
-    const bool flies =
-        name == "brake_and_hold" || name == "retreat" || name == "land" || name == "loiter";
+    const bool flies = name == "brake_and_hold" || name == "retreat" || name == "land" ||
+                       name == "loiter" || name == "keeps";
     if (!flies) knows_space(name);
     const std::string user = "`" + name + "`";
     const SourceRange& range = range_;
@@ -155,7 +155,8 @@ class ControllerChecker {
             .label("`" + kind.name + "` has a height")
             .note(kind.name_range, "the robot is declared here")
             .help("`brake_and_hold`, `retreat within Z speed 0.3 m/s`, `loiter within Z speed 0.3 "
-                  "m/s` and `land to 0.5 m speed 0.3 m/s` work, also as steps of a `sequence`"));
+                  "m/s` and `land to 0.5 m speed 0.3 m/s` work, also as steps of a `sequence`, and "
+                  "`extern keeps inside Z speed <= 0.3 m/s`"));
   }
 
   Quantity speed(const syntax::ExprPtr& expr, const std::string& name) {

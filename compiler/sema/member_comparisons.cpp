@@ -133,7 +133,7 @@ ExprPtr PropertyChecker::compare_while_open(const SourceRange& range, CompareOp 
   find_while_open(left, 1, found);
   find_while_open(right, -1, found);
   if (found.size() != 1 || found.front().sign == 0) {
-    return make_condition(range, Compare{op, std::move(left), std::move(right)});
+    return comparison(range, op, std::move(left), std::move(right));
   }
   ExprPtr& place = *found.front().place;
   WhileOpen taken = std::move(std::get<WhileOpen>(place->node));

@@ -1,10 +1,25 @@
 // What a monitor without a robot says about places: a point or the body of a robot lies in a zone,
 // and how far from its boundary.
+#include <algorithm>
+
 #include "compiler/sema/heights.h"
 #include "compiler/sema/property_checker.h"
 #include "compiler/sema/zones.h"
 
 namespace rtac::sema {
+namespace {
+
+// The clearance of several legs.
+bool is_least_of_ways(const Expr& gap) {
+  const auto* math = std::get_if<Math>(&gap.node);
+  return math != nullptr && math->op == MathOp::minimum &&
+         std::ranges::all_of(math->operands, [](const ExprPtr& each) {
+           const auto* way = std::get_if<TrailClearance>(&each->node);
+           return way != nullptr && !way->greatest;
+         });
+}
+
+}  // namespace
 
 using syntax::BinaryOp;
 
@@ -153,6 +168,38 @@ ExprPtr PropertyChecker::gap_of(const syntax::Expr& expr, Centre place, ZoneId z
       PointClearance{std::move(place.x), std::move(place.y), std::move(place.z), zone});
 }
 
+// A place, or a way, whose clearance is at least 0 m lies inside, which is known better than how
+// far from the boundary it is: both are one condition.
+ExprPtr PropertyChecker::comparison(const SourceRange& range, CompareOp op, ExprPtr left,
+                                    ExprPtr right) {
+  const bool at_most = op == CompareOp::less || op == CompareOp::less_equal;
+  const bool strict = op == CompareOp::less || op == CompareOp::greater;
+  const bool of_left = at_most == strict;  // the gap, if it is one
+  const auto* bound = std::get_if<Constant>(&(of_left ? right : left)->node);
+  Expr& gap = of_left ? *left : *right;
+  auto* place = std::get_if<PointClearance>(&gap.node);
+  auto* way = std::get_if<TrailClearance>(&gap.node);
+  const bool lies = place != nullptr || (way != nullptr && !way->greatest);
+  if (bound == nullptr || bound->value != 0 || !(lies || is_least_of_ways(gap))) {
+    return make_condition(range, Compare{op, std::move(left), std::move(right)});
+  }
+  if (!lies) {  // each of them
+    std::vector<ExprPtr> parts;
+    for (ExprPtr& each : std::get<Math>(gap.node).operands) {
+      ExprPtr zero = make_quantity(range, dims::length, Constant{0});
+      parts.push_back(of_left ? comparison(range, op, std::move(each), std::move(zero))
+                              : comparison(range, op, std::move(zero), std::move(each)));
+    }
+    return joined(range, strict ? LogicOp::logical_or : LogicOp::logical_and, std::move(parts));
+  }
+  ExprPtr in = place != nullptr
+                   ? make_condition(range, PointInside{std::move(place->x), std::move(place->y),
+                                                       std::move(place->z), place->zone})
+                   : make_condition(range, TrailInside{std::move(way->trail), way->zone, false});
+  if (!strict) return in;
+  return make_condition(range, Logic{LogicOp::logical_not, operands_of(std::move(in))});
+}
+
 ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Binary& binary) {
   if (is_error(*binary.left) || is_error(*binary.right)) return nullptr;
   if (says_way(*binary.left)) return way_inside(expr, binary);
@@ -176,6 +223,15 @@ ExprPtr PropertyChecker::point_inside(const syntax::Expr& expr, const syntax::Bi
 // How far two zones are apart; nothing where they meet.
 ExprPtr PropertyChecker::distance_of_zones(const syntax::Expr& expr, const syntax::Expr& first,
                                            const syntax::Expr& second) {
+  if (scope_.of_robot()) {  // in a function that its monitor calls, too
+    context_.report(
+        Finding(Code::wrong_argument, expr.range,
+                "how far two zones are apart does not depend on `" + scope_.self.text + "`")
+            .label("no distance of a robot")
+            .help("write it in a monitor without `for`: `monitor apart { \"...\" "
+                  "always distance(one, other) >= 1 m; }`"));
+    return nullptr;
+  }
   const FrameId frame = frame_of_zone(context_, first);
   const auto in_frame = [&](const syntax::Expr& zone) {
     return zone_in_property(context_, zone, frame, Change::apart, Height::allowed);

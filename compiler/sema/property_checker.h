@@ -247,6 +247,7 @@ class PropertyChecker {
   };
   static Centre centre_of(Pair& place);
   ExprPtr inside_of(const syntax::Expr& expr, Centre place, ZoneId zone);
+  ExprPtr comparison(const SourceRange& range, CompareOp op, ExprPtr left, ExprPtr right);
   ExprPtr gap_of(const syntax::Expr& expr, Centre place, ZoneId zone);
   [[nodiscard]] bool says_zone(const syntax::Expr& expr) const;
   std::optional<Placed> placed(const syntax::Expr& expr, const std::string& user);

@@ -1,5 +1,4 @@
 #include "compiler/sema/zones.h"
-#include "compiler/syntax/print_expr.h"
 
 #include <algorithm>
 
@@ -9,6 +8,7 @@
 #include "compiler/sema/openings.h"
 #include "compiler/sema/quantity.h"
 #include "compiler/sema/suggest.h"
+#include "compiler/syntax/print_expr.h"
 
 namespace rtac::sema {
 
@@ -255,7 +255,7 @@ class ZoneChecker {
   }
 
   static constexpr const char* zone_help =
-      "write the name of a zone, `rectangle`, `circle`, `polygon`, `prism`, "
+      "write the name of a zone, `rectangle`, `circle`, `polygon`, `box`, `prism`, "
       "`shrink(zone, length)`, `complement(zone)`, `import \"file\"`, or zones joined by `|`, `&` "
       "and `-`";
 

@@ -273,7 +273,7 @@ Obligation returns_together(const Subject& s) {
     }
     return o;
   }
-  // `shrink` takes up to 2 mm more than it is asked for
+  // `shrink` takes up to 1 mm more than it is asked for
   geometry::Region common = geometry::Region::everywhere();
   for (const Need& need : all) {
     common = common.intersect(s.exact(need.zone).shrink(Rational(need.clearance_mm - 3, 1000)));

@@ -53,13 +53,18 @@ class Recoveries {
     return decision_.surroundings.zones[static_cast<std::size_t>(r.zone)];
   }
 
+  // nullptr: its zone has no height.
+  [[nodiscard]] const SolidView* solid_of(const Recovery& r) const {
+    const SolidView& solid = decision_.surroundings.solids[static_cast<std::size_t>(r.zone)];
+    return solid.slab_count > 0 ? &solid : nullptr;
+  }
+
   // Recoveries that move up and down command accelerations.
   template <class Command>
   std::unique_ptr<SafeController<Command>> in_space(const Recovery& r, safe::Setting& s) const {
     if constexpr (std::is_same_v<Command, Acceleration>) {
       s.land_at_m = r.land_at_m;
-      const SolidView& solid = decision_.surroundings.solids[static_cast<std::size_t>(r.zone)];
-      if (solid.slab_count > 0) s.solid = &solid;
+      s.solid = solid_of(r);
       if (r.kind == "retreat") return std::make_unique<safe::RetreatInSpace>(s);
       if (r.kind == "loiter") return std::make_unique<safe::LoiterInSpace>(s);
       if (r.kind == "land") return std::make_unique<safe::Land>(s);
@@ -91,6 +96,7 @@ class Recoveries {
     if (!r.claim) return driven;
     safe::Claim claim = *r.claim;
     claim.zone = &zone_of(r);
+    claim.solid = solid_of(r);
     claim.speed_mps = r.speed_mps;
     auto claimed = std::make_unique<safe::Claimed<Output>>(s, claim);
     claimed->attach(*driven);

@@ -18,16 +18,18 @@ constexpr double lags = 3;
 constexpr double s_per_us = 1e-6;
 
 // Speeds up and slows down so gently that it never gets faster than is wanted.
-void drive(Vec2 wanted, double settles_s, const TruthState& truth, const RobotLimits& limits,
+void drive(Vec3 wanted, double settles_s, const TruthState& truth, const RobotLimits& limits,
            Acceleration& to) {
-  const Vec2 push = (1 / settles_s) * (wanted - truth.velocity);
-  const double size = norm(push);
-  to = {size > limits.accel_mps2 ? (limits.accel_mps2 / size) * push : push, 0};
+  const Vec3 wish = (1 / settles_s) * (wanted - sim::velocity_of(truth));
+  const double size = norm(wish);
+  const Vec3 push = size > limits.accel_mps2 ? (limits.accel_mps2 / size) * wish : wish;
+  to = {{push.x, push.y}, push.z};
 }
 
 // Its own wheels see to the speed; backwards, when that is the shorter turn.
-void drive(Vec2 wanted, double /*settles_s*/, const TruthState& truth, const RobotLimits& limits,
-           Twist& to) {
+void drive(Vec3 wanted_in_space, double /*settles_s*/, const TruthState& truth,
+           const RobotLimits& limits, Twist& to) {
+  const Vec2 wanted{wanted_in_space.x, wanted_in_space.y};
   to = {norm(wanted), 0};
   double error = sim::wrap_angle(sim::angle_of(wanted) - truth.heading_rad);
   if (std::abs(error) > sim::pi / 2) {
@@ -67,10 +69,10 @@ Output Unverified<Output>::command(const Observation& observation) {
   choose(observation.now_us);
   Output output{};
   const sim::Threat threat = arena_.threat(robot_, aim_);
-  const Vec2 to{threat.direction.x, threat.direction.y};
-  const Vec2 way = towards_ * to + across_ * Vec2{-to.y, to.x};
+  const Vec3 to = threat.direction;
+  const Vec3 way = towards_ * to + across_ * Vec3{-to.y, to.x, 0};
   const double size = norm(way);
-  const Vec2 wanted = size > 0 ? (speed_mps_ / size) * way : Vec2{};
+  const Vec3 wanted = size > 0 ? (speed_mps_ / size) * way : Vec3{};
   drive(wanted, settles_s_, arena_.truth(robot_), arena_.limits(), output);
   return output;
 }

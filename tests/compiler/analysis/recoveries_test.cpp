@@ -34,8 +34,8 @@ robot Drone {
          t.latency + R"(;
 }
 fleet d1 : Drone;
-site  home = (2.5 m, 2.5 m);
-controller pilot : advanced for Drone extern;
+)" + (t.recovery.find("to home") != std::string::npos ? "site  home = (2.5 m, 2.5 m);\n" : "") +
+         R"(controller pilot : advanced for Drone extern;
 controller rec   : safe for Drone )" +
          (t.recovery.starts_with("extern") ? "" : "= ") + t.recovery + R"(;
 monitor walls for d : Drone {
@@ -188,6 +188,17 @@ TEST(Recoveries, NameWhereNoWayLeadsIntoTheirZone) {
   EXPECT_EQ(codes(t), Codes{});
 }
 
+// The same robot in space.
+Codes codes_in_space(const Text& t) {
+  std::string text = text_of(t);
+  text = test::edited(text, ": point ", ": point3 ");
+  text = test::edited(text, ": vector ", ": vector3 ");
+  Codes all;
+  const auto c = compiled(text);
+  for (const auto& d : c->diagnostics.all()) all.push_back(static_cast<int>(d.code));
+  return all;
+}
+
 // In space the ways into a part are not looked at: it is warned of where a wall may lie between.
 TEST(Recoveries, InSpaceAPartOfWhatIsNotConvexIsWarnedOf) {
   const auto within = [](const std::string& hall, const std::string& property) {
@@ -195,20 +206,34 @@ TEST(Recoveries, InSpaceAPartOfWhatIsNotConvexIsWarnedOf) {
            "zone hall = " + hall +
                "; zone low = prism (rectangle (0 m, 0 m) to (5 m, 2 m)) from 0 m to 5 m; "};
     t.property = property;
-    std::string text = text_of(t);
-    text = test::edited(text, ": point ", ": point3 ");
-    text = test::edited(text, ": vector ", ": vector3 ");
-    text = test::edited(text, "site  home = (2.5 m, 2.5 m);\n", "");
-    Codes all;
-    const auto c = compiled(text);
-    for (const auto& d : c->diagnostics.all()) all.push_back(static_cast<int>(d.code));
-    return all;
+    return codes_in_space(t);
   };
   const std::string box = "prism (rectangle (0 m, 0 m) to (5 m, 5 m)) from 0 m to 5 m";
   EXPECT_EQ(within(box, "d inside hall"), Codes{});
   EXPECT_EQ(within(box + " | prism (rectangle (0 m, 5 m) to (2 m, 9 m)) from 0 m to 5 m",
                    "d inside hall"),
             Codes{5020});
+}
+
+// Nor does an external one leave what its monitor says: it is braked within what it claims.
+TEST(Recoveries, InSpaceClaimsLieInThePropertyAndAreLargeEnough) {
+  const auto claims = [](const std::string& inside, const std::string& property = "d inside hall") {
+    Text t{"extern keeps inside " + inside + " speed <= 0.5 m/s",
+           "zone hall = prism (rectangle (0 m, 0 m) to (5 m, 5 m)) from 0 m to 5 m; "
+           "zone high = prism (rectangle (0 m, 0 m) to (5 m, 5 m)) from 0 m to 6 m; "
+           "zone low = prism (rectangle (0 m, 0 m) to (5 m, 2 m)) from 0 m to 5 m; "
+           "zone flat = prism (rectangle (0 m, 0 m) to (5 m, 5 m)) from 0 m to 0.5 m; "};
+    t.property = property;
+    t.clauses = "hold when violated \"why\";";
+    return codes_in_space(t);
+  };
+  EXPECT_EQ(claims("hall"), Codes{});
+  EXPECT_EQ(claims("low"), Codes{});
+  EXPECT_EQ(claims("high"), Codes{5016});
+  EXPECT_EQ(claims("room"), Codes{5016});  // of the plane, it reaches up without an end
+  EXPECT_EQ(claims("room", "d inside room"), Codes{});
+  EXPECT_EQ(claims("hall", "d inside hall and d.position.z <= 4 m"), Codes{5016});
+  EXPECT_EQ(claims("flat"), Codes{5019});  // never seen to hold
 }
 
 // A body on the seam of two zones is in neither of them.

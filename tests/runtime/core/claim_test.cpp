@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/runtime/core/test_plants.h"
 #include "tests/runtime/core/test_zone.h"
 
@@ -65,6 +67,37 @@ TEST(Claim, IsOfTheSpeedTooAndOfOldSamples) {
   EXPECT_TRUE(holds({0.22, 2.5}, {0, 0}));
   EXPECT_FALSE(holds({0.22, 2.5}, {0, 0}, 50'000));
   EXPECT_FALSE(holds({2.5, 2.5}, {0, 0}, 200'000));  // too old to be used at all
+}
+
+// A hall of 5 m by 5 m by 3 m, and a drone of space in its middle as far as the plane tells.
+TEST(Claim, IsOfHeightsInSpace) {
+  const SlabView slab{&room().view(), 0, 3};
+  const SolidView hall{"hall", &slab, 1};
+  RobotLimits limits = test::drone_limits();
+  limits.in_space = true;
+  const auto holds_at = [&](double height_m, double climb_mps, const SolidView* solid) {
+    Plant<Acceleration> plant(limits, {2.5, 2.5});
+    plant.noisy = 0, plant.now_us = 1'000'000;
+    Observation seen = plant.observe();
+    seen.height_m = height_m, seen.climb_mps = climb_mps;
+    Claim above = claim();
+    if (solid != nullptr) above.zone = nullptr, above.solid = solid;
+    return claim_holds(above, limits, 50'000, seen);
+  };
+  EXPECT_TRUE(holds_at(1.5, 0, &hall));
+  EXPECT_FALSE(holds_at(0.19, 0, &hall));  // as near to the floor as to a wall
+  EXPECT_TRUE(holds_at(0.25, 0, &hall));
+  EXPECT_FALSE(holds_at(2.81, 0, &hall));
+  EXPECT_FALSE(holds_at(4, 0, &hall));
+  EXPECT_TRUE(holds_at(40, 0, nullptr));      // over a zone of the plane
+  EXPECT_TRUE(holds_at(1.5, 0.51, &hall));    // within the error of the measurement
+  EXPECT_FALSE(holds_at(1.5, -0.53, &hall));  // it falls too fast
+  EXPECT_FALSE(holds_at(2.6, 0.5, &hall));
+  EXPECT_TRUE(holds_at(2.6, 0.5, nullptr));
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(holds_at(unknown, 0, nullptr));
+  EXPECT_FALSE(holds_at(unknown, 0, &hall));
+  EXPECT_FALSE(holds_at(1.5, unknown, &hall));
 }
 
 // Whatever it commands, it is braked before it leaves its claim, and drives on when it is back.

@@ -16,6 +16,7 @@ struct Claim {
   // How far the braked path may be from the straight stop (theory, the brake: rho_sc): a time at
   // the speed it begins with, a part of the straight stop, and the hold.
   double brake_lag_s = 0, brake_bend = 0, hold_m = 0;
+  const SolidView* solid = nullptr;  // in space, in the place of `zone`: one with height
 };
 
 // All that the robot can touch until the next decision, and then braking, lies in the zone, and it
