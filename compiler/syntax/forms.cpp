@@ -42,11 +42,6 @@ constexpr Construct kTemplates[] = {
     {T::SEQUENCE, "sequence brake_and_hold for 2 s then retreat within free speed 0.1 m/s"},
 };
 
-bool ends_clause(TokenKind kind) {
-  return kind == T::SEMICOLON || kind == T::LEFT_BRACE || kind == T::RIGHT_BRACE ||
-         kind == T::BAD_CLAUSE;
-}
-
 std::size_t clause_begin(const std::vector<Token>& tokens, std::size_t index) {
   while (index > 0 && !ends_clause(tokens[index - 1].kind)) --index;
   // the requirement text of a monitor ends without a `;`

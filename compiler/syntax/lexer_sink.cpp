@@ -75,15 +75,13 @@ void LexerSink::push(TokenKind kind, std::string text, bool bad) {
 }
 
 void LexerSink::track_depth(TokenKind kind) {
-  const bool opens = kind == T::LEFT_PAREN || kind == T::LEFT_BRACKET || kind == T::LEFT_BRACE;
-  const bool closes = kind == T::RIGHT_PAREN || kind == T::RIGHT_BRACKET || kind == T::RIGHT_BRACE;
-  if (opens) opened_at_.push_back(tokens_.size() - 1);
-  if (closes && !opened_at_.empty()) {
+  if (is_closer(kind) && !opened_at_.empty()) {
     closed_at_ = opened_at_.back();
     opened_at_.pop_back();
   }
-  if (closes && bracket_depth_ > 0) --bracket_depth_;
-  if (!opens || ++bracket_depth_ <= kBracketDepthMax) return;
+  if (!is_opener(kind)) return;
+  opened_at_.push_back(tokens_.size() - 1);
+  if (opened_at_.size() <= kBracketDepthMax) return;
   const std::string limit = std::to_string(kBracketDepthMax);
   report({Code::nesting_too_deep, "brackets are nested more than " + limit + " deep",
           "the file is not read beyond this bracket",
@@ -122,15 +120,12 @@ TokenKind LexerSink::relation_of_bound(TokenKind kind) const {
   const TokenKind before = tokens_[size - 2].kind;
   const bool is_name = tokens_[size - 1].kind == T::IDENT || find_word(tokens_[size - 1].kind);
   if (!is_name || (before != T::LEFT_BRACE && before != T::SEMICOLON)) return kind;
-  const SourceRange& name = tokens_[size - 1].range;
-  return is_least_bound(text_.substr(name.begin, name.end - name.begin)) ? T::GREATER_EQUAL
-                                                                         : T::LESS_EQUAL;
+  return is_least_bound(text_of(tokens_.back())) ? T::GREATER_EQUAL : T::LESS_EQUAL;
 }
 
 // What is written bounds it from the other side.
 std::string LexerSink::other_bound(TokenKind kind) const {
-  const SourceRange& name = tokens_.back().range;
-  return quote(text_.substr(name.begin, name.end - name.begin)) + " is bounded from " +
+  return quote(text_of(tokens_.back())) + " is bounded from " +
          (kind == T::LESS_EQUAL ? "above: `<=`" : "below: `>=`");
 }
 
@@ -162,9 +157,7 @@ void LexerSink::word(std::string_view text) {
 void LexerSink::name_box() {
   if (tokens_.empty() || tokens_.back().kind != T::RIGHT_PAREN || closed_at_ == 0) return;
   Token& before = tokens_[closed_at_ - 1];
-  if (before.kind == T::IDENT &&
-      text_.substr(before.range.begin, before.range.end - before.range.begin) == "box")
-    before.kind = T::BOX;
+  if (before.kind == T::IDENT && text_of(before) == "box") before.kind = T::BOX;
 }
 
 bool LexerSink::in_type() const {

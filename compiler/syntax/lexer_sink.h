@@ -59,6 +59,9 @@ class LexerSink {
   void push(TokenKind kind, std::string text = {}, bool bad = false);
   void track_depth(TokenKind kind);
   void name_box();
+  [[nodiscard]] std::string_view text_of(const Token& token) const {
+    return text_.substr(token.range.begin, token.range.end - token.range.begin);
+  }
   [[nodiscard]] SourceRange range() const { return range(begin_, end_); }
   [[nodiscard]] SourceRange range(std::size_t begin, std::size_t end) const;
   struct Mistake {
@@ -89,7 +92,6 @@ class LexerSink {
   diag::Engine& diagnostics_;
   std::vector<Token> tokens_;
   std::size_t begin_ = 0, end_ = 0, comment_begin_ = 0, string_begin_ = 0;
-  std::size_t bracket_depth_ = 0;
   std::vector<std::size_t> opened_at_;                  // brackets that are open, by index
   std::size_t closed_at_ = 0;                           // the one that was closed last
   std::size_t real_at_ = static_cast<std::size_t>(-1);  // index of the last such word behind a `:`

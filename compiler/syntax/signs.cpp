@@ -42,10 +42,6 @@ bool contains(const Set& set, const Value& value) {
   return std::find(set.begin(), set.end(), value) != set.end();
 }
 
-bool is_brace(TokenKind kind) {
-  return kind == T::LEFT_BRACE || kind == T::RIGHT_BRACE;
-}
-
 // The innermost bracket that is open in front of `index`.
 std::optional<std::size_t> bracket_around(const std::vector<Token>& tokens, std::size_t index) {
   int depth = 0;
@@ -285,18 +281,6 @@ class SignFinder {
 
 }  // namespace
 
-bool is_opener(TokenKind kind) {
-  return kind == T::LEFT_PAREN || kind == T::LEFT_BRACKET || kind == T::LEFT_BRACE;
-}
-
-bool is_closer(TokenKind kind) {
-  return kind == T::RIGHT_PAREN || kind == T::RIGHT_BRACKET || kind == T::RIGHT_BRACE;
-}
-
-bool ends_clause(TokenKind kind) {
-  return kind == T::SEMICOLON || is_brace(kind) || kind == T::BAD_CLAUSE;
-}
-
 bool groups_conditions(const std::vector<Token>& tokens, std::size_t index) {
   const auto open = bracket_around(tokens, index);
   if (!open || *open == 0 || tokens[*open].kind != T::LEFT_PAREN) return false;
@@ -304,11 +288,6 @@ bool groups_conditions(const std::vector<Token>& tokens, std::size_t index) {
                               T::IMPLIES, T::IFF,           T::NOT,   T::IF,        T::THEN,
                               T::ELSE,    T::RIGHT_BRACKET, T::COLON, T::PREVIOUSLY};
   return contains(before, tokens[*open - 1].kind);
-}
-
-TokenKind closer_of(TokenKind opener) {
-  if (opener == T::LEFT_PAREN) return T::RIGHT_PAREN;
-  return opener == T::LEFT_BRACKET ? T::RIGHT_BRACKET : T::RIGHT_BRACE;
 }
 
 bool is_least_bound(std::string_view name) {

@@ -16,13 +16,6 @@ std::vector<Edit> find_sign_edits(const std::vector<Token>& tokens, const Syntax
 bool mends_clause(const std::vector<Token>& tokens, const SyntaxError& error, const Edit& edit,
                   const SourceManager& sources);
 
-bool is_opener(TokenKind kind);
-bool is_closer(TokenKind kind);
-bool ends_clause(TokenKind kind);
-
-// The bracket that `opener` waits for.
-TokenKind closer_of(TokenKind opener);
-
 // Is `index` inside of brackets around conditions, which are no point: `always (open and moving)`?
 bool groups_conditions(const std::vector<Token>& tokens, std::size_t index);
 

@@ -50,6 +50,27 @@ std::string_view token_name(TokenKind kind) {
   return Parser::symbol_name(Parser::by_kind{kind}.kind());
 }
 
+bool is_opener(TokenKind kind) {
+  return kind == T::LEFT_PAREN || kind == T::LEFT_BRACKET || kind == T::LEFT_BRACE;
+}
+
+bool is_closer(TokenKind kind) {
+  return kind == T::RIGHT_PAREN || kind == T::RIGHT_BRACKET || kind == T::RIGHT_BRACE;
+}
+
+TokenKind closer_of(TokenKind opener) {
+  if (opener == T::LEFT_PAREN) return T::RIGHT_PAREN;
+  return opener == T::LEFT_BRACKET ? T::RIGHT_BRACKET : T::RIGHT_BRACE;
+}
+
+bool is_brace(TokenKind kind) {
+  return kind == T::LEFT_BRACE || kind == T::RIGHT_BRACE;
+}
+
+bool ends_clause(TokenKind kind) {
+  return kind == T::SEMICOLON || is_brace(kind) || kind == T::BAD_CLAUSE;
+}
+
 bool is_file_of_items(const Token& token) {
   constexpr std::string_view ending = ".rta";
   const std::string& text = token.text;

@@ -35,6 +35,14 @@ const Word* find_word(TokenKind kind);
 // As written in a specification for words and punctuation, else "name", "number", ...
 std::string_view token_name(TokenKind kind);
 
+// Brackets of all three kinds, and the one that `opener` waits for.
+bool is_opener(TokenKind kind);
+bool is_closer(TokenKind kind);
+TokenKind closer_of(TokenKind opener);
+bool is_brace(TokenKind kind);
+// In front of the next clause stands one of these.
+bool ends_clause(TokenKind kind);
+
 // A text that names one: `"robots.rta"`.
 bool is_file_of_items(const Token& token);
 

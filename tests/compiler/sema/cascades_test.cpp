@@ -348,6 +348,31 @@ TEST(Cascades, AMissingWordIsNoMistakeInSyntaxAndMeaning) {
   }
 }
 
+// How far zones are apart is no matter of a robot, called by name or through a function; what it
+// would be compared with is not to blame.
+TEST(Cascades, ADistanceOfZonesInARobotsMonitorIsOneMistake) {
+  for (const char* const gap : {"gap()", "distance(pad, hut)"}) {
+    const auto checked = check_text(std::string(R"(spec herd;
+period 10 ms;
+robot Cart {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 200 ms;
+  sense velocity : vector error 2 cm/s max_age 200 ms;
+  output push : acceleration;
+  latency 20 ms;
+}
+fleet lead : Cart;
+zone pad = rectangle (0 m, 0 m) to (2 m, 2 m);
+zone hut = rectangle (5 m, 0 m) to (9 m, 2 m);
+fun gap() : length = distance(pad, hut);
+monitor apart for r : Cart { "R1: apart" always )") +
+                                    gap + " >= 1 m or r inside pad; }\n");
+    EXPECT_EQ(checked->engine.error_count(), 1) << checked->reports();
+    EXPECT_EQ(codes_of(*checked).front(), Code::wrong_argument) << checked->reports();
+  }
+}
+
 // ... and every word of it replaced by a sign or a number.
 TEST(Cascades, AnotherWordIsNoMistakeInSyntaxAndMeaning) {
   for (const std::string& text : {yard(), door()}) {
