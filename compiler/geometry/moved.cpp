@@ -31,7 +31,7 @@ constexpr double excess_m = 2e-6;
 constexpr double um_per_m = 1e6;
 // Corners that move farther are left to the thorough way.
 constexpr double miter_max = 50;
-constexpr double pieces_max = 1000;  // of a corner
+constexpr double pieces_max = 2000;  // of a corner
 
 class Mover {
  public:

@@ -26,7 +26,8 @@ enum class BandSide { interior, exterior };
 
 // Counter-clockwise pieces that lie within distance + excess of the boundary of `parts`, and cover
 // every point of the chosen side that is closer to it than `distance` (> 0), or exactly as close.
-// They have more corners the larger the distance and the smaller the excess (at least 1 um).
+// They have more corners the larger the distance and the smaller the excess, which is more than the
+// half of a um given away along edges.
 std::vector<Ring> boundary_band(const std::vector<PolygonWithHoles>& parts,
                                 const Rational& distance, const Rational& excess, BandSide side);
 

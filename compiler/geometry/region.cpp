@@ -117,7 +117,7 @@ Region Region::circle(const Point& centre, const Rational& radius, bool inner) {
 Rational offset_excess_m(std::size_t nested) {
   // A share is longer than what straight edges give away (offset.cpp).
   constexpr std::size_t nested_max = 1000;
-  return Rational(static_cast<long>(offset_excess_mm)) / 1000 / std::min(nested, nested_max);
+  return Rational(static_cast<long>(offset_excess_um)) / 1'000'000 / std::min(nested, nested_max);
 }
 
 Region Region::unite(const Region& other) const {

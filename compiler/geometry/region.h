@@ -63,7 +63,7 @@ inline constexpr std::size_t offset_vertices_max = 20'000;
 // corners become polygons, of more edges the larger they are. Whoever needs the other side moves by
 // so much less. Of offsets within one another, each takes its share: told how many there are, none
 // more than 1,000, they reach no farther together.
-inline constexpr std::int64_t offset_excess_mm = 2;
+inline constexpr std::int64_t offset_excess_um = 1000;
 Rational offset_excess_m(std::size_t nested = 1);
 
 class Region {
@@ -89,8 +89,8 @@ class Region {
   [[nodiscard]] Region intersect(const Region& other) const;
   [[nodiscard]] Region subtract(const Region& other) const;
   // One-sided: every point of the result has a distance of at least `distance` to the complement.
-  // The result may be smaller than the true erosion, by less than 1 mm where the boundary is
-  // convex or straight; round reflex corners are polygonised from the inside, within
+  // The result may be smaller than the true erosion, by a few um where the boundary is convex or
+  // straight; round reflex corners are polygonised from the inside, within
   // `offset_excess_m(nested)`. A distance of zero or less changes nothing.
   [[nodiscard]] Region shrink(const Rational& distance, std::size_t nested = 1) const;
   // One-sided: contains every point within `distance` of the region; at most

@@ -78,11 +78,17 @@ GridPoint cut_tip(const Point& at, const Direction& incoming, const Direction& o
   return near(at, depth * sum.x, depth * sum.y);
 }
 
-// In front of a reflex corner a second vertex makes a blunt end.
+// In front of a reflex corner a second vertex makes a blunt end: both are nearer to it than this.
+const Rational kBluntMm(9, 5);
 void add_blunt_end(const Point& at, const Direction& in, const Direction& out,
                    std::vector<GridPoint>& rounded) {
   rounded.push_back(near(at, kReachMm * (in.x - in.y), kReachMm * (in.y + in.x)));
   rounded.push_back(near(at, kReachMm * (-out.x - out.y), kReachMm * (-out.y + out.x)));
+}
+
+Rational squared_distance(const GridPoint& p, const Point& at) {
+  const Rational x = p.x_mm - at.x, y = p.y_mm - at.y;
+  return x * x + y * y;
 }
 
 // The nearest grid point on the inner side of both edges at `at`, so that every edge of the
@@ -97,7 +103,7 @@ std::optional<GridPoint> inner_neighbour(const Point& before, const Point& at, c
       for (std::int32_t x = x0 - reach; x <= x0 + 1 + reach; ++x) {
         const Point p{Rational(x), Rational(y)};
         if (orientation(before, at, p) < 0 || orientation(at, after, p) < 0) continue;
-        const Rational distance = (p.x - at.x) * (p.x - at.x) + (p.y - at.y) * (p.y - at.y);
+        const Rational distance = squared_distance({x, y}, at);
         if (best && best_distance <= distance) continue;
         best = GridPoint{x, y};
         best_distance = distance;
@@ -112,9 +118,13 @@ void round_vertex(const Point& before, const Point& at, const Point& after,
                   std::vector<GridPoint>& rounded) {
   if (on_grid(at)) {
     rounded.push_back(nearest_grid_point(at));
-  } else if (const auto neighbour = inner_neighbour(before, at, after)) {
+    return;
+  }
+  const bool is_convex = orientation(before, at, after) > 0;
+  const auto neighbour = inner_neighbour(before, at, after);
+  if (neighbour && (is_convex || squared_distance(*neighbour, at) <= kBluntMm * kBluntMm)) {
     rounded.push_back(*neighbour);
-  } else if (orientation(before, at, after) > 0) {
+  } else if (is_convex) {
     rounded.push_back(cut_tip(at, direction(before, at), direction(at, after)));
   } else {
     add_blunt_end(at, direction(before, at), direction(at, after), rounded);

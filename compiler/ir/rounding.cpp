@@ -92,8 +92,8 @@ class Roundings {
     return derived(root_up(a.by * a.by + b.by * b.by) + 1, {v.a, v.b});
   }
   // Distances are bounded within 3 mm, of a middle that is taken down to the grid; how far the box
-  // reaches from there is rounded up, with 1 mm for the middle. A box that is wider by some steps
-  // moves its middle by half of them.
+  // reaches from there is rounded up, with 1 mm at most for a measurement off the middle. A box
+  // that is wider by some steps moves its middle by half of them.
   Slack operator()(const PointClearance& v) const {
     const Slack &a = of(v.a), &b = of(v.b);
     const Rational wider = root_up(a.by * a.by + b.by * b.by);

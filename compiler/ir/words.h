@@ -1,7 +1,10 @@
 // What parts of the module are called in the language.
 #pragma once
 
+#include <string>
+
 #include "compiler/ir/module.h"
+#include "compiler/support/words.h"
 
 namespace rtac::ir {
 
@@ -25,6 +28,12 @@ inline const char* word_of(RecoveryKind kind) {
       return "land";
   }
   return "";
+}
+
+// Where a zone is farthest from its boundary: `(1 m, 2 m)`, of one with height with a third one.
+inline std::string widest_place(const ZoneTable& zone) {
+  return "(" + metres(zone.widest_x_mm) + ", " + metres(zone.widest_y_mm) +
+         (zone.has_height() ? ", " + metres(zone.widest_z_mm) : "") + ")";
 }
 
 }  // namespace rtac::ir

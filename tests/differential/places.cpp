@@ -6,8 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "tests/differential/batch.h"
-
 namespace rtac::differential {
 namespace {
 
@@ -42,11 +40,6 @@ class Spots {
   std::mt19937 random_{7};
 };
 
-driver::Observed observed(std::int64_t micro, std::int64_t now_us) {
-  const std::string text = to_decimal(Rational(static_cast<long>(micro), 1000000));
-  return {{interp::Reading::Kind::number, *interp::Decimal::parse(text)}, now_us, true};
-}
-
 std::string text_of(const Spot& at) {
   std::string text;
   for (const std::int64_t micro : at) text += std::to_string(micro) + " ";
@@ -54,6 +47,11 @@ std::string text_of(const Spot& at) {
 }
 
 }  // namespace
+
+driver::Observed observed(std::int64_t micro, std::int64_t now_us) {
+  const std::string text = to_decimal(Rational(static_cast<long>(micro), 1000000));
+  return {{interp::Reading::Kind::number, *interp::Decimal::parse(text)}, now_us, true};
+}
 
 std::string spec_of(const ZoneCase& c, const std::string& robot) {
   const std::string point = c.places.front().size() == 3 ? "point3" : "point";

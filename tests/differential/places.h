@@ -2,8 +2,11 @@
 // against exact geometry.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
+
+#include "tests/differential/batch.h"
 
 namespace rtac::differential {
 
@@ -14,6 +17,9 @@ struct ZoneCase {
   double scale_m;                           // of random places
   std::vector<std::vector<double>> places;  // corners, in metres
 };
+
+// A sample of so many millionths of a metre, just measured.
+driver::Observed observed(std::int64_t micro, std::int64_t now_us);
 
 // A robot's text follows the monitors of points, if any.
 std::string spec_of(const ZoneCase& c, const std::string& robot = "");

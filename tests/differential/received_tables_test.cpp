@@ -42,8 +42,10 @@ TEST(ReceiveZone, BecomesTheTablesOfTheSameZoneOfASpecification) {
                             differential::Until::checked);
     ASSERT_EQ(checked->problem, "");
     diag::Engine diagnostics;
-    const auto zones = analysis::evaluate_zones(
-        *checked->compilation.spec, std::vector<analysis::ZoneUse>(1, {false, true}), diagnostics);
+    const auto zones =
+        analysis::evaluate_zones(*checked->compilation.spec,
+                                 std::vector<analysis::ZoneUse>(1, {false, true}), diagnostics)
+            .zones;
     const ZoneTables made = tables(c.wkt, 64);
     ASSERT_TRUE(zones[0]);
     expect_same(made.within.edges, made.within.tree, zones[0]->baked.edges, zones[0]->tree);

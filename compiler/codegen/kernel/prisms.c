@@ -69,15 +69,18 @@ static span solid_gap(const solid *s, vec p, int64_t z) {
   return span_of(root_down(least), root_up(most));
 }
 /*= brick_clearance : brick_type vec_of minus dot span_of in_solid solid_gap root_up */
-/* As middle_clearance; 2 mm for a middle that had to be taken down to the grid, as it may be off in
- * two directions across that in which the brick is long. */
+/* As middle_clearance. What a measured place is off the middle, in two directions across that in which
+ * the brick may be long, and its error come to 2 mm more than the brick reaches; of a cell, where
+ * they are at most 2 mm together, to nothing. */
 static span brick_clearance(const solid *s, const brick *b) {
   const vec p = vec_of(b->base.x0 + (b->base.x1 - b->base.x0) / 2,
                        b->base.y0 + (b->base.y1 - b->base.y0) / 2);
   const int64_t z = b->z0 + (b->z1 - b->z0) / 2;
   const vec half = minus(vec_of(b->base.x1, b->base.y1), p);
   const int64_t square = dot(half, half) + (b->z1 - z) * (b->z1 - z);
-  const int64_t room = square > 0 ? root_up(square) + 2 : 0;
+  const int32_t is_cell = b->base.x1 - b->base.x0 <= 1 && b->base.y1 - b->base.y0 <= 1 &&
+                          b->z1 - b->z0 <= 1;
+  const int64_t room = root_up(square) + (is_cell ? 0 : 2);
   const span gap = solid_gap(s, p, z);
   return in_solid(s, p, z) ? span_of(gap.lo - room, gap.hi + room)
                            : span_of(-gap.hi - room, -gap.lo + room);

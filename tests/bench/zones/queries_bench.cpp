@@ -126,6 +126,16 @@ class QueryBench {
     double ns;
   };
 
+  void keep_for_growth(Question question, const Subject& subject, std::size_t kind,
+                       const std::string& caches, double ns) {
+    const std::string asked = question_keys[std::size_t(question)];
+    const std::string shape = subject.shape, places = places_of[kind];
+    const bool any = caches.empty();
+    kept_.push_back({asked + ", " + shape + ", " + places + (any ? "" : ", " + caches),
+                     asked + "_" + shape + "_" + places + (any ? "" : "_" + caches),
+                     subject.vertices, ns});
+  }
+
   static bool same_answers(Question question, std::size_t kind, const Subject& subject,
                            const std::vector<Contender>& all, std::size_t first,
                            std::size_t count) {
@@ -185,11 +195,7 @@ class QueryBench {
                             subject.key() + "_" + places_of[kind];
     if (subject.generated) {
       report_.add("zone_ns_" + end, what + ": rtac", contest.tick_ns(0), "ns", 1);
-      kept_.push_back({std::string(question_keys[std::size_t(question)]) + ", " + subject.shape +
-                           ", " + places_of[kind],
-                       std::string(question_keys[std::size_t(question)]) + "_" + subject.shape +
-                           "_" + places_of[kind],
-                       subject.vertices, contest.tick_ns(0).median});
+      keep_for_growth(question, subject, kind, "", contest.tick_ns(0).median);
     }
     if (best < all.size()) {
       report_.add("zone_peer_ns_" + end, "  best peer: " + all[best].name, contest.tick_ns(best),
@@ -217,10 +223,12 @@ class QueryBench {
         times.push_back(once([&] { return c.ask(at, at + 1); }) - clock_ns_);
       }
       const bool ours = &c == two.data();
+      const Spread found = spread_of(times);
       report_.add(std::string("zone_cold_") + (ours ? "" : "peer_") +
                       question_keys[std::size_t(question)] + "_" + subject.key() + "_" +
                       places_of[kind],
-                  "  cold: " + c.name, spread_of(times), "ns", 0);
+                  "  cold: " + c.name, found, "ns", 0);
+      if (ours) keep_for_growth(question, subject, kind, "cold", found.median);
     }
   }
 

@@ -763,7 +763,8 @@ static trail trail_none(void) {
 }
 
 /* A place of its own: the middle of where it may be, taken down to the grid, and how far the true
- * one is from there. */
+ * one is from there; 2 mm for what one place of the trail is off its middle where another one has an
+ * error. */
 static trail trail_start(trail t, span x, span y) {
   int32_t known;
   const span missing = quantity_missing(x, y, &known);
@@ -774,7 +775,8 @@ static trail trail_start(trail t, span x, span y) {
     const vec half = minus(vec_of(x.hi, y.hi), p);
     t.own[t.owned] = p;
     t.owned += 1;
-    t.room_mm = max_of(t.room_mm, root_up(dot(half, half)) + (half.x > 0 || half.y > 0));
+    const int32_t is_cell = x.hi - x.lo <= 1 && y.hi - y.lo <= 1;
+    t.room_mm = max_of(t.room_mm, root_up(dot(half, half)) + (is_cell ? 0 : 2));
   }
   return t;
 }

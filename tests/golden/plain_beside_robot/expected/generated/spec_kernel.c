@@ -1290,12 +1290,14 @@ static int32_t box_in_zone(const zone *z, const box *b) {
   return middle_inside(z, b) ? 1 : (touched ? 0 : -1);
 }
 
-/* Signed distance from the boundary of every place of the box: that of its middle, and how far the
- * box reaches from there; 1 mm for a middle that had to be taken down to the grid. */
+/* Signed distance from the boundary of every place of the box: that of its middle, taken down to the
+ * grid, and how far the box reaches from there. Places with an error e are at most e sqrt(2) from the
+ * measured one, and that is somewhere off the middle: the two together are longer than what the box
+ * reaches by less than 1 mm, which a box of at most 2 mm rounds away. */
 static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
   const vec half = minus(vec_of(b->x1, b->y1), p);
-  const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
+  const int64_t room = root_up(dot(half, half)) + (half.x > 1 || half.y > 1);
   const place at = place_of(z, p);
   return at.inside ? span_of(at.gap_mm - room, at.gap_mm_hi + room)
                    : span_of(-at.gap_mm_hi - room, -at.gap_mm + room);

@@ -1032,12 +1032,14 @@ static int32_t box_in_zone(const zone *z, const box *b) {
   return cell_inside(z, &c, b->x0 + b->x1, b->y0 + b->y1) ? 1 : (touched ? 0 : -1);
 }
 
-/* Signed distance from the boundary of every place of the box: that of its middle, and how far the
- * box reaches from there; 1 mm for a middle that had to be taken down to the grid. */
+/* Signed distance from the boundary of every place of the box: that of its middle, taken down to the
+ * grid, and how far the box reaches from there. Places with an error e are at most e sqrt(2) from the
+ * measured one, and that is somewhere off the middle: the two together are longer than what the box
+ * reaches by less than 1 mm, which a box of at most 2 mm rounds away. */
 static span middle_clearance(const zone *z, const box *b) {
   const vec p = vec_of(b->x0 + (b->x1 - b->x0) / 2, b->y0 + (b->y1 - b->y0) / 2);
   const vec half = minus(vec_of(b->x1, b->y1), p);
-  const int64_t room = root_up(dot(half, half)) + (half.x > 0 || half.y > 0);
+  const int64_t room = root_up(dot(half, half)) + (half.x > 1 || half.y > 1);
   const place at = place_of(z, p);
   return at.inside ? span_of(at.gap_mm - room, at.gap_mm_hi + room)
                    : span_of(-at.gap_mm_hi - room, -at.gap_mm + room);
@@ -1469,16 +1471,16 @@ static const zone region_within_zone_of_line_17 = {region_within_zone_of_line_17
 /* What contains zone zone_of_line_17: 4 edges ax, ay, bx, by (mm, the zone on the left),
  * direction (Q30). */
 static const edge region_around_zone_of_line_17_edges[] = {
-  {2998, 2998, 37002, 2998, 1073741824, 0},
-  {37002, 2998, 37002, 26604, 0, 1073741824},
-  {37002, 26604, 2998, 22354, -1065452185, -133165857},
-  {2998, 22354, 2998, 2998, 0, -1073741824}
+  {2999, 2999, 37001, 2999, 1073741824, 0},
+  {37001, 2999, 37001, 26603, 0, 1073741824},
+  {37001, 26603, 2999, 22353, -1065451221, -133173569},
+  {2999, 22353, 2999, 2999, 0, -1073741824}
 };
 /* Of a place, at most 4 edges are checked, after 0 steps; all distances are exact. */
 static const uint32_t region_around_zone_of_line_17_cells[] = {
   0x53000000, 0x13000000, 0x11800000, 0x11800002, 0x1a000000, 0x11800001, 0x43000000
 };
-static const zone region_around_zone_of_line_17 = {region_around_zone_of_line_17_edges, region_around_zone_of_line_17_cells, 0, -1431652767, -1431652767, 14, 87381, 87381, 3, 2, 0, 7, 2147483647};
+static const zone region_around_zone_of_line_17 = {region_around_zone_of_line_17_edges, region_around_zone_of_line_17_cells, 0, -1431652766, -1431652766, 14, 87381, 87381, 3, 2, 0, 7, 2147483647};
 
 /* ---- monitors without a robot ---- */
 /* What a tick knows of its inputs. */
@@ -1531,7 +1533,7 @@ static inline margin load_now(const crane_view *v) {
   const span v7 = sum_of(v->hook_y, v->swing_y);
   /* (hook + swing) inside shrink(ground, 3 m) */
   const span v8 = clearance_of(&region_within_zone_of_line_17, &region_around_zone_of_line_17,
-      v4, v7, -56543, 11803);
+      v4, v7, -56543, 11802);
   const margin v10 = at_least(v8, span_of(0, 0), 1000, 0, 1);
   const margin v11 = inside_of(v10, &region_within_zone_of_line_17,
       &region_around_zone_of_line_17, v4, v7);
@@ -1767,7 +1769,7 @@ static inline int32_t load_verdict(const crane_verdicts_view *v) {
   const bounds v7 = bounds_sum(v->hook_y, v->swing_y);
   /* (hook + swing) inside shrink(ground, 3 m) */
   const bounds v8 = bounds_span(clearance_of(&region_within_zone_of_line_17,
-      &region_around_zone_of_line_17, span_bounds(v4), span_bounds(v7), -56543, 11803));
+      &region_around_zone_of_line_17, span_bounds(v4), span_bounds(v7), -56543, 11802));
   const int32_t v10 = v8.lo >= 0 ? BITS_TRUE : v8.hi >= 0 ? BITS_UNKNOWN : BITS_FALSE;
   const int32_t v11 = bits_inside(v10, &region_within_zone_of_line_17,
       &region_around_zone_of_line_17, v4, v7);
