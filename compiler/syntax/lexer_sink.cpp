@@ -395,8 +395,14 @@ bool LexerSink::foreign_include() {
   const std::string import = "import \"" + std::string{path} + "\";";
   report({Code::unknown_character, "`#` has no meaning outside comments and texts",
           "an include of another language", "a file is imported by `" + import + "`", import});
+  // no token stands where another one does
+  const std::size_t line_end = end_;
+  end_ = begin_ + word.size();
   push(T::IDENT, {}, true);
+  begin_ = end_;
+  end_ = line_end;
   push(T::STRING, std::string{path}, true);
+  begin_ = end_;
   push(T::SEMICOLON, {}, true);
   return true;
 }
