@@ -69,19 +69,6 @@ struct Hold {
   // measured, and at the other ever after.
   std::int64_t spans_mm;
 };
-// In rad/s, `delay_us` being that of the velocity.
-Rational hold_frequency(const ir::Body& b, std::int64_t delay_us) {
-  const Rational loop_s(
-      std::max<std::int64_t>(delay_us + b.position_age_us, pace::hold_delay_least_us), 1'000'000);
-  const std::int64_t left_mmps2 = b.brake_mmps2 - b.disturbance_mmps2;
-  Rational omega = std::min(Rational(pace::hold_max_mradps, 1000),
-                            Rational(Rational(pace::hold_mrad_per_delay, 1000) / loop_s));
-  const Rational quiet(left_mmps2,
-                       pace::hold_brake_shares * std::max<std::int64_t>(b.velocity_error_mmps, 1));
-  omega = std::min(omega, quiet);
-  if (b.position_error_mm > 0) omega = std::min(omega, quiet_spring(b, left_mmps2));
-  return omega;
-}
 Hold hold_of(const ir::Body& b, std::int64_t delay_us) {
   const Rational delay_s(delay_us, 1'000'000);
   const std::int64_t left_mmps2 = b.brake_mmps2 - b.disturbance_mmps2;
@@ -113,6 +100,19 @@ void add_sampled_brake(std::int64_t period_us, bool promises, ir::Body& b) {
 }
 
 }  // namespace
+
+Rational hold_frequency(const ir::Body& b, std::int64_t delay_us) {
+  const Rational loop_s(
+      std::max<std::int64_t>(delay_us + b.position_age_us, pace::hold_delay_least_us), 1'000'000);
+  const std::int64_t left_mmps2 = b.brake_mmps2 - b.disturbance_mmps2;
+  Rational omega = std::min(Rational(pace::hold_max_mradps, 1000),
+                            Rational(Rational(pace::hold_mrad_per_delay, 1000) / loop_s));
+  const Rational quiet(left_mmps2,
+                       pace::hold_brake_shares * std::max<std::int64_t>(b.velocity_error_mmps, 1));
+  omega = std::min(omega, quiet);
+  if (b.position_error_mm > 0) omega = std::min(omega, quiet_spring(b, left_mmps2));
+  return omega;
+}
 
 ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64_t jitter_us) {
   ir::Body b;
@@ -164,14 +164,23 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
 // A recovery may be led along a wall as near as it has come to rest there: its legs lose none of
 // that clearance, which what steering leaves beside them would take. By its least they come nowhere
 // near a wall with what the tube of the brake has to spare.
+//
+// A hold that is carried comes to rest beside its leg only where it is stopped, and is led back
+// from there. Zones with heights are looked at by the clearance that is left, piece by piece.
 void keep_off_walls(const sema::Spec& spec, const sema::Decision& from, const sema::RobotKind& kind,
                     ir::Decision& d) {
-  if (kind.in_space || from.on_plan) return;
+  if (from.on_plan) return;
   for (const sema::MonitorId id : from.priority) {
     if (!spec[id].recover) continue;
     for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
       const auto speed = sema::speed_of(what);
       if (!speed) continue;
+      if (kind.in_space) {
+        const auto moves = sema::moves_of(what);
+        if (!moves || spec[moves->zone].has_height) continue;
+        d.body.hold_mm = std::max(d.body.hold_mm, stray_mm(d.body, *speed, d.period_us));
+        continue;
+      }
       const std::int64_t more_mm = beside_mm(kind, *speed, d.period_us) - beside_least_mm;
       d.body.hold_mm = std::max(d.body.hold_mm, more_mm + hold_slack_mm);
     }
@@ -191,6 +200,22 @@ ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
   // while it brakes, the recovery may still turn at the speed that it found
   return {name, up(most, 1000),    planar_accel(kind, up(kind.motion.speed.value, 1000)),
           true, kind.motion.range, beside_mm(kind, speed, period_us)};
+}
+
+// What the stop bends from the straight one, what errors of the hold lead it aside by while it
+// stops, and its sway (Carried::stray_m).
+std::int64_t stray_mm(const ir::Body& b, const Rational& speed, std::int64_t period_us) {
+  const Rational brake(static_cast<long>(b.brake_mmps2)),
+      pushed(static_cast<long>(b.disturbance_mmps2));
+  if (brake <= pushed) return 0;  // reported
+  const Rational error(static_cast<long>(b.velocity_error_mmps));
+  const Rational late(static_cast<long>(b.velocity_age_us + period_us + b.latency_us), 1'000'000);
+  const Rational s = speed * 1000 + error;
+  const Rational eta = error + (brake + pushed) * late;
+  const Rational bend = (eta * (s + eta) + pushed * s * s / (2 * brake)) / (brake - pushed);
+  const Rational hold(pace::hold_max_mradps, 1000);
+  const Rational aside = 2 * (hold * static_cast<long>(b.position_error_mm) + error);
+  return ceil_to_int(Rational(bend + aside * s / (2 * brake))) + b.sway_mm;
 }
 
 // What errs and pushes moves the hold as the velocity of a critically damped spring follows a

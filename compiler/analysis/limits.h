@@ -19,6 +19,12 @@ ir::Motion any_control(const sema::RobotKind& kind);
 ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
                            const Rational& speed, std::int64_t period_us);
 
+// Of the hold of a point mass, in rad/s, `delay_us` being that of its velocity; what it is at
+// least.
+Rational hold_frequency(const ir::Body& body, std::int64_t delay_us);
+// How far beside its leg a robot in space may come to rest where it is stopped on it, in mm, while
+// its hold is carried at `speed` in m/s.
+std::int64_t stray_mm(const ir::Body& body, const Rational& speed, std::int64_t period_us);
 // How fast a hold of a point mass may be for a moment, whatever turns around that errs and pushes.
 std::int64_t hold_speed_mmps(const ir::Body& body, std::int64_t period_us);
 

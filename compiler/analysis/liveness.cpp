@@ -293,7 +293,8 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
                                        const ir::Decision& decision, const ir::Recovery& recovery) {
   const ir::Recovery& last = ir::last_step(recovery);
   if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return std::nullopt;
-  if (decision.body.in_space) return std::nullopt;  // its ways are not those over cells
+  const bool route = last.kind == ir::RecoveryKind::route, carried = decision.body.in_space;
+  if (carried && !route) return std::nullopt;  // its ways are not those over cells
   const Ways ways = ways_of(module, decision, last);
   if (!ways.longest_mm || !ways.stranded.empty()) return std::nullopt;
   // from where it stands to the centre of a cell (connector_reach_m of the search)
@@ -301,9 +302,13 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
   const Rational speed(static_cast<long>(last.speed_mmps), 1000);
   const std::int64_t joined_mm =
       *ways.longest_mm + std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
-  Rational seconds = travel_seconds(kind, speed, decision.period_us,
-                                    static_cast<std::int32_t>(cell_mm), joined_mm);
-  if (last.kind != ir::RecoveryKind::route) {  // the last leg goes straight on
+  const auto cell = static_cast<std::int32_t>(cell_mm);
+  const std::optional<Rational> driven =
+      carried ? carried_seconds(kind, speed, decision.period_us, cell, joined_mm)
+              : travel_seconds(kind, speed, decision.period_us, cell, joined_mm);
+  if (!driven) return std::nullopt;
+  Rational seconds = *driven;
+  if (!route) {  // the last leg goes straight on
     const Rational slowest = speed - lasting_speed(kind, decision.period_us);
     seconds += Rational(run_out_mm(kind, speed, decision.period_us), 1000) / slowest;
   }

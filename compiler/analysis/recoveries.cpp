@@ -124,8 +124,7 @@ class Recoveries {
     const std::string leads =
         ir::asks_for_received(monitor_.property) ? ""  // who moves does not know where to
         : asks.clearance ? "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "`"
-        : decision_.body.in_space ? ""  // none of space makes way for others
-                                  : "`yield within Z speed " + speed_to_name() + " order id`";
+                         : "`yield within Z speed " + speed_to_name() + " order id`";
     d.help = (leads.empty() ? "" : leads + " works, or ") +
              "`hold when violated \"why\";` in the monitor" + (leads.empty() ? " works" : "");
     diagnostics_.report(std::move(d));
@@ -298,9 +297,9 @@ class Recoveries {
   void way_back() {
     const ir::Recovery& last = ir::last_step(monitor_.recovery);
     if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return;
-    if (decision_.body.in_space) return;    // its ways are not those over cells
-    if (diagnostics_.has_errors()) return;  // numbers that do not work out yet
     const bool is_route = last.kind == ir::RecoveryKind::route;
+    if (decision_.body.in_space && !is_route) return;           // its ways are not those over cells
+    if (diagnostics_.has_errors()) return;                      // numbers that do not work out yet
     if (is_route && module_[last.site].places.empty()) return;  // there is no robot (2031)
     const Ways ways = ways_of(module_, decision_, last);
     if (ways.stranded.empty()) too_narrow(last);

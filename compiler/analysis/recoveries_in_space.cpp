@@ -51,7 +51,7 @@ class InSpace {
   Found run() const {
     for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
       Found found;
-      if (ir::goes_back(step->kind) || step->claims) found = retreat(*step);
+      if (ir::moves(step->kind) || step->claims) found = within_zone(*step);
       if (step->kind == ir::RecoveryKind::land) found = landing(*step);
       if (found) return found;
     }
@@ -76,7 +76,7 @@ class InSpace {
     return fences_of(monitor_.property, decision_.facts.params);
   }
 
-  Found retreat(const ir::Recovery& step) const {
+  Found within_zone(const ir::Recovery& step) const {
     const ir::ZoneTable& zone = module_[step.zone];
     for (const ir::ZoneIndex fence : fences()) {
       if (fence == step.zone) continue;

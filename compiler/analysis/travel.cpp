@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/analysis/limits.h"
 #include "compiler/support/rational.h"
 
 namespace rtac::analysis {
@@ -145,6 +146,13 @@ Rational braking(const sema::RobotKind& kind) {
   return kind.motion.brake.value - disturbance_of(kind);
 }
 
+// It brakes, rests, and looks for its way.
+Rational rest_seconds(const sema::RobotKind& kind, const Rational& period) {
+  return kind.motion.speed.value / braking(kind) +
+         pace::rest_samples * (delay(kind, period) + seconds_of(kind.velocity)) +
+         Rational(pace::look_every_ms, 1000);
+}
+
 }  // namespace
 
 Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us) {
@@ -236,13 +244,46 @@ Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std:
   const Rational legs = cells + 1;
   // and turns by at most an eighth of a circle there, and half a circle at the start
   const Rational turning = (cells + 4) * Rational(7854, 10000) * leg.turn_s_per_rad;
-  // It brakes first, rests, and looks for its way; at the end of each piece of a way that has more
-  // points than fit, and more points than cells it has not, again.
-  const Rational rest = kind.motion.speed.value / braking(kind) +
-                        pace::rest_samples * (delay(kind, period) + seconds_of(kind.velocity)) +
-                        Rational(pace::look_every_ms, 1000);
+  // It rests first, and at the end of each piece of a way that has more points than fit, and more
+  // points than cells it has not, again.
   const Rational stops = 2 + cells / pace::waypoints;
-  return metres / slowest + legs * leg.seconds + turning + stops * rest;
+  return metres / slowest + legs * leg.seconds + turning + stops * rest_seconds(kind, period);
+}
+
+// What a leg along which the hold is carried takes on top of its length, from rest to rest. The
+// robot trails by 2 w / omega, and what is left of that at the time t after the hold has come to
+// the end of the leg is below 2.3 w / omega exp(-0.7 omega t), with as much delay as the frequency
+// leaves room for. A leg has ended when that is less than a half of what counts as near beyond what
+// errors and pushes do (sway_slack_m of the pilots); the rest is for what earlier legs have left.
+// While it follows it asks for w omega / 2 at most beside what errors and pushes take: a brake that
+// is not as strong does not follow like that.
+std::optional<Rational> carried_leg_seconds(const sema::RobotKind& kind, const Rational& speed,
+                                            std::int64_t period_us) {
+  const Rational period = seconds_of(period_us), late = delay(kind, period);
+  const Rational omega =
+      hold_frequency(body_of(kind, period_us), ceil_to_int(Rational(late * 1'000'000)));
+  const Rational place = kind.position ? kind.position->error.value : Rational(0);
+  const Rational errs = kind.velocity ? kind.velocity->error.value : Rational(0);
+  const Rational asks = speed * omega / 2 + omega * omega * place + 2 * omega * errs;
+  if (asks > braking(kind)) return std::nullopt;
+  const Rational settles = log_over(Rational(Rational(23, 10) * speed),
+                                    Rational(Rational(pace::near_mm, 1000) * omega)) /
+                           (Rational(7, 10) * omega);
+  return period + late + seconds_of(kind.position) + settles + Rational(pace::look_every_ms, 1000);
+}
+
+// As ways of the plane; but whatever lasts and pushes the robot, its hold is carried at the full
+// speed. What has been latched at the beginning settles like a leg.
+std::optional<Rational> carried_seconds(const sema::RobotKind& kind, const Rational& speed,
+                                        std::int64_t period_us, std::int32_t cell_mm,
+                                        std::int64_t distance_mm) {
+  if (braking(kind) <= 0) return std::nullopt;  // reported
+  const auto leg = carried_leg_seconds(kind, speed, period_us);
+  if (!leg) return std::nullopt;
+  const Rational metres(distance_mm, 1000), cells(distance_mm, cell_mm);
+  const Rational stops = 2 + cells / pace::waypoints;
+  return metres / speed + (cells + 1 + stops) * *leg +
+         stops * rest_seconds(kind, seconds_of(period_us));
 }
 
 std::int64_t run_out_mm(const sema::RobotKind& kind, const Rational& speed,

@@ -1,6 +1,8 @@
 // The price of a way home, as the templates of safe controllers drive it.
 #pragma once
 
+#include <optional>
+
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
 
@@ -32,6 +34,7 @@ inline constexpr int aim_ahead_turns_permille = 1400;
 inline constexpr int aim_ahead_delays = 2;
 inline constexpr int rest_samples = 3;
 inline constexpr int look_every_ms = 1000;
+inline constexpr int near_mm = 5;     // of the end of a leg, errors and pushes apart
 inline constexpr int waypoints = 64;  // of one piece of a way
 }  // namespace pace
 
@@ -57,6 +60,15 @@ std::int64_t end_reach_mm(const sema::RobotKind& kind, std::int64_t period_us);
 // cells is driven at the recovery's `speed`, in s. `period_us`: of the decision.
 Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
                         std::int32_t cell_mm, std::int64_t distance_mm);
+// What one leg takes on top of its length, from rest to rest and until it looks for the next one,
+// of a robot in space, which is carried along it by its hold. none: what moves the hold may take
+// more than its brake, and no bound is known.
+std::optional<Rational> carried_leg_seconds(const sema::RobotKind& kind, const Rational& speed,
+                                            std::int64_t period_us);
+// As `travel_seconds`, of a way that has such legs.
+std::optional<Rational> carried_seconds(const sema::RobotKind& kind, const Rational& speed,
+                                        std::int64_t period_us, std::int32_t cell_mm,
+                                        std::int64_t distance_mm);
 // How much longer than to where control is given back a retreat drives at most, in mm: it passes
 // that place at its full speed (run_out_m of the pilots).
 std::int64_t run_out_mm(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us);

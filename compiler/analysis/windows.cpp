@@ -211,15 +211,19 @@ class Planner {
       if (!has_windows(monitor.property)) continue;
       monitor.recovery.leave_us = stop_us();
       others(k);
-      if (monitor.recovery.kind == ir::RecoveryKind::route) {
+      const bool is_route = monitor.recovery.kind == ir::RecoveryKind::route;
+      if (is_route && !decision_.body.in_space) {
         route(monitor);
       } else if (!ir::acknowledged(decision_, monitor.recovery.name, monitor.name)) {
         report(Code::window_without_way_out, monitor,
                "the recovery `" + monitor.recovery.name + "` does not lead out before `" +
                    zone_name(monitor) + "` changes",
-               "to stand still is no recovery from a zone that comes or goes: `route to` a site "
-               "where it does not matter works; or `acknowledge " +
-                   monitor.recovery.name + " may break " + monitor.name + " \"why\"`");
+               std::string(decision_.body.in_space
+                               ? "how long a way out takes is known of robots in the plane alone: "
+                               : "to stand still is no recovery from a zone that comes or goes: "
+                                 "`route to` a site where it does not matter works; or ") +
+                   "`acknowledge " + monitor.recovery.name + " may break " + monitor.name +
+                   " \"why\"`");
       }
       long_enough(monitor);
     }

@@ -326,8 +326,7 @@ class SystemPrinter {
   }
   // It moves up and down as well: recoveries that move are others than those of the plane.
   static bool flies(const Recovery& r, const Body& b) {
-    return b.in_space && (r.kind == RecoveryKind::retreat || r.kind == RecoveryKind::loiter ||
-                          r.kind == RecoveryKind::land);
+    return b.in_space && (moves(r.kind) || r.kind == RecoveryKind::land);
   }
   std::string type_of(const Recovery& r) const {
     if (flies(r, d().body)) {
@@ -513,6 +512,19 @@ bool any_claims(const Module& module) {
   return false;
 }
 
+// Whether ways of the plane are driven in space.
+bool any_level(const Module& module) {
+  const auto drives = [](const Recovery* step) {
+    return step->kind == RecoveryKind::route || step->kind == RecoveryKind::yield;
+  };
+  for (const Decision& d : module.decisions) {
+    for (const Monitor& m : d.monitors) {
+      if (d.body.in_space && std::ranges::any_of(steps_of(m.recovery), drives)) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<Kind> kinds_of(const Module& module, const sema::Spec& spec) {
   std::vector<Kind> kinds;
   for (const sema::RobotKind& k : spec.kinds) {
@@ -539,6 +551,7 @@ std::string system_header(const Module& module, const sema::Spec& spec, const Na
   out.line("#include <array>").line("#include <cstring>").blank();
   if (any_claims(module)) out.line("#include \"rtac/safe/claim.h\"");
   out.line("#include \"rtac/safe/controllers.h\"");
+  if (any_level(module)) out.line("#include \"rtac/safe/level.h\"");
   if (in_space(module)) out.line("#include \"rtac/safe/space.h\"");
   out.line("#include \"rtac/stack/system.h\"");
   out.line("#include \"" + naming.stem + ".h\"").blank();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "compiler/interp/number.h"
 #include "compiler/sema/templates.h"
 
 namespace rtac::recheck {
@@ -21,6 +22,7 @@ const Rational turn_begin(7, 20);      // rad, or five times as much
 const Rational aims_ahead(1, 5);       // m, or 1.4 of its speed over the gain, or 2 of its delay
 const Rational looks_every(1);         // s
 const Rational eighth(7854, 10000);    // of a circle, from above
+const Rational near(1, 200);           // m, of what it follows, at the end of a leg
 constexpr int samples_at_rest = 3;
 constexpr int waypoints = 64;  // of one piece of a way
 
@@ -44,7 +46,8 @@ class Travel {
       : kind_(kind),
         wheels_(kind.motion.model == sema::MotionModel::unicycle),
         speed_(std::move(speed)),
-        acts_(kind.latency.value + decision.period->value) {
+        period_(decision.period->value),
+        acts_(kind.latency.value + period_) {
     const Rational pushes = declared(kind.motion.disturbance) + declared(kind.output_error);
     delay_ = wheels_ ? acts_ : Rational(acts_ + oldest(kind.velocity));
     settling_ = std::max(settles, Rational(2 * delay_));
@@ -87,8 +90,39 @@ class Travel {
     return std::max(beside_least, settled) + pushed / gain;
   }
   [[nodiscard]] bool has_wheels() const { return wheels_; }
+  // In space its hold is carried along a way over cells, from rest to rest at each; the robot
+  // trails it, and what is left of that at its end shrinks by 0.7 of its frequency, from 2.3 of the
+  // pace over that. What has been latched first settles likewise. nullopt: its brake is too weak to
+  // follow.
+  [[nodiscard]] std::optional<Rational> carried_seconds(const Rational& way,
+                                                        const Rational& cell) const {
+    const Rational omega = hold_frequency();
+    const Rational place = kind_.position ? kind_.position->error.value : Rational(0);
+    const Rational errs = kind_.velocity ? kind_.velocity->error.value : Rational(0);
+    if (omega * (speed_ / 2 + omega * place + 2 * errs) > brakes_) return std::nullopt;
+    const Rational cells = way / cell, rests = 2 + cells / waypoints;
+    const Rational settles =
+        log_above(Rational(Rational(23, 10) * speed_ / (omega * near))) / (Rational(7, 10) * omega);
+    const Rational leg = period_ + delay_ + oldest(kind_.position) + settles + looks_every;
+    return way / speed_ + (cells + 1 + rests) * leg + rests * rest();
+  }
 
  private:
+  // What leaves room for its delay, and a half of what a push leaves of the brake to errors of the
+  // velocity, a quarter to those of the place; from below.
+  [[nodiscard]] Rational hold_frequency() const {
+    const Rational loop = std::max(Rational(delay_ + oldest(kind_.position)), Rational(1, 100));
+    Rational omega = std::min(Rational(2), Rational(Rational(1, 4) / loop));
+    const auto errs = [](const auto& sense) { return sense ? sense->error.value : Rational(0); };
+    if (errs(kind_.velocity) > 0) {
+      omega = std::min(omega, Rational(brakes_ / (4 * errs(kind_.velocity))));
+    }
+    if (errs(kind_.position) > 0) {
+      const Rational square = brakes_ / (4 * errs(kind_.position));
+      if (omega * omega > square) omega = interp::square_root(square).below;
+    }
+    return omega;
+  }
   // It brakes, and looks for its way.
   [[nodiscard]] Rational rest() const {
     return kind_.motion.speed.value / brakes_ +
@@ -140,7 +174,7 @@ class Travel {
 
   const sema::RobotKind& kind_;
   const bool wheels_;
-  const Rational speed_, acts_;
+  const Rational speed_, period_, acts_;
   Rational delay_, settling_, taken_, steers_, brakes_;
 };
 
@@ -162,6 +196,7 @@ std::optional<Travel> travel_of(const sema::RobotKind& kind, const sema::Decisio
 std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                         const sema::Controller& recovery, const Rational& way) {
   const auto travel = travel_of(kind, decision, sema::templates_of(recovery));
+  if (kind.in_space) return std::nullopt;  // its legs are no legs of the plane
   constexpr int legs = 3;
   return travel ? std::optional(travel->seconds_of_legs(way, legs)) : std::nullopt;
 }
@@ -180,7 +215,10 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
   if (!travel) return std::nullopt;
   // from where it stands to the centre of a cell
   const Rational joined = way + std::max(Rational(2, 5), Rational(2 * cell)) + cell;
-  Rational sum = travel->seconds(joined, cell);
+  const auto driven = kind.in_space ? travel->carried_seconds(joined, cell)
+                                    : std::optional(travel->seconds(joined, cell));
+  if (!driven) return std::nullopt;
+  Rational sum = *driven;
   if (!std::holds_alternative<sema::Route>(steps.back())) sum += travel->run_out_seconds();
   if (const auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
     for (const auto& step : sequence->steps) sum += declared(step.lasts);

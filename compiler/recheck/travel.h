@@ -14,7 +14,7 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
                                        const sema::Controller& recovery, const Rational& cell,
                                        const Rational& way);
 // From taking over at full speed until a way of `way` has been driven that has three legs at most.
-// nullopt: as above.
+// nullopt: as above, or it moves in space.
 std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                         const sema::Controller& recovery, const Rational& way);
 // How far beside its leg a point mass comes at most, what pushes it included. nullopt: as above, or

@@ -70,7 +70,7 @@ class ControllerChecker {
   Template manoeuvre(const syntax::RouteTemplate& route) {
     built_in("route");
     const auto site = context_.resolve<SiteId>(route.site, Sort::site);
-    const auto zone = zone_in_frame(context_, route.zone);
+    const auto zone = zone_of_ways(route.zone, "route");
     if (site && kind_known_) {
       context_.require_places(*site, controller_.kind, route.site.range);
     }
@@ -78,11 +78,23 @@ class ControllerChecker {
   }
   Template manoeuvre(const syntax::YieldTemplate& yield) {
     built_in("yield");
-    const auto zone = zone_in_frame(context_, yield.zone);
+    const auto zone = zone_of_ways(yield.zone, "yield");
     if (yield.order.text != "id") {
       context_.unknown_word(yield.order, "an order of robots", {"id"});
     }
     return Yield{zone.value_or(ZoneId{}), speed(yield.speed, "yield")};
+  }
+  // Ways over cells are of the plane: a robot in space keeps its height on them.
+  std::optional<ZoneId> zone_of_ways(const syntax::Name& name, const std::string& user) {
+    const auto zone = zone_flown_in(name);
+    if (!zone || !context_.spec[*zone].has_height) return zone;
+    context_.report(
+        Finding(Code::spaces_differ, name.range,
+                "`" + user + "` keeps its height, and `" + name.text + "` has floors and ceilings")
+            .label("a zone of the plane is due here")
+            .help("a zone without `box` and `prism` works; `retreat within " + name.text +
+                  " ...` moves up and down"));
+    return std::nullopt;
   }
   // Of a robot in space it may have floors and ceilings.
   std::optional<ZoneId> zone_flown_in(const syntax::Name& zone) {
@@ -135,9 +147,6 @@ class ControllerChecker {
                                 "of your own"));
     }
     if (!kind_known_) return;
-    const bool flies = name == "brake_and_hold" || name == "retreat" || name == "land" ||
-                       name == "loiter" || name == "keeps";
-    if (!flies) knows_space(name);
     const std::string user = "`" + name + "`";
     const SourceRange& range = range_;
     context_.require(controller_.kind, Need::position, range, user);
@@ -145,18 +154,6 @@ class ControllerChecker {
     if (context_.spec[controller_.kind].motion.model == MotionModel::unicycle) {
       context_.require(controller_.kind, Need::heading, range, user + " on a unicycle");
     }
-  }
-
-  void knows_space(const std::string& name) {
-    const RobotKind& kind = context_.spec[controller_.kind];
-    if (!kind.in_space) return;
-    context_.report(
-        Finding(Code::not_in_space, range_, "`" + name + "` does not know robots in space yet")
-            .label("`" + kind.name + "` has a height")
-            .note(kind.name_range, "the robot is declared here")
-            .help("`brake_and_hold`, `retreat within Z speed 0.3 m/s`, `loiter within Z speed 0.3 "
-                  "m/s` and `land to 0.5 m speed 0.3 m/s` work, also as steps of a `sequence`, and "
-                  "`extern keeps inside Z speed <= 0.3 m/s`"));
   }
 
   Quantity speed(const syntax::ExprPtr& expr, const std::string& name) {

@@ -159,6 +159,29 @@ std::string off_its_dock(const Subject& s, const ir::Recovery& last) {
          metres(dock_reach_mm);
 }
 
+// What it needs around its site: in space its hold is carried there, errors and pushes that last
+// keep it as far beside that as it sways, and that is where it has to be given back.
+std::int64_t back_mm(const Subject& s, const ir::Recovery& last) {
+  const bool aside = s.decision.body.in_space && last.kind == ir::RecoveryKind::route;
+  return last.return_clearance_mm + (aside ? s.decision.body.end_reach_mm : 0);
+}
+// "": all of its sites have as much.
+std::string rests_beside_site(const Subject& s, const ir::Recovery& last) {
+  if (!s.decision.body.in_space || last.kind != ir::RecoveryKind::route) return "";
+  const ir::Cells& cells = s.module[last.zone].cells;
+  for (const ir::SiteTable::Place& place : s.module[last.site].places) {
+    const auto column = (place.x_mm - cells.origin_x_mm) / cells.cell_mm;
+    const auto row = (place.y_mm - cells.origin_y_mm) / cells.cell_mm;
+    const auto at = static_cast<std::size_t>(row * cells.columns + column);
+    if (at < cells.clearance_mm_lo.size() && cells.clearance_mm_lo[at] >= back_mm(s, last))
+      continue;
+    return quoted(last.name) + " may come to rest " + metres(s.decision.body.end_reach_mm) +
+           " from " + quoted(s.module[last.site].name) + ", and control is given back there with " +
+           "a clearance of " + metres(last.return_clearance_mm);
+  }
+  return "";
+}
+
 // Of zones that come and go; each of the monitors that a recovery drives for leads out as well.
 std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t judged) {
   const ir::Monitor& m = s.decision.monitors[judged];
@@ -242,10 +265,16 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.because = off;
     return o;
   }
+  if (const std::string off = rests_beside_site(s, last); !off.empty()) {
+    o.status = Status::unknown;
+    o.because = off;
+    o.repair = "a site with a clearance of " + metres(back_mm(s, last)) + " works";
+    return o;
+  }
   const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);
   o.status = Status::proved;
   o.because = "from everywhere in " + quoted(zone.name) + " a way leads to a clearance of " +
-              metres(last.return_clearance_mm) +
+              metres(back_mm(s, last)) +
               (bound ? ", within " + seconds(*bound) + " in all"
                      : ", along cells that it enters once each");
   o.claims.push_back({"ways",
@@ -257,7 +286,7 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
                        {"cells_y_mm", std::to_string(zone.cells.origin_y_mm)},
                        {"route_mm", std::to_string(last.route_clearance_mm)},
                        {"extra_us", std::to_string(s.decision.return_extra_us)},
-                       {"return_mm", std::to_string(last.return_clearance_mm)}}});
+                       {"return_mm", std::to_string(back_mm(s, last))}}});
   o.claims.push_back(lemma_claim("return_reached"));
   return o;
 }
@@ -413,6 +442,22 @@ Obligation control_returns(const Subject& s, std::size_t k) {
 
 namespace {
 
+// Ways over cells lead nowhere up or down.
+bool asks_of_heights(const Subject& s, std::size_t k, const Atoms& atoms) {
+  const auto fences = analysis::fences_of(s.decision.monitors[k].property, s.decision.facts.params);
+  return atoms.altitude || std::ranges::any_of(fences, [&](ir::ZoneIndex fence) {
+           return s.module[fence].has_height();
+         });
+}
+Obligation keeps_its_height(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  o.status = Status::unknown;
+  o.method = "no proof";
+  o.because = quoted(m.recovery.name) + " keeps its height, and that " + quoted(m.name) +
+              " gives control back there is not shown";
+  return o;
+}
+
 Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
@@ -428,7 +473,10 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     return atoms.only_speed() ? returned_at_rest(s, k, std::move(o)) : o;
   }
   if (ir::moves(last) && last != ir::RecoveryKind::yield) {
-    Obligation ways = s.decision.body.in_space ? legs_back(s, k) : ways_back(s, k, std::move(o));
+    const bool legs = s.decision.body.in_space && last != ir::RecoveryKind::route;
+    Obligation ways = legs                           ? legs_back(s, k)
+                      : asks_of_heights(s, k, atoms) ? keeps_its_height(s, k, std::move(o))
+                                                     : ways_back(s, k, std::move(o));
     return ways.status == Status::proved ? returned_at_rest(s, k, std::move(ways)) : ways;
   }
   if (last == ir::RecoveryKind::land) return landing_returns(s, k, std::move(o));

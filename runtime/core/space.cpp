@@ -182,8 +182,9 @@ void find_place(Sight& sight, Vec3 from, double wanted_m, double least_m, How ho
 void Carried::engage(const Observation& observation) {
   pilot_.engage(observation);
   broken_off_ = legs_;
+  leg_broken_off_ = on_leg_;
   legs_.clear();
-  leads_ = stopped_ = returning_ = false;
+  on_leg_ = leads_ = carries_ = stopped_ = returning_ = false;
   next_look_us_ = never_us;
 }
 
@@ -191,7 +192,7 @@ void Carried::engage(const Observation& observation) {
 void Carried::go_on(const Halt& halt) {
   pilot_.go_on(halt);
   legs_ = broken_off_;
-  stopped_ = !legs_.empty();
+  on_leg_ = stopped_ = leg_broken_off_;
 }
 
 std::optional<Halt> Carried::halt() const {
@@ -199,10 +200,16 @@ std::optional<Halt> Carried::halt() const {
 }
 
 void Carried::stop() {
+  carries_ = false;
   if (!leads_) return;
   pilot_.go_on(Halt{});
   leads_ = false;
   stopped_ = true;
+}
+
+void Carried::drop_legs() {
+  stop();
+  legs_.clear();
 }
 
 Acceleration Carried::command(const Observation& observation, Gate gate) {
@@ -210,18 +217,12 @@ Acceleration Carried::command(const Observation& observation, Gate gate) {
     stop();
     return pilot_.brake_blind(observation);
   }
+  if (stopped_ && pilot_.latched()) leave_far_leg();
+  choose(observation, gate);
   if (!pilot_.latched()) return pilot_.halt(observation);
-  if (stopped_) leave_far_leg();
-  const Vec3 here = position_of(observation);
-  if (legs_.empty() && observation.now_us >= next_look_us_) {
-    next_look_us_ = observation.now_us + pace::look_every_us;
-    look(observation.now_us, here, legs_);
-    leg_ = 0;
-    leg_from_ = pilot_.halting()->place;
-  }
   if (!legs_.empty()) {
     if (allowed(observation, gate)) {
-      carry(here);
+      carry(position_of(observation));
     } else {
       stop();
     }
@@ -229,25 +230,70 @@ Acceleration Carried::command(const Observation& observation, Gate gate) {
   return pilot_.halt(observation);
 }
 
+void Carried::choose(const Observation& observation, Gate /*gate*/) {
+  if (!pilot_.latched() || !legs_.empty() || observation.now_us < next_look_us_) return;
+  next_look_us_ = observation.now_us + pace::look_every_us;
+  Legs legs;
+  look(observation.now_us, held(), legs);
+  set_legs(legs);
+}
+
+void Carried::set_legs(const Legs& legs) {
+  legs_ = legs;
+  leg_ = 0;
+  if (!legs_.empty() && !returning_) begin_leg();
+}
+
+void Carried::begin_leg() {
+  leg_from_ = held();
+  leg_to_ = legs_[leg_];
+  on_leg_ = true;
+}
+
 void Carried::carry(Vec3 here) {
   const double step_m = setting_.speed_mps * static_cast<double>(setting_.period_us) * s_per_us;
   const Vec3 to = aim();
   const bool there = pilot_.carry(to, step_m);
-  const bool near = norm(pilot_.halting()->place - here) <= pilot_.sway_m();
+  const bool near = norm(held() - here) <= pilot_.sway_m();
   leads_ = !near;
+  carries_ = true;
   if (!there) return;
   if (returning_) {
     returning_ = false;
+    // other legs may have been chosen while it was beside this one
+    const bool goes_on = norm(legs_[leg_] - leg_to_) <= 0;
+    if (!goes_on) begin_leg();
     return;
   }
   // the hold comes to the end first, and the robot after it, as near as errors that last let it
   if (!near) return;
   leg_from_ = to;
-  if (++leg_ == legs_.size()) legs_.clear();
+  leg_ended();
+  if (++leg_ == legs_.size()) {
+    legs_.clear();
+    on_leg_ = carries_ = false;
+  } else {
+    leg_to_ = legs_[leg_];
+  }
 }
 
 Vec3 Carried::aim() const {
-  return returning_ ? nearest_on(leg_from_, legs_[leg_], pilot_.halting()->place) : legs_[leg_];
+  return returning_ ? nearest_on(leg_from_, leg_to_, held()) : leg_to_;
+}
+
+Vec3 Carried::set_out_from(const Observation& observation) const {
+  return position_of(observation);
+}
+
+Vec3 Carried::on_leg(const Observation& observation) const {
+  const Vec3 here = position_of(observation);
+  if (!pilot_.latched() || (returning_ && leads_)) return here;
+  const bool drives = carries_ && !returning_;
+  return drives ? nearest_on(leg_from_, leg_to_, here) : held();
+}
+
+Vec3 Carried::on_way(const Observation& observation) const {
+  return pilot_.latched() && returning_ ? aim() : on_leg(observation);
 }
 
 // Within what is declared a stop ends no further beside its leg: what it bends from the straight
@@ -268,21 +314,25 @@ double Carried::stray_m() const {
 // nobody has looked at what lies between: its next leg begins here.
 void Carried::leave_far_leg() {
   stopped_ = false;
-  const Vec3 place = pilot_.halting()->place;
-  const double off_m = legs_.empty() ? 0 : norm(place - nearest_on(leg_from_, legs_[leg_], place));
+  const Vec3 place = held();
+  const double off_m = on_leg_ ? norm(place - nearest_on(leg_from_, leg_to_, place)) : 0;
   // what is not a number is not near either
-  if (!(off_m <= stray_m())) legs_.clear();
-  returning_ = !legs_.empty();
+  if (!(off_m <= stray_m())) {
+    legs_.clear();
+    on_leg_ = false;
+    carried_off();
+  }
+  returning_ = on_leg_;
 }
 
 bool Carried::allowed(const Observation& observation, Gate gate) const {
   if (gate == Gate::free) return true;
   if (gate == Gate::hold) return false;
-  const Vec3 here = position_of(observation), way = aim() - here;
+  const Vec3 from = set_out_from(observation), way = aim() - from;
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || !is_held(other, observation.now_us)) continue;
-    if (!(inner(way, here - position_of(other)) >= 0)) return false;
+    if (!(inner(way, from - position_of(other)) >= 0)) return false;
   }
   return true;
 }

@@ -9,6 +9,7 @@
 #include "case.h"
 #include "rtac/safe/claim.h"
 #include "rtac/safe/controllers.h"
+#include "rtac/safe/level.h"
 #include "rtac/safe/space.h"
 #include "run.h"
 #include "taped.h"
@@ -34,21 +35,24 @@ class Recoveries {
     if (r.kind == "sequence") return sequence(r, robot);
     if (r.kind == "extern") return external(r, s, robot);
     s.speed_mps = r.speed_mps;
-    s.zone = &zone_of(r);
+    if (r.kind != "land") s.zone = &zone_of(r);  // which there may be none of
     s.route_clearance_m = r.route_clearance_m;
     s.return_clearance_m = r.return_clearance_m;
     s.pass_gap_m = r.pass_gap_m;
     if (r.has_detour) s.detour_m = r.detour_m;
-    if (s.limits.in_space) return in_space<Output>(r, s);
+    if (s.limits.in_space) return in_space<Output>(r, s, robot);
     if (r.kind == "retreat") return std::make_unique<safe::Retreat<Output>>(s);
     if (r.kind == "loiter") return std::make_unique<safe::Loiter<Output>>(s);
     if (r.kind == "yield") return std::make_unique<safe::Yield<Output>>(s);
     if (r.kind != "route") return nullptr;
-    const auto& places = decision_.surroundings.sites[static_cast<std::size_t>(r.site)];
-    return std::make_unique<safe::Route<Output>>(s, places[static_cast<std::size_t>(robot)]);
+    return std::make_unique<safe::Route<Output>>(s, site_of(r, robot));
   }
 
  private:
+  [[nodiscard]] Vec2 site_of(const Recovery& r, int robot) const {
+    const auto& places = decision_.surroundings.sites[static_cast<std::size_t>(r.site)];
+    return places[static_cast<std::size_t>(robot)];
+  }
   [[nodiscard]] const ZoneView& zone_of(const Recovery& r) const {
     return decision_.surroundings.zones[static_cast<std::size_t>(r.zone)];
   }
@@ -59,15 +63,18 @@ class Recoveries {
     return solid.slab_count > 0 ? &solid : nullptr;
   }
 
-  // Recoveries that move up and down command accelerations.
+  // What moves in space commands accelerations.
   template <class Command>
-  std::unique_ptr<SafeController<Command>> in_space(const Recovery& r, safe::Setting& s) const {
+  std::unique_ptr<SafeController<Command>> in_space(const Recovery& r, safe::Setting& s,
+                                                    int robot) const {
     if constexpr (std::is_same_v<Command, Acceleration>) {
       s.land_at_m = r.land_at_m;
-      s.solid = solid_of(r);
+      if (r.kind != "land") s.solid = solid_of(r);
       if (r.kind == "retreat") return std::make_unique<safe::RetreatInSpace>(s);
       if (r.kind == "loiter") return std::make_unique<safe::LoiterInSpace>(s);
       if (r.kind == "land") return std::make_unique<safe::Land>(s);
+      if (r.kind == "yield") return std::make_unique<safe::YieldInSpace>(s);
+      if (r.kind == "route") return std::make_unique<safe::RouteInSpace>(s, site_of(r, robot));
     }
     return nullptr;
   }

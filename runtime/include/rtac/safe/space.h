@@ -19,12 +19,40 @@ class Carried : public SafeController<Acceleration> {
   [[nodiscard]] bool holding() const override { return pilot_.latched() && legs_.empty(); }
 
  protected:
-  static constexpr std::size_t legs_max = 6;
+  // A way of the plane, and back to the leg that it was stopped on.
+  static constexpr std::size_t legs_max = max_waypoints + 1;
   using Legs = FixedList<Vec3, legs_max>;  // their ends
-  // Where to go from a place of rest; nowhere: it stays.
-  virtual void look(TimeUs now_us, Vec3 from, Legs& legs) = 0;
+  // In every tick in which it can steer: chooses its legs, where it has come to rest.
+  virtual void choose(const Observation& observation, Gate gate);
+  // Where to go from a place of rest, once a second at most; nowhere: it stays.
+  virtual void look(TimeUs /*now_us*/, Vec3 /*from*/, Legs& /*legs*/) {}
+  // The place from which the gate may ask that it only recedes.
+  [[nodiscard]] virtual Vec3 set_out_from(const Observation& observation) const;
+  virtual void leg_ended() {}
+  // It rests further off its leg than a stop explains.
+  virtual void carried_off() {}
   // How far from where its legs end it may be measured, once it rests there.
   [[nodiscard]] double sway_m() const { return pilot_.sway_m(); }
+  // How far beside its leg a stop leaves it at most.
+  [[nodiscard]] double stray_m() const;
+
+  [[nodiscard]] bool latched() const { return pilot_.latched(); }
+  // Latched, slow enough to be driven off, and with a hold that is not carried anywhere.
+  [[nodiscard]] bool at_rest(const Observation& observation) const {
+    return !carries_ && pilot_.at_rest(observation);
+  }
+  [[nodiscard]] bool has_legs() const { return !legs_.empty(); }
+  // The place of its hold, once it is latched.
+  [[nodiscard]] Vec3 held() const { return pilot_.halting()->place; }
+  // Errors may have put it beside its leg as it is measured: where it holds, or how far along its
+  // leg it is.
+  [[nodiscard]] Vec3 on_leg(const Observation& observation) const;
+  // The same, or where on its leg it goes back to first.
+  [[nodiscard]] Vec3 on_way(const Observation& observation) const;
+  // From where it rests, once it is back on the leg that it was stopped on.
+  void set_legs(const Legs& legs);
+  // Brakes, and holds where that ends, until it is told of other legs.
+  void drop_legs();
 
   Setting setting_;
 
@@ -34,17 +62,20 @@ class Carried : public SafeController<Acceleration> {
   // What it makes for: first back to its leg, if it was stopped beside it.
   [[nodiscard]] Vec3 aim() const;
   void carry(Vec3 here);
+  void begin_leg();
   // Brakes, and latches where it comes to rest, if the hold leads the robot.
   void stop();
   void leave_far_leg();
-  [[nodiscard]] double stray_m() const;
 
   Pilot<Acceleration> pilot_;
   Legs legs_;
-  Legs broken_off_;  // when it was engaged anew: another recovery may have driven in between
   std::size_t leg_ = 0;
-  Vec3 leg_from_;
+  Vec3 leg_from_, leg_to_;  // that it drives, or was stopped on
+  bool on_leg_ = false;
+  Legs broken_off_;  // when it was engaged anew: another recovery may have driven in between
+  bool leg_broken_off_ = false;
   bool leads_ = false;      // the hold is farther ahead of the robot than it sways
+  bool carries_ = false;    // it moved the hold in the last tick, and not to its end
   bool stopped_ = false;    // on its leg, and it has not come to rest since
   bool returning_ = false;  // to its leg
   TimeUs next_look_us_ = never_us;
