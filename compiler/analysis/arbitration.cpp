@@ -10,6 +10,7 @@
 #include "compiler/analysis/paces.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/straight_in.h"
 #include "compiler/analysis/waits.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
@@ -41,7 +42,8 @@ class Pair {
         drives_(driving),
         driving_(decision.monitors[driving]),
         recovery_(driving_.recovery),
-        judged_(decision.monitors[judged]) {}
+        judged_(decision.monitors[judged]),
+        take_over_{module, decision, exact, solid, judged} {}
 
   // nullopt: it keeps the property.
   std::optional<Entry> broken() {
@@ -59,7 +61,9 @@ class Pair {
       // Of zones that come and go, only the monitor's own recovery leads out in time, and whoever
       // outranks it needs an acknowledgement of its own (5031).
       if (speaks_of_windows(block, id)) return !decision_.coordinated || keeps_windows();
-      if (keeps_a_side(module_, decision_, exact_, drives_, block, id)) return true;
+      if (keeps_a_side(module_, decision_, exact_, drives_, block, id)) {
+        return is_slow(block, *v) || starts_in_its_zones();
+      }
       if (!decision_.coordinated && too_fast_while_told(block, id)) return false;
       return keeps(block, v->a) && keeps(block, v->b);
     }
@@ -181,31 +185,61 @@ class Pair {
       }
       const auto zone = moves_within(*step);
       if (!zone || *zone == fence) continue;
-      if (module_[fence].has_height() || module_[*zone].has_height()) {
-        if (!in_space(fence, *zone) || !keeps_its_standoff(*step, fence, beyond_mm)) return false;
-        continue;
+      const bool high = module_[fence].has_height() || module_[*zone].has_height();
+      if (!(high ? in_space(*step, fence) : in_plane(*step, fence, beyond_mm)) ||
+          !keeps_its_standoff(*step, fence, beyond_mm) || !comes_in(*step, fence)) {
+        return false;
       }
-      if (exact_(fence).contains(exact_(*zone))) {
-        if (!keeps_its_standoff(*step, fence, beyond_mm)) return false;
-        continue;
-      }
-      const geometry::Region beyond = exact_(*zone).subtract(exact_(fence));
-      const Rational square_mm(ceil_to_int(Rational(beyond.area() * 1'000'000)));
-      const std::string name = name_as_written(module_[fence]);
-      entry_.why = to_decimal(Rational(square_mm / 1'000'000)) + " m^2 of " +
-                   name_as_written(module_[*zone]) + ", where " + quoted(recovery_.name) +
-                   " may drive, lie outside " + name;
-      if (leads_inside(fence)) {
-        entry_.help = "a way to " + quoted(module_[ir::last_step(recovery_).site].name) +
-                      " within " + name + " works, as far as the charge pays for it";
-      } else if (would_do(fence)) {
-        entry_.help = "a recovery within " + name + " works";
-      } else {
-        offer_shared(*zone, fence, beyond_mm);
-      }
+    }
+    return true;
+  }
+  bool in_plane(const ir::Recovery& step, ir::ZoneIndex fence,
+                std::optional<std::int64_t> beyond_mm) {
+    if (exact_(fence).contains(exact_(step.zone))) return true;
+    const geometry::Region beyond = exact_(step.zone).subtract(exact_(fence));
+    const Rational square_mm(ceil_to_int(Rational(beyond.area() * 1'000'000)));
+    const std::string name = name_as_written(module_[fence]);
+    entry_.why = to_decimal(Rational(square_mm / 1'000'000)) + " m^2 of " +
+                 name_as_written(module_[step.zone]) + ", where " + quoted(recovery_.name) +
+                 " may drive, lie outside " + name;
+    if (leads_inside(fence)) {
+      entry_.help = "a way to " + quoted(module_[ir::last_step(recovery_).site].name) + " within " +
+                    name + " works, as far as the charge pays for it";
+    } else if (would_do(fence)) {
+      entry_.help = "a recovery within " + name + " works";
+    } else {
+      offer_shared(step.zone, fence, beyond_mm);
+    }
+    return false;
+  }
+  // From outside of its zone; what only claims to stay there is braked instead.
+  bool comes_in(const ir::Recovery& step, ir::ZoneIndex fence) {
+    if (step.claims || comes_in_within(take_over_, step.zone, fence)) return true;
+    const std::string name = name_as_written(module_[fence]);
+    entry_.why = "from outside of " + name_as_written(module_[step.zone]) + " " +
+                 quoted(recovery_.name) + " makes straight for it, and may leave " + name +
+                 " on its way, which is not convex";
+    entry_.help.clear();
+    if (!module_[fence].has_height() && would_do(fence)) {
+      entry_.help = "a recovery within " + name + " works: it finds its ways inside";
+    }
+    return false;
+  }
+  // Of an `or` a side holds as long as it is in its zone; from outside it might cross a seam.
+  bool starts_in_its_zones() {
+    for (const ir::Recovery* step : ir::steps_of(recovery_)) {
+      if (!ir::moves(step->kind) || starts_within(take_over_, step->zone)) continue;
+      entry_.why = "from outside of " + name_as_written(module_[step->zone]) + " " +
+                   quoted(recovery_.name) + " makes straight for it, and may leave each side of " +
+                   quoted(judged_.name) + " on its way";
+      entry_.help.clear();
       return false;
     }
     return true;
+  }
+  [[nodiscard]] bool is_slow(const ir::Block& block, const ir::Or& either) const {
+    return asks_for_slow(decision_, drives_, block, either.a) ||
+           asks_for_slow(decision_, drives_, block, either.b);
   }
   // What lies in the fence, and need not keep what is asked beyond that. An external recovery is
   // braked where it would be nearer to the boundary of its zone than any property asks for.
@@ -340,27 +374,49 @@ class Pair {
     entry_.help = "`brake_and_hold` works";
     return false;
   }
-  bool in_space(ir::ZoneIndex fence, ir::ZoneIndex zone) {
+  // What keeps its height (rule 7.8) is in the fence as long as that has the zone at each height.
+  bool in_space(const ir::Recovery& step, ir::ZoneIndex fence) {
+    const ir::ZoneIndex zone = step.zone;
+    if (!step.claims && lies_level(module_, exact_, solid_, zone, {fence, 0})) return true;
     const geometry::Solid beyond = solid_(zone).subtract(solid_(fence));
     if (beyond.empty()) return true;
     const geometry::Slab& slab = beyond.slabs().front();
     const bool flat = !module_[zone].has_height();
     const std::string name = name_as_written(module_[zone]);
-    entry_.why = (flat ? "`" + module_[zone].name + "` reaches up and down without an end"
-                       : "from " + metres(slab.floor) + " to " + metres(slab.ceiling) +
-                             " a part of " + name + ", where " + quoted(recovery_.name) +
-                             " may drive, lies outside " + name_as_written(module_[fence]));
-    entry_.help = "a recovery within " + name_as_written(module_[fence]) + " works";
+    const std::string outside = name_as_written(module_[fence]);
+    const std::string part = "a part of " + name + ", where " + quoted(recovery_.name) +
+                             " may drive, lies outside " + outside;
+    if (flat && step.claims) {
+      entry_.why = "what is claimed of " + quoted(recovery_.name) + " bounds no height, and " +
+                   outside + " has some";
+    } else if (flat) {
+      entry_.why = "at a height of " + metres(height_without(fence, zone)) + " " + part;
+    } else {
+      entry_.why = "from " + metres(slab.floor) + " to " + metres(slab.ceiling) + " " + part;
+    }
+    entry_.help = "a recovery within " + outside + " works";
     return false;
   }
-  // A retreat within a zone of the plane keeps its height (rule 7.8).
+  // Some height of the fence at which it does not contain the zone of the plane.
+  [[nodiscard]] Rational height_without(ir::ZoneIndex fence, ir::ZoneIndex zone) const {
+    const geometry::Solid solid = solid_(fence);
+    for (const geometry::Slab& slab : solid.slabs()) {
+      if (!slab.region.contains(exact_(zone))) return slab.floor;
+    }
+    return solid.slabs().front().floor;
+  }
+  // A retreat within a zone of the plane keeps its height (rule 7.8), which nobody claims of what
+  // is external. A landing ends as far above its end as it strays from any place of rest.
   bool keeps_height(const ir::Block& block, const ir::AtLeast& compare) {
     const auto most = ir::upper_bound(block, compare);
     const auto least = ir::lower_bound(block, compare, decision_.facts.params);
     for (const ir::Recovery* step : ir::steps_of(recovery_)) {
       bool kept = true;
       if (step->kind == ir::RecoveryKind::land) {
-        kept = !least || step->land_mm >= least->need.strictest;
+        const std::int64_t strays_mm = step->route_clearance_mm - decision_.body.radius_mm;
+        kept = !least || step->land_mm >= least->need.strictest + strays_mm;
+      } else if (step->claims && !module_[step->zone].has_height()) {
+        kept = false;
       } else if (const auto zone = moves_within(*step)) {
         for (const ir::ZoneTable::Slab& slab : module_[*zone].slabs) {
           kept = kept && (!most || slab.ceiling_mm <= most->most) &&
@@ -449,6 +505,7 @@ class Pair {
   const ir::Monitor& driving_;
   const ir::Recovery& recovery_;
   const ir::Monitor& judged_;
+  const TakeOver take_over_;
   Entry entry_;
 };
 

@@ -96,7 +96,62 @@ void collect_told(const ir::Block& block, ir::ValueId id, const std::vector<ir::
   }
 }
 
+// What a comparison surely leaves of a clearance; nothing: it may ask for none.
+std::optional<Standoff> sure_of(const ir::Block& block, ir::ValueId id,
+                                const std::vector<ir::Param>& params) {
+  const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
+  const auto bound = compare ? ir::lower_bound(block, *compare, params) : std::nullopt;
+  if (!bound || bound->leaf.kind != Leaf::Kind::clearance || bound->need.laxest < 0) {
+    return std::nullopt;
+  }
+  return Standoff{ir::ZoneIndex{bound->leaf.table}, bound->need.laxest};
+}
+
+// False: a branch may hold wherever the robot is.
+bool sure_branches(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
+                   std::vector<Standoff>& either) {
+  if (const auto* v = std::get_if<ir::Or>(&block[id].op)) {
+    return sure_branches(block, v->a, params, either) && sure_branches(block, v->b, params, either);
+  }
+  const auto sure = sure_of(block, id, params);
+  if (sure) either.push_back(*sure);
+  return sure.has_value();
+}
+
+void collect_sure(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
+                  std::vector<std::vector<Standoff>>& all) {
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
+    collect_sure(block, v->a, params, all);
+    collect_sure(block, v->b, params, all);
+    return;
+  }
+  std::vector<Standoff> either;
+  if (sure_branches(block, id, params, either)) all.push_back(std::move(either));
+}
+
 }  // namespace
+
+std::vector<std::vector<Standoff>> surely_in(const ir::Block& property,
+                                             const std::vector<ir::Param>& params) {
+  std::vector<std::vector<Standoff>> all;
+  collect_sure(property, property.result, params, all);
+  return all;
+}
+
+std::vector<ir::ZoneIndex> sure_fences(const ir::Block& property,
+                                       const std::vector<ir::Param>& params) {
+  std::vector<ir::ZoneIndex> zones;
+  for (const std::vector<Standoff>& either : surely_in(property, params)) {
+    if (either.size() == 1) add(zones, either[0].zone);
+  }
+  return zones;
+}
+
+bool relied_on(const ir::Decision& decision, const ir::Monitor& monitor) {
+  const auto accepted = [&](const ir::Acknowledgement& a) { return a.monitor == monitor.name; };
+  return monitor.lookahead.duration && !monitor.lookahead.too_short &&
+         std::ranges::none_of(decision.acknowledgements, accepted);
+}
 
 std::vector<ir::ZoneIndex> told_fences_of(const ir::Block& property,
                                           const std::vector<ir::Param>& params) {

@@ -3,11 +3,13 @@
 
 #include <vector>
 
+#include "compiler/analysis/standoffs.h"
 #include "compiler/ir/module.h"
 
 namespace rtac::analysis {
 
-// The zones that a centre is in wherever the property holds, each once.
+// The zones that a centre is in wherever the property holds, each once, while its parameters ask
+// for most: what a recovery has to stay in.
 std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
                                      const std::vector<ir::Param>& params);
 
@@ -15,6 +17,19 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
 // wherever the property holds, or what it has no part in does.
 using Choice = std::vector<ir::ZoneIndex>;
 std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params);
+
+// What a robot surely has wherever the property holds, whatever its parameters become: of each
+// entry it is in at least one of the zones, body and all, and so far from its boundary.
+std::vector<std::vector<Standoff>> surely_in(const ir::Block& property,
+                                             const std::vector<ir::Param>& params);
+
+// The zones of entries of one zone: where a centre is whatever parameters become.
+std::vector<ir::ZoneIndex> sure_fences(const ir::Block& property,
+                                       const std::vector<ir::Param>& params);
+
+// Whether a monitor keeps what it says until its recovery takes over, whoever drives: it looks
+// ahead as far as it has to, and nobody is accepted to break it.
+bool relied_on(const ir::Decision& decision, const ir::Monitor& monitor);
 
 // The zones of which inputs say when each of them counts, as in `if rain then r inside shelter else
 // r inside field`, each once: a recovery has to lead to all of them, as inputs may say either.

@@ -2,26 +2,20 @@
 
 #include <algorithm>
 
-#include "compiler/ir/linear.h"
+#include "compiler/analysis/fences.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
 
 // What a robot surely has wherever the property holds; 0: nothing is known.
-std::int64_t surely_off_mm(const ir::Block& block, ir::ValueId id,
-                           const std::vector<ir::Param>& params, ir::ZoneIndex zone) {
-  if (const auto* both = std::get_if<ir::And>(&block[id].op)) {
-    return std::max(surely_off_mm(block, both->a, params, zone),
-                    surely_off_mm(block, both->b, params, zone));
+std::int64_t surely_off_mm(const ir::Block& property, const std::vector<ir::Param>& params,
+                           ir::ZoneIndex zone) {
+  std::int64_t most = 0;
+  for (const std::vector<Standoff>& either : surely_in(property, params)) {
+    if (either.size() == 1 && either[0].zone == zone) most = std::max(most, either[0].mm);
   }
-  const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
-  const auto bound = compare ? ir::lower_bound(block, *compare, params) : std::nullopt;
-  if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return 0;
-  // a parameter may be less strict now than it may become
-  return ir::ZoneIndex{bound->leaf.table} == zone && bound->need.params.empty()
-             ? bound->need.strictest
-             : 0;
+  return most;
 }
 
 }  // namespace
@@ -43,6 +37,17 @@ bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSoli
                      [&](const geometry::Slab& slab) { return kept->contains(slab.region); });
 }
 
+bool lies_level(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
+                ir::ZoneIndex inner, const Standoff& outer) {
+  if (module[inner].has_height() || !module[outer.zone].has_height()) return false;
+  const geometry::Solid fence = solid(outer.zone);
+  return std::ranges::all_of(fence.slabs(), [&](const geometry::Slab& slab) {
+    if (outer.mm <= touching_mm) return slab.region.contains(exact(inner));
+    const auto kept = within(slab.region, outer.mm);
+    return kept && kept->contains(exact(inner));
+  });
+}
+
 bool lies_all_over(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
                    ir::ZoneIndex inner, ir::ZoneIndex outer) {
   const bool high = module[inner].has_height();
@@ -58,9 +63,9 @@ bool keeps_off(const ir::Module& module, const ir::Decision& decision, const Exa
                const ExactSolid& solid, const ir::Monitor& driving, ir::ZoneIndex zone,
                const Standoff& fence) {
   if (fence.mm <= touching_mm || zone == fence.zone) return true;
-  const ir::Block& own = driving.property;
-  if (surely_off_mm(own, own.result, decision.facts.params, zone) >= fence.mm) return true;
+  if (surely_off_mm(driving.property, decision.facts.params, zone) >= fence.mm) return true;
   return lies_deep(module, exact, solid, zone, fence) ||
+         lies_level(module, exact, solid, zone, fence) ||
          lies_all_over(module, exact, solid, zone, fence.zone);
 }
 

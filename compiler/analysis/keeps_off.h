@@ -16,6 +16,11 @@ namespace rtac::analysis {
 bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
                ir::ZoneIndex inner, const Standoff& outer);
 
+// Of a fence with heights: at each of them a zone of the plane lies in it, as far from its walls as
+// is asked for. Who stays in the zone and keeps its height keeps the fence.
+bool lies_level(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
+                ir::ZoneIndex inner, const Standoff& outer);
+
 // The two have the same places, and so the same boundary.
 bool lies_all_over(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
                    ir::ZoneIndex inner, ir::ZoneIndex outer);

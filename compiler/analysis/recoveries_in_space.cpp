@@ -77,27 +77,58 @@ class InSpace {
   }
 
   Found within_zone(const ir::Recovery& step) const {
-    const ir::ZoneTable& zone = module_[step.zone];
     for (const ir::ZoneIndex fence : fences()) {
       if (fence == step.zone) continue;
-      const geometry::Solid beyond = exact_(step.zone).subtract(exact_(fence));
-      if (beyond.empty()) {
-        if (Found found = nearer(step, fence)) return found;
-        continue;
+      if (Found found = lies_in(step, fence) ? nearer(step, fence) : outside(step, fence)) {
+        return found;
       }
-      const geometry::Slab& slab = beyond.slabs().front();
-      const bool flat = !zone.has_height() && module_[fence].has_height();
-      return elsewhere(
-          step, "`" + module_[fence].name + "`",
-          flat ? "`" + zone.name + "` reaches up and down without an end"
-               : "from " + metres(slab.floor) + " to " + metres(slab.ceiling) + " a part of `" +
-                     zone.name + "` lies outside `" + module_[fence].name + "`, such as " +
-                     some_corner(slab.region),
-          "a zone that lies in `" + module_[fence].name + "` works, such as that one itself");
     }
     // an external one is braked where its claim does not hold: it leads nowhere from there
     if (Found found = step.claims ? std::nullopt : across(step)) return found;
-    if (!zone.has_height()) return std::nullopt;  // it keeps its height
+    return module_[step.zone].has_height() ? too_far_up_or_down(step) : unclaimed_height(step);
+  }
+  // What moves within a zone of the plane keeps its height; nobody claims that of what is external.
+  [[nodiscard]] bool lies_in(const ir::Recovery& step, ir::ZoneIndex fence) const {
+    if (!step.claims && lies_level(module_, flat_, exact_, step.zone, {fence, 0})) return true;
+    return exact_(step.zone).subtract(exact_(fence)).empty();
+  }
+  Found outside(const ir::Recovery& step, ir::ZoneIndex fence) const {
+    const ir::ZoneTable& zone = module_[step.zone];
+    const std::string works =
+        "a zone that lies in `" + module_[fence].name + "` works, such as that one itself";
+    const std::string name = "`" + module_[fence].name + "`";
+    const bool flat = !zone.has_height() && module_[fence].has_height();
+    if (flat && step.claims) {
+      return elsewhere(step, name, "a claim of `" + zone.name + "` bounds no height", works);
+    }
+    if (flat) {
+      const geometry::Solid solid = exact_(fence);
+      for (const geometry::Slab& slab : solid.slabs()) {
+        if (slab.region.contains(flat_(step.zone))) continue;
+        return elsewhere(step, name,
+                         "it keeps its height, and at " + metres(slab.floor) + " a part of `" +
+                             zone.name + "` lies outside " + name + ", such as " +
+                             some_corner(flat_(step.zone).subtract(slab.region)),
+                         works);
+      }
+    }
+    const geometry::Solid beyond = exact_(step.zone).subtract(exact_(fence));
+    const geometry::Slab& slab = beyond.slabs().front();
+    return elsewhere(step, name,
+                     "from " + metres(slab.floor) + " to " + metres(slab.ceiling) + " a part of `" +
+                         zone.name + "` lies outside " + name + ", such as " +
+                         some_corner(slab.region),
+                     works);
+  }
+  Found unclaimed_height(const ir::Recovery& step) const {
+    if (!step.claims || (!most_mm_ && !least_mm_)) return std::nullopt;
+    const std::string heights = most_mm_ ? "the heights up to " + metres(*most_mm_)
+                                         : "the heights from " + metres(*least_mm_) + " on";
+    return elsewhere(step, heights, "a claim of `" + module_[step.zone].name + "` bounds no height",
+                     "a claim to keep inside a zone with these heights works");
+  }
+  Found too_far_up_or_down(const ir::Recovery& step) const {
+    const ir::ZoneTable& zone = module_[step.zone];
     const std::int64_t top_mm = zone.slabs.back().ceiling_mm;
     const std::int64_t bottom_mm = zone.slabs.front().floor_mm;
     if (most_mm_ && top_mm > *most_mm_) {
@@ -133,13 +164,21 @@ class InSpace {
   Found across(const ir::Recovery& step) const {
     geometry::Solid starts = geometry::Solid::everywhere();
     for (const ir::Monitor& m : decision_.monitors) {
-      for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
-        starts = starts.intersect(exact_(fence));
+      if (m.name != monitor_.name && !relied_on(decision_, m)) continue;
+      for (const auto& either : surely_in(m.property, decision_.facts.params)) {
+        geometry::Solid some;
+        for (const Standoff& each : either) some = some.unite(exact_(each.zone));
+        starts = starts.intersect(some);
       }
     }
     for (const ir::ZoneIndex fence : fences()) {
       const geometry::Solid allowed = exact_(fence);
-      const bool convex = allowed.slabs().size() == 1 && is_convex(allowed.slabs()[0].region);
+      // on the level each slab counts by itself
+      const bool level = !module_[step.zone].has_height();
+      const bool convex = (level || allowed.slabs().size() == 1) &&
+                          std::ranges::all_of(allowed.slabs(), [](const geometry::Slab& slab) {
+                            return is_convex(slab.region);
+                          });
       if (fence == step.zone || convex) continue;
       const geometry::Solid from = starts.subtract(exact_(step.zone));
       if (from.empty()) continue;
@@ -258,7 +297,8 @@ class InSpace {
 }  // namespace
 
 geometry::Solid without_end(const geometry::Region& region) {
-  const geometry::Slab all = geometry::Solid::everywhere().slabs().front();
+  const geometry::Solid everywhere = geometry::Solid::everywhere();
+  const geometry::Slab& all = everywhere.slabs().front();
   return geometry::Solid::prism(region, all.floor, all.ceiling);
 }
 

@@ -275,16 +275,25 @@ class Places {
     d.help = works(step);
     found_.push_back(std::move(d));
   }
-  // Where the robot may be while every property of the decision holds.
+  // Where the robot may be while its own property holds, and those of monitors that keep it there.
   const Region& starts() {
     if (starts_) return *starts_;
+    const auto& params = decision_.facts.params;
     Region all = Region::everywhere();
     for (const ir::Monitor& m : decision_.monitors) {
-      for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
-        all = all.intersect(shrunk(exact_(fence), radius_mm_ + standoff_mm(m, fence)));
+      if (m.name != monitor_.name && !relied_on(decision_, m)) continue;
+      for (const std::vector<Standoff>& either : surely_in(m.property, params)) {
+        Region some;
+        for (const Standoff& each : either) {
+          some = some.unite(shrunk(exact_(each.zone), radius_mm_ + each.mm));
+        }
+        all = all.intersect(some);
       }
     }
-    for (Kept& each : kept_) all = all.intersect(centres_of(each));
+    // of zones that come and go as well, which no parameter moves
+    for (Kept& each : kept_) {
+      if (params.empty() && each.zones.size() > 1) all = all.intersect(centres_of(each));
+    }
     return *(starts_ = std::move(all));
   }
 

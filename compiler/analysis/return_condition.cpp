@@ -274,7 +274,7 @@ class Judge {
   std::int64_t widest_gap_mm() const {
     std::int64_t best = std::int64_t{1} << 31;
     for (const ir::Monitor& m : decision_.monitors) {
-      for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
+      for (const ir::ZoneIndex fence : sure_fences(m.property, decision_.facts.params)) {
         if (const auto apart = bodies_apart_mm(fence)) best = std::min(best, *apart);
       }
     }
@@ -284,7 +284,7 @@ class Judge {
     std::optional<std::int64_t> best;
     const ir::ZoneTable* nearest = nullptr;
     for (const ir::Monitor& m : decision_.monitors) {
-      for (const ir::ZoneIndex fence : fences_of(m.property, decision_.facts.params)) {
+      for (const ir::ZoneIndex fence : sure_fences(m.property, decision_.facts.params)) {
         const auto apart = bodies_apart_mm(fence);
         if (!apart || (best && *best <= *apart)) continue;
         best = apart;

@@ -66,7 +66,8 @@ SolidEvaluator::Result SolidEvaluator::eval(const sema::ZoneImport& node, const 
 
 bool SolidEvaluator::add(const sema::ZoneImport::Area& area, Side side,
                          std::vector<geometry::Slab>& slabs) {
-  const geometry::Slab all = geometry::Solid::everywhere().slabs().front();
+  const geometry::Solid everywhere = geometry::Solid::everywhere();
+  const geometry::Slab& all = everywhere.slabs().front();
   for (std::size_t i = 0; i < area.parts.size(); ++i) {
     sema::ZoneExpr shape{};
     std::visit([&](const auto& part) { shape.node = part; }, area.parts[i]);

@@ -43,7 +43,8 @@ class Solid {
   [[nodiscard]] bool contains(const Point& p, const Rational& z) const;  // closed
   // From below to above. Their insides are apart; neighbours that touch have different regions: the
   // same solid always gives the same list.
-  [[nodiscard]] const std::vector<Slab>& slabs() const { return slabs_; }
+  [[nodiscard]] const std::vector<Slab>& slabs() const& { return slabs_; }
+  const std::vector<Slab>& slabs() const&& = delete;  // of a temporary they would not last
 
  private:
   using Combination = std::function<Region(const Region* left, const Region* right)>;

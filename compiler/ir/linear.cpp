@@ -94,16 +94,21 @@ Need need_of(const Affine& rest, const Rational& by, bool strict,
   Need need;
   const Rational fixed(rest.constant * by);
   need.fixed = least_step(fixed, strict);
-  Rational most(static_cast<long>(need.fixed));
+  Rational most(static_cast<long>(need.fixed)), least(most);
   for (const auto& [param, coefficient] : rest.params) {
     const Rational k(coefficient * by);
     need.params[param] = k;
     const Range& range = params[param].range;
     const Rational limit(static_cast<long>(beyond_grid));
-    const Rational term(k * static_cast<long>(sgn(k) > 0 ? range.hi : range.lo));
-    most += ceil_to_int(std::clamp(term, Rational(-limit), limit));
+    const auto steps = [&](std::int64_t value) {
+      return ceil_to_int(
+          std::clamp(Rational(k * static_cast<long>(value)), Rational(-limit), limit));
+    };
+    most += steps(sgn(k) > 0 ? range.hi : range.lo);
+    least += steps(sgn(k) > 0 ? range.lo : range.hi);
   }
   need.strictest = least_step(most, false);
+  need.laxest = least_step(least, false);
   return need;
 }
 

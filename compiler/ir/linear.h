@@ -53,6 +53,7 @@ Linear linear_form(const Block& block, const AtLeast& compare);
 // satisfies it. With parameters it is fixed + sum of coefficient * parameter, each term rounded up.
 struct Need {
   std::int64_t strictest = 0;  // whatever the parameters become; what is derived relies on it
+  std::int64_t laxest = 0;     // and what holds at least wherever the comparison does
   std::int64_t fixed = 0;
   std::map<std::uint32_t, Rational> params;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/fails.h"
 #include "compiler/recheck/lasting.h"
 #include "compiler/recheck/leaving.h"
@@ -106,7 +107,8 @@ Found Claims::check(const Claim& claim) {
       {"outranks", &Claims::outranks},   {"fails", &Claims::fails},
       {"start", &Claims::known},         {"judged", &Claims::on_plan},
       {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated},
-      {"sides", &Claims::sides},         {"leaves", &Claims::leaves}};
+      {"sides", &Claims::sides},         {"leaves", &Claims::leaves},
+      {"level", &Claims::level},         {"comes_in", &Claims::comes_in}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -242,6 +244,24 @@ Found Claims::contained(const Values& v) {
   return std::nullopt;
 }
 
+Found Claims::level(const Values& v) {
+  const auto inner = zones_.find(text(v, "inner")), outer = zones_.find(text(v, "outer"));
+  const auto off =
+      v.count("standoff_mm") != 0 ? number(v, "standoff_mm") : std::optional<std::int64_t>(0);
+  if (!inner || !outer || !off || *off < 0) return wrong("no such zone or standoff");
+  if (lies_level(*this, *inner, *outer, without_excess(milli(*off)))) return std::nullopt;
+  return wrong("it is not contained at each height");
+}
+
+Found Claims::comes_in(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  const auto zone = zones_.find(text(v, "zone")), fence = zones_.find(text(v, "fence"));
+  if (m == nullptr || !zone || !fence) return wrong("no such monitor or zone");
+  if (comes_in_within(spec_, *d, *this, *m, *zone, *fence)) return std::nullopt;
+  return wrong("from outside of its zone the recovery may lead across what is not convex");
+}
+
 Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone) {
   Rational most = 0;
   sema::for_each_expr(property, [&](const sema::Expr& e) {
@@ -333,32 +353,54 @@ std::optional<Rational> room_at(const sema::Expr& e, bool value, const Rational&
 
 }  // namespace
 
+bool speaks_of_height(const sema::Expr& property) {
+  bool asks = false;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    asks = asks || (signal != nullptr && signal->signal == sema::Signal::altitude);
+  });
+  return asks;
+}
+
 bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap) {
   const auto room = room_at(property, value, z);
   return !room || *room >= gap;
 }
 
-Rational Claims::return_clearance(const sema::Decision& d, std::optional<sema::ZoneId> zone,
-                                  const Rational& extra) {
-  const Rational jitter = d.jitter ? d.jitter->value : Rational(0);
-  Numbers n = numbers_of(spec_[d.kind], d, jitter);
+namespace {
+
+Rational ahead_of(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& m) {
+  return m.ahead.duration ? m.ahead.duration->value : least_ahead(spec, d, m);
+}
+// Of a robot at rest whose monitors look so far ahead.
+Rational clear_at_rest(const sema::Spec& spec, const sema::Decision& d, const Rational& ahead) {
+  const Numbers n = numbers_of(spec[d.kind], d, d.jitter ? d.jitter->value : Rational(0));
   // a root from below: what is claimed rounds it up
   const Rational accel = n.unicycle ? interp::square_root(n.accel_square).below : n.accel;
+  return resting_clearance(n, accel, ahead);
+}
+
+}  // namespace
+
+Rational Claims::return_clearance(const sema::Decision& d, sema::ZoneId zone,
+                                  const Rational& extra) {
   Rational ahead = 0, gap = 0;
   for (const sema::MonitorId id : d.priority) {
     const sema::Monitor& m = spec_[id];
-    if (zone) {
-      const auto own = all_zones(*m.always);
-      if (std::find(own.begin(), own.end(), *zone) == own.end()) continue;
-      // wherever the robot has come to rest
-      if (Sides(spec_, d, *this).holds_at_rest(m, extra)) continue;
-      gap = std::max(gap, gap_of(spec_, *m.always, *zone));
-    }
-    if (m.ahead.waypoints_only) continue;
-    const Rational least = least_ahead(spec_, d, m);
-    ahead = std::max(ahead, m.ahead.duration ? m.ahead.duration->value : least);
+    const auto own = all_zones(*m.always);
+    if (std::find(own.begin(), own.end(), zone) == own.end()) continue;
+    // wherever the robot has come to rest
+    if (Sides(spec_, d, *this).holds_at_rest(m, extra)) continue;
+    gap = std::max(gap, gap_of(spec_, *m.always, zone));
+    if (!m.ahead.waypoints_only) ahead = std::max(ahead, ahead_of(spec_, d, m));
   }
-  return resting_clearance(n, accel, ahead + extra) + gap;
+  return clear_at_rest(spec_, d, ahead + extra) + gap;
+}
+
+Rational Claims::return_clearance(const sema::Decision& d, const sema::Monitor& m,
+                                  const Rational& extra) const {
+  return clear_at_rest(spec_, d,
+                       (m.ahead.waypoints_only ? Rational(0) : ahead_of(spec_, d, m)) + extra);
 }
 
 // The place of a claim is in the zone, as far from its boundary.
@@ -444,11 +486,12 @@ Found Claims::height(const Values& v) {
   if (d == nullptr || !d->period || !z || !gap || !extra || *extra < 0) {
     return wrong("no such decision or height");
   }
-  if (milli(*gap) < return_clearance(*d, std::nullopt, micro(*extra))) {
-    return wrong("a robot at rest with that clearance may not be given back");
-  }
   for (const sema::MonitorId id : d->priority) {
-    if (keeps_heights(*spec_[id].always, true, milli(*z), milli(*gap))) continue;
+    const Rational room = return_clearance(*d, spec_[id], micro(*extra));
+    if (speaks_of_height(*spec_[id].always) && milli(*gap) < room) {
+      return wrong("a robot at rest with that clearance may not be given back");
+    }
+    if (keeps_heights(*spec_[id].always, true, milli(*z), room)) continue;
     return wrong("`" + spec_[id].name + "` needs another height");
   }
   return std::nullopt;
@@ -488,7 +531,7 @@ Found Claims::landing(const Values& v) {
   const std::vector<sema::Template> steps = sema::templates_of(spec_[*m->recover]);
   const auto* const land = steps.empty() ? nullptr : std::get_if<sema::Land>(&steps.back());
   if (land == nullptr || milli(*end) < land->height.value) return wrong("it does not land there");
-  if (milli(*gap) < return_clearance(*d, std::nullopt, micro(*extra))) {
+  if (milli(*gap) < return_clearance(*d, *m, micro(*extra))) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
   const bool high = !keeps_heights(*m->always, true, milli(*end), milli(*gap));
@@ -517,7 +560,11 @@ Found Claims::ways(const Values& v) {
   if (within.empty() || within.back() != *zone) return wrong("the recovery moves elsewhere");
   const geometry::Region* const region = zones_.region(*zone);
   if (region == nullptr || region->empty()) return Doubt{false, "the zone is not known"};
-  if (milli(*back) < return_clearance(*d, *zone, micro(*extra))) {
+  // in space errors that last keep the robot off its site by what its hold sways
+  const Rational jitter = d->jitter ? d->jitter->value : Rational(0);
+  const Rational off =
+      spec_[d->kind].in_space ? numbers_of(spec_[d->kind], *d, jitter).sway : Rational(0);
+  if (milli(*back) < return_clearance(*d, *zone, micro(*extra)) + off) {
     return wrong("control may not be given back with that clearance");
   }
   std::vector<geometry::Point> sites;
@@ -569,10 +616,15 @@ Found Claims::sides(const Values& v) {
   if (m == nullptr) return wrong("no such monitor");
   for (const sema::MonitorId id : d->priority) {
     if (!spec_[id].recover || spec_[*spec_[id].recover].name != text(v, "controller")) continue;
-    if (Sides(spec_, *d, *this).keeping(spec_[*spec_[id].recover], *m->always).by_sides) {
-      return std::nullopt;
+    const sema::Controller& recovery = spec_[*spec_[id].recover];
+    const Keeping kept = Sides(spec_, *d, *this).keeping(recovery, *m->always);
+    if (!kept.by_sides) return wrong("no side of it holds wherever the recovery drives");
+    for (const sema::ZoneId zone : moves_within(recovery)) {
+      if (kept.slow_side || sema::claim_of(recovery)) break;
+      if (starts_within(spec_, *d, *this, *m, zone)) continue;
+      return wrong("from outside of its zone the recovery may lead out of each side");
     }
-    return wrong("no side of it holds wherever the recovery drives");
+    return std::nullopt;
   }
   return wrong("no such recovery");
 }

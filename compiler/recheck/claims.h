@@ -28,9 +28,10 @@ class Claims {
   NamedZones& zones() { return zones_; }
   // The clearance in a zone of a robot at rest whose monitors all give control back, at least, when
   // they look `extra` s further ahead for that.
-  // No zone: of a limit of height.
-  Rational return_clearance(const sema::Decision& d, std::optional<sema::ZoneId> zone,
-                            const Rational& extra);
+  Rational return_clearance(const sema::Decision& d, sema::ZoneId zone, const Rational& extra);
+  // The same of a limit of height of one monitor.
+  [[nodiscard]] Rational return_clearance(const sema::Decision& d, const sema::Monitor& m,
+                                          const Rational& extra) const;
 
  private:
   std::optional<Doubt> limits(const Values& v);
@@ -39,6 +40,8 @@ class Claims {
   std::optional<Doubt> output(const Values& v);
   std::optional<Doubt> recovery(const Values& v);
   std::optional<Doubt> contained(const Values& v);
+  std::optional<Doubt> level(const Values& v);
+  std::optional<Doubt> comes_in(const Values& v);
   std::optional<Doubt> place(const Values& v);
   std::optional<Doubt> returned(const Values& v);
   std::optional<Doubt> seen(const Values& v);
@@ -81,6 +84,7 @@ std::vector<sema::ZoneId> all_zones(const sema::Expr& property);
 // largest that holds wherever the property does, whatever they are.
 Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone);
 Rational sure_gap_of(const sema::Expr& property, sema::ZoneId zone);
+bool speaks_of_height(const sema::Expr& property);
 // Whether a property allows a height, with `gap` to spare of each of its limits.
 bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap);
 // The zones that a recovery moves within, of all of its steps.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/recheck/claims.h"
+#include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
 #include "compiler/recheck/lasting.h"
@@ -213,14 +214,8 @@ class Check {
     if (places.size() > 1) fail(whom(d, e) + ": it is not one place");
   }
   bool asks_for_height(const sema::Decision& d) const {
-    bool asks = false;
-    for (const sema::MonitorId id : d.priority) {
-      sema::for_each_expr(*spec_[id].always, [&](const sema::Expr& e) {
-        const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-        asks = asks || (signal != nullptr && signal->signal == sema::Signal::altitude);
-      });
-    }
-    return asks;
+    return std::ranges::any_of(
+        d.priority, [&](sema::MonitorId id) { return speaks_of_height(*spec_[id].always); });
   }
   // Each zone that a recovery moves within lies in each zone that the property keeps the robot in,
   // or it keeps a side of it; and as far from their boundaries as the property asks, unless that
@@ -242,27 +237,43 @@ class Check {
     }
     for (const sema::ZoneId inner : moves) {
       for (const sema::ZoneId outer : asked.zones) {
+        lies_in(d, e, driving, m, inner, outer);
+        if (inner == outer || sema::claim_of(recovery)) continue;
         const NamedZones& zones = claims_.zones();
-        const Values names{{"inner", zones.name(inner)}, {"outer", zones.name(outer)}};
-        need(d, e, "contained", names, false);
-        if (inner == outer) continue;
-        const Rational gap = gap_of(spec_, *m.always, outer);
-        // a step of the grid is no more than touching
-        if (gap <= Rational(1, 1000) || sema::claim_of(recovery)) continue;
-        if (sure_gap_of(*driving.always, inner) >= gap) continue;
-        // the same boundary, under another name
-        const Values back{{"inner", names.at("outer")}, {"outer", names.at("inner")}};
-        if (has(e, "contained", back)) continue;
-        if (!std::ranges::any_of(e.claims, [&](const Claim& c) {
-              return c.what == "contained" && text(c.values, "inner") == names.at("inner") &&
-                     text(c.values, "outer") == names.at("outer") &&
-                     Rational(static_cast<long>(number(c.values, "standoff_mm").value_or(0))) >=
-                         gap * 1000;
-            })) {
-          fail(whom(d, e) + ": nothing says that `" + recovery.name + "` keeps so far from `" +
-               names.at("outer") + "`");
-        }
+        need(d, e, "comes_in",
+             {{"monitor", m.name}, {"zone", zones.name(inner)}, {"fence", zones.name(outer)}});
       }
+    }
+    if (keeps_its_heights(spec_, d, claims_, recovery, *m.always)) return;
+    fail(whom(d, e) + ": `" + recovery.name + "` may go beyond a height that `" + m.name +
+         "` allows");
+  }
+  // What keeps its height lies at each of them in a zone that has some; nobody claims that of what
+  // is external.
+  void lies_in(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
+               const sema::Monitor& m, sema::ZoneId inner, sema::ZoneId outer) {
+    const sema::Controller& recovery = spec_[*driving.recover];
+    NamedZones& zones = claims_.zones();
+    const Values names{{"inner", zones.name(inner)}, {"outer", zones.name(outer)}};
+    const bool flat = zones.region(inner) != nullptr && zones.region(outer) == nullptr;
+    const std::string how = flat && !sema::claim_of(recovery) ? "level" : "contained";
+    need(d, e, how, names, false);
+    if (inner == outer) return;
+    const Rational gap = gap_of(spec_, *m.always, outer);
+    // a step of the grid is no more than touching
+    if (gap <= Rational(1, 1000) || sema::claim_of(recovery)) return;
+    if (sure_gap_of(*driving.always, inner) >= gap) return;
+    // the same boundary, under another name
+    const Values back{{"inner", names.at("outer")}, {"outer", names.at("inner")}};
+    if (has(e, "contained", back)) return;
+    if (!std::ranges::any_of(e.claims, [&](const Claim& c) {
+          return c.what == how && text(c.values, "inner") == names.at("inner") &&
+                 text(c.values, "outer") == names.at("outer") &&
+                 Rational(static_cast<long>(number(c.values, "standoff_mm").value_or(0))) >=
+                     gap * 1000;
+        })) {
+      fail(whom(d, e) + ": nothing says that `" + recovery.name + "` keeps so far from `" +
+           names.at("outer") + "`");
     }
   }
   void as_slow(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,

@@ -99,6 +99,7 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
   }
   if (parts.any && keeps_a_side(recovery, part, parts)) {
     asked.by_sides = true;
+    asked.slow_side = asked.slow_side && is_slow(recovery, parts);
     return;
   }
   if (parts.all || parts.any) {
@@ -111,14 +112,17 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
   }
 }
 
-// A side that asks for no more than to be as slow as the recovery is, from when it stands on; or
-// sides of which one holds a disc wherever another one lies in the zone of the recovery.
+// A side that asks for no more than to be as slow as the recovery is, from when it stands on.
+bool Sides::is_slow(const sema::Controller& recovery, const Split& parts) {
+  const auto speed = speed_of(recovery);
+  return speed &&
+         std::ranges::any_of(parts.parts, [&](const Part& each) { return slow(each, *speed); });
+}
+
+// Such a side; or sides of which one holds a disc wherever another one lies in the zone of the
+// recovery.
 bool Sides::keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts) {
-  if (const auto speed = speed_of(recovery)) {
-    for (const Part& each : parts.parts) {
-      if (slow(each, *speed)) return true;
-    }
-  }
+  if (is_slow(recovery, parts)) return true;
   std::vector<sema::ZoneId> zones;
   if (!zones_of(part, zones)) return false;
   const auto within = moves_within(recovery);
@@ -285,7 +289,7 @@ Sides::Rests Sides::rests_of(const sema::Monitor& m, const Rational& extra) cons
       numbers_.unicycle ? interp::square_root(numbers_.accel_square).below : numbers_.accel;
   rests.from_rest =
       std::min(numbers_.speed, Rational(2 * numbers_.velocity_error + accel * horizon));
-  rests.clearance = claims_.return_clearance(decision_, std::nullopt, extra);
+  rests.clearance = claims_.return_clearance(decision_, m, extra);
   return rests;
 }
 
@@ -331,11 +335,7 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
   if (const auto most = most_speed(*part.expr, part.value, strict)) {
     return rests.from_rest <= *most ? Back::yes : Back::slow;
   }
-  bool high = false;
-  sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
-    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-    high = high || (signal != nullptr && signal->signal == sema::Signal::altitude);
-  });
+  const bool high = speaks_of_height(*part.expr);
   const auto zones = all_zones(*part.expr);
   if (zones.empty() && !high) return Back::yes;  // of charge: other claims, and errors
   if (!rests.own) return Back::no;               // it stands, wherever that is
@@ -349,6 +349,12 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
                ? Back::yes
                : Back::no;
   }
+  // who keeps its height leads to no other, near floor or ceiling as well
+  const bool level = claims_.zones().region(*rests.own) != nullptr;
+  const bool beyond = level && std::ranges::any_of(zones, [&](sema::ZoneId zone) {
+                        return claims_.zones().region(zone) == nullptr;
+                      });
+  if (beyond) return Back::no;
   if (!either && part.value) return Back::yes;
   return std::all_of(zones.begin(), zones.end(),
                      [&](sema::ZoneId zone) {

@@ -9,11 +9,12 @@
 namespace rtac::recheck {
 
 // What a recovery has to stay in to keep a property; `by_sides`: some `or` is kept as one side of
-// it always holds, whose zones are none of these; `windows`: some part speaks of zones that come
-// and go, which is a matter of leading out (leaving.h).
+// it always holds, whose zones are none of these, `slow_side`: each of them as that asks for no
+// more than to be slow; `windows`: some part speaks of zones that come and go, which is a matter of
+// leading out (leaving.h).
 struct Keeping {
   std::vector<sema::ZoneId> zones;
-  bool by_sides = false, windows = false;
+  bool by_sides = false, slow_side = true, windows = false;
 };
 
 class Sides {
@@ -51,6 +52,7 @@ class Sides {
   static Split split(const Part& part);
   static bool speaks_of_inputs(const Part& part);
   void collect(const sema::Controller& recovery, const Part& part, bool either, Keeping& asked);
+  bool is_slow(const sema::Controller& recovery, const Split& parts);
   bool keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts);
   // How fast a recovery truly drives; nullopt: that is an external one's own.
   [[nodiscard]] std::optional<Rational> speed_of(const sema::Controller& recovery) const;

@@ -114,8 +114,7 @@ class Turns {
     const auto solid = claims_.zones().solid(within.back());
     if (!left_mm || !extra_us || !solid || solid->slabs().empty()) return false;
     const Rational left = Rational(*left_mm) / 1000;
-    const Rational gap =
-        claims_.return_clearance(d_, std::nullopt, Rational(*extra_us) / 1'000'000);
+    const Rational gap = claims_.return_clearance(d_, monitor(j), Rational(*extra_us) / 1'000'000);
     return keeps_heights(*monitor(j).always, true, solid->slabs().front().floor + left, gap) &&
            keeps_heights(*monitor(j).always, true, solid->slabs().back().ceiling - left, gap);
   }

@@ -250,6 +250,15 @@ bool NamedZones::clear_in_space(sema::ZoneId zone, const geometry::Point& place,
          surface.clearance({place.x, place.y}, z).below >= clearance;
 }
 
+bool NamedZones::convex(sema::ZoneId zone, bool slab_by_slab) {
+  const auto known = solid(zone);
+  if (!known || known->empty()) return false;
+  const std::vector<geometry::Slab>& all = known->slabs();
+  return (slab_by_slab || all.size() == 1) &&
+         std::ranges::all_of(
+             all, [](const geometry::Slab& slab) { return is_convex(slab.region.rings()); });
+}
+
 std::size_t NamedZones::slabs(sema::ZoneId zone) {
   const auto known = solid(zone);
   return known ? known->slabs().size() : 0;

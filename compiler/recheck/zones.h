@@ -29,6 +29,8 @@ class NamedZones {
   // The same of a place in space.
   bool clear_in_space(sema::ZoneId zone, const geometry::Point& place, const Rational& z,
                       const Rational& clearance);
+  // Whether each of its slabs is convex, and it has no other one if it counts in space as a whole.
+  bool convex(sema::ZoneId zone, bool slab_by_slab);
   // How many slabs it has, one in the plane; 0: it is not known.
   std::size_t slabs(sema::ZoneId zone);
   // Whether slab `to` is convex, 2 `clearance` high, and gets no narrower on the way there,

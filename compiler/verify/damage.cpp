@@ -43,6 +43,7 @@ class Damage {
         beside_each_other(from, allowed, all);
         continue;
       }
+      straight_in(*step, from, allowed, all);
       const bool routes = step->kind == ir::RecoveryKind::route;
       const Region own = from.intersect(s_.exact(step->zone));
       const Region begins = routes ? own : own.subtract(given_back());
@@ -84,6 +85,18 @@ class Damage {
       if (!some.empty()) all = all.intersect(some);
     }
     return all;
+  }
+  // Outside of its zone, from where it makes straight for that, across what is not allowed.
+  void straight_in(const ir::Recovery& step, const Region& from, const Region& allowed,
+                   std::vector<Start>& all) const {
+    const Region outside = from.subtract(s_.exact(step.zone));
+    if (outside.empty()) return;
+    const auto ways = analysis::ways_in(s_.module, s_.decision, step, outside, allowed);
+    if (!ways.leaves) return;
+    Start start{{ways.leaves->from.x_mm, ways.leaves->from.y_mm}};
+    if (step.kind == ir::RecoveryKind::route)
+      start.battery_ppm = just_enough(step, ways.leaves->from);
+    all.push_back(std::move(start));
   }
   // Where the driving monitor lets the robot go, so that its recovery does not begin.
   [[nodiscard]] Region given_back() const {

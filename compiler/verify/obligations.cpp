@@ -54,10 +54,7 @@ class ExactZones {
 };
 
 analysis::Arbitration matrix_of(const Subject& s) {
-  const analysis::ExactSolid solid = [&](ir::ZoneIndex zone) {
-    return s.module[zone].has_height() ? s.solid(zone) : analysis::without_end(s.exact(zone));
-  };
-  return analysis::arbitration_of(s.kind, s.module, s.decision, s.exact, solid);
+  return analysis::arbitration_of(s.kind, s.module, s.decision, s.exact, any_solid(s));
 }
 
 class Prover {

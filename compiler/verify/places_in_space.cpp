@@ -158,9 +158,7 @@ class Together {
         all = all.intersect(s_.solid(need.zone).shrink(sideways.value_or(true) ? gap : none,
                                                        sideways.value_or(false) ? none : gap));
       } else if (sideways.value_or(true)) {
-        const auto& reach = geometry::Solid::everywhere().slabs().front();
-        all = all.intersect(
-            geometry::Solid::prism(s_.exact(need.zone).shrink(gap), reach.floor, reach.ceiling));
+        all = all.intersect(analysis::without_end(s_.exact(need.zone).shrink(gap)));
       }
     }
     return all;
@@ -173,6 +171,12 @@ class Together {
 };
 
 }  // namespace
+
+analysis::ExactSolid any_solid(const Subject& s) {
+  return [&s](ir::ZoneIndex zone) {
+    return s.module[zone].has_height() ? s.solid(zone) : analysis::without_end(s.exact(zone));
+  };
+}
 
 bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer) {
   const bool high = s.module[inner].has_height(), bounded = s.module[outer].has_height();
@@ -214,7 +218,10 @@ namespace {
 // nullopt: the tables of the module have others.
 std::optional<std::vector<geometry::Slab>> slabs_of(const Subject& s, ir::ZoneIndex index) {
   const ir::ZoneTable& zone = s.module[index];
-  if (!zone.has_height()) return analysis::without_end(s.exact(index)).slabs();
+  if (!zone.has_height()) {
+    const geometry::Solid tall = analysis::without_end(s.exact(index));
+    return tall.slabs();
+  }
   const std::vector<geometry::Slab> slabs = s.solid(index).slabs();
   const bool same =
       std::equal(slabs.begin(), slabs.end(), zone.slabs.begin(), zone.slabs.end(),

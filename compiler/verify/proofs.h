@@ -92,6 +92,8 @@ Obligation can_fail(const Subject& s, std::size_t k);
 Obligation returns_together(const Subject& s);
 // How one zone lies in another one, of which nothing else is asked than how deep.
 analysis::HowItLies how_it_lies(const Subject& s);
+// Of zones with height and of the plane, which have no ends.
+analysis::ExactSolid any_solid(const Subject& s);
 // Whether one zone lies in another, in the plane or in space.
 bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer);
 // In space: a place, and whether a straight leg leads to one as clear from everywhere in a zone.

@@ -3,7 +3,6 @@
 
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
-#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
@@ -15,6 +14,7 @@
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/leaving.h"
 #include "compiler/verify/proofs.h"
+#include "compiler/verify/within_zones.h"
 
 namespace rtac::verify {
 namespace {
@@ -41,101 +41,6 @@ Obligation acknowledged(Obligation o, std::string why) {
   return o;
 }
 
-// No place of a zone is so far from its boundary.
-constexpr std::int64_t nowhere_mm = 1 << 30;
-
-Claim contained(const Subject& s, const ir::Monitor& driving, ir::ZoneIndex inner,
-                const analysis::Standoff& outer) {
-  Claim claim{"contained", {{"inner", s.module[inner].name}, {"outer", s.module[outer.zone].name}}};
-  // only where the robot need not have it where it sets out
-  const bool deep = outer.mm > analysis::touching_mm && inner != outer.zone &&
-                    !driving.recovery.claims &&
-                    analysis::lies_deep(s.module, s.exact, s.solid, inner, outer);
-  if (deep) claim.values["standoff_mm"] = std::to_string(outer.mm);
-  return claim;
-}
-bool has(const ir::Block& property, bool (*is)(const ir::Op&)) {
-  return std::any_of(property.values.begin(), property.values.end(),
-                     [&](const ir::Value& v) { return is(v.op); });
-}
-bool has_choice(const ir::Block& property) {
-  return has(property, [](const ir::Op& op) { return std::holds_alternative<ir::Or>(op); });
-}
-// What the recovery of monitor `k` has to stay in to keep a property: the zones that hold the robot
-// wherever it holds; of an `or` all that it names, since the side that holds has to go on to hold,
-// but where the recovery keeps some side or other. What speaks of zones that come and go is another
-// matter (leaving.h).
-struct Keeping {
-  std::vector<analysis::Standoff> zones;  // with what is asked for beyond touching
-  bool by_sides = false;
-  bool received = false;  // and a zone that is received
-};
-void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueId id, bool any,
-             Keeping& asked) {
-  const ir::Op& op = block[id].op;
-  if (const auto* both = std::get_if<ir::And>(&op)) {
-    ask_for(s, k, block, both->a, any, asked);
-    ask_for(s, k, block, both->b, any, asked);
-  } else if (analysis::speaks_of_windows(block, id)) {
-    return;
-  } else if (const auto* either = std::get_if<ir::Or>(&op)) {
-    if (analysis::keeps_a_side(s.module, s.decision, s.exact, k, block, id)) {
-      asked.by_sides = true;
-      return;
-    }
-    ask_for(s, k, block, either->a, true, asked);
-    ask_for(s, k, block, either->b, true, asked);
-  } else if (const auto* negated = std::get_if<ir::Not>(&op)) {
-    ask_for(s, k, block, negated->a, true, asked);
-  } else if (const ir::Block* body = ir::body_of(op)) {
-    ask_for(s, k, *body, body->result, true, asked);
-  } else if (const auto* compare = std::get_if<ir::AtLeast>(&op)) {
-    for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
-      asked.received = asked.received || leaf.kind == ir::Leaf::Kind::received;
-    }
-    const auto least = ir::lower_bound(block, *compare, s.decision.facts.params);
-    if (!any && (!least || least->need.strictest < 0)) return;
-    for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
-      if (leaf.kind != ir::Leaf::Kind::clearance) continue;
-      const std::int64_t mm = least ? std::max<std::int64_t>(least->need.strictest, 0) : nowhere_mm;
-      asked.zones.push_back({ir::ZoneIndex{leaf.table}, mm});
-    }
-  }
-}
-Keeping keeping_of(const Subject& s, std::size_t k, const ir::Block& property) {
-  Keeping asked;
-  ask_for(s, k, property, property.result, false, asked);
-  return asked;
-}
-// The zones that a recovery moves within, of all of its steps.
-std::vector<ir::ZoneIndex> moves_within(const ir::Recovery& recovery) {
-  std::vector<ir::ZoneIndex> zones;
-  for (const ir::Recovery* step : ir::steps_of(recovery)) {
-    if (ir::moves(step->kind) || step->claims) zones.push_back(step->zone);
-  }
-  return zones;
-}
-// That each step of the recovery of monitor `k` stays within the zones of the property of `judged`,
-// or keeps one side of it.
-void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
-                 std::vector<Claim>& claims) {
-  const ir::Recovery& recovery = s.decision.monitors[k].recovery;
-  const std::vector<ir::ZoneIndex> within = moves_within(recovery);
-  const Keeping asked = keeping_of(s, k, judged.property);
-  for (const ir::ZoneIndex inner : within) {
-    for (const analysis::Standoff& outer : asked.zones) {
-      claims.push_back(contained(s, s.decision.monitors[k], inner, outer));
-      if (outer.mm <= analysis::touching_mm || inner == outer.zone) continue;
-      if (analysis::lies_all_over(s.module, s.exact, s.solid, inner, outer.zone)) {
-        claims.push_back(contained(s, s.decision.monitors[k], outer.zone, {inner, 0}));
-      }
-    }
-  }
-  if (within.empty() || !asked.by_sides) return;
-  claims.push_back(
-      {"sides",
-       {{"decision", s.decision.name}, {"controller", recovery.name}, {"monitor", judged.name}}});
-}
 Claim recovery_claim(const Subject& s, std::size_t k) {
   const ir::Recovery& r = s.decision.monitors[k].recovery;
   return {"recovery",
@@ -196,34 +101,13 @@ std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t 
 std::string doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
   const ir::Block& property = s.decision.monitors[judged].property;
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
-  const std::vector<ir::ZoneIndex> inner = moves_within(recovery);
   if (std::string windows = doubt_of_windows(s, k, judged); !windows.empty()) return windows;
-  if (inner.empty()) return "";
+  if (!moves_within_zones(recovery)) return "";
   const Atoms atoms = atoms_of(property);
   if (atoms.charge || atoms.energy) {
     if (std::string off = off_its_dock(s, ir::last_step(recovery)); !off.empty()) return off;
   }
-  const Keeping asked = keeping_of(s, k, property);
-  if (asked.received) return "where the zone that is received will be is not known";
-  const ir::Monitor& driving = s.decision.monitors[k];
-  for (const analysis::Standoff& outer : asked.zones) {
-    for (const ir::ZoneIndex zone : inner) {
-      if (zone == outer.zone) continue;
-      const std::string outer_name = analysis::name_as_written(s.module[outer.zone]);
-      if (!lies_in(s, zone, outer.zone)) {
-        return has_choice(property) ? "a way from one zone of the `or` to another is not shown to "
-                                      "stay in one of them"
-                                    : "`" + s.module[zone].name + "` does not lie in " + outer_name;
-      }
-      if (driving.recovery.claims ||
-          analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, zone, outer)) {
-        continue;
-      }
-      return "places of `" + s.module[zone].name + "` are nearer than " + metres(outer.mm) +
-             " to the boundary of " + outer_name;
-    }
-  }
-  return "";
+  return doubt_of_zones(s, k, judged);
 }
 void claim_windows(const Subject& s, std::size_t judged, Obligation& o) {
   const ir::Monitor& m = s.decision.monitors[judged];

@@ -39,6 +39,8 @@ class Rest {
   [[nodiscard]] bool by_others() const { return others_; }
   // Where it is stuck between the sides of an `or`.
   [[nodiscard]] const std::optional<geometry::Point>& stuck() const { return stuck_; }
+  // A zone with heights that it does not lead to.
+  [[nodiscard]] const std::optional<ir::ZoneIndex>& high() const { return high_; }
 
  private:
   AtRest judge(const ir::Block& block, ir::ValueId id, bool of_choice) {
@@ -98,6 +100,9 @@ class Rest {
         others_ = true;
         return AtRest::kept;
       }
+      if (leaf.kind == ir::Leaf::Kind::clearance && beyond_its_height(ir::ZoneIndex{leaf.table})) {
+        return AtRest::kept;
+      }
       if (!of_choice) continue;  // errors of the analysis are about the rest of it
       if (leaf.kind == ir::Leaf::Kind::clearance &&
           !lies_in(s_, last_.zone, ir::ZoneIndex{leaf.table})) {
@@ -109,6 +114,13 @@ class Rest {
       return AtRest::slow;
     }
     return all;
+  }
+  // Near its floor or ceiling control is not given back, and who keeps its height leads to no
+  // other.
+  bool beyond_its_height(ir::ZoneIndex zone) {
+    if (!s_.module[zone].has_height() || s_.module[last_.zone].has_height()) return false;
+    high_ = zone;
+    return true;
   }
   // Every place that is as clear is deep enough in one of the zones of an `or`.
   bool somewhere(const ir::Block& block, ir::ValueId id) {
@@ -168,6 +180,7 @@ class Rest {
   const std::int64_t from_rest_mmps_;
   bool others_ = false;
   std::optional<geometry::Point> stuck_;
+  std::optional<ir::ZoneIndex> high_;
 };
 
 // What is to spare of an overlap of zones for offsets that are rounded, twice on either side.
@@ -206,6 +219,14 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
                 " leads no further, and not clear enough in any zone of the `or`";
     o.repair = "zones that overlap by " + metres(2 * last.return_clearance_mm + overlap_spare_mm) +
                " there work, or a recovery within one of them";
+    return o;
+  }
+  if (rest.high()) {
+    o.because = quoted(m.recovery.name) +
+                " keeps its height, and near the floor or the ceiling of " +
+                quoted(s.module[*rest.high()].name) + " control is not given back";
+    o.repair =
+        "a recovery within " + quoted(s.module[*rest.high()].name) + " leads up or down, too";
     return o;
   }
   o.because = "that control is given back where " + quoted(m.recovery.name) + " has led, by what " +

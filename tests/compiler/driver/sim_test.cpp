@@ -117,6 +117,23 @@ TEST_F(Simulations, APairInSpaceIsPlayedAgain) {
   EXPECT_EQ(e.status, 4) << e.out << e.err;
 }
 
+// No monitor names a zone, and no recovery moves within one.
+TEST_F(Simulations, ALandingNeedsNoZone) {
+  std::string text = spec_text("tests/campaign/specs/templates/land_space.rta");
+  const auto edit = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos);
+    text.replace(text.find(from), from.size(), to);
+  };
+  edit("r inside field and ", "");
+  edit("  hold when violated \"what is left of a flight is a landing\";\n", "");
+  const std::string shared = spec_text("tests/campaign/specs/templates/space.rta");
+  write("space.rta", shared.substr(shared.find("robot Flyer")));
+  text.erase(text.find("zone field"), text.find("fleet m1") - text.find("zone field"));
+  write("spec.rta", text);
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "20"});
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+}
+
 TEST_F(Simulations, AnEditedRunIsAnotherOne) {
   write("spec.rta", yard(blind));
   ASSERT_EQ(rtac({"sim", "spec.rta", "--runs", "1", "--trace", "run.trace"}).status, 3);

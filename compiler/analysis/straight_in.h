@@ -1,0 +1,32 @@
+// From outside of its zone a recovery makes straight for it, whatever lies between (runtime:
+// retreat, grid_route, space): what it keeps on that way.
+#pragma once
+
+#include <cstddef>
+
+#include "compiler/analysis/recoveries_in_space.h"
+#include "compiler/analysis/recovery_places.h"
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// Where a recovery may take over while the property of monitor `judged` holds, and those of all
+// monitors that are relied on (fences.h).
+struct TakeOver {
+  const ir::Module& module;
+  const ir::Decision& decision;
+  const ExactZone& exact;
+  const ExactSolid& solid;
+  std::size_t judged = 0;
+};
+
+// Whether each body that may be there lies in the zone: from nowhere has it to be led in. false
+// also where that is not known: an outline of very many vertices is not offset.
+bool starts_within(const TakeOver& at, ir::ZoneIndex zone);
+
+// Whether the straight way into the zone, which lies in the fence, stays in that: the fence is
+// convex, or there is no such way. In space the way is upright and then level; a zone of the plane
+// is entered on the level, so that each level counts by itself.
+bool comes_in_within(const TakeOver& at, ir::ZoneIndex zone, ir::ZoneIndex fence);
+
+}  // namespace rtac::analysis

@@ -1,0 +1,174 @@
+#include "compiler/recheck/coming_in.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "compiler/sema/templates.h"
+
+namespace rtac::recheck {
+namespace {
+
+// A zone that is not left, and how far from its boundary.
+struct Held {
+  sema::ZoneId zone;
+  Rational gap;
+};
+using Either = std::vector<Held>;
+
+std::optional<Rational> least_of(const sema::Spec& spec, const sema::Expr& e) {
+  if (const auto* constant = std::get_if<sema::Constant>(&e.node)) return constant->value;
+  if (const auto* param = std::get_if<sema::ParamRef>(&e.node)) {
+    return spec[param->param].least.value;
+  }
+  return std::nullopt;
+}
+
+// What is known of a zone where the expression has that value.
+std::optional<Held> held_by(const sema::Spec& spec, const sema::Expr& e, bool value) {
+  const auto* inside = std::get_if<sema::InsideZone>(&e.node);
+  if (inside != nullptr && value) return Held{inside->zone, 0};
+  const auto* compare = std::get_if<sema::Compare>(&e.node);
+  if (compare == nullptr) return std::nullopt;
+  using Op = sema::CompareOp;
+  const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
+  if (!above && compare->op != Op::less && compare->op != Op::less_equal) return std::nullopt;
+  const bool at_least = above == value;
+  const auto* gap =
+      std::get_if<sema::Clearance>(at_least ? &compare->left->node : &compare->right->node);
+  const auto least = least_of(spec, at_least ? *compare->right : *compare->left);
+  if (gap == nullptr || !least || *least < 0) return std::nullopt;
+  return Held{gap->zone, *least};
+}
+
+// The parts of which all have to have a value, or any.
+struct Operands {
+  bool all = false, any = false;
+  std::vector<std::pair<const sema::Expr*, bool>> of;
+};
+Operands operands_of(const sema::Expr& e, bool value) {
+  Operands parts;
+  const auto* logic = std::get_if<sema::Logic>(&e.node);
+  if (logic == nullptr) return parts;
+  using Op = sema::LogicOp;
+  const bool implies = logic->op == Op::implies;
+  if (logic->op != Op::logical_and && logic->op != Op::logical_or && logic->op != Op::logical_not &&
+      !implies) {
+    return parts;
+  }
+  for (const sema::ExprPtr& each : logic->operands) {
+    const bool negated = logic->op == Op::logical_not || (implies && parts.of.empty());
+    parts.of.emplace_back(each.get(), value != negated);
+  }
+  parts.all = logic->op == Op::logical_not || (logic->op == Op::logical_and) == value;
+  parts.any = !parts.all;
+  return parts;
+}
+
+// False: a side of an `or` may hold wherever the robot is.
+bool sides_of(const sema::Spec& spec, const sema::Expr& e, bool value, Either& sides) {
+  const Operands parts = operands_of(e, value);
+  if (parts.any || parts.of.size() == 1) {
+    return std::ranges::all_of(parts.of, [&](const auto& part) {
+      return sides_of(spec, *part.first, part.second, sides);
+    });
+  }
+  const auto held = held_by(spec, e, value);
+  if (held) sides.push_back(*held);
+  return held.has_value();
+}
+void collect(const sema::Spec& spec, const sema::Expr& e, bool value, std::vector<Either>& all) {
+  const Operands parts = operands_of(e, value);
+  if (parts.all) {
+    for (const auto& [part, wanted] : parts.of) collect(spec, *part, wanted, all);
+    return;
+  }
+  Either sides;
+  if (sides_of(spec, e, value, sides)) all.push_back(std::move(sides));
+}
+
+bool relied_on(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& m) {
+  const bool looks = !m.ahead.duration || m.ahead.duration->value >= least_ahead(spec, d, m);
+  return looks && !m.ahead.waypoints_only &&
+         std::ranges::none_of(d.acknowledgements, [&](const sema::Acknowledgement& a) {
+           return &spec[a.monitor] == &m;
+         });
+}
+
+std::vector<Either> held_at(const sema::Spec& spec, const sema::Decision& d,
+                            const sema::Monitor& judged) {
+  std::vector<Either> all;
+  for (const sema::MonitorId id : d.priority) {
+    if (&spec[id] != &judged && !relied_on(spec, d, spec[id])) continue;
+    collect(spec, *spec[id].always, true, all);
+  }
+  return all;
+}
+
+// What is left of a zone so far inside; of one of the plane no less up and down.
+geometry::Solid within(NamedZones& zones, sema::ZoneId zone, const Rational& by) {
+  const auto solid = zones.solid(zone);
+  if (!solid) return geometry::Solid::everywhere();
+  return solid->shrink(by, zones.region(zone) != nullptr ? Rational(0) : by);
+}
+
+}  // namespace
+
+bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                   const sema::Monitor& judged, sema::ZoneId zone) {
+  const std::vector<Either> held = held_at(spec, d, judged);
+  const auto is_zone = [&](const Either& e) { return e.size() == 1 && e[0].zone == zone; };
+  if (std::ranges::any_of(held, is_zone)) return true;
+  NamedZones& zones = claims.zones();
+  if (!zones.solid(zone)) return false;
+  // what is known of offsets from inside and outside (geometry/region.h)
+  const Rational radius = spec[d.kind].radius.value, round = Rational(3, 1000);
+  geometry::Solid starts = geometry::Solid::everywhere();
+  for (const Either& sides : held) {
+    geometry::Solid some;
+    for (const Held& each : sides) some = some.unite(within(zones, each.zone, radius + each.gap));
+    starts = starts.intersect(some);
+  }
+  const Rational body = std::max(Rational(radius - round), Rational(0));
+  return starts.subtract(within(zones, zone, body)).empty();
+}
+
+bool comes_in_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                     const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence) {
+  if (zone == fence) return true;
+  const bool level = claims.zones().region(zone) != nullptr;
+  return claims.zones().convex(fence, level) || starts_within(spec, d, claims, judged, zone);
+}
+
+bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Rational& off) {
+  const geometry::Region* const flat = claims.zones().region(inner);
+  const auto high = claims.zones().solid(outer);
+  if (flat == nullptr || claims.zones().region(outer) != nullptr || !high) return false;
+  return std::ranges::all_of(high->slabs(), [&](const geometry::Slab& slab) {
+    const auto kept = slab.region.offset(-off);
+    return kept && kept->contains(*flat);
+  });
+}
+
+bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                       const sema::Controller& recovery, const sema::Expr& property) {
+  const Rational jitter = d.jitter ? d.jitter->value : Rational(0);
+  const Rational sway = numbers_of(spec[d.kind], d, jitter).sway;
+  for (const sema::Template& what : sema::templates_of(recovery)) {
+    const auto* land = std::get_if<sema::Land>(&what);
+    if (land != nullptr && !keeps_heights(property, true, land->height.value, sway)) return false;
+  }
+  const bool claimed = sema::claim_of(recovery).has_value();
+  for (const sema::ZoneId zone : moves_within(recovery)) {
+    const bool flat = claims.zones().region(zone) != nullptr;
+    if (flat && !claimed) continue;  // it keeps its height
+    const auto solid = claims.zones().solid(zone);
+    if (!solid || solid->empty()) return false;
+    const Rational &low = solid->slabs().front().floor, &high = solid->slabs().back().ceiling;
+    if (!keeps_heights(property, true, low, 0) || !keeps_heights(property, true, high, 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,183 @@
+#include "compiler/verify/within_zones.h"
+
+#include <algorithm>
+
+#include "compiler/analysis/keeps_off.h"
+#include "compiler/analysis/sides.h"
+#include "compiler/analysis/straight_in.h"
+#include "compiler/analysis/windows.h"
+#include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
+
+namespace rtac::verify {
+namespace {
+
+// No place of a zone is so far from its boundary.
+constexpr std::int64_t nowhere_mm = 1 << 30;
+
+Claim contained(const Subject& s, const ir::Monitor& driving, ir::ZoneIndex inner,
+                const analysis::Standoff& outer) {
+  Claim claim{"contained", {{"inner", s.module[inner].name}, {"outer", s.module[outer.zone].name}}};
+  // only where the robot need not have it where it sets out
+  const bool deep = outer.mm > analysis::touching_mm && inner != outer.zone &&
+                    !driving.recovery.claims &&
+                    analysis::lies_deep(s.module, s.exact, s.solid, inner, outer);
+  if (deep) claim.values["standoff_mm"] = std::to_string(outer.mm);
+  return claim;
+}
+// As deep at each height as the fence asks for where it lies so deep.
+Claim level(const Subject& s, ir::ZoneIndex inner, const analysis::Standoff& outer) {
+  Claim claim{"level", {{"inner", s.module[inner].name}, {"outer", s.module[outer.zone].name}}};
+  const bool deep = outer.mm > analysis::touching_mm &&
+                    analysis::lies_level(s.module, s.exact, s.solid, inner, outer);
+  if (deep) claim.values["standoff_mm"] = std::to_string(outer.mm);
+  return claim;
+}
+bool has(const ir::Block& property, bool (*is)(const ir::Op&)) {
+  return std::any_of(property.values.begin(), property.values.end(),
+                     [&](const ir::Value& v) { return is(v.op); });
+}
+bool has_choice(const ir::Block& property) {
+  return has(property, [](const ir::Op& op) { return std::holds_alternative<ir::Or>(op); });
+}
+// What the recovery of monitor `k` has to stay in to keep a property: the zones that hold the robot
+// wherever it holds; of an `or` all that it names, since the side that holds has to go on to hold,
+// but where the recovery keeps some side or other. What speaks of zones that come and go is another
+// matter (leaving.h).
+struct Keeping {
+  std::vector<analysis::Standoff> zones;  // with what is asked for beyond touching
+  bool by_sides = false;
+  bool slow_side = true;  // each of these `or`s by a side that asks for no more than to be slow
+  bool received = false;  // and a zone that is received
+};
+void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueId id, bool any,
+             Keeping& asked) {
+  const ir::Op& op = block[id].op;
+  if (const auto* both = std::get_if<ir::And>(&op)) {
+    ask_for(s, k, block, both->a, any, asked);
+    ask_for(s, k, block, both->b, any, asked);
+  } else if (analysis::speaks_of_windows(block, id)) {
+    return;
+  } else if (const auto* either = std::get_if<ir::Or>(&op)) {
+    if (analysis::keeps_a_side(s.module, s.decision, s.exact, k, block, id)) {
+      asked.by_sides = true;
+      asked.slow_side =
+          asked.slow_side && (analysis::asks_for_slow(s.decision, k, block, either->a) ||
+                              analysis::asks_for_slow(s.decision, k, block, either->b));
+      return;
+    }
+    ask_for(s, k, block, either->a, true, asked);
+    ask_for(s, k, block, either->b, true, asked);
+  } else if (const auto* negated = std::get_if<ir::Not>(&op)) {
+    ask_for(s, k, block, negated->a, true, asked);
+  } else if (const ir::Block* body = ir::body_of(op)) {
+    ask_for(s, k, *body, body->result, true, asked);
+  } else if (const auto* compare = std::get_if<ir::AtLeast>(&op)) {
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
+      asked.received = asked.received || leaf.kind == ir::Leaf::Kind::received;
+    }
+    const auto least = ir::lower_bound(block, *compare, s.decision.facts.params);
+    if (!any && (!least || least->need.strictest < 0)) return;
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
+      if (leaf.kind != ir::Leaf::Kind::clearance) continue;
+      const std::int64_t mm = least ? std::max<std::int64_t>(least->need.strictest, 0) : nowhere_mm;
+      asked.zones.push_back({ir::ZoneIndex{leaf.table}, mm});
+    }
+  }
+}
+Keeping keeping_of(const Subject& s, std::size_t k, const ir::Block& property) {
+  Keeping asked;
+  ask_for(s, k, property, property.result, false, asked);
+  return asked;
+}
+// The steps of a recovery that move within a zone.
+std::vector<const ir::Recovery*> moving_steps(const ir::Recovery& recovery) {
+  std::vector<const ir::Recovery*> steps = ir::steps_of(recovery);
+  std::erase_if(steps,
+                [](const ir::Recovery* step) { return !ir::moves(step->kind) && !step->claims; });
+  return steps;
+}
+// What moves within a zone of the plane keeps its height, so that a fence need not have it at all
+// heights; nobody claims that of what is external.
+bool keeps_level(const Subject& s, const ir::Recovery& step, const analysis::Standoff& outer) {
+  return !step.claims && analysis::lies_level(s.module, s.exact, s.solid, step.zone, outer);
+}
+// Of one step and one zone that the property asks for.
+std::string doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
+                          const ir::Monitor& driving, const ir::Recovery& step,
+                          const analysis::Standoff& outer) {
+  if (step.zone == outer.zone) return "";
+  const std::string name = quoted(s.module[step.zone].name);
+  const std::string outer_name = analysis::name_as_written(s.module[outer.zone]);
+  if (!keeps_level(s, step, {outer.zone, 0}) && !lies_in(s, step.zone, outer.zone)) {
+    return has_choice(take_over.decision.monitors[take_over.judged].property)
+               ? "a way from one zone of the `or` to another is not shown to stay in one of them"
+               : name + " does not lie in " + outer_name;
+  }
+  if (step.claims) return "";
+  if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, step.zone, outer)) {
+    return "places of " + name + " are nearer than " + metres(outer.mm) + " to the boundary of " +
+           outer_name;
+  }
+  if (analysis::comes_in_within(take_over, step.zone, outer.zone)) return "";
+  return "from outside of " + name + " it makes straight for it, and " + outer_name +
+         " is not convex";
+}
+
+}  // namespace
+
+bool moves_within_zones(const ir::Recovery& recovery) {
+  return !moving_steps(recovery).empty();
+}
+
+void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
+                 std::vector<Claim>& claims) {
+  const ir::Monitor& driving = s.decision.monitors[k];
+  const auto steps = moving_steps(driving.recovery);
+  const Keeping asked = keeping_of(s, k, judged.property);
+  for (const ir::Recovery* step : steps) {
+    for (const analysis::Standoff& outer : asked.zones) {
+      const ir::ZoneIndex inner = step->zone;
+      claims.push_back(keeps_level(s, *step, {outer.zone, 0})
+                           ? level(s, inner, outer)
+                           : contained(s, driving, inner, outer));
+      if (inner == outer.zone) continue;
+      if (outer.mm > analysis::touching_mm &&
+          analysis::lies_all_over(s.module, s.exact, s.solid, inner, outer.zone)) {
+        claims.push_back(contained(s, driving, outer.zone, {inner, 0}));
+      }
+      if (step->claims) continue;
+      claims.push_back({"comes_in",
+                        {{"decision", s.decision.name},
+                         {"monitor", judged.name},
+                         {"zone", s.module[inner].name},
+                         {"fence", s.module[outer.zone].name}}});
+    }
+  }
+  if (steps.empty() || !asked.by_sides) return;
+  claims.push_back({"sides",
+                    {{"decision", s.decision.name},
+                     {"controller", driving.recovery.name},
+                     {"monitor", judged.name}}});
+}
+
+std::string doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged) {
+  const Keeping asked = keeping_of(s, k, s.decision.monitors[judged].property);
+  if (asked.received) return "where the zone that is received will be is not known";
+  const analysis::ExactSolid solid = any_solid(s);
+  const analysis::TakeOver take_over{s.module, s.decision, s.exact, solid, judged};
+  for (const ir::Recovery* step : moving_steps(s.decision.monitors[k].recovery)) {
+    for (const analysis::Standoff& outer : asked.zones) {
+      std::string doubt = doubt_of_step(s, take_over, s.decision.monitors[k], *step, outer);
+      if (!doubt.empty()) return doubt;
+    }
+    if (asked.by_sides && ir::moves(step->kind) && !asked.slow_side &&
+        !analysis::starts_within(take_over, step->zone)) {
+      return "from outside of " + quoted(s.module[step->zone].name) +
+             " it makes straight for it, and is not shown to stay in one zone of the `or`";
+    }
+  }
+  return "";
+}
+
+}  // namespace rtac::verify

@@ -1,0 +1,181 @@
+// The straight way of a recovery into its zone, and who keeps its height: what is proved of them is
+// found once more, and what is not true is denied.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+constexpr const char* box = "rectangle (0 m, 0 m) to (9 m, 9 m)";
+constexpr const char* ell =
+    "rectangle (0 m, 0 m) to (9 m, 3 m) | rectangle (0 m, 0 m) to (3 m, 9 m)";
+
+// Who is too fast is led to a room, wherever it was; a fence ranks lower.
+std::string led_home(const std::string& fence, const std::string& accepted = "") {
+  return R"(spec home;
+zone yard = rectangle (-1 m, -1 m) to (10 m, 10 m);
+zone fenced = )" +
+         fence + R"(;
+zone room = rectangle (0 m, 6 m) to (3 m, 9 m);
+robot Rover {
+  body     radius 10 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 1 cm    max_age 20 ms;
+  sense    velocity : vector  error 1 cm/s  max_age 20 ms;
+  output   thrust   : acceleration;
+  latency  20 ms;
+}
+fleet one : Rover;
+controller pilot    : advanced for Rover extern;
+controller home     : safe for Rover = retreat within room speed 0.2 m/s;
+controller back     : safe for Rover = retreat within fenced speed 0.2 m/s;
+monitor slow for r : Rover { "SR-1" always r.speed <= 0.8 m/s; recover home; }
+monitor m for r : Rover { "SR-2" always r inside fenced; recover back; }
+decision go for Rover { advanced pilot; period 20 ms; priority slow > m; )" +
+         accepted + " }\n";
+}
+// Who may leave `flat` is stopped by a recovery of the test; another monitor limits the height.
+std::string at_a_height(const std::string& recovery, const std::string& property,
+                        const std::string& accepted = "") {
+  return R"(spec tower;
+zone flat = rectangle (1 m, 1 m) to (8 m, 8 m);
+zone hall = prism (rectangle (0 m, 0 m) to (9 m, 9 m)) from 0 m to 6 m;
+robot Flyer {
+  body     radius 15 cm;
+  motion   point { speed <= 1 m/s; accel <= 1.5 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point3   error 2 cm    max_age 60 ms;
+  sense    velocity : vector3  error 3 cm/s  max_age 40 ms;
+  output   thrust : acceleration;
+  latency  30 ms;
+}
+fleet one : Flyer;
+controller pilot : advanced for Flyer extern;
+controller stop  : safe for Flyer = brake_and_hold;
+controller back  : safe for Flyer )" +
+         recovery + R"(;
+monitor fence for r : Flyer { "SR-1" always r inside flat; ahead 400 ms; recover back; )" +
+         (recovery.starts_with("= retreat") ? "" : "hold when violated \"a test\"; ") +
+         R"(}
+monitor m for r : Flyer { "SR-2" always )" +
+         property + R"(; ahead 100 ms; recover stop; hold when violated "a test"; }
+decision fly for Flyer { advanced pilot; period 50 ms; priority fence > m; )" +
+         accepted + " }\n";
+}
+
+class ComingIn : public Verify {
+ protected:
+  static Json report_of(const std::string& text) {
+    (void)verified(text, {"-o", "certificates"});
+    return Json::parse(read("certificates/verification.json"));
+  }
+  static Json& pair_in(Json& report) {
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] == "C" && o.value("monitor", "") == "m") return o;
+    }
+    ADD_FAILURE() << report.dump(2);
+    return report;
+  }
+  static Outcome rechecked(const Json& report) {
+    write("certificates/verification.json", report.dump());
+    return rtac({"verify", "--recheck", "certificates"});
+  }
+  static void expect_denied(const Json& report, const std::string& why) {
+    const Outcome o = rechecked(report);
+    EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+    EXPECT_NE((o.out + o.err).find(why), std::string::npos) << o.out << o.err;
+  }
+  static void expect_proved(Json report) {
+    EXPECT_EQ(pair_in(report)["status"], "proved") << report.dump(2);
+    const Outcome o = rechecked(report);
+    EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  }
+  // Without the claims of that name.
+  static Json without(Json report, const std::string& name) {
+    Json left = Json::array();
+    for (const Json& claim : pair_in(report)["claims"]) {
+      if (claim["claim"] != name) left.push_back(claim);
+    }
+    EXPECT_LT(left.size(), pair_in(report)["claims"].size());
+    pair_in(report)["claims"] = left;
+    return report;
+  }
+  // What one specification proves of the pair, said of another one that accepts that it is broken.
+  static Json said_of(const std::string& text, Json proved) {
+    Json report = report_of(text);
+    EXPECT_EQ(pair_in(report)["status"], "acknowledged");
+    pair_in(report)["status"] = "proved";
+    pair_in(report)["claims"] = pair_in(proved)["claims"];
+    return report;
+  }
+};
+
+TEST_F(ComingIn, StraightWaysStayInWhatIsConvex) {
+  const Json report = report_of(led_home(box));
+  expect_proved(report);
+  expect_denied(without(report, "comes_in"), "it rests on no claim `comes_in`");
+}
+
+TEST_F(ComingIn, AWayAcrossACornerIsDenied) {
+  const Json proved = report_of(led_home(box));
+  const std::string accepted = "acknowledge home may break m \"a test\";";
+  expect_denied(said_of(led_home(ell, accepted), proved), "lead across what is not convex");
+}
+
+TEST_F(ComingIn, WhoKeepsItsHeightKeepsAZoneThatHasSome) {
+  const Json report =
+      report_of(at_a_height("= retreat within flat speed 0.3 m/s", "r inside hall"));
+  expect_proved(report);
+  expect_denied(without(report, "level"), "it rests on no claim `level`");
+}
+
+TEST_F(ComingIn, ALandingThatStraysBelowItsLimitIsDenied) {
+  const std::string below = "r.position.z >= 1 m";
+  const Json proved = report_of(at_a_height("= land to 2 m speed 0.3 m/s", below));
+  expect_proved(proved);
+  expect_denied(said_of(at_a_height("= land to 1 m speed 0.3 m/s", below,
+                                    "acknowledge back may break m \"a test\";"),
+                        proved),
+                "may go beyond a height");
+}
+
+TEST_F(ComingIn, TheHeightOfWhatIsExternalIsDenied) {
+  const std::string below = "r.position.z <= 5 m";
+  const Json proved = report_of(at_a_height("= retreat within flat speed 0.3 m/s", below));
+  expect_proved(proved);
+  const std::string accepted = "acknowledge back may break m \"a test\";";
+  const std::string bought = "extern keeps inside flat speed <= 0.6 m/s";
+  expect_denied(said_of(at_a_height(bought, below, accepted), proved), "may go beyond a height");
+}
+
+// The one looks farther ahead than the other, which alone limits the height.
+TEST_F(ComingIn, EachLimitOfHeightIsLookedAtAsFarAsItsMonitorLooks) {
+  const Json report = report_of(at_a_height("= land to 1 m speed 0.3 m/s", "r.position.z <= 7 m"));
+  for (const Json& o : report["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "joint return") {
+      EXPECT_EQ(o["status"], "proved") << o;
+    }
+  }
+  expect_proved(report);
+}
+
+// Near the ceiling it comes to rest as near to it.
+TEST_F(ComingIn, WhoKeepsItsHeightIsNotGivenBackNearACeiling) {
+  std::string text = at_a_height("= retreat within flat speed 0.3 m/s", "r inside hall");
+  const std::string stands = "recover stop; hold when violated \"a test\";";
+  text.replace(text.rfind(stands), stands.size(), "recover back;");
+  Json report = report_of(text);
+  int found = 0;
+  for (Json& o : report["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "joint return") {
+      EXPECT_EQ(o["status"], "proved") << o;
+    }
+    if (o["obligation"] != "P2b" || o.value("monitor", "") != "m") continue;
+    ++found;
+    EXPECT_EQ(o["status"], "unknown") << o;
+    EXPECT_NE(o["because"].get<std::string>().find("near the floor or the ceiling of `hall`"),
+              std::string::npos);
+  }
+  EXPECT_EQ(found, 1);
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
