@@ -165,6 +165,25 @@ TEST_F(RoutingInSpace, DoesNotWanderOffStopByStop) {
   EXPECT_LT(aside_m, 2 * error_m + 0.02);
 }
 
+// Up and down neither, where every stop leaves it beside its leg by what errors of the velocity do.
+TEST_F(RoutingInSpace, KeepsItsHeightStopByStop) {
+  flight.at = {0.5, 5, height_m};
+  RouteInSpace along(flyer(), Vec2{7.5, 5});
+  along.engage(flight.observe());
+  flight.fly(along, Gate::free, 3);
+  const double p = flight.setting.limits.position_error_m;
+  const double v = flight.setting.limits.velocity_error_mps;
+  flight.most_off_level_m = 0;
+  int stops = 0;
+  for (; stops < 60 && flight.at.x < 6; ++stops) {
+    flight.position_off = {0, 0, p}, flight.velocity_off = {0, 0, v};
+    flight.fly(along, Gate::free, 1.2);
+    flight.fly(along, Gate::hold, 3);
+  }
+  EXPECT_GT(stops, 8);
+  EXPECT_LT(flight.most_off_level_m, 0.3);
+}
+
 TEST_F(RoutingInSpace, ParksWhateverErrorsLast) {
   const double p = flight.setting.limits.position_error_m;
   const double v = flight.setting.limits.velocity_error_mps;

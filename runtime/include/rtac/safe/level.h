@@ -41,16 +41,18 @@ class Level final : public Carried {
     if (!plan_.wants_motion()) {
       if (has_legs()) drop_legs();
     } else if (rests) {
-      set_legs(level_legs(held().z));
+      set_legs(level_legs(told_.height_m));  // it rests, so that it is latched
     }
   }
-  // Its manoeuvre looks from the place on its way: from where it is measured, noise would carry it
-  // off way by way, and errors that last would keep it from a site that its hold has come to. A
-  // copy: it allocates once more others are heard of than ever before, and not again.
+  // Its manoeuvre looks from the place on its way, up and down as well: from where it is measured,
+  // or has come to rest beside its leg, noise would carry it off way by way, and errors that last
+  // would keep it from a site that its hold has come to. A copy: it allocates once more others are
+  // heard of than ever before, and not again.
   const Observation& on_its_way(const Observation& observation) {
     const Vec3 at = on_way(observation);
     told_ = observation;
     told_.position.value = {at.x, at.y};
+    told_.height_m = at.z;
     return told_;
   }
   Legs level_legs(double height_m) {
