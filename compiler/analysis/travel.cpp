@@ -250,6 +250,23 @@ Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std:
   return metres / slowest + legs * leg.seconds + turning + stops * rest_seconds(kind, period);
 }
 
+namespace {
+
+Rational frequency_of(const sema::RobotKind& kind, std::int64_t period_us) {
+  const Rational late = delay(kind, seconds_of(period_us));
+  return hold_frequency(body_of(kind, period_us), ceil_to_int(Rational(late * 1'000'000)));
+}
+
+}  // namespace
+
+Rational follows_up_to(const sema::RobotKind& kind, std::int64_t period_us) {
+  const Rational omega = frequency_of(kind, period_us);
+  const Rational place = kind.position ? kind.position->error.value : Rational(0);
+  const Rational errs = kind.velocity ? kind.velocity->error.value : Rational(0);
+  if (omega <= 0) return 0;
+  return 2 * (braking(kind) / omega - omega * place - 2 * errs);
+}
+
 // What a leg along which the hold is carried takes on top of its length, from rest to rest. The
 // robot trails by 2 w / omega, and what is left of that at the time t after the hold has come to
 // the end of the leg is below 2.3 w / omega exp(-0.7 omega t), with as much delay as the frequency
@@ -259,13 +276,9 @@ Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std:
 // is not as strong does not follow like that.
 std::optional<Rational> carried_leg_seconds(const sema::RobotKind& kind, const Rational& speed,
                                             std::int64_t period_us) {
+  if (speed > follows_up_to(kind, period_us)) return std::nullopt;
   const Rational period = seconds_of(period_us), late = delay(kind, period);
-  const Rational omega =
-      hold_frequency(body_of(kind, period_us), ceil_to_int(Rational(late * 1'000'000)));
-  const Rational place = kind.position ? kind.position->error.value : Rational(0);
-  const Rational errs = kind.velocity ? kind.velocity->error.value : Rational(0);
-  const Rational asks = speed * omega / 2 + omega * omega * place + 2 * omega * errs;
-  if (asks > braking(kind)) return std::nullopt;
+  const Rational omega = frequency_of(kind, period_us);
   const Rational settles = log_over(Rational(Rational(23, 10) * speed),
                                     Rational(Rational(pace::near_mm, 1000) * omega)) /
                            (Rational(7, 10) * omega);

@@ -60,9 +60,12 @@ std::int64_t end_reach_mm(const sema::RobotKind& kind, std::int64_t period_us);
 // cells is driven at the recovery's `speed`, in s. `period_us`: of the decision.
 Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
                         std::int32_t cell_mm, std::int64_t distance_mm);
+// At most how fast a hold may be carried, in m/s, for a robot in space to follow it: what its
+// spring asks for beside errors stays within what pushes leave of the brake. Beyond, it falls
+// behind, and drives past the ends of its legs, faster than its hold.
+Rational follows_up_to(const sema::RobotKind& kind, std::int64_t period_us);
 // What one leg takes on top of its length, from rest to rest and until it looks for the next one,
-// of a robot in space, which is carried along it by its hold. none: what moves the hold may take
-// more than its brake, and no bound is known.
+// of a robot in space, which is carried along it by its hold. none: it does not follow that.
 std::optional<Rational> carried_leg_seconds(const sema::RobotKind& kind, const Rational& speed,
                                             std::int64_t period_us);
 // As `travel_seconds`, of a way that has such legs.

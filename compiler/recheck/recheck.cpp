@@ -11,6 +11,7 @@
 #include "compiler/recheck/lasting.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
+#include "compiler/recheck/travel.h"
 #include "compiler/recheck/turns.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
@@ -224,6 +225,7 @@ class Check {
   void within(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
               const sema::Monitor& m) {
     const sema::Controller& recovery = spec_[*driving.recover];
+    follows(d, e, recovery);
     const std::vector<sema::ZoneId> moves = moves_within(recovery);
     const Keeping asked = Sides(spec_, d, claims_).keeping(recovery, *m.always);
     if (asked.windows) {
@@ -276,6 +278,10 @@ class Check {
            names.at("outer") + "`");
     }
   }
+  void follows(const sema::Decision& d, const Entry& e, const sema::Controller& recovery) {
+    if (follows_its_hold(spec_[d.kind], d, recovery)) return;
+    fail(whom(d, e) + ": its brake is too weak to follow the hold of `" + recovery.name + "`");
+  }
   void as_slow(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
                const sema::Monitor& m) {
     if (Sides(spec_, d, claims_).keeps_limits(recovery, *m.always)) return;
@@ -313,6 +319,7 @@ class Check {
   }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m, const Part& part) {
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
+    if (m.recover) follows(d, e, spec_[*m.recover]);
     if (has(e, "landing", {{"decision", d.name}, {"monitor", m.name}})) return;
     const bool moves = m.recover && !moves_within(spec_[*m.recover]).empty();
     const bool legs = has(e, "legs", {{"decision", d.name}, {"monitor", m.name}});

@@ -90,6 +90,14 @@ class Travel {
     return std::max(beside_least, settled) + pushed / gain;
   }
   [[nodiscard]] bool has_wheels() const { return wheels_; }
+  // In space it follows a hold that is carried so fast, with what errors and pushes leave of the
+  // brake.
+  [[nodiscard]] bool follows() const {
+    const Rational omega = hold_frequency();
+    const Rational place = kind_.position ? kind_.position->error.value : Rational(0);
+    const Rational errs = kind_.velocity ? kind_.velocity->error.value : Rational(0);
+    return omega * (speed_ / 2 + omega * place + 2 * errs) <= brakes_;
+  }
   // In space its hold is carried along a way over cells, from rest to rest at each; the robot
   // trails it, and what is left of that at its end shrinks by 0.7 of its frequency, from 2.3 of the
   // pace over that. What has been latched first settles likewise. nullopt: its brake is too weak to
@@ -97,9 +105,7 @@ class Travel {
   [[nodiscard]] std::optional<Rational> carried_seconds(const Rational& way,
                                                         const Rational& cell) const {
     const Rational omega = hold_frequency();
-    const Rational place = kind_.position ? kind_.position->error.value : Rational(0);
-    const Rational errs = kind_.velocity ? kind_.velocity->error.value : Rational(0);
-    if (omega * (speed_ / 2 + omega * place + 2 * errs) > brakes_) return std::nullopt;
+    if (!follows()) return std::nullopt;
     const Rational cells = way / cell, rests = 2 + cells / waypoints;
     const Rational settles =
         log_above(Rational(Rational(23, 10) * speed_ / (omega * near))) / (Rational(7, 10) * omega);
@@ -192,6 +198,16 @@ std::optional<Travel> travel_of(const sema::RobotKind& kind, const sema::Decisio
 }
 
 }  // namespace
+
+bool follows_its_hold(const sema::RobotKind& kind, const sema::Decision& decision,
+                      const sema::Controller& recovery) {
+  if (!kind.in_space) return true;
+  const std::vector<sema::Template> steps = sema::templates_of(recovery);
+  return std::all_of(steps.begin(), steps.end(), [&](const sema::Template& step) {
+    const auto speed = sema::speed_of(step);
+    return !speed || Travel(kind, decision, *speed).follows();
+  });
+}
 
 std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                         const sema::Controller& recovery, const Rational& way) {

@@ -13,6 +13,9 @@ namespace rtac::recheck {
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                        const sema::Controller& recovery, const Rational& cell,
                                        const Rational& way);
+// Whether a robot in space follows the holds that its recovery carries: its brake is not spent.
+bool follows_its_hold(const sema::RobotKind& kind, const sema::Decision& decision,
+                      const sema::Controller& recovery);
 // From taking over at full speed until a way of `way` has been driven that has three legs at most.
 // nullopt: as above, or it moves in space.
 std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,

@@ -7,6 +7,7 @@
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/travel.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
@@ -87,6 +88,24 @@ std::string rests_beside_site(const Subject& s, const ir::Recovery& last) {
   return "";
 }
 
+// In space the hold of who moves leads the robot, which follows as long as its brake is not spent:
+// beyond, nothing is known of its ways. "": it follows.
+std::string falls_behind(const Subject& s, const ir::Recovery& recovery) {
+  if (!s.decision.body.in_space) return "";
+  const Rational most = analysis::follows_up_to(s.kind, s.decision.period_us);
+  for (const ir::Recovery* step : ir::steps_of(recovery)) {
+    const bool carries = ir::moves(step->kind) || step->kind == ir::RecoveryKind::land;
+    const Rational speed(static_cast<long>(step->speed_mmps), 1000);
+    if (!carries || speed <= most) continue;
+    return quoted(recovery.name) + " leads the robot at " + to_decimal(speed) +
+           " m/s, and its brake is strong enough to follow at up to " +
+           to_decimal(
+               Rational(std::max<std::int64_t>(floor_to_int(Rational(most * 1000)), 0), 1000)) +
+           " m/s";
+  }
+  return "";
+}
+
 // Of zones that come and go; each of the monitors that a recovery drives for leads out as well.
 std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t judged) {
   const ir::Monitor& m = s.decision.monitors[judged];
@@ -101,6 +120,7 @@ std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t 
 std::string doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
   const ir::Block& property = s.decision.monitors[judged].property;
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
+  if (std::string behind = falls_behind(s, recovery); !behind.empty()) return behind;
   if (std::string windows = doubt_of_windows(s, k, judged); !windows.empty()) return windows;
   if (!moves_within_zones(recovery)) return "";
   const Atoms atoms = atoms_of(property);
@@ -355,6 +375,9 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     o.claims.push_back(limits_claim(s));
     o.claims.push_back(recovery_claim(s, k));
     return atoms.only_speed() ? returned_at_rest(s, k, std::move(o)) : o;
+  }
+  if (std::string behind = falls_behind(s, m.recovery); !behind.empty()) {
+    return doubted(std::move(o), std::move(behind));
   }
   if (ir::moves(last) && last != ir::RecoveryKind::yield) {
     const bool legs = s.decision.body.in_space && last != ir::RecoveryKind::route;

@@ -177,5 +177,26 @@ TEST_F(ComingIn, WhoKeepsItsHeightIsNotGivenBackNearACeiling) {
   EXPECT_EQ(found, 1);
 }
 
+// A spring that asks for more than the brake has drives past the ends of its legs.
+TEST_F(ComingIn, WhoFallsBehindItsHoldKeepsNothing) {
+  std::string text = at_a_height("= retreat within flat speed 0.9 m/s", "r inside hall");
+  const Json proved = report_of(text);
+  const std::string brake = "brake >= 1 m/s^2";
+  text.replace(text.find(brake), brake.size(), "brake >= 0.3 m/s^2");
+  Json report = report_of(text);
+  for (Json& o : report["decisions"][0]["obligations"]) {
+    const std::string kind = o["obligation"], of = o.value("monitor", "");
+    const bool moves = (kind == "P2a" && of == "fence") || (kind == "C" && of == "m");
+    if (!moves) continue;
+    EXPECT_EQ(o["status"], "unknown") << o;
+    EXPECT_NE(o["because"].get<std::string>().find("its brake is strong enough"),
+              std::string::npos);
+  }
+  Json copied = proved;
+  pair_in(report)["status"] = "proved";
+  pair_in(report)["claims"] = pair_in(copied)["claims"];
+  expect_denied(report, "its brake is too weak to follow the hold");
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
