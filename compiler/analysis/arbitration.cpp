@@ -62,7 +62,7 @@ class Pair {
       // outranks it needs an acknowledgement of its own (5031).
       if (speaks_of_windows(block, id)) return !decision_.coordinated || keeps_windows();
       if (keeps_a_side(module_, decision_, exact_, drives_, block, id)) {
-        return is_slow(block, *v) || starts_in_its_zones();
+        return has_slow_side(decision_, drives_, block, *v) || starts_in_its_zones();
       }
       if (!decision_.coordinated && too_fast_while_told(block, id)) return false;
       return keeps(block, v->a) && keeps(block, v->b);
@@ -236,10 +236,6 @@ class Pair {
       return false;
     }
     return true;
-  }
-  [[nodiscard]] bool is_slow(const ir::Block& block, const ir::Or& either) const {
-    return asks_for_slow(decision_, drives_, block, either.a) ||
-           asks_for_slow(decision_, drives_, block, either.b);
   }
   // What lies in the fence, and need not keep what is asked beyond that. An external recovery is
   // braked where it would be nearer to the boundary of its zone than any property asks for.

@@ -27,13 +27,13 @@ bool collect_sides(const ir::Module& module, const ir::Decision& decision, const
   return true;
 }
 
+}  // namespace
+
 Rational metres_of(std::int64_t mm) {
   Rational m(static_cast<long>(mm), 1000);
   m.canonicalize();
   return m;
 }
-
-}  // namespace
 
 bool asks_for_slow(const ir::Decision& decision, std::size_t k, const ir::Block& block,
                    ir::ValueId id) {
@@ -47,6 +47,11 @@ bool asks_for_slow(const ir::Decision& decision, std::size_t k, const ir::Block&
   const auto bound = compare ? ir::upper_bound(block, *compare) : std::nullopt;
   return bound && bound->leaf.kind == ir::Leaf::Kind::speed &&
          fastest_while_driving(decision, k) <= bound->most;
+}
+
+bool has_slow_side(const ir::Decision& decision, std::size_t k, const ir::Block& block,
+                   const ir::Or& either) {
+  return asks_for_slow(decision, k, block, either.a) || asks_for_slow(decision, k, block, either.b);
 }
 
 std::vector<ir::ZoneIndex> sides_in_zones(const ir::Module& module, const ir::Decision& decision,
@@ -76,9 +81,7 @@ std::optional<geometry::Region> between(const geometry::Region& own,
 bool keeps_a_side(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
                   std::size_t k, const ir::Block& block, ir::ValueId id) {
   const auto& either = std::get<ir::Or>(block[id].op);
-  if (asks_for_slow(decision, k, block, either.a) || asks_for_slow(decision, k, block, either.b)) {
-    return true;
-  }
+  if (has_slow_side(decision, k, block, either)) return true;
   const auto zones = sides_in_zones(module, decision, block, id);
   if (zones.empty()) return false;
   const auto steps = ir::steps_of(decision.monitors[k].recovery);

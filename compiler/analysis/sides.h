@@ -14,9 +14,15 @@ namespace rtac::analysis {
 bool asks_for_slow(const ir::Decision& decision, std::size_t k, const ir::Block& block,
                    ir::ValueId id);
 
+// Whether one side of an `or` does.
+bool has_slow_side(const ir::Decision& decision, std::size_t k, const ir::Block& block,
+                   const ir::Or& either);
+
 // The zones of an `or` whose sides are nothing but `r inside Z` in the plane, else none.
 std::vector<ir::ZoneIndex> sides_in_zones(const ir::Module& module, const ir::Decision& decision,
                                           const ir::Block& block, ir::ValueId id);
+
+Rational metres_of(std::int64_t mm);
 
 // More than offsets of regions round (geometry/region.h), in mm.
 inline constexpr std::int64_t offsets_round_mm = 3;

@@ -25,12 +25,6 @@ Held held_at(const TakeOver& at) {
   return all;
 }
 
-Rational metres_of(std::int64_t mm) {
-  Rational m(static_cast<long>(mm), 1000);
-  m.canonicalize();
-  return m;
-}
-
 // The places of bodies that lie so far off the boundary; more of them where that is not known.
 Region centres(const TakeOver& at, const Standoff& held) {
   const Region& region = at.exact(held.zone);

@@ -61,9 +61,7 @@ void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueI
   } else if (const auto* either = std::get_if<ir::Or>(&op)) {
     if (analysis::keeps_a_side(s.module, s.decision, s.exact, k, block, id)) {
       asked.by_sides = true;
-      asked.slow_side =
-          asked.slow_side && (analysis::asks_for_slow(s.decision, k, block, either->a) ||
-                              analysis::asks_for_slow(s.decision, k, block, either->b));
+      asked.slow_side = asked.slow_side && analysis::has_slow_side(s.decision, k, block, *either);
       return;
     }
     ask_for(s, k, block, either->a, true, asked);
