@@ -331,8 +331,10 @@ WaysIn ways_in(const ir::Module& module, const ir::Decision& decision, const ir:
   for (const P p : places_of(may_start, edges)) {
     if (entry.zone().clearance(p) > -loss_mm) continue;  // on its boundary: as good as inside
     const std::vector<P> aims = entry.aims(p);
+    // a parameter that has become stricter leaves it outside: then the way must lead no farther out
+    const double out_mm = std::max(-may_be.clearance(p), 0.0);
     for (const P q : aims) {
-      const auto left = may_be.left_on(p, q, strays_mm);
+      const auto left = may_be.left_on(p, q, out_mm + strays_mm);
       if (!left || left->deep <= deepest) continue;
       deepest = left->deep;
       found.leaves = {rounded(p), rounded(left->at)};

@@ -90,6 +90,23 @@ TEST(StraightIn, AParameterThatAllowsToBeOutsideKeepsNobodyThere) {
   EXPECT_EQ(errors(corner(lax, "priority there > fence;")), breaks);
 }
 
+// What a parameter has become too strict for is outside of what holds: its way leads in, and no
+// farther out.
+TEST(StraightIn, AParameterThatBecameStricterIsNotLeftOnTheWayIn) {
+  const std::string tight =
+      "zone nook = rectangle (0.6 m, 6.6 m) to (2.4 m, 8.4 m);\n"
+      "controller deep : safe for Rover = retreat within nook speed 0.2 m/s;\n"
+      "monitor there for r : Rover { \"SR-2\" always clearance(r, corridor) - margin >= 0.2 m; "
+      "recover deep; }\n";
+  const std::string bitten =
+      "rectangle (0 m, 0 m) to (9 m, 9 m) - circle (9.001 m, 0 m) radius 2 m";
+  EXPECT_EQ(errors(corner(tight, "priority fence > there;", bitten)), Messages{});
+  const std::string leads_out = "on its way into `nook` from (";
+  const Messages around = errors(corner(tight, "priority fence > there;"));
+  ASSERT_EQ(around.size(), 1u);
+  EXPECT_EQ(around[0].substr(0, leads_out.size()), leads_out);
+}
+
 // ---- heights
 
 std::string tower(const std::string& rest) {
