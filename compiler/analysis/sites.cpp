@@ -121,7 +121,7 @@ std::optional<Fence> fence_of(const sema::Expr& e) {
 // A robot charges so near to the place: see `charge` in the language reference.
 constexpr double charges_within_m = 0.15;
 
-// Sites that no controller ends at, against the fences of those whose sites they are.
+// Sites against the fences of those whose sites they are.
 class FencedOut {
  public:
   FencedOut(const sema::Spec& spec, const RegionOf& region_of, diag::Engine& diagnostics)
@@ -132,6 +132,7 @@ class FencedOut {
     for (const sema::Site::Place& place : site.places) {
       bool charges = false;
       for (const sema::KindId kind : kinds_for(place)) {
+        if (const auto stopped = on_the_way(id, place, kind)) report(site, place, *stopped);
         const auto& energy = spec_[kind].energy;
         if (!energy || energy->charge_at != id) continue;
         charges = true;
@@ -144,6 +145,37 @@ class FencedOut {
   }
 
  private:
+  // A recovery leads there, and a monitor that outranks it takes over before it arrives.
+  struct Stopped {
+    sema::MonitorId by;
+    const sema::Controller* recovery;
+  };
+  [[nodiscard]] std::optional<Stopped> on_the_way(sema::SiteId id, const sema::Site::Place& place,
+                                                  sema::KindId kind) const {
+    for (const sema::Decision& decision : spec_.decisions) {
+      if (decision.kind != kind) continue;
+      for (std::size_t k = 0; k < decision.priority.size(); ++k) {
+        const auto& recover = spec_[decision.priority[k]].recover;
+        const auto route = recover ? sema::route_of(spec_[*recover]) : std::nullopt;
+        if (!route || route->site != id) continue;
+        const auto own = region_of_(route->zone);
+        // outside of the zone of its way as well: one mistake
+        if (!own || !own->contains({place.position.x, place.position.y})) continue;
+        for (std::size_t j = 0; j < k; ++j) {
+          const sema::MonitorId by = decision.priority[j];
+          // as its own property, what it recovers for leads out of its zone (5016)
+          if (spec_[by].recover == recover || !lets_none_be(by, place, kind, 0)) continue;
+          return Stopped{by, &spec_[*recover]};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] bool lets_none_be(sema::MonitorId monitor, const sema::Site::Place& place,
+                                  sema::KindId kind, double within_m) const {
+    return is_outside({place.position.x, place.position.y}, *spec_[monitor].always,
+                      spec_[kind].radius.value.get_d(), within_m);
+  }
   // Nobody charges there; it is for whoever gets there.
   [[nodiscard]] std::optional<sema::MonitorId> against_all(sema::SiteId id,
                                                            const sema::Site::Place& place) const {
@@ -174,21 +206,22 @@ class FencedOut {
   // The first monitor that never lets a robot of the kind be there.
   [[nodiscard]] std::optional<sema::MonitorId> against(const sema::Site::Place& place,
                                                        sema::KindId kind) const {
-    const geometry::Point p{place.position.x, place.position.y};
     for (const sema::Decision& decision : spec_.decisions) {
       if (decision.kind != kind) continue;
       for (const sema::MonitorId id : decision.priority) {
-        if (is_outside(p, *spec_[id].always, spec_[kind].radius.value.get_d())) return id;
+        if (lets_none_be(id, place, kind, charges_within_m)) return id;
       }
     }
     return std::nullopt;
   }
-  // No place within reach of `p` has what the property asks for: its clearance would be more than
-  // that of `p` by no more than the reach.
-  [[nodiscard]] bool is_outside(const geometry::Point& p, const sema::Expr& always,
-                                double radius_m) const {
+  // No place so near to `p` has what the property asks for: its clearance would be more than that
+  // of `p` by no more than that.
+  [[nodiscard]] bool is_outside(const geometry::Point& p, const sema::Expr& always, double radius_m,
+                                double within_m) const {
     if (const auto* logic = std::get_if<sema::Logic>(&always.node)) {
-      const auto outside = [&](const auto& operand) { return is_outside(p, *operand, radius_m); };
+      const auto outside = [&](const auto& operand) {
+        return is_outside(p, *operand, radius_m, within_m);
+      };
       if (logic->op == sema::LogicOp::logical_and) {
         return std::ranges::any_of(logic->operands, outside);
       }
@@ -200,17 +233,31 @@ class FencedOut {
     const auto region = region_of_(fence->zone);
     if (!region) return false;
     const double clear_m = distance_m(p, *region) * (region->contains(p) ? 1 : -1);
-    return clear_m + charges_within_m + rounding_m < fence->least_m + radius_m;
+    return clear_m + within_m + rounding_m < fence->least_m + radius_m;
+  }
+  [[nodiscard]] std::string name_of(const sema::Site& site, const sema::Site::Place& place) const {
+    const std::string robot = place.robot ? "(" + spec_[*place.robot].name + ")" : "";
+    return "`" + site.name + robot + "`";
+  }
+  void report(const sema::Site& site, const sema::Site::Place& place, const Stopped& stopped) {
+    const sema::Monitor& monitor = spec_[stopped.by];
+    diagnostics_.report({diag::Code::site_outside_zone,
+                         place.range,
+                         name_of(site, place) + ", where `" + stopped.recovery->name +
+                             "` leads, lies where `" + monitor.name + "` lets none be",
+                         "out of reach",
+                         {{monitor.always_range, "robots are kept in here, before anything else"}},
+                         "move it inside, as far as the body needs",
+                         {}});
   }
   void report(const sema::Site& site, const sema::Site::Place& place, sema::MonitorId by,
               bool charges) {
     const sema::Monitor& monitor = spec_[by];
-    const std::string robot = place.robot ? "(" + spec_[*place.robot].name + ")" : "";
     const std::string use = charges ? ", where `" + spec_[monitor.kind].name + "` charges," : "";
     diagnostics_.report(
         {charges ? diag::Code::charge_behind_fence : diag::Code::site_behind_fence,
          place.range,
-         "`" + site.name + robot + "`" + use + " lies where `" + monitor.name + "` lets none be",
+         name_of(site, place) + use + " lies where `" + monitor.name + "` lets none be",
          "out of reach",
          {{monitor.always_range, "robots are kept in here"}},
          "move it inside, as far as the body needs" +

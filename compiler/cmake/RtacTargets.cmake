@@ -41,10 +41,37 @@ function(rtac_folder target)
   endif()
 endfunction()
 
-#   rtac_test(<folder below tests> [LINK target...] [DEFINE definition...] [BATCH number] [KEEP source...])
+# With RTAC_UNITY, what nearly every test includes is compiled once; what all tests of a target
+# include besides, once for that.
+#   rtac_precompiled_tests(<target> [header...])
+function(rtac_precompiled_tests target)
+  if(NOT RTAC_UNITY)
+    return()
+  endif()
+  if(ARGN)
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/precompiled.h ${ARGN})
+    return()
+  endif()
+  if(NOT TARGET rtac_tests_precompiled)
+    # An executable, as those that use it: another kind of code would not fit.
+    set(source ${PROJECT_BINARY_DIR}/tests_precompiled.cpp)
+    file(WRITE ${source} "")
+    add_executable(rtac_tests_precompiled EXCLUDE_FROM_ALL ${source})
+    target_link_libraries(rtac_tests_precompiled PRIVATE GTest::gtest_main)
+    target_compile_features(rtac_tests_precompiled PRIVATE cxx_std_20)
+    target_compile_options(rtac_tests_precompiled PRIVATE ${RTAC_WARNINGS})
+    target_precompile_headers(rtac_tests_precompiled PRIVATE
+      ${PROJECT_SOURCE_DIR}/tests/precompiled.h)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM rtac_tests_precompiled)
+endfunction()
+
+#   rtac_test(<folder below tests> [LINK target...] [DEFINE definition...] [BATCH number] [KEEP source...]
+#             [PRECOMPILE header...] [WITH_C])
 # Every *_test.cpp of the folder goes into one GoogleTest executable; each test is a ctest case.
+# WITH_C: it gets sources in C as well, which cannot share what is precompiled.
 function(rtac_test folder)
-  cmake_parse_arguments(arg "" "BATCH" "LINK;DEFINE;KEEP" ${ARGN})
+  cmake_parse_arguments(arg "WITH_C" "BATCH" "LINK;DEFINE;KEEP;PRECOMPILE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp)
   if(NOT sources)
     return()
@@ -59,5 +86,8 @@ function(rtac_test folder)
     RTAC_SOURCE_DIR="${PROJECT_SOURCE_DIR}" ${arg_DEFINE})
   list(TRANSFORM arg_KEEP PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/)
   rtac_unite(test_${name} BATCH ${arg_BATCH} KEEP ${arg_KEEP})
+  if(NOT arg_WITH_C)
+    rtac_precompiled_tests(test_${name} ${arg_PRECOMPILE})
+  endif()
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
 endfunction()

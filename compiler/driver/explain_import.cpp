@@ -142,8 +142,9 @@ class ImportRemarks {
   void imported(const SourceRange& source, const sema::ZoneImport& node) {
     std::string positions = count(node.vertices, "position");
     if (node.points > node.vertices) {
-      positions += ", placed as " + std::to_string(node.points) +
-                   " points: long edges are straight in degrees, and bent on the map";
+      positions +=
+          ", placed as " + std::to_string(node.points) + " points: outlines meet or cross" +
+          (node.degrees ? ", or long edges, straight in degrees, are bent on the map" : "");
     }
     std::vector<std::string> details = {
         parts(node) + ", up to " + sema::show(node.farthest, dims::length) + " from (0 m, 0 m)",

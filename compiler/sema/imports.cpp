@@ -157,10 +157,13 @@ class Importer {
     job_.format = *format;
     auto& known = context_.read_files;
     auto at = known.find(file->path);
-    if (at == known.end()) {
+    const bool is_new = at == known.end();
+    if (is_new) {
       at = known.emplace(file->path, geometry::import::read(*format, *file->text, {})).first;
     }
-    if (const auto* failure = std::get_if<Failure>(&at->second)) return unusable(*failure);
+    if (const auto* failure = std::get_if<Failure>(&at->second)) {
+      return is_new && unusable(*failure);  // of one file once
+    }
     areas_ = &std::get<Areas>(at->second);
     for (const auto& note : areas_->notes) {
       job_.remarks.push_back(note.where + ": " + note.message);
@@ -314,7 +317,10 @@ class Importer {
           .push_back(area);
     }
     if (const ImportOption* const only = option(ImportWord::exclusions)) {
-      return settle_exclusions(*only, open);
+      const ImportOption* const how = option(ImportWord::inclusions);
+      if (how == nullptr) return settle_exclusions(*only, open);
+      return without_effect(*how, "`exclusions` takes the areas to keep out of alone",
+                            "leave out `inclusions`, or `exclusions`");
     }
     if (!job_.exclusions.empty() && inclusions.empty()) {
       return ambiguous(written_.path.range,

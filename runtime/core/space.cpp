@@ -328,7 +328,10 @@ void Carried::leave_far_leg() {
 bool Carried::allowed(const Observation& observation, Gate gate) const {
   if (gate == Gate::free) return true;
   if (gate == Gate::hold) return false;
-  const Vec3 from = set_out_from(observation), way = aim() - from;
+  // beside its leg by no more than its hold sways it counts as back on it
+  const bool back = returning_ && norm(aim() - held()) <= sway_m();
+  const Vec3 from = back ? aim() : set_out_from(observation);
+  const Vec3 way = (back ? leg_to_ : aim()) - from;
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || !is_held(other, observation.now_us)) continue;

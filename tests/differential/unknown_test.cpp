@@ -197,5 +197,48 @@ INSTANTIATE_TEST_SUITE_P(Outlines, Unknown, ::testing::Range<std::size_t>(0, out
                            return std::string(outlines()[outline.param].name);
                          });
 
+// A tip off the grid is cut where the grid has room in it: rule 7.2 says how far that is known.
+class Tip : public ::testing::TestWithParam<int> {};
+
+TEST_P(Tip, IsKnownAsFarAsItIsWide) {
+  const double half_rad = GetParam() * 3.14159265 / 360;
+  constexpr double tip_m = 0.0003, length_m = 8, level_m = 0.8;
+  const double wide_m = length_m * std::tan(half_rad);
+  const std::vector<Place> corners = {
+      {tip_m, tip_m}, {tip_m + length_m, tip_m - wide_m}, {tip_m + length_m, tip_m + wide_m}};
+  std::string text = "spec s;\nperiod 1 s;\nzone z = polygon [";
+  for (const auto& [x, y] : corners) {
+    text +=
+        (text.back() == '[' ? "(" : ", (") + std::to_string(x) + " m, " + std::to_string(y) + " m)";
+  }
+  text +=
+      "];\ninput p : point;\nmonitor near { \"R1: near\" always distance(p, z) <= 0.8 m; }\n"
+      "monitor far { \"R2: far\" always distance(p, z) >= 0.8 m; }\n";
+  const auto checked = check(text, Until::kernel);
+  ASSERT_EQ(checked->problem, "");
+  const driver::LoadedKernel kernel = load(driver::kernel_code(checked->compilation));
+  ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
+  const double most_off_m = 0.00075 / std::sin(half_rad) + 0.003;
+  std::vector<driver::Judgement> found;
+  std::size_t unknown = 0;
+  for (std::int64_t tick = 0; tick < 1600; ++tick) {
+    const std::int64_t now_us = tick * 1'000'000, x_mm = -1600 + tick;
+    kernel.engine->step(now_us, {observed(x_mm * 1000, now_us), observed(0, now_us)}, found);
+    const double off_m = -clearance_m(corners, {double(x_mm) * 1e-3, 0}) - level_m;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const bool holds = k == 0 ? off_m <= 0 : off_m >= 0;
+      if (found[k].verdict == interp::Verdict::unknown) {
+        ++unknown;
+        EXPECT_LE(std::abs(off_m), most_off_m) << x_mm;
+      } else {
+        EXPECT_EQ(found[k].verdict == interp::Verdict::yes, holds) << x_mm;
+      }
+    }
+  }
+  EXPECT_GT(unknown, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, Tip, ::testing::Values(11, 3, 1));
+
 }  // namespace
 }  // namespace rtac::differential

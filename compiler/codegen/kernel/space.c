@@ -47,7 +47,7 @@ static margin solid_reach(const solid *z, const place *at, const reach *r, int64
     spare = -at->gap_mm_hi - r->disc_mm - least_mm;
   } else {
     spare = at->gap_mm - r->disc_mm - least_mm;
-    if (spare < 0) {
+    if (spare < 0 && r->capsule_mm < r->disc_mm) {
       spare = max_of(spare,
                      tube_in_solid(z, r->p, r->z, r->e, r->z_end, r->capsule_mm + least_mm));
     }

@@ -237,6 +237,22 @@ TEST_F(RoutingInSpace, RecedesFromRobotsThatAreHeld) {
   EXPECT_GT(flight.at.y, 1.5);
 }
 
+// Noise has put its hold beside its leg, and the way back to that leads a little towards the other
+// robot: who could not take it would stay behind such a gate for ever.
+TEST_F(RoutingInSpace, RecedesFromBesideItsLeg) {
+  flight.at = {0.5, 5, height_m};
+  RouteInSpace along(flyer(), Vec2{7.5, 5});
+  along.engage(flight.observe());
+  flight.fly(along, Gate::free, 4);
+  flight.position_off = {0, flight.setting.limits.position_error_m, 0};
+  flight.fly(along, Gate::hold, 4);
+  flight.position_off = {};
+  const double from_m = flight.at.x;
+  flight.hold_other({from_m - 0.9, 4.5});
+  flight.fly(along, Gate::away_only, 10);
+  EXPECT_GT(flight.at.x, from_m + 1);
+}
+
 // Nobody has looked at what lies between its leg and where something else has brought it.
 TEST_F(RoutingInSpace, PlansAnewWhereItWasCarriedOff) {
   flight.fly(route, Gate::free, 60, [&] { return flight.at.y > 2.5; });

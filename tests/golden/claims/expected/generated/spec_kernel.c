@@ -678,8 +678,9 @@ static span clearance_now(const place *at, const estimate *s, const body *b, con
   }
 }
 
-/* Every point within reach keeps `least_mm` to the boundary: disc or capsule, either suffices.
- * `at`: the place of its centre. */
+/* Every point within reach keeps `least_mm` to the boundary: disc or capsule, either suffices. No leg
+ * is farther from it than where it begins: only a capsule that is narrower than the disc may leave
+ * more. `at`: the place of its centre. */
 static margin zone_reach(const zone *z, const place *at, const reach *r, int64_t least_mm) {
   int64_t spare;
   if (r->input != CLAIMS_INPUT_NONE) {
@@ -689,7 +690,7 @@ static margin zone_reach(const zone *z, const place *at, const reach *r, int64_t
     spare = -at->gap_mm_hi - r->disc_mm - least_mm;
   } else {
     spare = at->gap_mm - r->disc_mm - least_mm;
-    if (spare < 0) {
+    if (spare < 0 && r->capsule_mm < r->disc_mm) {
       spare = max_of(spare, segment_boundary_lo(z, r->p, r->e) - r->capsule_mm - least_mm);
     }
   }

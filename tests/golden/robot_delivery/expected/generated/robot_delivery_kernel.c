@@ -1190,8 +1190,9 @@ static span clearance_now(const place *at, const estimate *s, const body *b, con
   }
 }
 
-/* Every point within reach keeps `least_mm` to the boundary: disc or capsule, either suffices.
- * `at`: the place of its centre. */
+/* Every point within reach keeps `least_mm` to the boundary: disc or capsule, either suffices. No leg
+ * is farther from it than where it begins: only a capsule that is narrower than the disc may leave
+ * more. `at`: the place of its centre. */
 static margin zone_reach(const zone *z, const place *at, const reach *r, int64_t least_mm) {
   int64_t spare;
   if (r->input != ROBOT_DELIVERY_INPUT_NONE) {
@@ -1201,7 +1202,7 @@ static margin zone_reach(const zone *z, const place *at, const reach *r, int64_t
     spare = -at->gap_mm_hi - r->disc_mm - least_mm;
   } else {
     spare = at->gap_mm - r->disc_mm - least_mm;
-    if (spare < 0) {
+    if (spare < 0 && r->capsule_mm < r->disc_mm) {
       spare = max_of(spare, segment_boundary_lo(z, r->p, r->e) - r->capsule_mm - least_mm);
     }
   }
@@ -1346,17 +1347,24 @@ static span distance_now(const estimate *s, const other *o, const body *b, const
   return gap;
 }
 
-/* Spare gap between everything within reach of two robots; disc or capsule for either. */
+/* Spare gap between everything within reach of two robots; disc or capsule for either. No leg is
+ * farther from anything than where it begins: only a capsule that is narrower than the disc may leave
+ * more. */
 static int64_t pair_spare(const reach *r, const other *o, const body *b) {
   const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
   const int64_t axis = o->held != 0 ? still : o->r.disc_mm;
+  const int32_t narrow = r->capsule_mm < r->disc_mm;
   int64_t spare = point_gap_lo(r->p, o->s.p) - r->disc_mm - axis;
-  spare = max_of(spare, point_segment_lo(o->s.p, r->p, r->e) - r->capsule_mm - axis);
-  if (o->held == 0) {
+  if (narrow) {
+    spare = max_of(spare, point_segment_lo(o->s.p, r->p, r->e) - r->capsule_mm - axis);
+  }
+  if (o->held == 0 && o->r.capsule_mm < o->r.disc_mm) {
     spare = max_of(spare,
                    point_segment_lo(r->p, o->r.p, o->r.e) - r->disc_mm - o->r.capsule_mm);
-    spare = max_of(spare,
-                   segment_gap_lo(r->p, r->e, o->r.p, o->r.e) - r->capsule_mm - o->r.capsule_mm);
+    if (narrow) {
+      spare = max_of(spare,
+                     segment_gap_lo(r->p, r->e, o->r.p, o->r.e) - r->capsule_mm - o->r.capsule_mm);
+    }
   }
   return spare;
 }

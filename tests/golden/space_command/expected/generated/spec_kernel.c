@@ -843,17 +843,22 @@ static span distance_now(const estimate *s, const other *o, const body *b, const
 }
 
 /* Spare gap between everything within reach of two robots in space; disc, here a ball, or capsule
- * for either. */
+ * for either, where that is narrower. */
 static int64_t pair_spare(const reach *r, const other *o, const body *b) {
   const int64_t still = o->s.p_error_mm + b->hold_mm + b->radius_mm;
   const int64_t axis = o->held != 0 ? still : o->r.disc_mm;
   const spot p = spot_of(r->p, r->z), e = spot_of(r->e, r->z_end);
   const spot q = spot_of(o->s.p, o->s.z), f = spot_of(o->r.e, o->r.z_end);
+  const int32_t narrow = r->capsule_mm < r->disc_mm;
   int64_t spare = spot_gap_lo(p, q) - r->disc_mm - axis;
-  spare = max_of(spare, spot_segment_lo(q, p, e) - r->capsule_mm - axis);
-  if (o->held == 0) {
+  if (narrow) {
+    spare = max_of(spare, spot_segment_lo(q, p, e) - r->capsule_mm - axis);
+  }
+  if (o->held == 0 && o->r.capsule_mm < o->r.disc_mm) {
     spare = max_of(spare, spot_segment_lo(p, q, f) - r->disc_mm - o->r.capsule_mm);
-    spare = max_of(spare, spots_apart_lo(p, e, q, f) - r->capsule_mm - o->r.capsule_mm);
+    if (narrow) {
+      spare = max_of(spare, spots_apart_lo(p, e, q, f) - r->capsule_mm - o->r.capsule_mm);
+    }
   }
   return spare;
 }
@@ -1547,7 +1552,7 @@ static margin solid_reach(const solid *z, const place *at, const reach *r, int64
     spare = -at->gap_mm_hi - r->disc_mm - least_mm;
   } else {
     spare = at->gap_mm - r->disc_mm - least_mm;
-    if (spare < 0) {
+    if (spare < 0 && r->capsule_mm < r->disc_mm) {
       spare = max_of(spare,
                      tube_in_solid(z, r->p, r->z, r->e, r->z_end, r->capsule_mm + least_mm));
     }
