@@ -19,7 +19,7 @@ using verify::Obligation;
 
 // As long as a person waits for an attempt, in core seconds, and how many there are, of all
 // obligations together: large fleets are slow, and partial results are results.
-constexpr int attempt_core_s = 8, attempts_max = 6;
+constexpr int attempt_core_s = 20, attempts_max = 6;
 
 // `yard` of `specs/yard.rta`.
 std::string stem_of(const std::string& path) {
