@@ -92,6 +92,8 @@ struct Area {
   // `upperLimit` in plain GeoJSON. Nobody can read it: the area holds for all heights, or not at
   // all.
   std::optional<Note> unread_height{};
+  // The same of a time, such as the property `valid_until`.
+  std::optional<Note> unread_time{};
   std::string where;
 };
 

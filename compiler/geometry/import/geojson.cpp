@@ -3,6 +3,9 @@
 // maps of zones have labels and routes among them.
 #include "compiler/geometry/import/geojson_reader.h"
 
+#include <utility>
+
+#include "compiler/geometry/import/property_limits.h"
 #include "compiler/geometry/import/readers.h"
 
 namespace rtac::geometry::import {
@@ -45,6 +48,25 @@ bool GeoJsonReader::check_object(Json object, std::initializer_list<std::string_
                              "further rings of a polygon; ED-318 has limits of height and time");
 }
 
+// RFC 7946, 7.1
+bool GeoJsonReader::check_strangers(Json object, std::string_view kind,
+                                    std::initializer_list<std::string_view> strangers) {
+  for (const std::string_view name : strangers) {
+    const auto member = object.member(name);
+    if (!member) continue;
+    return findings_.fail(member->where(), "is no member of a " + std::string(kind),
+                          "`coordinates` are of a geometry, `geometries` of a GeometryCollection, "
+                          "`geometry` and `properties` of a Feature, `features` of a "
+                          "FeatureCollection: move it there, or take it out");
+  }
+  return true;
+}
+
+bool GeoJsonReader::check_id(Json feature) {
+  const auto id = JsonReader::optional_member(feature, "id");
+  return !id || id->string() || id->number() || json_.wrong_kind(*id, "a text or a number");
+}
+
 bool GeoJsonReader::read_point(Json point, const Band& /*band*/, Area& area) {
   refuse(area, point.where(), "a Point encloses nothing", take_other_areas);
   return true;
@@ -66,6 +88,7 @@ bool GeoJsonReader::add_polygon(Json rings, const Band& band, Area& area) {
 }
 
 bool GeoJsonReader::read_geometries(Json collection, Area& area) {
+  if (!check_strangers(collection, "GeometryCollection", {"coordinates"})) return false;
   if (const auto layer = collection.member("layer")) {
     return findings_.fail(layer->where(), "a GeometryCollection has no heights of its own",
                           "give each of its members a `layer`");
@@ -79,6 +102,7 @@ bool GeoJsonReader::read_geometries(Json collection, Area& area) {
 }
 
 bool GeoJsonReader::read_shape(Json geometry, std::string_view type, Area& area) {
+  if (!check_strangers(geometry, type, {"geometries"})) return false;
   const auto coordinates = json_.required_array(geometry, "coordinates");
   Band band;
   if (!coordinates || !read_layer(geometry, band)) return false;
@@ -100,8 +124,9 @@ bool GeoJsonReader::read_shape(Json geometry, std::string_view type, Area& area)
 bool GeoJsonReader::read_geometry(Json geometry, Area& area) {
   if (!json_.expect_object(geometry) || !check_crs(geometry)) return false;
   const auto type = json_.required_text(geometry, "type");
-  if (!type || !check_object(geometry, {"type", "coordinates", "geometries", "bbox", "crs", "layer",
-                                        "extent"})) {
+  if (!type || !check_strangers(geometry, "geometry", {"geometry", "features", "properties"}) ||
+      !check_object(geometry,
+                    {"type", "coordinates", "geometries", "bbox", "crs", "layer", "extent"})) {
     return false;
   }
   if (*type == "GeometryCollection") return read_geometries(geometry, area);
@@ -114,12 +139,16 @@ bool GeoJsonReader::read_geometry(Json geometry, Area& area) {
                         "`Polygon`, `MultiPolygon` or `GeometryCollection`, in this spelling");
 }
 
-void GeoJsonReader::note_height(Json properties, Area& area) {
+void GeoJsonReader::note_limits(Json properties, Area& area) {
   for (const Json property : properties.items()) {
-    if (!is_limit_of_height(property)) continue;
-    area.unread_height = Note{property.where(), "sounds like a limit of height"};
-    return;
+    if (!area.unread_height && is_limit_of_height(property)) {
+      area.unread_height = Note{property.where(), "sounds like a limit of height"};
+    } else if (!area.unread_time && is_limit_of_time(property)) {
+      area.unread_time = Note{property.where(), "sounds like a limit of time"};
+    }
   }
+  if (!area.unread_time || std::exchange(has_time_, true)) return;
+  areas_.notes.push_back({area.unread_time->where, "sounds like a limit of time, and is left out"});
 }
 
 bool GeoJsonReader::read_properties(Json feature, Area& area) {
@@ -138,7 +167,7 @@ bool GeoJsonReader::read_properties(Json feature, Area& area) {
   if (const auto properties = feature.member("properties")) {
     for (const char* key : {"name", "title", "identifier"}) add(properties->member(key), false);
   }
-  if (const auto properties = feature.member("properties")) note_height(*properties, area);
+  if (const auto properties = feature.member("properties")) note_limits(*properties, area);
   if (names.empty()) return true;
   area.name = names.front();
   area.other_names.assign(names.begin() + 1, names.end());
@@ -153,7 +182,11 @@ bool GeoJsonReader::read_feature(Json feature) {
     return findings_.fail(feature.where() + ".type", "is " + quote(*type),
                           "the members of `features` are of the type `Feature`");
   }
-  if (!check_object(feature, {"type", "id", "bbox", "crs", "properties", "geometry"})) return false;
+  if (!check_strangers(feature, "Feature", {"coordinates", "geometries", "features"}) ||
+      !check_object(feature, {"type", "id", "bbox", "crs", "properties", "geometry"}) ||
+      !check_id(feature)) {
+    return false;
+  }
   Area area;
   area.where = feature.where();
   if (!read_properties(feature, area)) return false;
@@ -182,7 +215,9 @@ bool GeoJsonReader::read_root(Json root) {
   const auto type = json_.required_text(root, "type");
   if (!type) return false;
   if (*type == "FeatureCollection") {
-    return check_object(root, {"type", "features", "bbox", "crs", "id", "name", "title",
+    return check_strangers(root, "FeatureCollection",
+                           {"geometry", "geometries", "coordinates", "properties"}) &&
+           check_object(root, {"type", "features", "bbox", "crs", "id", "name", "title",
                                "description", "metadata"}) &&
            read_collection(root);
   }

@@ -42,7 +42,13 @@ class GeoJsonReader {
   bool read_geometries(Json collection, Area& area);
   bool add_polygon(Json rings, const Band& band, Area& area);
   bool check_crs(Json object);
-  static void note_height(Json properties, Area& area);
+  // Members that GeoJSON has in objects of another kind: what is in them would be lost.
+  bool check_strangers(Json object, std::string_view kind,
+                       std::initializer_list<std::string_view> strangers);
+  bool check_id(Json feature);
+  void note_limits(Json properties, Area& area);
+
+  bool has_time_ = false;  // of all areas: the first limit of time is noted
 };
 
 }  // namespace rtac::geometry::import

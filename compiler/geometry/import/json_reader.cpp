@@ -105,8 +105,17 @@ bool JsonReader::read_position(Json value, Position& position) {
 bool JsonReader::read_ring(Json positions, Closing closing, Ring& ring) {
   ring.where = positions.where();
   if (positions.kind() != JsonKind::array) return wrong_kind(positions, "an array of positions");
+  std::size_t dimensions = 0;
   for (const Json item : positions.items()) {
     if (!read_position(item, ring.positions.emplace_back())) return false;
+    const std::size_t count = item.numbers().size();
+    if (dimensions == 0) dimensions = count;
+    if (count == dimensions) continue;
+    return findings_.fail(item.where(),
+                          "a position of " + std::to_string(count) + " numbers, among those of " +
+                              std::to_string(dimensions),
+                          "two numbers at all positions of a ring, or three with a height at all; "
+                          "a decimal comma makes two numbers of `47,3986`: write `47.3986`");
   }
   return finish_ring(ring, closing, findings_);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/geometry/import/kml_elements.h"
+#include "compiler/geometry/import/kml_namespaces.h"
 #include "compiler/geometry/import/numbers.h"
 #include "compiler/geometry/import/outlines.h"
 #include "compiler/geometry/import/readers.h"
@@ -35,6 +36,8 @@ std::string_view name_of(xml_node node) {
 std::string tag(xml_node node) {
   return quote("<" + std::string(node.name()) + ">");
 }
+
+constexpr const char* declare_kml = "write `http://www.opengis.net/kml/2.2` for it, if it is KML";
 
 bool is_time(xml_node node) {
   return element_of(KmlPlace::container, name_of(node)) == KmlElement::time;
@@ -68,6 +71,8 @@ class KmlReader {
   template <class Visit>
   bool each_child(xml_node parent, KmlPlace in, const Visit& visit);
   bool is_foreign(KmlElement element, xml_node node) const;
+  void declare_namespaces(xml_node node);
+  std::string help_for_unknown(xml_node child, KmlPlace in) const;
   bool fail_unknown(xml_node child, KmlPlace in);
   // All of its text: a comment in between makes two pieces.
   bool read_text(xml_node node, std::string& text);
@@ -91,55 +96,70 @@ class KmlReader {
   bool refuse_link(xml_node link);
   bool check_control(xml_node control);
   void note_overlay(xml_node overlay);
+  bool find_root(const pugi::xml_document& document, xml_node& root);
+  bool check_root(xml_node root);
 
   Lines lines_;
   const Limits& limits_;
   Findings& findings_;
   Areas areas_;
   std::size_t positions_ = 0;
-  xml_node root_;
+  KmlNamespaces namespaces_;  // around the element that is read
   bool has_overlay_ = false;
 };
 
 // Elements of another vocabulary may have the names of KML. Google's extensions are no geometries
 // with an inside.
 bool KmlReader::is_foreign(KmlElement element, xml_node node) const {
-  const std::string_view prefix = prefix_of(node.name());
-  if (prefix == "gx") {
-    return element != KmlElement::altitude_mode && element != KmlElement::time &&
-           element != KmlElement::no_area;
+  const KmlVocabulary vocabulary = namespaces_.vocabulary_of(node.name());
+  if (vocabulary != KmlVocabulary::google) return vocabulary == KmlVocabulary::other;
+  return element != KmlElement::altitude_mode && element != KmlElement::time &&
+         element != KmlElement::no_area;
+}
+
+void KmlReader::declare_namespaces(xml_node node) {
+  for (const pugi::xml_attribute attribute : node.attributes()) {
+    namespaces_.declare(attribute.name(), attribute.value());
   }
-  if (!prefix.empty()) return prefix != "kml" && prefix != prefix_of(root_.name());
-  const pugi::xml_attribute redeclared = node.attribute("xmlns");
-  return redeclared && !is_kml_namespace(redeclared.value()) &&
-         std::string_view(redeclared.value()) != root_.attribute("xmlns").value();
+}
+
+std::string KmlReader::help_for_unknown(xml_node child, KmlPlace in) const {
+  const std::string_view spelling = other_spelling(in, name_of(child));
+  if (!spelling.empty() && spelling != name_of(child)) {
+    return "KML spells it `" + std::string(spelling) + "`";
+  }
+  const auto uri = namespaces_.uri_of(child.name());
+  if (!spelling.empty() && uri && namespaces_.vocabulary_of(child.name()) == KmlVocabulary::other) {
+    return "its namespace is " + quote(*uri) + ": " + declare_kml +
+           ", or take it out if no zone depends on it";
+  }
+  return "an area or a hole may be lost with it; what is read there is " +
+         std::string(read_there(in)) +
+         ": take it out if no zone depends on it, and data for people into <ExtendedData>";
 }
 
 bool KmlReader::fail_unknown(xml_node child, KmlPlace in) {
   const xml_node parent = child.parent();
-  const std::string_view spelling = other_spelling(in, name_of(child));
   if (child.type() != pugi::node_element) {
     return findings_.fail(place(child), "text within " + tag(parent) + ": " + quote(child.value()),
                           "what is read there is " + std::string(read_there(in)) +
                               ": take the text out, or make a comment of it");
   }
-  return findings_.fail(
-      place(child), tag(child) + " is no element of KML within " + tag(parent),
-      spelling.empty() || spelling == name_of(child)
-          ? "an area or a hole may be lost with it; what is read there is " +
-                std::string(read_there(in)) +
-                ": take it out if no zone depends on it, and data for people into <ExtendedData>"
-          : "KML spells it `" + std::string(spelling) + "`");
+  return findings_.fail(place(child), tag(child) + " is no element of KML within " + tag(parent),
+                        help_for_unknown(child, in));
 }
 
 template <class Visit>
 bool KmlReader::each_child(xml_node parent, KmlPlace in, const Visit& visit) {
   for (const xml_node child : parent.children()) {
-    const auto element =
-        child.type() == pugi::node_element ? element_of(in, name_of(child)) : std::nullopt;
+    if (child.type() != pugi::node_element) return fail_unknown(child, in);
+    const auto element = element_of(in, name_of(child));
     if (element == KmlElement::no_matter) continue;
+    const std::size_t around = namespaces_.count();
+    declare_namespaces(child);
     if (!element || is_foreign(*element, child)) return fail_unknown(child, in);
     if (!visit(*element, child)) return false;
+    namespaces_.keep(around);
   }
   return true;
 }
@@ -409,19 +429,49 @@ bool KmlReader::read_features(xml_node container, KmlPlace in, xml_node time, st
   });
 }
 
-bool KmlReader::read_root(const pugi::xml_document& document) {
+// The parser takes fragments: what stands beside the root would be lost with the areas in it.
+bool KmlReader::find_root(const pugi::xml_document& document, xml_node& root) {
   for (const xml_node node : document.children()) {
     if (node.type() == pugi::node_doctype) {
       return findings_.fail("the whole text", "has a document type, which may define entities",
                             "KML has none: take the line `<!DOCTYPE ...>` out");
     }
+    if (node.type() != pugi::node_element) {
+      return findings_.fail(
+          place(node), "text outside of the outermost element: " + quote(trimmed(node.value())),
+          "take it out, or make a comment of it");
+    }
+    if (root) {
+      return findings_.fail(place(node), "a second outermost element, " + tag(node),
+                            "files of XML have one: write what is in this one into the first, or "
+                            "into a file of its own");
+    }
+    root = node;
   }
-  root_ = document.document_element();
-  if (name_of(root_) != "kml") {
-    return findings_.fail(place(root_), "the outermost element is " + quote(name_of(root_)),
+  return root || findings_.fail("the whole text", "this is no XML: it has no element",
+                                "the file may have been cut off; export it again");
+}
+
+bool KmlReader::check_root(xml_node root) {
+  if (name_of(root) != "kml") {
+    return findings_.fail(place(root), "the outermost element is " + quote(name_of(root)),
                           "KML starts with `<kml>`");
   }
-  return read_features(root_, KmlPlace::root, {}, 1);
+  if (namespaces_.vocabulary_of(root.name()) == KmlVocabulary::kml) return true;
+  const auto uri = namespaces_.uri_of(root.name());
+  return findings_.fail(
+      place(root),
+      uri ? "the namespace of the outermost element, " + tag(root) + ", is " + quote(*uri)
+          : "no namespace is declared for the prefix of the outermost element, " + tag(root),
+      std::string(declare_kml) +
+          "; 2.3 of it can be read, too, and 2.0 to 2.2 of `http://earth.google.com/kml/`");
+}
+
+bool KmlReader::read_root(const pugi::xml_document& document) {
+  xml_node root;
+  if (!find_root(document, root)) return false;
+  declare_namespaces(root);
+  return check_root(root) && read_features(root, KmlPlace::root, {}, 1);
 }
 
 }  // namespace
@@ -437,7 +487,8 @@ Outcome read_kml(std::string_view text, const Limits& limits) {
   pugi::xml_document document;
   // Only the five entities of XML itself are expanded, whatever a document type says.
   const auto result = document.load_buffer(
-      text.data(), text.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
+      text.data(), text.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment,
+      pugi::encoding_utf8);
   if (!result) {
     const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, result.offset));
     return Failure{line_and_column(text, offset),

@@ -106,15 +106,6 @@ bool same_letter(char a, char b) {
 
 }  // namespace
 
-std::string_view prefix_of(std::string_view name) {
-  const std::size_t colon = name.find(':');
-  return colon == std::string_view::npos ? std::string_view{} : name.substr(0, colon);
-}
-
-std::string_view local_name(std::string_view name) {
-  return name.substr(name.find(':') + 1);  // npos + 1 is 0
-}
-
 std::optional<KmlElement> element_of(KmlPlace place, std::string_view local_name) {
   const Row* const row = find(place, [&](std::string_view name) { return name == local_name; });
   return row == nullptr ? std::nullopt : std::optional(row->kind);
@@ -143,11 +134,6 @@ std::string_view read_there(KmlPlace place) {
       return "`coordinates`";
   }
   return "";
-}
-
-bool is_kml_namespace(std::string_view uri) {
-  return uri.starts_with("http://www.opengis.net/kml/") ||
-         uri.starts_with("http://earth.google.com/kml/");
 }
 
 }  // namespace rtac::geometry::import

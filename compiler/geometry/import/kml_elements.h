@@ -31,18 +31,11 @@ enum class KmlElement {
   altitude_mode,
 };
 
-// `gx` of `gx:altitudeMode`; empty without one. The name without it: programs write `kml:Polygon`.
-std::string_view prefix_of(std::string_view name);
-std::string_view local_name(std::string_view name);
-
 // What an element of this local name is there; nullopt: unknown.
 std::optional<KmlElement> element_of(KmlPlace place, std::string_view local_name);
 // The one that is meant by the same name in capitals and small letters; empty: none.
 std::string_view other_spelling(KmlPlace place, std::string_view local_name);
 // What is read there, for messages: names of elements between back-ticks.
 std::string_view read_there(KmlPlace place);
-
-// The namespaces of KML: each version has its own, and programs mix them.
-bool is_kml_namespace(std::string_view uri);
 
 }  // namespace rtac::geometry::import

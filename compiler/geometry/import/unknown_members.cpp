@@ -2,49 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "compiler/geometry/import/words.h"
 
 namespace rtac::geometry::import {
-namespace {
-
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-bool is_capital(char c) {
-  return std::isupper(static_cast<unsigned char>(c)) != 0;
-}
-
-// `maxAltitude_m`: `max`, `altitude` and `m`.
-std::vector<std::string> words_of(std::string_view name) {
-  std::vector<std::string> words;
-  bool starts = true;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    if (!is_letter(name[i])) {
-      starts = true;
-      continue;
-    }
-    const bool turns = i > 0 && is_capital(name[i]) && !is_capital(name[i - 1]);
-    if (starts || turns) words.emplace_back();
-    words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
-    starts = false;
-  }
-  return words;
-}
-
-template <std::size_t n>
-bool has_part(const std::string& text, const std::array<std::string_view, n>& parts) {
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](std::string_view part) { return text.find(part) != std::string::npos; });
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += word;
-  return text;
-}
-
-}  // namespace
-
 bool sounds_like_limit(std::string_view name) {
   // Long words also count as a part of others (`verticallimits`), short ones would be in too many.
   constexpr std::array<std::string_view, 11> parts{"limit",    "altitude",  "height",  "ceiling",
@@ -54,21 +15,7 @@ bool sounds_like_limit(std::string_view name) {
       "upper", "lower", "floor", "top",   "bottom", "min",  "max",   "alt",
       "hole",  "holes", "inner", "outer", "buffer", "unit", "units", "uom"};
   const std::vector<std::string> words = words_of(name);
-  return has_part(joined(words), parts) ||
-         std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-           return std::find(whole.begin(), whole.end(), word) != whole.end();
-         });
-}
-
-bool is_limit_of_height(Json property) {
-  constexpr std::array<std::string_view, 10> parts{
-      "upperlimit", "lowerlimit", "verticallimit", "heightlimit", "altitude",
-      "ceiling",    "maxheight",  "minheight",     "maxalt",      "minalt"};
-  if (!has_part(joined(words_of(property.name())), parts)) return false;
-  const auto text = property.string();
-  if (!text) return property.kind() != JsonKind::null && !property.boolean();
-  return std::any_of(text->begin(), text->end(),
-                     [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
+  return has_part(joined(words), parts) || has_word(words, whole);
 }
 
 bool UnknownMembers::check(Json object, std::initializer_list<std::string_view> known,

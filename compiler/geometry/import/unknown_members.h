@@ -16,9 +16,6 @@ namespace rtac::geometry::import {
 // Does the name speak of heights, holes, a radius, units or schedules? `upper_limit`,
 // `maxAltitude`.
 bool sounds_like_limit(std::string_view name);
-// Does this property of a plain GeoJSON file limit its area in height, as many programs write it?
-// `"upperLimit": 120`; not `"altitudeMode": "clampToGround"`, which is no height.
-bool is_limit_of_height(Json property);
 
 class UnknownMembers {
  public:

@@ -65,23 +65,6 @@ TEST(GeoJson, ForeignMembersThatSoundLikeLimitsAreRefused) {
   EXPECT_EQ(areas.notes[0].where, "features[0].style");
 }
 
-// What programs write of heights into the properties, which may be anything.
-TEST(GeoJson, PropertiesThatSoundLikeHeightsAreKeptFor) {
-  const auto with = [](const std::string& properties) {
-    return only_area(Format::geojson, R"({"type":"Feature","properties":{)" + properties +
-                                          R"(},"geometry":)" + polygon_text(square) + "}");
-  };
-  for (const std::string limit :
-       {R"("upperLimit":120)", R"("lowerCeiling":{"value":0})", R"("MAX_ALTITUDE":"120 m")"}) {
-    ASSERT_TRUE(with(limit).unread_height) << limit;
-  }
-  EXPECT_EQ(with(R"("a":1,"upperLimit":120)").unread_height->where, "properties.upperLimit");
-  for (const std::string other : {R"("altitudeMode":"clampToGround")", R"("altitude":null)",
-                                  R"("height":3)", R"("name":"ceiling")"}) {
-    EXPECT_FALSE(with(other).unread_height) << other;
-  }
-}
-
 TEST(GeoJson, NamesComeFromTheIdThenTheProperties) {
   const Areas areas = areas_of(
       Format::geojson,
@@ -93,6 +76,45 @@ TEST(GeoJson, NamesComeFromTheIdThenTheProperties) {
   EXPECT_EQ(areas.areas[0].other_names, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(areas.areas[1].name, "");
   EXPECT_EQ(areas.areas[1].where, "features[1]");
+}
+
+// RFC 7946, 3.2: a text or a number. Programs write `null` for none.
+TEST(GeoJson, IdsOfOtherKindsAreRefused) {
+  const auto with = [](const std::string& id) {
+    return failure(feature_text(polygon_text(square), ",\"id\":" + id));
+  };
+  EXPECT_TRUE(contains(with("{}"), "id: is an object (write a text or a number here)"));
+  EXPECT_TRUE(contains(with("[1]"), "id: is an array of numbers"));
+  EXPECT_TRUE(contains(with("true"), "id: is `true`"));
+  for (const std::string id : {"7", "\"a\"", "null"}) EXPECT_EQ(with(id), "") << id;
+}
+
+// RFC 7946, 7.1: a polygon in the wrong object would be lost.
+TEST(GeoJson, MembersOfOtherObjectsAreRefused) {
+  const std::string polygon = polygon_text(square);
+  for (const std::string name : {"coordinates", "geometries", "features"}) {
+    const std::string feature = feature_text(polygon, ",\"" + name + "\":" + square);
+    EXPECT_TRUE(contains(failure(collection_text(feature)),
+                         "features[0]." + name + ": is no member of a Feature (`coordinates` are"));
+  }
+  for (const std::string name : {"geometry", "geometries", "coordinates", "properties"}) {
+    EXPECT_TRUE(contains(failure(R"({"type":"FeatureCollection","features":[)" +
+                                 feature_text(polygon) + "],\"" + name + "\":" + polygon + "}"),
+                         name + ": is no member of a FeatureCollection"));
+  }
+  for (const std::string name : {"geometry", "features", "properties"}) {
+    EXPECT_TRUE(contains(
+        failure(feature_text(polygon_text(square, ",\"" + name + "\":" + polygon))),
+        "geometry." + name + ": is no member of a geometry (`coordinates` are of a geometry"));
+  }
+}
+
+TEST(GeoJson, CollectionsOfGeometriesAndGeometriesHaveOneOfTheirMembers) {
+  EXPECT_TRUE(contains(failure(R"({"type":"GeometryCollection","geometries":[)" +
+                               polygon_text(square) + "],\"coordinates\":" + square + "}"),
+                       "coordinates: is no member of a GeometryCollection"));
+  EXPECT_TRUE(contains(failure(polygon_text(square, R"(,"geometries":[])")),
+                       "geometries: is no member of a Polygon"));
 }
 
 // Maps have labels and routes among the zones; whoever selects one of them is told.
@@ -117,6 +139,22 @@ TEST(GeoJson, HeightsOfPositionsAreNotedOnce) {
   ASSERT_EQ(areas.notes.size(), 1U);
   EXPECT_EQ(areas.notes[0].where, "coordinates[0][0]");
   EXPECT_EQ(polygon_of(areas.areas.at(0)).outer.positions.size(), 3U);
+}
+
+// A decimal comma makes two numbers of one, of which the second would count as a height.
+TEST(GeoJson, PositionsOfARingHaveTheSameNumberOfCoordinates) {
+  const std::string mixed = failure(polygon_text("[[[8.5,47],[8.6,47,3986],[8.6,48],[8.5,47]]]"));
+  EXPECT_TRUE(
+      contains(mixed, "coordinates[0][1]: a position of 3 numbers, among those of 2 (two numbers"));
+  EXPECT_TRUE(contains(mixed, "a decimal comma makes two numbers of `47,3986`: write `47.3986`"));
+  EXPECT_TRUE(contains(failure(polygon_text("[[[0,0,1],[9,0,1],[9,9,1],[0,0]]]")),
+                       "coordinates[0][3]: a position of 2 numbers, among those of 3"));
+}
+
+// Programs that clip an outline write its holes in their own way.
+TEST(GeoJson, HolesMayHaveHeightsThatTheOutlineHasNot) {
+  EXPECT_EQ(failure(polygon_text("[[[0,0],[9,0],[9,9],[0,0]],[[1,1,5],[2,1,5],[2,2,5],[1,1,5]]]")),
+            "");
 }
 
 TEST(GeoJson, OpenRingIsToldWithItsLastPosition) {

@@ -44,7 +44,9 @@ TEST(Kml, InnerBoundariesAreHoles) {
 }
 
 TEST(Kml, PrefixesAreNoMatter) {
-  EXPECT_EQ(failure("<k:kml xmlns:k=\"x\"><k:Placemark><k:Polygon><k:outerBoundaryIs><k:LinearRing>"
+  EXPECT_EQ(failure("<k:kml "
+                    "xmlns:k=\"http://www.opengis.net/kml/"
+                    "2.2\"><k:Placemark><k:Polygon><k:outerBoundaryIs><k:LinearRing>"
                     "<k:coordinates>0,0 9,0 9,9 0,0</k:coordinates></k:LinearRing>"
                     "</k:outerBoundaryIs></k:Polygon></k:Placemark></k:kml>"),
             "");
@@ -58,6 +60,72 @@ TEST(Kml, ElementsOfOtherNamespacesAreUnknown) {
   EXPECT_TRUE(contains(failure(kml("<Placemark xmlns=\"y\"/>")), "`<Placemark>` is no element"));
   EXPECT_EQ(failure(kml("<Placemark xmlns=\"http://earth.google.com/kml/2.1\"/><kml:Folder/>")),
             "");
+}
+
+TEST(Kml, NamespacesOfAllVersionsAreRead) {
+  for (const std::string uri :
+       {"", "http://www.opengis.net/kml/2.2", "http://www.opengis.net/kml/2.3",
+        "http://earth.google.com/kml/2.0", "http://earth.google.com/kml/2.1",
+        "http://earth.google.com/kml/2.2"}) {
+    EXPECT_EQ(failure("<kml xmlns=\"" + uri + "\">" + placemark(polygon(triangle)) + "</kml>"), "")
+        << uri;
+  }
+}
+
+// Of another vocabulary the whole file says nothing.
+TEST(Kml, RootsOfOtherNamespacesAreRefused) {
+  EXPECT_TRUE(contains(failure("<?xml version=\"1.0\"?>\n<kml xmlns=\"http://example.com\">" +
+                               placemark(polygon(triangle)) + "</kml>"),
+                       "line 2, column 2: the namespace of the outermost element, `<kml>`, is "
+                       "`http://example.com` (write `http://www.opengis.net/kml/2.2` for it"));
+  EXPECT_TRUE(contains(failure("<kml:kml xmlns:kml=\"urn:other\"><Placemark/></kml:kml>"),
+                       "of the outermost element, `<kml:kml>`, is `urn:other`"));
+  EXPECT_TRUE(contains(failure("<k:kml><Placemark/></k:kml>"),
+                       "no namespace is declared for the prefix of the outermost element"));
+}
+
+// What an element declares holds within it, and for no prefix but its own.
+TEST(Kml, NamespacesAreThoseDeclaredAroundAnElement) {
+  const std::string head = "<a:kml xmlns:a=\"http://www.opengis.net/kml/2.2\" xmlns=\"urn:x\">";
+  EXPECT_EQ(failure(head + "<a:Placemark/></a:kml>"), "");
+  EXPECT_TRUE(contains(failure(head + "<Placemark/></a:kml>"),
+                       "`<Placemark>` is no element of KML within `<a:kml>` (its namespace is "
+                       "`urn:x`: write `http://www.opengis.net/kml/2.2` for it"));
+  EXPECT_TRUE(contains(failure(kml("<k:Folder xmlns:k=\"http://www.opengis.net/kml/2.2\">"
+                                   "<k:Placemark/></k:Folder><k:Placemark/>")),
+                       "`<k:Placemark>` is no element of KML within `<Folder>`"));
+  EXPECT_TRUE(contains(failure(kml("<Placemark xmlns=\"\"/>")), "`<Placemark>` is no element"));
+}
+
+// They are known by their namespace; without a declaration, by the prefix that programs write.
+TEST(Kml, ExtensionsOfGoogleAreReadWithAnyPrefix) {
+  const auto refusal = [](const std::string& declared) {
+    return refusal_of(
+        only_area(Format::kml, kml(placemark("<g:Track xmlns:g=\"" + declared + "\"/>"))));
+  };
+  EXPECT_TRUE(contains(refusal("http://www.google.com/kml/ext/2.2"), "a Track encloses nothing"));
+  EXPECT_TRUE(contains(failure(kml(placemark("<gx:Track xmlns:gx=\"urn:x\"/>"))),
+                       "`<gx:Track>` is no element of KML"));
+}
+
+// Two exports in one file: the zones of the second would be lost.
+TEST(Kml, SecondRootsAreRefused) {
+  const std::string one = "<kml>" + placemark(polygon(triangle)) + "</kml>\n";
+  const std::string column = "<?xml version=\"1.0\"?>";
+  EXPECT_TRUE(
+      contains(failure(one + one), "line 3, column 2: a second outermost element, `<kml>`"));
+  EXPECT_TRUE(contains(failure(one + column + one), "a second outermost element, `<kml>` (files"));
+  EXPECT_TRUE(contains(failure(one + "<Placemark/>"), "second outermost element, `<Placemark>`"));
+  EXPECT_EQ(failure("<!-- a -->" + one + "<!-- b -->\n<?stop?>\n"), "");
+}
+
+TEST(Kml, TextOutsideOfTheRootIsRefused) {
+  const std::string one = "<kml>" + placemark(polygon(triangle)) + "</kml>";
+  EXPECT_TRUE(
+      contains(failure(one + "\n&lt;kml>"), "text outside of the outermost element: `<kml>`"));
+  EXPECT_TRUE(contains(failure(one + " x"), "text outside of the outermost element: `x`"));
+  EXPECT_TRUE(contains(failure("x" + one), "line 1, column 1: text outside of the outermost"));
+  EXPECT_TRUE(contains(failure("<!-- a -->"), "this is no XML: it has no element"));
 }
 
 // Each of them may be a hole, or a zone of its own.
