@@ -52,6 +52,11 @@ std::string millimetres_up(double value_m) {
   return to_decimal(Rational(static_cast<long>(whole_mm), 1000)) + " m";
 }
 
+std::string name_of(const sema::Spec& spec, const sema::Site& site,
+                    const sema::Site::Place& place) {
+  return "`" + site.name + (place.robot ? "(" + spec[*place.robot].name + ")`" : "`");
+}
+
 class Checker {
  public:
   Checker(const sema::Spec& spec, diag::Engine& diagnostics)
@@ -62,9 +67,8 @@ class Checker {
     const sema::Site& site = spec_[route.site];
     for (const sema::Site::Place& place : site.places) {
       if (place.robot && spec_[*place.robot].kind != controller.kind) continue;
-      const std::string what =
-          "`" + site.name + (place.robot ? "(" + spec_[*place.robot].name + ")`" : "`");
-      check(place, what, spec_[route.zone].name, region, spec_[controller.kind].radius.value);
+      check(place, name_of(spec_, site, place), spec_[route.zone].name, region,
+            spec_[controller.kind].radius.value);
     }
   }
 
@@ -235,15 +239,11 @@ class FencedOut {
     const double clear_m = distance_m(p, *region) * (region->contains(p) ? 1 : -1);
     return clear_m + within_m + rounding_m < fence->least_m + radius_m;
   }
-  [[nodiscard]] std::string name_of(const sema::Site& site, const sema::Site::Place& place) const {
-    const std::string robot = place.robot ? "(" + spec_[*place.robot].name + ")" : "";
-    return "`" + site.name + robot + "`";
-  }
   void report(const sema::Site& site, const sema::Site::Place& place, const Stopped& stopped) {
     const sema::Monitor& monitor = spec_[stopped.by];
     diagnostics_.report({diag::Code::site_outside_zone,
                          place.range,
-                         name_of(site, place) + ", where `" + stopped.recovery->name +
+                         name_of(spec_, site, place) + ", where `" + stopped.recovery->name +
                              "` leads, lies where `" + monitor.name + "` lets none be",
                          "out of reach",
                          {{monitor.always_range, "robots are kept in here, before anything else"}},
@@ -257,7 +257,7 @@ class FencedOut {
     diagnostics_.report(
         {charges ? diag::Code::charge_behind_fence : diag::Code::site_behind_fence,
          place.range,
-         name_of(site, place) + use + " lies where `" + monitor.name + "` lets none be",
+         name_of(spec_, site, place) + use + " lies where `" + monitor.name + "` lets none be",
          "out of reach",
          {{monitor.always_range, "robots are kept in here"}},
          "move it inside, as far as the body needs" +

@@ -17,8 +17,9 @@ using RegionOf = std::function<std::optional<geometry::Region>(sema::ZoneId)>;
 // Every place that such a controller routes to lies in its zone, with the whole body.
 void check_idle_sites(const sema::Spec& spec, const RegionOf& region_of, diag::Engine& diagnostics);
 
-// Every place that no controller routes to lies where the robots may be, as the monitors of their
-// decisions have it: all robots that charge there, else some.
+// Every place that a recovery routes to lies where the monitors that outrank it let a robot be; any
+// other lies where the robots may be, as the monitors of their decisions have it: all robots that
+// charge there, else some.
 void check_fenced_out_sites(const sema::Spec& spec, const RegionOf& region_of,
                             diag::Engine& diagnostics);
 

@@ -8,14 +8,8 @@
 namespace rtac::geometry::import {
 namespace {
 
-bool is_digit_of_value(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-bool is_letter_of_value(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
 std::size_t digits_of(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_digit_of_value));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_digit));
 }
 
 // Nothing but a height is called so.
@@ -50,11 +44,9 @@ std::vector<std::string> pieces_of(std::string_view text) {
   std::vector<std::string> pieces;
   char before = ' ';
   for (const char c : text) {
-    const bool goes_on = is_digit_of_value(c)    ? is_digit_of_value(before)
-                         : is_letter_of_value(c) ? is_letter_of_value(before)
-                                                 : true;
+    const bool goes_on = is_digit(c) ? is_digit(before) : is_letter(c) ? is_letter(before) : true;
     if (!goes_on) pieces.emplace_back();
-    if (is_digit_of_value(c) || is_letter_of_value(c)) {
+    if (is_digit(c) || is_letter(c)) {
       pieces.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     before = c;
@@ -70,7 +62,7 @@ bool is_text_of_height(std::string_view text) {
   constexpr std::size_t looked_at = 200;  // a height is said shortly, and texts may be huge
   const std::vector<std::string> pieces = pieces_of(text.substr(0, looked_at));
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (!is_digit_of_value(pieces[i].front())) continue;
+    if (!is_digit(pieces[i].front())) continue;
     if (i == 0 || pieces[i - 1] == "fl") return true;
     if (i + 1 < pieces.size() && is_one_of(pieces[i + 1], units)) return true;
   }

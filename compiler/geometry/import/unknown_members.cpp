@@ -6,6 +6,7 @@
 #include "compiler/geometry/import/words.h"
 
 namespace rtac::geometry::import {
+
 bool sounds_like_limit(std::string_view name) {
   // Long words also count as a part of others (`verticallimits`), short ones would be in too many.
   constexpr std::array<std::string_view, 11> parts{"limit",    "altitude",  "height",  "ceiling",

@@ -11,6 +11,7 @@
 #include "compiler/geometry/import/numbers.h"
 #include "compiler/geometry/import/outlines.h"
 #include "compiler/geometry/import/readers.h"
+#include "compiler/geometry/import/words.h"
 
 namespace rtac::geometry::import {
 namespace {
@@ -18,12 +19,8 @@ namespace {
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
 bool is_numeric(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.' ||
-         c == 'e' || c == 'E';
+  return is_digit(c) || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E';
 }
 
 class WktReader {

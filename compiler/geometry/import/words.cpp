@@ -5,20 +5,24 @@
 namespace rtac::geometry::import {
 namespace {
 
-bool is_letter_of_word(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
 bool is_capital(char c) {
   return std::isupper(static_cast<unsigned char>(c)) != 0;
 }
 
 }  // namespace
 
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
 std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words;
   bool starts = true;
   for (std::size_t i = 0; i < name.size(); ++i) {
-    if (!is_letter_of_word(name[i])) {
+    if (!is_letter(name[i])) {
       starts = true;
       continue;
     }

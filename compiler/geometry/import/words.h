@@ -9,6 +9,9 @@
 
 namespace rtac::geometry::import {
 
+bool is_letter(char c);
+bool is_digit(char c);
+
 // In small letters: `maxAltitude_m`: `max`, `altitude` and `m`.
 std::vector<std::string> words_of(std::string_view name);
 std::string joined(const std::vector<std::string>& words);

@@ -6,11 +6,11 @@
 // robot along it, 5 cm apart, as at 1 m/s every 50 ms. They are in the form that the asked one
 // takes before the clock starts. A pass asks about all of them or, of whoever takes longer than a
 // pass may, about the next ones; passes are taken in turns. What is asked is asked in batches of
-// 250 places, each after the same questions without the clock: what a batch needs of the tables,
-// some 80 kB at most, is in the caches. Two more rows of the same questions say what that is worth:
-// `spread` asks about all 4,000 places before the first one comes again, which of 100,000 vertices
-// needs more than a second cache has; `cold` are single questions, each after memory as large as
-// the last cache has been walked through, less what the clock takes.
+// 100 places, each after the same questions without the clock: what a batch needs of the tables,
+// some lines of a cache for each place, is in the caches. Two more rows of the same questions say
+// what that is worth: `spread` asks about all 4,000 places before the first one comes again, which
+// of 100,000 vertices needs more than a second cache has; `cold` are single questions, each after
+// memory as large as the last cache has been walked through, less what the clock takes.
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::int32_t near_mm = 3'000, leg_mm = 5'000;
 constexpr std::int32_t step_mm = 50;  // of a robot on its way
-constexpr std::size_t batch = 100;    // places
+constexpr std::size_t batch_places = 100;
 constexpr std::array places_of{"anywhere", "near", "along"};
 
 struct Subject {
@@ -190,7 +190,7 @@ class QueryBench {
   std::size_t time(Question question, std::size_t kind, const Subject& subject,
                    const std::vector<Contender>& all, std::size_t first, std::size_t count) {
     Contest contest;
-    for (const Contender& c : all) contest.add(pass_of(c, first, count, batch));
+    for (const Contender& c : all) contest.add(pass_of(c, first, count, batch_places));
     contest.run(effort_.zone_rounds, 3);
     const std::size_t peers = subject.generated ? 1 : 0;
     std::size_t best = all.size();
