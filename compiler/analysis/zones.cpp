@@ -269,7 +269,7 @@ diag::Diagnostic too_many_to_place(std::size_t vertices, const Rational& error,
       "the areas of the file have " + std::to_string(vertices) +
           " vertices, and corners so sharp, or edges so near to others, that they cannot all be "
           "moved by the " +
-          to_decimal(Rational(error * 1000)) + " mm that the map may be off",
+          to_decimal(Rational(error * 1000)) + " mm that their places may be off",
       "too many vertices",
       {},
       "up to " + std::to_string(geometry::offset_vertices_max) +

@@ -1,8 +1,12 @@
 // What is known of declarations that no decision drives by: robots that only monitors without a
-// robot speak of, or whose plans alone are judged, and the times at which zones are there.
+// robot speak of, or whose plans alone are judged, zones that no monitor asks for, and the times at
+// which zones are there.
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <utility>
 
+#include "compiler/analysis/zones.h"
 #include "compiler/driver/explain_line.h"
 #include "compiler/driver/explain_text.h"
 #include "compiler/sema/dimension.h"
@@ -21,6 +25,7 @@ class DeclaredRemarks {
     for (const sema::Zone& zone : spec_.zones) {
       if (!zone.openings.empty() && !zone.name.empty()) times(zone);
     }
+    shapes();
     for (std::uint32_t i = 0; i < spec_.kinds.size(); ++i) {
       const bool driven = std::any_of(
           spec_.decisions.begin(), spec_.decisions.end(),
@@ -44,6 +49,58 @@ class DeclaredRemarks {
     }
     details.emplace_back("outside of that it is empty: nothing is inside, and it is far from all");
     add(whole(zone), "zone " + zone.name + " is there at certain times", std::move(details));
+  }
+  // Of zones without a table, which other zones are made of, or pictures.
+  void shapes() {
+    const auto has_table = [&](const sema::Zone& zone) {
+      return std::ranges::any_of(
+          c_.module->zones, [&](const ir::ZoneTable& table) { return table.name == zone.name; });
+    };
+    std::vector<std::vector<analysis::ShownSlab>> exact;  // takes its time, and is seldom needed
+    for (std::size_t i = 0; i < spec_.zones.size(); ++i) {
+      const sema::Zone& zone = spec_.zones[i];
+      if (zone.name.empty() || !zone.openings.empty() || has_table(zone)) continue;
+      const auto* all_but = std::get_if<sema::ZoneComplement>(&zone.value->node);
+      if (all_but != nullptr && !spec_[all_but->zone].name.empty()) {
+        add(whole(zone), "zone " + zone.name,
+            {"every place within 536 km of (0 m, 0 m) that " + spec_[all_but->zone].name +
+             " does not have",
+             "no monitor asks for it: modules have no table of it"});
+        continue;
+      }
+      if (std::holds_alternative<sema::ZoneReceived>(zone.value->node)) continue;
+      if (exact.empty()) exact = analysis::exact_zones(spec_);
+      std::vector<std::string> details;
+      for (const analysis::ShownSlab& slab : exact[i]) details.push_back(extent(slab));
+      details.emplace_back("no monitor asks for it: modules have no table of it");
+      add(whole(zone), "zone " + zone.name, std::move(details));
+    }
+  }
+  // "14 vertices, x from 0 m to 9 m, y from 0 m to 5 m", to the millimetre, with heights where it
+  // has some.
+  static std::string extent(const analysis::ShownSlab& slab) {
+    std::string text = std::to_string(slab.region.vertices()) + " vertices";
+    const auto [low, high] = bounds(slab.region);
+    text += between("x", low.x, high.x) + between("y", low.y, high.y);
+    if (slab.heights) text += between("z", slab.heights->first, slab.heights->second);
+    return text;
+  }
+  static std::string between(const std::string& axis, const Rational& least, const Rational& most) {
+    const Rational from(floor_to_int(least * 1000), 1000), to(ceil_to_int(most * 1000), 1000);
+    return ", " + axis + " from " + sema::show(from, dims::length) + " to " +
+           sema::show(to, dims::length);
+  }
+  static std::pair<geometry::Point, geometry::Point> bounds(const geometry::Region& region) {
+    std::optional<std::pair<geometry::Point, geometry::Point>> box;
+    for (const geometry::PolygonWithHoles& part : region.polygons()) {
+      for (const geometry::Point& p : part.outer) {
+        if (!box) box.emplace(p, p);
+        auto& [low, high] = *box;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    }
+    return box.value_or(std::pair<geometry::Point, geometry::Point>{});
   }
   // With its windows, which may stand on other lines.
   [[nodiscard]] SourceRange whole(const sema::Zone& zone) const {

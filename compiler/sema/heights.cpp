@@ -9,6 +9,11 @@
 namespace rtac::sema {
 namespace {
 
+bool has_coordinates(const syntax::Expr& corner, std::size_t count) {
+  const auto* point = std::get_if<syntax::PointLit>(&corner.node);
+  return point != nullptr && point->coordinates.size() == count;
+}
+
 class HeightFinder {
  public:
   explicit HeightFinder(const Context& context) : context_(context) {}
@@ -21,8 +26,11 @@ class HeightFinder {
  private:
   bool zone(const syntax::PrismLit&) { return true; }
   bool zone(const syntax::RectangleLit& box) {
-    if (box.says_box) return true;
-    const bool from = is_high(*box.from), to = is_high(*box.to);
+    if (box.says_box) {
+      is_open_ = is_open_ || has_coordinates(*box.from, 2) || has_coordinates(*box.to, 2);
+      return true;
+    }
+    const bool from = has_coordinates(*box.from, 3), to = has_coordinates(*box.to, 3);
     is_open_ = is_open_ || from != to;
     return from || to;
   }
@@ -46,17 +54,13 @@ class HeightFinder {
                         visited_.insert(symbol->index).second;
     return is_new && of(*context_.zones[symbol->index].node->value);
   }
-  static bool is_high(const syntax::Expr& corner) {
-    const auto* point = std::get_if<syntax::PointLit>(&corner.node);
-    return point != nullptr && point->coordinates.size() == 3;
-  }
   template <class Other>
   bool zone(const Other&) {
     return false;
   }
 
   const Context& context_;
-  bool is_open_ = false;             // a box has a corner in the plane and one in space
+  bool is_open_ = false;             // corners do not say what the zone is to have
   std::set<std::uint32_t> visited_;  // names may lead to themselves, which is reported elsewhere
 };
 
@@ -139,14 +143,12 @@ std::optional<Band> check_band(Context& context, const syntax::Expr& expr,
 
 namespace {
 
-bool is_flat(const syntax::Expr& corner) {
-  const auto* point = std::get_if<syntax::PointLit>(&corner.node);
-  return point != nullptr && point->coordinates.size() == 2;
-}
-
 // `box (0 m, 0 m) to (5 m, 5 m)`: one mistake, not one for each corner.
 bool has_depth(Context& context, const syntax::Expr& expr, const syntax::RectangleLit& box) {
-  if (!box.says_box || !is_flat(*box.from) || !is_flat(*box.to)) return true;
+  if (!box.says_box || !has_coordinates(*box.from, 2) ||
+      !has_coordinates(*box.to, 2)) {
+    return true;
+  }
   SourceRange word = expr.range;
   word.end = word.begin + 3;
   context.report(Finding(Code::point_expected, expr.range, "a box has corners in space")

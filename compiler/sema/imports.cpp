@@ -391,41 +391,52 @@ class Importer {
   // ---- what a zone cannot have: heights and times
 
   bool settle_limits() {
-    const Area *band = nullptr, *time = nullptr;
+    const Area *band = nullptr, *schedule = nullptr, *time = nullptr;
     for (const Area* area : selected_) {
-      if (area->unread_height && option(ImportWord::flat) == nullptr) return unread_height(*area);
+      if (area->unread_height && option(ImportWord::flat) == nullptr) {
+        return unread(*area->unread_height, ImportWord::flat);
+      }
+      if (area->unread_time && option(ImportWord::timeless) == nullptr) {
+        return unread(*area->unread_time, ImportWord::timeless);
+      }
       if (area->unread_height || std::ranges::any_of(area->parts, has_band)) band = area;
-      if (!area->schedule.empty()) time = area;
+      if (!area->schedule.empty()) schedule = area;
+      if (area->unread_time || !area->schedule.empty()) time = area;
     }
     return (job_.with_heights
                 ? settle_heights()
                 : settle_limit(ImportWord::flat, band, "applies between certain heights only",
                                "for all heights")) &&
            (option(ImportWord::scheduled) != nullptr
-                ? settle_schedule(*option(ImportWord::scheduled), time)
+                ? settle_schedule(*option(ImportWord::scheduled), schedule)
                 : settle_limit(ImportWord::timeless, time, "applies at certain times only",
                                "for all times"));
   }
-  // GeoJSON that is written for another program: what its heights mean nobody can tell.
-  bool unread_height(const Area& area) {
-    return ambiguous(
-        written_.path.range,
-        "`" + job_.path + "`, " + area.unread_height->where + " " + area.unread_height->message +
-            ", which plain GeoJSON does not have",
-        "does it hold for all heights?",
-        "write `flat \"why\"` behind it to take the area for all heights: safe of one "
-        "to keep out of, and a promise of one to stay in; heights that count are those "
-        "of ED-269, ED-318 and extruded KML");
+  // GeoJSON that is written for another program: what its limits mean nobody can tell.
+  bool unread(const geometry::import::Note& property, ImportWord word) {
+    const std::string all = word == ImportWord::flat ? "all heights" : "all times";
+    const std::string that_count = word == ImportWord::flat
+                                       ? "heights that count are those of ED-269, ED-318 and "
+                                         "extruded KML"
+                                       : "times that count are those of ED-269 and ED-318";
+    return ambiguous(written_.path.range,
+                     "`" + job_.path + "`, " + property.where + " " + property.message +
+                         ", which plain GeoJSON does not have",
+                     "does it hold for " + all + "?",
+                     "write `" + std::string(syntax::spell(word)) +
+                         " \"why\"` behind it to take the area for " + all +
+                         ": safe of one to keep out of, and a promise of one to stay in; " +
+                         that_count);
   }
   // All selected areas apply at the same times, which are those of the zone.
   bool settle_schedule(const ImportOption& given, const Area* limited) {
-    if (const ImportOption* const timeless = option(ImportWord::timeless)) {
-      return without_effect(*timeless, "`scheduled` takes the schedule as the file has it",
-                            "leave out `timeless`, or `scheduled`");
-    }
     if (limited == nullptr) {
       return without_effect(given, "no schedule of `" + job_.path + "` limits when it applies",
                             "leave it out: the zone is always there");
+    }
+    if (const ImportOption* const timeless = option(ImportWord::timeless)) {
+      return without_effect(*timeless, "`scheduled` takes the schedule as the file has it",
+                            "leave out `timeless`, or `scheduled`");
     }
     for (const Area* area : selected_) {
       auto windows = openings_of(area->schedule);

@@ -469,15 +469,18 @@ class SettingsChecker {
     for (const syntax::ExprPtr& each : written.steps) grid(*each);
   }
 
-  // Windows of time mean nothing on a clock that starts anywhere.
+  // Windows of time mean nothing on a clock that starts anywhere. Of a schedule that could not be
+  // taken, why it could not is the mistake.
   void finish() {
     if (clock_written_ || context_.broken_tree()) return;
-    for (const Declared<syntax::ZoneItem>& zone : context_.zones) {
-      const syntax::ImportOption* const scheduled = scheduled_in(*zone.node->value);
-      if (zone.node->during.empty() && scheduled == nullptr) continue;
+    for (std::size_t i = 0; i < context_.zones.size(); ++i) {
+      const syntax::ZoneItem& zone = *context_.zones[i].node;
+      const bool was_read = context_.spec.zones[i].value != nullptr;
+      const auto* const scheduled = was_read ? scheduled_in(*zone.value) : nullptr;
+      if (zone.during.empty() && scheduled == nullptr) continue;
       context_.report(
           Finding(Code::clock_missing,
-                  scheduled != nullptr ? scheduled->range : zone.node->during.front().range,
+                  scheduled != nullptr ? scheduled->range : zone.during.front().range,
                   "windows of time need a clock in UTC")
               .label("which time is it?")
               .help("write `clock utc;`: time and stamps then count from "

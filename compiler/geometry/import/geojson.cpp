@@ -147,8 +147,6 @@ void GeoJsonReader::note_limits(Json properties, Area& area) {
       area.unread_time = Note{property.where(), "sounds like a limit of time"};
     }
   }
-  if (!area.unread_time || std::exchange(has_time_, true)) return;
-  areas_.notes.push_back({area.unread_time->where, "sounds like a limit of time, and is left out"});
 }
 
 bool GeoJsonReader::read_properties(Json feature, Area& area) {

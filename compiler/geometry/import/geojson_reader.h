@@ -48,7 +48,6 @@ class GeoJsonReader {
   bool check_id(Json feature);
   void note_limits(Json properties, Area& area);
 
-  bool has_time_ = false;  // of all areas: the first limit of time is noted
 };
 
 }  // namespace rtac::geometry::import

@@ -137,6 +137,11 @@ class FileReceiver {
         return refuse(area.unread_height->where, area.unread_height->message,
                       "a zone that is received has no height: send an area without limits");
       }
+      if (area.unread_time) {
+        return refuse(area.unread_time->where, area.unread_time->message,
+                      "a zone that is received has no times: send it when it applies, without "
+                      "the property");
+      }
       for (const import::Part& part : area.parts) {
         if (!part.band.floor && !part.band.ceiling) continue;
         return refuse(area.where, "applies between certain heights only",

@@ -471,6 +471,30 @@ TEST_F(Explain, ARobotWithADecisionOnPlans) {
   EXPECT_NE(at(6).find("inputs: one.position\n"), std::string::npos);
 }
 
+// Zones that others are made of have no tables, and still lie somewhere.
+TEST_F(Explain, AZoneThatNoMonitorAsksFor) {
+  write("door.rta",
+        "spec yard;\nperiod 1 s;\n"
+        "zone lab = rectangle (0 m, 0 m) to (9 m, 9 m);\n"
+        "zone far = complement(lab);\n"
+        "zone hall = lab | rectangle (3 m, 3 m) to (20.5 m, 5 m);\n"
+        "zone shop = prism (hall) from 1 m to 4 m;\n"
+        "zone school = rectangle (0 m, 0 m) to (9 m, 9 m) during monday 08:00 .. 12:00;\n"
+        "clock utc;\n"
+        "input open : bool;\nmonitor m { \"R1: open\" always open; }\n");
+  const std::string without = "  no monitor asks for it: modules have no table of it\n";
+  EXPECT_EQ(about(3, "zone lab"),
+            "zone lab\n  4 vertices, x from 0 m to 9 m, y from 0 m to 9 m\n" + without);
+  EXPECT_EQ(about(4, "zone far"),
+            "zone far\n  every place within 536 km of (0 m, 0 m) that lab does not have\n" + without);
+  EXPECT_EQ(about(5, "zone hall"),
+            "zone hall\n  8 vertices, x from 0 m to 20.5 m, y from 0 m to 9 m\n" + without);
+  EXPECT_EQ(about(6, "zone shop"),
+            "zone shop\n  8 vertices, x from 0 m to 20.5 m, y from 0 m to 9 m, z from 1 m to 4 m\n" +
+                without);
+  EXPECT_EQ(at(7).find("\nzone school\n"), std::string::npos);  // its times say enough
+}
+
 // The windows of a zone, on each of its lines, whether a monitor speaks of it or not.
 TEST_F(Explain, AZoneThatIsThereAtCertainTimes) {
   write("door.rta",

@@ -159,7 +159,7 @@ TEST_F(ZoneFiles, OutlinesInDegreesAreMovedByTheErrorOfTheMap) {
   }
   write_polygon("a.geojson", ring + ",[8.59,47.4],[8.59,47.39],[8.5,47.39]]");
   expect_said("import \"a.geojson\"", "error[4030]: the areas of the file have 20059 ");
-  expect_said("import \"a.geojson\"", "by the 2.701 mm that the map may be off");
+  expect_said("import \"a.geojson\"", "by the 2.701 mm that their places may be off");
 }
 
 // A circle of 10 km is a polygon of 256 edges: 977 of them have 250,112.
@@ -257,7 +257,7 @@ TEST_F(ZoneFiles, AreExplained) {
 
 // Heights of vertices limit nothing in GeoJSON; who thinks they do is told that they are left out.
 TEST_F(ZoneFiles, WhatTheirReadersLeaveOutIsExplained) {
-  write_polygon("a.geojson", "[[8.545,47.397,9],[8.547,47.397],[8.547,47.399],[8.545,47.397,9]]");
+  write_polygon("a.geojson", "[[8.545,47.397,9],[8.547,47.397,9],[8.547,47.399,9],[8.545,47.397,9]]");
   write("s.rta", spec("import \"a.geojson\""));
   const Outcome o = rtac({"explain", "s.rta:4"});
   EXPECT_NE(o.out.find("  coordinates[0][0]: positions have heights"), std::string::npos)

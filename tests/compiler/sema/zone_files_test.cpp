@@ -214,6 +214,24 @@ TEST_F(ZoneFiles, HeightsThatNobodyCanReadAreAskedFor) {
   EXPECT_EQ(imported(zone + "flat \"one level\";").remarks.back(), "flat: one level");
 }
 
+// Times that plain GeoJSON does not have: the author says that the area counts at all of them.
+TEST_F(ZoneFiles, TimesThatNobodyCanReadAreAskedFor) {
+  write("timed.geojson",
+        R"({"type":"Feature","properties":{"valid_until":"2024-05-01"},"geometry":{"type":)"
+        R"("Polygon","coordinates":[[[8.545,47.397],[8.547,47.397],[8.547,47.399],)"
+        R"([8.545,47.397]]]}})");
+  const std::string zone = std::string(origin) + "zone z = import \"timed.geojson\" ";
+  expect(zone + ";", Code::import_ambiguous, "\"timed.geojson\"",
+         "properties.valid_until sounds like a limit of time", "timeless \"why\"");
+  // no schedule that could be taken, whatever else is written
+  expect(zone + "scheduled;", Code::import_ambiguous, "\"timed.geojson\"",
+         "properties.valid_until sounds like a limit of time", "timeless \"why\"");
+  expect(zone + "scheduled timeless \"ever\";", Code::clause_without_effect, "scheduled",
+         "no schedule", "leave it out");
+  EXPECT_EQ(imported(zone + "timeless \"until further notice\";").remarks.back(),
+            "timeless: until further notice");
+}
+
 // Heights count from where the author says that their references lie; nothing else is known of
 // them.
 TEST_F(ZoneFiles, HeightsCountFromTheLevelsOfTheirReferences) {

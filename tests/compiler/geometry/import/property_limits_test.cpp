@@ -96,16 +96,5 @@ TEST(PropertyLimits, OtherDatesAndOtherValuesAreNoLimitsOfTime) {
   }
 }
 
-// Nothing is left out without a word; once is enough.
-TEST(PropertyLimits, FirstTimeOfAFileIsNoted) {
-  const std::string timed = feature(R"("valid_until":"2024-05-01")");
-  const Areas areas = areas_of(
-      Format::geojson, R"({"type":"FeatureCollection","features":[)" + timed + "," + timed + "]}");
-  ASSERT_EQ(areas.notes.size(), 1U);
-  EXPECT_EQ(areas.notes[0].where, "features[0].properties.valid_until");
-  EXPECT_EQ(areas.notes[0].message, "sounds like a limit of time, and is left out");
-  EXPECT_TRUE(areas.areas.at(1).unread_time);
-}
-
 }  // namespace
 }  // namespace rtac::geometry::import

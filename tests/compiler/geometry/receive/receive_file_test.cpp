@@ -175,7 +175,7 @@ TEST(ReceiveFile, HasCirclesOnTheirSafeSides) {
 }
 
 // What limits an area is never left out.
-TEST(ReceiveFile, RefusesLimitsOfHeight) {
+TEST(ReceiveFile, RefusesLimitsOfHeightAndOfTime) {
   const std::string high = kml("<extrude>1</extrude><altitudeMode>relativeToGround</altitudeMode>");
   EXPECT_NE(refused(receive(high, as_kml)).find("applies between certain heights only"),
             std::string::npos);
@@ -184,6 +184,10 @@ TEST(ReceiveFile, RefusesLimitsOfHeight) {
                                 geojson(closed(0, 0, 1, 1)) + "}",
                             as_geojson)),
             "properties.ceiling: sounds like a limit of height");
+  EXPECT_EQ(refused(receive(R"({"type":"Feature","properties":{"expires":"2024-05-01"},"geometry":)" +
+                                geojson(closed(0, 0, 1, 1)) + "}",
+                            as_geojson)),
+            "properties.expires: sounds like a limit of time");
   const std::string aviation =
       R"({"type":"Feature","zoneAuthority":[],"properties":{},"geometry":)" +
       geojson(closed(0, 0, 1, 1)) + "}";
