@@ -89,5 +89,6 @@ function(rtac_test folder)
   if(NOT arg_WITH_C)
     rtac_precompiled_tests(test_${name} ${arg_PRECOMPILE})
   endif()
-  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS ${name}) # ctest sums their times up
 endfunction()

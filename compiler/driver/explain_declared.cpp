@@ -64,7 +64,7 @@ class DeclaredRemarks {
       if (all_but != nullptr && !spec_[all_but->zone].name.empty()) {
         add(whole(zone), "zone " + zone.name,
             {"every place within 536 km of (0 m, 0 m) that " + spec_[all_but->zone].name +
-             " does not have",
+                 " does not have",
              "no monitor asks for it: modules have no table of it"});
         continue;
       }

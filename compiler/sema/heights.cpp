@@ -145,8 +145,7 @@ namespace {
 
 // `box (0 m, 0 m) to (5 m, 5 m)`: one mistake, not one for each corner.
 bool has_depth(Context& context, const syntax::Expr& expr, const syntax::RectangleLit& box) {
-  if (!box.says_box || !has_coordinates(*box.from, 2) ||
-      !has_coordinates(*box.to, 2)) {
+  if (!box.says_box || !has_coordinates(*box.from, 2) || !has_coordinates(*box.to, 2)) {
     return true;
   }
   SourceRange word = expr.range;

@@ -419,14 +419,13 @@ class Importer {
                                        ? "heights that count are those of ED-269, ED-318 and "
                                          "extruded KML"
                                        : "times that count are those of ED-269 and ED-318";
-    return ambiguous(written_.path.range,
-                     "`" + job_.path + "`, " + property.where + " " + property.message +
-                         ", which plain GeoJSON does not have",
-                     "does it hold for " + all + "?",
-                     "write `" + std::string(syntax::spell(word)) +
-                         " \"why\"` behind it to take the area for " + all +
-                         ": safe of one to keep out of, and a promise of one to stay in; " +
-                         that_count);
+    return ambiguous(
+        written_.path.range,
+        "`" + job_.path + "`, " + property.where + " " + property.message +
+            ", which plain GeoJSON does not have",
+        "does it hold for " + all + "?",
+        "write `" + std::string(syntax::spell(word)) + " \"why\"` behind it to take the area for " +
+            all + ": safe of one to keep out of, and a promise of one to stay in; " + that_count);
   }
   // All selected areas apply at the same times, which are those of the zone.
   bool settle_schedule(const ImportOption& given, const Area* limited) {

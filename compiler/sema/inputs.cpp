@@ -478,14 +478,13 @@ class SettingsChecker {
       const bool was_read = context_.spec.zones[i].value != nullptr;
       const auto* const scheduled = was_read ? scheduled_in(*zone.value) : nullptr;
       if (zone.during.empty() && scheduled == nullptr) continue;
-      context_.report(
-          Finding(Code::clock_missing,
-                  scheduled != nullptr ? scheduled->range : zone.during.front().range,
-                  "windows of time need a clock in UTC")
-              .label("which time is it?")
-              .help("write `clock utc;`: time and stamps then count from "
-                    "1970-01-01T00:00Z")
-              .insert_after(context_.spec.name_range, ";\nclock utc"));
+      context_.report(Finding(Code::clock_missing,
+                              scheduled != nullptr ? scheduled->range : zone.during.front().range,
+                              "windows of time need a clock in UTC")
+                          .label("which time is it?")
+                          .help("write `clock utc;`: time and stamps then count from "
+                                "1970-01-01T00:00Z")
+                          .insert_after(context_.spec.name_range, ";\nclock utc"));
       return;
     }
   }

@@ -47,7 +47,6 @@ class GeoJsonReader {
                        std::initializer_list<std::string_view> strangers);
   bool check_id(Json feature);
   void note_limits(Json properties, Area& area);
-
 };
 
 }  // namespace rtac::geometry::import

@@ -485,13 +485,15 @@ TEST_F(Explain, AZoneThatNoMonitorAsksFor) {
   const std::string without = "  no monitor asks for it: modules have no table of it\n";
   EXPECT_EQ(about(3, "zone lab"),
             "zone lab\n  4 vertices, x from 0 m to 9 m, y from 0 m to 9 m\n" + without);
-  EXPECT_EQ(about(4, "zone far"),
-            "zone far\n  every place within 536 km of (0 m, 0 m) that lab does not have\n" + without);
+  EXPECT_EQ(
+      about(4, "zone far"),
+      "zone far\n  every place within 536 km of (0 m, 0 m) that lab does not have\n" + without);
   EXPECT_EQ(about(5, "zone hall"),
             "zone hall\n  8 vertices, x from 0 m to 20.5 m, y from 0 m to 9 m\n" + without);
-  EXPECT_EQ(about(6, "zone shop"),
-            "zone shop\n  8 vertices, x from 0 m to 20.5 m, y from 0 m to 9 m, z from 1 m to 4 m\n" +
-                without);
+  EXPECT_EQ(
+      about(6, "zone shop"),
+      "zone shop\n  8 vertices, x from 0 m to 20.5 m, y from 0 m to 9 m, z from 1 m to 4 m\n" +
+          without);
   EXPECT_EQ(at(7).find("\nzone school\n"), std::string::npos);  // its times say enough
 }
 

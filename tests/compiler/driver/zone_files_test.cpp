@@ -257,7 +257,8 @@ TEST_F(ZoneFiles, AreExplained) {
 
 // Heights of vertices limit nothing in GeoJSON; who thinks they do is told that they are left out.
 TEST_F(ZoneFiles, WhatTheirReadersLeaveOutIsExplained) {
-  write_polygon("a.geojson", "[[8.545,47.397,9],[8.547,47.397,9],[8.547,47.399,9],[8.545,47.397,9]]");
+  write_polygon("a.geojson",
+                "[[8.545,47.397,9],[8.547,47.397,9],[8.547,47.399,9],[8.545,47.397,9]]");
   write("s.rta", spec("import \"a.geojson\""));
   const Outcome o = rtac({"explain", "s.rta:4"});
   EXPECT_NE(o.out.find("  coordinates[0][0]: positions have heights"), std::string::npos)

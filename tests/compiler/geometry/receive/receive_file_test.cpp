@@ -184,10 +184,11 @@ TEST(ReceiveFile, RefusesLimitsOfHeightAndOfTime) {
                                 geojson(closed(0, 0, 1, 1)) + "}",
                             as_geojson)),
             "properties.ceiling: sounds like a limit of height");
-  EXPECT_EQ(refused(receive(R"({"type":"Feature","properties":{"expires":"2024-05-01"},"geometry":)" +
-                                geojson(closed(0, 0, 1, 1)) + "}",
-                            as_geojson)),
-            "properties.expires: sounds like a limit of time");
+  EXPECT_EQ(
+      refused(receive(R"({"type":"Feature","properties":{"expires":"2024-05-01"},"geometry":)" +
+                          geojson(closed(0, 0, 1, 1)) + "}",
+                      as_geojson)),
+      "properties.expires: sounds like a limit of time");
   const std::string aviation =
       R"({"type":"Feature","zoneAuthority":[],"properties":{},"geometry":)" +
       geojson(closed(0, 0, 1, 1)) + "}";
