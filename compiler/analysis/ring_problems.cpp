@@ -92,9 +92,11 @@ class Description {
 
 }  // namespace
 
-diag::Diagnostic describe(const geometry::Problem& problem, const sema::ZonePolygon& polygon,
+diag::Diagnostic describe(const geometry::Problem& found, const sema::ZonePolygon& polygon,
                           const SourceRange& range) {
-  const auto& ring = problem.ring == 0 ? polygon.outer : polygon.holes[problem.ring - 1];
+  const auto& ring = found.ring == 0 ? polygon.outer : polygon.holes[found.ring - 1];
+  const geometry::Problem problem =
+      ring.in_file ? geometry::in_file(found, ring.in_file->vertices) : found;
   const auto at = [&](std::size_t i) {
     return i < ring.point_ranges.size() ? ring.point_ranges[i] : range;
   };

@@ -50,29 +50,29 @@ class DeclaredRemarks {
     details.emplace_back("outside of that it is empty: nothing is inside, and it is far from all");
     add(whole(zone), "zone " + zone.name + " is there at certain times", std::move(details));
   }
-  // Of zones without a table, which other zones are made of, or pictures.
+  // Of zones that no monitor asks for, which other zones are made of, or pictures.
   void shapes() {
-    const auto has_table = [&](const sema::Zone& zone) {
-      return std::ranges::any_of(
-          c_.module->zones, [&](const ir::ZoneTable& table) { return table.name == zone.name; });
-    };
+    const std::vector<analysis::ZoneUse> wanted = analysis::wanted_zones(spec_);
     std::vector<std::vector<analysis::ShownSlab>> exact;  // takes its time, and is seldom needed
     for (std::size_t i = 0; i < spec_.zones.size(); ++i) {
       const sema::Zone& zone = spec_.zones[i];
-      if (zone.name.empty() || !zone.openings.empty() || has_table(zone)) continue;
+      const bool has_table = wanted[i].any() && !wanted[i].is_apart_alone();
+      if (zone.name.empty() || has_table) continue;
+      if (std::holds_alternative<sema::ZoneReceived>(zone.value->node)) continue;
+      std::vector<std::string> details;
       const auto* all_but = std::get_if<sema::ZoneComplement>(&zone.value->node);
       if (all_but != nullptr && !spec_[all_but->zone].name.empty()) {
-        add(whole(zone), "zone " + zone.name,
-            {"every place within 536 km of (0 m, 0 m) that " + spec_[all_but->zone].name +
-                 " does not have",
-             "no monitor asks for it: modules have no table of it"});
-        continue;
+        details.push_back(std::string("every place within 536 km of ") +
+                          (zone.has_height ? "(0 m, 0 m, 0 m)" : "(0 m, 0 m)") + " that " +
+                          spec_[all_but->zone].name + " does not have");
+      } else {
+        if (exact.empty()) exact = analysis::exact_zones(spec_);
+        for (const analysis::ShownSlab& slab : exact[i]) details.push_back(extent(slab));
       }
-      if (std::holds_alternative<sema::ZoneReceived>(zone.value->node)) continue;
-      if (exact.empty()) exact = analysis::exact_zones(spec_);
-      std::vector<std::string> details;
-      for (const analysis::ShownSlab& slab : exact[i]) details.push_back(extent(slab));
-      details.emplace_back("no monitor asks for it: modules have no table of it");
+      details.emplace_back(all_but != nullptr ? "it takes no table of its own"
+                           : wanted[i].any()
+                               ? "monitors ask how far it is from others, which takes no table"
+                               : "no monitor asks for it: modules have no table of it");
       add(whole(zone), "zone " + zone.name, std::move(details));
     }
   }

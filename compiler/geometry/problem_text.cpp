@@ -10,6 +10,15 @@ std::string place_text(const Point& p) {
   return "(" + to_decimal(p.x) + " m, " + to_decimal(p.y) + " m)";
 }
 
+Problem in_file(Problem problem, const std::vector<std::uint32_t>& vertices) {
+  const auto divides = [&](std::size_t point) {
+    return point > 0 && point < vertices.size() && vertices[point] == vertices[point - 1];
+  };
+  const bool on_edge = divides(problem.vertex) || divides(problem.other);
+  if (problem.kind == Kind::repeats_vertex && on_edge) problem.kind = Kind::self_intersects;
+  return problem;
+}
+
 std::string message_of(const Problem& problem, const RingNames& names) {
   switch (problem.kind) {
     case Kind::too_short:
@@ -25,10 +34,11 @@ std::string message_of(const Problem& problem, const RingNames& names) {
       return "does not lie inside " + names.ring(0) + ", see its " +
              (problem.of_edge ? "edge from " : "") + names.vertex(problem.vertex);
     case Kind::holes_overlap:
-      return "overlaps " + names.ring(problem.other) + " at " + place_text(problem.where);
+      return "overlaps " + names.ring(problem.other) + " at " + place_text(problem.where) +
+             (problem.of_edge ? ", see its edge from " + names.vertex(problem.vertex) : "");
     case Kind::cuts_area:
       return "touches " + names.ring(problem.other) + " at " + place_text(problem.where) +
-             ", and cuts the area in two";
+             ", on its edge from " + names.vertex(problem.vertex) + ", and cuts the area in two";
   }
   return "";
 }

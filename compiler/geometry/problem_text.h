@@ -2,8 +2,10 @@
 // received.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "compiler/geometry/region.h"
 
@@ -11,6 +13,10 @@ namespace rtac::geometry {
 
 // "(1 m, 2 m)".
 std::string place_text(const Point& p);
+
+// The same of a ring whose edges were divided, `vertices` telling of each point the vertex of the
+// file that it is, or whose edge it is on: where edges meet at such points no vertex is repeated.
+Problem in_file(Problem problem, const std::vector<std::uint32_t>& vertices);
 
 // What rings are called, and the vertices of the one that is spoken of; both from 0.
 struct RingNames {

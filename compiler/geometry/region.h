@@ -38,8 +38,8 @@ struct Problem {
     // Rings may touch in points.
     hole_outside_ring,
     // Holes `ring` < `other` (both ring numbers) cross at `where`, on the edge from `vertex` of
-    // `ring`, or share a part of it; or one lies inside the other and `where` is the inner one's
-    // vertex 0.
+    // `ring`, or share a part of it (`of_edge`); or one lies inside the other and `where` is the
+    // inner one's vertex 0.
     holes_overlap,
     // Hole `ring` touches ring `other`, at `where` on its edge from `vertex`, and with that touch
     // rings that touch one another surround a part of the area: it is in two pieces.

@@ -186,7 +186,7 @@ class Neighbours {
     if (runs_[r].apart(runs_[s])) return std::nullopt;
     const std::size_t touches = touches_.size();
     if (auto met = clash(r, s)) {
-      return Problem{Kind::holes_overlap, r, met->edge, s, std::move(met->where)};
+      return Problem{Kind::holes_overlap, r, met->edge, s, std::move(met->where), true};
     }
     if (touches_.size() > touches) return std::nullopt;
     if (encloses(s, r)) return Problem{Kind::holes_overlap, r, 0, s, first_vertex(r)};

@@ -83,7 +83,7 @@ class AreaPlacer {
                 "`" + job_.path + "`, " + where + ": the floor is at " +
                     show(*band.floor, dims::length) + " of the map, the ceiling at " +
                     show(*band.ceiling, dims::length))
-            .label(sheet ? "a sheet without height" : "upside down")
+            .label(sheet ? "a sheet without height" : "no height, or upside down")
             .help(sheet ? "its lower and its upper limit are the same: give the file the heights "
                           "that are meant, or select other areas by `feature \"name\"`"
                         : "floor and ceiling have different references: look at where `heights` "
@@ -142,9 +142,9 @@ class AreaPlacer {
     return false;
   }
 
-  // Latitude first, as people say it; of metres east first.
+  // In the order of the file, so that it is found there.
   [[nodiscard]] std::array<double, 2> pair(const geometry::import::Position& p) const {
-    const bool turn = job_.reading.degrees && !job_.reading.latitude_first;
+    const bool turn = job_.reading.degrees && job_.latitude_first != job_.reading.latitude_first;
     return turn ? std::array{p.y, p.x} : std::array{p.x, p.y};
   }
   [[nodiscard]] std::string shown(const geometry::import::Position& p) const {
@@ -253,9 +253,12 @@ class AreaPlacer {
     return "";
   }
   [[nodiscard]] std::string swapped_help() const {
-    return "the other way round it would be near the origin, where the latitude comes first; if it "
-           "is the file that has them so, write `" +
-           axes_text(!job_.latitude_first) + "` behind it";
+    const std::string other = axes_text(!job_.latitude_first);
+    return "with the two exchanged it would be near the origin: if the file has them so, write `" +
+           other +
+           (job_.axes_written ? "` in the place of `" + axes_text(job_.latitude_first) + "`"
+                              : "` behind it") +
+           "; else look at the `origin`, where the latitude comes first";
   }
 
   Context& context_;

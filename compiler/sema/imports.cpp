@@ -74,13 +74,15 @@ class Importer {
     if (given == nullptr || given->text->text.find_first_not_of(" \t") != std::string::npos) {
       return true;
     }
-    context_.missing_clause(given->range, "`" + std::string(syntax::spell(word)) + "`", "reason",
-                            std::string(syntax::spell(word)) + " \"one level\"");
+    context_.missing_clause(
+        given->range, "`" + std::string(syntax::spell(word)) + "`", "reason",
+        std::string(syntax::spell(word)) +
+            (word == ImportWord::flat ? " \"one level\"" : " \"at all times\""));
     return false;
   }
   // `heights amsl at -432 m`: where what heights count from lies.
   bool take_level(const ImportOption& given) {
-    if (!known(given.names[0], "reference of heights", {"agl", "amsl", "wgs84"})) return false;
+    if (!known(given.names[0], "a reference of heights", {"agl", "amsl", "wgs84"})) return false;
     const auto reference = reference_of(given.names[0].text);
     const auto level = quantity(context_, *given.level, {dims::length, "a level of reference"});
     if (!level) return false;
@@ -150,6 +152,7 @@ class Importer {
     job_.path = file->path;
     const auto format = geometry::import::format_of(file->path, *file->text);
     if (!format) {
+      if (const auto why = geometry::import::no_text(*file->text, {})) return unusable(*why);
       return unusable({"", "the format is none of those that are known",
                        "GeoJSON, WKT, KML, QGroundControl plans and way-points, ED-269 and ED-318 "
                        "are"});
@@ -175,8 +178,15 @@ class Importer {
     context_.report(Finding(Code::zone_file_unusable, written_.path.range,
                             "`" + job_.path + "`" + place + ": " + failure.message)
                         .label("cannot be used")
-                        .help(failure.help));
+                        .help(failure.help + guessed_format()));
     return false;
+  }
+  // The words of a file tell of these formats, and may have been meant otherwise.
+  [[nodiscard]] std::string guessed_format() const {
+    const bool is_ed318 = job_.format == Format::ed318;
+    if (!is_ed318 && job_.format != Format::ed269) return "";
+    return std::string("; the file is read as ") + (is_ed318 ? "ED-318" : "ED-269") +
+           ", whose members it has";
   }
 
   // ---- which of its areas are meant
@@ -219,7 +229,7 @@ class Importer {
 
   bool settle_reading() {
     const ImportOption* const unit = option(ImportWord::unit);
-    if (unit != nullptr && !known(unit->names[0], "unit of a file", {"m", "deg"})) return false;
+    if (unit != nullptr && !known(unit->names[0], "a unit of a file", {"m", "deg"})) return false;
     Unit meant = areas_->unit;
     if (unit != nullptr) {
       const Unit said = unit->names[0].text == "m" ? Unit::metres : Unit::degrees;
@@ -251,7 +261,8 @@ class Importer {
     Axes meant = areas_->axes;
     if (axes != nullptr) {
       const std::vector<std::string> allowed = {"latitude", "longitude"};
-      if (!known(axes->names[0], "axis", allowed) || !known(axes->names[1], "axis", allowed)) {
+      if (!known(axes->names[0], "an axis", allowed) ||
+          !known(axes->names[1], "an axis", allowed)) {
         return false;
       }
       if (axes->names[0].text == axes->names[1].text) {
@@ -362,7 +373,8 @@ class Importer {
   // Areas of one group all hold; of the groups any.
   bool settle_groups(const std::vector<const Area*>& inclusions) {
     const ImportOption* const how = option(ImportWord::inclusions);
-    if (how != nullptr && !known(how->names[0], "combination", {"all", "any"})) return false;
+    if (how != nullptr && !known(how->names[0], "a combination of areas", {"all", "any"}))
+      return false;
     const auto grouped = [](const Area* area) { return area->group.has_value(); };
     const bool says_it = std::all_of(inclusions.begin(), inclusions.end(), grouped);
     if (how != nullptr && says_it) {
@@ -412,19 +424,21 @@ class Importer {
                 : settle_limit(ImportWord::timeless, time, "applies at certain times only",
                                "for all times"));
   }
-  // GeoJSON that is written for another program: what its limits mean nobody can tell.
+  // A file that is written for another program: what its limits mean nobody can tell.
   bool unread(const geometry::import::Note& property, ImportWord word) {
     const std::string all = word == ImportWord::flat ? "all heights" : "all times";
     const std::string that_count = word == ImportWord::flat
                                        ? "heights that count are those of ED-269, ED-318 and "
                                          "extruded KML"
                                        : "times that count are those of ED-269 and ED-318";
+    const bool instead = word == ImportWord::timeless && option(ImportWord::scheduled) != nullptr;
     return ambiguous(
         written_.path.range,
-        "`" + job_.path + "`, " + property.where + " " + property.message +
-            ", which plain GeoJSON does not have",
+        "`" + job_.path + "`, " + property.where + " " + property.message + ", which " +
+            (job_.format == Format::kml ? "KML" : "plain GeoJSON") + " does not have",
         "does it hold for " + all + "?",
-        "write `" + std::string(syntax::spell(word)) + " \"why\"` behind it to take the area for " +
+        "write `" + std::string(syntax::spell(word)) + " \"why\"` " +
+            (instead ? "in the place of `scheduled`" : "behind it") + " to take the area for " +
             all + ": safe of one to keep out of, and a promise of one to stay in; " + that_count);
   }
   // All selected areas apply at the same times, which are those of the zone.

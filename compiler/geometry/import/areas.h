@@ -138,5 +138,7 @@ struct Limits {
 
 // Bounded time and memory for any text; every number is finite.
 std::variant<Areas, Failure> read(Format format, const std::string& text, const Limits& limits);
+// Why a text can be of no format: it is none, or has too many bytes.
+std::optional<Failure> no_text(const std::string& text, const Limits& limits);
 
 }  // namespace rtac::geometry::import

@@ -72,11 +72,12 @@ bool Ed269Reader::read_period(Json period, Area& area) {
 }
 
 bool Ed269Reader::read_applicability(Json zone, Area& area) {
-  const auto periods = json_.required_array(zone, "applicability");
-  if (!periods) return false;
-  const auto items = periods->items();
-  if (items.empty()) return json_.wrong_kind(*periods, "at least one period");
-  return std::all_of(items.begin(), items.end(),
+  const auto items = json_.required_items(zone, "applicability", "periods");
+  if (!items) return false;
+  if (items->empty()) {
+    return json_.wrong_kind(*zone.member("applicability"), "at least one period");
+  }
+  return std::all_of(items->begin(), items->end(),
                      [&](Json period) { return read_period(period, area); });
 }
 
@@ -151,11 +152,10 @@ bool Ed269Reader::read_zone(Json zone) {
       !read_applicability(zone, area)) {
     return false;
   }
-  const auto volumes = json_.required_array(zone, "geometry");
-  if (!volumes) return false;
-  const auto items = volumes->items();
-  if (items.empty()) return json_.wrong_kind(*volumes, "at least one volume");
-  for (const Json volume : items) {
+  const auto items = json_.required_items(zone, "geometry", "volumes");
+  if (!items) return false;
+  if (items->empty()) return json_.wrong_kind(*zone.member("geometry"), "at least one volume");
+  for (const Json volume : *items) {
     if (!read_volume(volume, area)) return false;
   }
   return json_.add(std::move(area), areas_);
@@ -169,11 +169,9 @@ bool Ed269Reader::read_root(Json root) {
     return findings_.fail("features", "stands beside `UASZoneList`, which has zones as well",
                           "write all zones into one of the two");
   }
-  const auto zones = json_.required_array(root, is_list ? "UASZoneList" : "features");
-  if (!zones) return false;
-  if (zones->kind() == JsonKind::numbers) return json_.wrong_kind(*zones, "an array of zones");
-  const auto items = zones->items();
-  return std::all_of(items.begin(), items.end(), [&](Json zone) { return read_zone(zone); });
+  const auto zones = json_.required_items(root, is_list ? "UASZoneList" : "features", "zones");
+  return zones &&
+         std::all_of(zones->begin(), zones->end(), [&](Json zone) { return read_zone(zone); });
 }
 
 Areas Ed269Reader::take_areas() {

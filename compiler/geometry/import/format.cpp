@@ -38,13 +38,21 @@ bool is_ed269(std::string_view text) {
          (has(text, "\"restriction\"") && has(text, "\"applicability\""));
 }
 
-// ED-318 is GeoJSON with more members, of which plain GeoJSON would lose the heights and times.
+// What ED-318 has beyond GeoJSON; ED-269 has an authority, too.
+bool has_member_of_ed318(std::string_view text) {
+  constexpr std::array members{"\"zoneAuthority\"", "\"limitedApplicability\"",
+                               "\"lowerReference\"", "\"upperReference\""};
+  return std::any_of(members.begin(), members.end(),
+                     [&](const char* member) { return has(text, member); });
+}
+
+// ED-318 is GeoJSON with more members, of which plain GeoJSON would lose the heights and times; it
+// may have words of ED-269 among its names and its data.
 std::optional<Format> format_of_json(std::string_view text) {
+  const bool has_features = has(text, "\"Feature\"") || has(text, "\"FeatureCollection\"");
+  if (has_features && has_member_of_ed318(text)) return Format::ed318;
   if (is_ed269(text)) return Format::ed269;
-  for (const char* member : {"\"zoneAuthority\"", "\"limitedApplicability\"", "\"lowerReference\"",
-                             "\"upperReference\"", "\"subType\""}) {
-    if (has(text, member)) return Format::ed318;
-  }
+  if (has_member_of_ed318(text)) return Format::ed318;
   if (has(text, "\"fileType\"")) return Format::qgc_plan;
   if (has(text, "\"type\"")) return Format::geojson;
   return std::nullopt;
@@ -78,7 +86,9 @@ std::optional<Format> format_of(const std::string& path, const std::string& text
   if (extension == "plan") return Format::qgc_plan;
   if (extension == "waypoints") return Format::waypoints;
   const auto format = format_of_content(without_mark_and_space(text));
-  return extension == "geojson" && format != Format::ed318 ? Format::geojson : format;
+  // Properties of GeoJSON may be called like members of ED-269, and its geometries not.
+  const bool is_other = format == Format::ed318 || has(text, "\"horizontalProjection\"");
+  return extension == "geojson" && !is_other ? Format::geojson : format;
 }
 
 }  // namespace rtac::geometry::import

@@ -93,9 +93,9 @@ bool GeoJsonReader::read_geometries(Json collection, Area& area) {
     return findings_.fail(layer->where(), "a GeometryCollection has no heights of its own",
                           "give each of its members a `layer`");
   }
-  const auto geometries = json_.required_array(collection, "geometries");
+  const auto geometries = json_.required_items(collection, "geometries", "geometries");
   if (!geometries) return false;
-  for (const Json geometry : geometries->items()) {
+  for (const Json geometry : *geometries) {
     if (!read_geometry(geometry, area)) return false;
   }
   return true;
@@ -162,10 +162,12 @@ bool GeoJsonReader::read_properties(Json feature, Area& area) {
     if (!name.empty()) names.push_back(name);
   };
   add(feature.member("id"), true);
-  if (const auto properties = feature.member("properties")) {
+  const auto properties = JsonReader::optional_member(feature, "properties");
+  if (properties && !json_.expect_object(*properties)) return false;
+  if (properties) {
+    note_limits(*properties, area);
     for (const char* key : {"name", "title", "identifier"}) add(properties->member(key), false);
   }
-  if (const auto properties = feature.member("properties")) note_limits(*properties, area);
   if (names.empty()) return true;
   area.name = names.front();
   area.other_names.assign(names.begin() + 1, names.end());
@@ -199,10 +201,9 @@ bool GeoJsonReader::read_feature(Json feature) {
 }
 
 bool GeoJsonReader::read_collection(Json collection) {
-  const auto features = json_.required_array(collection, "features");
+  const auto features = json_.required_items(collection, "features", "features");
   if (!features) return false;
-  if (features->kind() == JsonKind::numbers) return json_.wrong_kind(*features, "features");
-  for (const Json feature : features->items()) {
+  for (const Json feature : *features) {
     if (!read_feature(feature)) return false;
   }
   return true;

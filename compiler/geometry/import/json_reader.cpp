@@ -27,6 +27,17 @@ std::optional<Json> JsonReader::required_array(Json object, std::string_view nam
   return value;
 }
 
+std::optional<std::vector<Json>> JsonReader::required_items(Json object, std::string_view name,
+                                                            std::string_view of) {
+  const auto value = required(object, name);
+  if (!value) return std::nullopt;
+  if (value->kind() != JsonKind::array) {
+    wrong_kind(*value, "an array of " + std::string(of));
+    return std::nullopt;
+  }
+  return value->items();
+}
+
 std::optional<std::string_view> JsonReader::required_text(Json object, std::string_view name) {
   const auto value = required(object, name);
   if (!value) return std::nullopt;
@@ -89,11 +100,16 @@ bool JsonReader::read_position(Json value, Position& position) {
   const auto numbers = value.numbers();
   if (numbers.size() < 2 || numbers.size() > 3) {
     // `["8.54", "47.39"]` is an array of two, too
-    const bool is_array = value.kind() == JsonKind::array && !value.items().empty();
-    const std::string first =
-        is_array ? ", and its first element " + value.items().front().described() : "";
+    const auto items = value.kind() == JsonKind::array ? value.items() : std::vector<Json>{};
+    const auto no_number =
+        std::find_if(items.begin(), items.end(), [](const Json& item) { return !item.number(); });
+    const std::string element = no_number == items.end()
+                                    ? ""
+                                    : ", and its element " +
+                                          std::to_string(no_number - items.begin() + 1) + " is " +
+                                          no_number->described();
     return findings_.fail(value.where(),
-                          numbers.empty() ? "is " + value.described() + first
+                          numbers.empty() ? "is " + value.described() + element
                                           : "has " + std::to_string(numbers.size()) + " numbers",
                           "a position is an array of two numbers, or three with a height");
   }

@@ -21,6 +21,9 @@ class JsonReader {
   // A member that must be there, and of this kind. nullopt: the failure is reported.
   std::optional<Json> required(Json object, std::string_view name);
   std::optional<Json> required_array(Json object, std::string_view name);
+  // One whose elements are objects, or something else that is no number: `of`, for messages.
+  std::optional<std::vector<Json>> required_items(Json object, std::string_view name,
+                                                  std::string_view of);
   std::optional<std::string_view> required_text(Json object, std::string_view name);
   std::optional<double> required_number(Json object, std::string_view name);
   // A member that may be missing or `null`, which programs write for it.

@@ -13,6 +13,7 @@
 #include "compiler/geometry/import/kml_namespaces.h"
 #include "compiler/geometry/import/numbers.h"
 #include "compiler/geometry/import/outlines.h"
+#include "compiler/geometry/import/property_limits.h"
 #include "compiler/geometry/import/readers.h"
 
 namespace rtac::geometry::import {
@@ -85,6 +86,7 @@ class KmlReader {
   bool read_feature(KmlElement element, xml_node node, xml_node time, std::size_t depth);
   bool read_placemark(xml_node placemark, xml_node time);
   bool read_placemark_child(KmlElement element, xml_node node, Area& area, xml_node& geometry);
+  void note_limits(xml_node data, Area& area);
   void refuse_time(xml_node time, Area& area);
   bool read_geometry(KmlElement element, xml_node node, Area& area, std::size_t depth);
   bool read_polygon(xml_node node, Area& area);
@@ -339,6 +341,26 @@ void KmlReader::refuse_time(xml_node time, Area& area) {
          "take it out, and say in the specification when the area applies");
 }
 
+// `<Data name="ceiling"><value>120</value></Data>`, `<SimpleData name="ceiling">120</SimpleData>`,
+// `<faa:ceiling>120</faa:ceiling>`.
+void KmlReader::note_limits(xml_node data, Area& area) {
+  const auto look = [&](xml_node node) {
+    const pugi::xml_attribute name = node.attribute("name");
+    const std::string_view called = name ? name.value() : name_of(node);
+    const std::string_view text =
+        name_of(node) == "Data" ? node.child_value("value") : node.child_value();
+    if (!area.unread_height && is_limit_of_height(called, text)) {
+      area.unread_height = Note{place(node), "sounds like a limit of height"};
+    } else if (!area.unread_time && is_limit_of_time(called, text)) {
+      area.unread_time = Note{place(node), "sounds like a limit of time"};
+    }
+  };
+  for (const xml_node node : data.children()) {
+    if (name_of(node) != "SchemaData") look(node);
+    for (const xml_node field : node.children("SimpleData")) look(field);
+  }
+}
+
 bool KmlReader::read_placemark_child(KmlElement element, xml_node node, Area& area,
                                      xml_node& geometry) {
   if (element == KmlElement::name) {
@@ -347,6 +369,10 @@ bool KmlReader::read_placemark_child(KmlElement element, xml_node node, Area& ar
   }
   if (element == KmlElement::time) {
     refuse_time(node, area);
+    return true;
+  }
+  if (element == KmlElement::data) {
+    note_limits(node, area);
     return true;
   }
   if (geometry) {

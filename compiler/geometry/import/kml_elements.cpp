@@ -20,12 +20,28 @@ using Rows = std::span<const Row>;
 // `visibility` and `Region` tell whether a viewer draws it at first, or from afar: it is there
 // nevertheless. Google Earth writes styles as CascadingStyle.
 constexpr std::array of_features{
-    Row{"visibility"}, Row{"open"},        Row{"author"},         Row{"link"},
-    Row{"address"},    Row{"phoneNumber"}, Row{"AddressDetails"}, Row{"Snippet"},
-    Row{"snippet"},    Row{"description"}, Row{"Camera"},         Row{"LookAt"},
-    Row{"styleUrl"},   Row{"Style"},       Row{"StyleMap"},       Row{"CascadingStyle"},
-    Row{"Region"},     Row{"Metadata"},    Row{"ExtendedData"},   Row{"balloonVisibility"},
+    Row{"visibility"},
+    Row{"open"},
+    Row{"author"},
+    Row{"link"},
+    Row{"address"},
+    Row{"phoneNumber"},
+    Row{"AddressDetails"},
+    Row{"Snippet"},
+    Row{"snippet"},
+    Row{"description"},
+    Row{"Camera"},
+    Row{"LookAt"},
+    Row{"styleUrl"},
+    Row{"Style"},
+    Row{"StyleMap"},
+    Row{"CascadingStyle"},
+    Row{"Region"},
+    Row{"Metadata"},
+    Row{"balloonVisibility"},
 };
+constexpr std::array about_containers{Row{"name"}, Row{"ExtendedData"}};
+constexpr std::array about_placemarks{Row{"name", Kind::name}, Row{"ExtendedData", Kind::data}};
 constexpr std::array times{Row{"TimeSpan", Kind::time}, Row{"TimeStamp", Kind::time}};
 
 // A tour is a film. A Schema declares the fields of tables; an old one also elements of other
@@ -42,8 +58,6 @@ constexpr std::array in_containers{
     Row{"Tour"},
 };
 constexpr std::array in_root{Row{"NetworkLinkControl", Kind::network_link_control}};
-constexpr std::array about_containers{Row{"name"}};
-constexpr std::array about_placemarks{Row{"name", Kind::name}};
 
 constexpr std::array geometries{
     Row{"Polygon", Kind::polygon},    Row{"MultiGeometry", Kind::multi_geometry},

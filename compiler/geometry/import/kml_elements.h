@@ -19,6 +19,7 @@ enum class KmlElement {
   network_link_control,
   overlay,  // a picture
   time,     // tells when something is shown
+  data,     // of other programs
   polygon,
   multi_geometry,
   no_area,  // geometries that enclose nothing

@@ -118,11 +118,13 @@ std::optional<TimeOfDay> parse_time_of_day(std::string_view text) {
   return TimeOfDay{clock.second, clock.second + (clock.microsecond > 0 ? 1 : 0), clock.offset_s};
 }
 
-std::vector<Period> daily_periods(const Period& base, TimeOfDay from, TimeOfDay until) {
+std::vector<Period> daily_periods(const Period& base, TimeOfDay from, TimeOfDay until,
+                                  std::int32_t longer_s) {
   std::int32_t begin_s = from.earliest_s - from.offset_s;
   std::int32_t end_s = until.latest_s - until.offset_s;
   while (end_s <= begin_s) end_s += day_s;
   while (end_s - begin_s > day_s) end_s -= day_s;
+  end_s = std::min(end_s + longer_s, begin_s + day_s);
   int days_later = 0;
   while (begin_s < 0) {
     begin_s += day_s, end_s += day_s;

@@ -147,6 +147,12 @@ bool finish_ring(Ring& ring, Closing closing, Findings& findings) {
 }
 
 bool check_band(const Band& band, const std::string& where, Findings& findings) {
+  constexpr double height_max_m = 1'000'000;  // higher than what flies
+  for (const auto& limit : {band.floor, band.ceiling}) {
+    if (!limit || std::abs(limit->value_m) <= height_max_m) continue;
+    return findings.fail(where, "a limit of height of " + shown(limit->value_m) + " m",
+                         "limits within 1000 km work");
+  }
   if (!band.floor || !band.ceiling || band.floor->reference != band.ceiling->reference ||
       band.floor->value_m <= band.ceiling->value_m) {
     return true;

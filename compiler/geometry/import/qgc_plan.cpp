@@ -135,11 +135,9 @@ bool PlanReader::read_item(Json item, std::string_view shape) {
 }
 
 bool PlanReader::read_each(Json fence, std::string_view list, std::string_view shape) {
-  const auto items = json_.required_array(fence, list);
-  if (!items) return false;
-  if (items->kind() == JsonKind::numbers) return json_.wrong_kind(*items, "an array of objects");
-  const auto all = items->items();
-  return std::all_of(all.begin(), all.end(), [&](Json item) { return read_item(item, shape); });
+  const auto items = json_.required_items(fence, list, "objects");
+  return items && std::all_of(items->begin(), items->end(),
+                              [&](Json item) { return read_item(item, shape); });
 }
 
 bool PlanReader::read_fence(Json fence) {

@@ -48,6 +48,9 @@ bool check_text(std::string_view text, const Limits& limits, Findings& findings)
                            "take the zeros out: what has copied or sent the file has filled it up, "
                            "or has sent the end of a string of C with it");
     }
+    if (length == 0 && i == 0 && (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))) {
+      return findings.fail("the whole text", "is UTF-16", "save the file as text in UTF-8");
+    }
     if (length == 0) {
       return findings.fail(line_and_column(text, i), "this byte is no UTF-8",
                            "save the file as text in UTF-8");
@@ -97,6 +100,14 @@ bool finish(Areas& areas, Findings& findings) {
 }
 
 }  // namespace
+
+std::optional<Failure> no_text(const std::string& text, const Limits& limits) {
+  Findings findings;
+  std::string_view content = text;
+  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
+  if (check_text(content, limits, findings)) return std::nullopt;
+  return findings.failure();
+}
 
 std::variant<Areas, Failure> read(Format format, const std::string& text, const Limits& limits) {
   Findings findings;

@@ -65,10 +65,10 @@ bool only_members(JsonReader& json, Json object, std::initializer_list<std::stri
 }
 
 // The formats have no 24:00: the last minute or second of a day is what they write for its end.
-TimeOfDay end_of(TimeOfDay time) {
+std::int32_t to_end_of_day_s(TimeOfDay time) {
   constexpr std::int32_t day_s = 86'400, minute_s = 60;
   const bool is_last = time.latest_s == day_s - 1 || time.latest_s == day_s - minute_s;
-  return {time.earliest_s, is_last ? day_s : time.latest_s, time.offset_s};
+  return is_last ? day_s - time.latest_s : 0;
 }
 
 bool is_same(TimeOfDay a, TimeOfDay b) {
@@ -101,7 +101,7 @@ bool add_daily(JsonReader& json, Json daily, Period base, Area& area) {
            from && until ? "ends when it starts" : "does not say both `startTime` and `endTime`",
            "write both, with their zone; a whole day is from 00:00Z to 23:59:59Z");
   } else {
-    for (const Period& period : daily_periods(base, *from, end_of(*until))) {
+    for (const Period& period : daily_periods(base, *from, *until, to_end_of_day_s(*until))) {
       area.schedule.push_back(period);
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/geometry/import/property_limits.h"
 #include "compiler/geometry/import/words.h"
 
 namespace rtac::geometry::import {
@@ -24,7 +25,7 @@ bool UnknownMembers::check(Json object, std::initializer_list<std::string_view> 
   for (const Json member : object.items()) {
     const std::string_view name = member.name();
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    if (sounds_like_limit(name)) {
+    if (sounds_like_limit(name) || is_limit_of_height(member) || is_limit_of_time(member)) {
       return findings.fail(member.where(),
                            "is no member that the format has, and sounds like a limit", help);
     }

@@ -104,7 +104,10 @@ bool WaypointReader::read_header(std::string_view line) {
     return true;
   }
   return findings_.fail("line " + std::to_string(line_), "is " + quote(line),
-                        "the first line of such a file is `QGC WPL 110`");
+                        line.find('\r') == std::string_view::npos
+                            ? "the first line of such a file is `QGC WPL 110`"
+                            : "lines end with a line feed: save the file with line ends of Unix or "
+                              "of Windows");
 }
 
 // Vehicles take items by their index, this reader by their line: where the two differ, the outline
@@ -133,7 +136,8 @@ bool WaypointReader::read_line(std::string_view line) {
     return findings_.fail(
         item.where,
         (fields.size() > columns ? "has more than twelve columns"
-                                 : "has " + std::to_string(fields.size()) + " columns"),
+                                 : "has " + std::to_string(fields.size()) +
+                                       (fields.size() == 1 ? " column" : " columns")),
         "an item has twelve; the file may have been cut off");
   }
   std::array<double, columns> values{};

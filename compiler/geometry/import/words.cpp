@@ -1,12 +1,17 @@
 #include "compiler/geometry/import/words.h"
 
 #include <cctype>
+#include <utility>
 
 namespace rtac::geometry::import {
 namespace {
 
 bool is_capital(char c) {
   return std::isupper(static_cast<unsigned char>(c)) != 0;
+}
+
+char small(char c) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
 }  // namespace
@@ -28,10 +33,30 @@ std::vector<std::string> words_of(std::string_view name) {
     }
     const bool turns = i > 0 && is_capital(name[i]) && !is_capital(name[i - 1]);
     if (starts || turns) words.emplace_back();
-    words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+    words.back() += small(name[i]);
     starts = false;
   }
   return words;
+}
+
+std::vector<Piece> pieces_of(std::string_view text) {
+  std::vector<Piece> pieces;
+  std::string between;
+  char before = ' ';
+  for (const char c : text) {
+    const bool digit = is_digit(c), letter = is_letter(c);
+    if (!digit && !letter) {
+      between += c;
+    } else {
+      if (digit ? !is_digit(before) : !is_letter(before)) {
+        pieces.push_back({"", digit, std::move(between)});
+        between.clear();
+      }
+      pieces.back().text += small(c);
+    }
+    before = c;
+  }
+  return pieces;
 }
 
 std::string joined(const std::vector<std::string>& words) {

@@ -1,4 +1,5 @@
-// Words that names of members consist of, whatever way they are written. Internal to this folder.
+// Words that names of members and what they say consist of, whatever way they are written. Internal
+// to this folder.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,17 @@ bool is_digit(char c);
 // In small letters: `maxAltitude_m`: `max`, `altitude` and `m`.
 std::vector<std::string> words_of(std::string_view name);
 std::string joined(const std::vector<std::string>& words);
+
+// A run of digits, or of letters in small ones: `FL95` are `fl` and `95`.
+struct Piece {
+  std::string text;
+  bool digits = false;
+  std::string between;  // it and the piece before it
+  [[nodiscard]] bool is_number(std::size_t least, std::size_t most) const {
+    return digits && least <= text.size() && text.size() <= most;
+  }
+};
+std::vector<Piece> pieces_of(std::string_view text);
 
 template <std::size_t n>
 bool has_part(const std::string& text, const std::array<std::string_view, n>& parts) {

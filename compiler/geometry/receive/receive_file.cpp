@@ -7,6 +7,7 @@
 
 #include "compiler/geometry/problem_text.h"
 #include "compiler/geometry/receive/names.h"
+#include "compiler/geometry/receive/refusals.h"
 #include "compiler/geometry/united.h"
 
 namespace rtac::geometry {
@@ -129,6 +130,10 @@ class FileReceiver {
     }
     return true;
   }
+  bool refuse(RefusedZone why) {
+    refused_ = std::move(why);
+    return false;
+  }
   bool refuse(const import::Failure& why) { return refuse(why.where, why.message, why.help); }
 
   bool has_no_limits() {
@@ -236,7 +241,13 @@ class FileReceiver {
       zone->outer = zone->outer.subtract(taken->inner);
     }
     // Its areas lie to each other as in the file, so that they are combined before.
-    ReceivedRegions regions{zone->inner.shrink(placer_.error()), zone->outer.grow(placer_.error())};
+    auto within = zone->inner.widened(Rational(-placer_.error()));
+    auto around = zone->outer.widened(placer_.error());
+    if (!within || !around) {
+      refuse(too_sharp(placer_.error()));
+      return std::nullopt;
+    }
+    ReceivedRegions regions{std::move(*within), std::move(*around)};
     if (!regions.within.empty()) return regions;
     refuse("the zone", "is empty, or nowhere wider than its places are exact",
            "an area that is a centimetre wide somewhere works");
@@ -316,8 +327,9 @@ class FileReceiver {
     return placer_.points() <= edges_most_ || too_many(placer_.points(), "points on the map");
   }
   // Of points within long edges, the vertices of the file where those begin.
-  void report(const Problem& problem, const std::vector<const import::Ring*>& written,
+  void report(const Problem& found, const std::vector<const import::Ring*>& written,
               const std::vector<std::vector<std::uint32_t>>& vertices) {
+    const Problem problem = in_file(found, vertices[found.ring]);
     const auto ring = [&](std::size_t i) { return written[i]->where; };
     const auto vertex = [&](std::size_t point) {
       const auto& in_file = vertices[problem.ring];

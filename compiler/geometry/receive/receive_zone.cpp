@@ -8,6 +8,7 @@
 #include "compiler/geometry/place/placer.h"
 #include "compiler/geometry/problem_text.h"
 #include "compiler/geometry/receive/names.h"
+#include "compiler/geometry/receive/refusals.h"
 #include "compiler/geometry/united.h"
 #include "compiler/support/rational.h"
 
@@ -31,7 +32,9 @@ class Receiver {
       return std::move(*refused_);
     }
     if (sgn(placer_.error()) == 0) return ReceivedRegions{*all, *all};
-    ReceivedRegions regions{all->shrink(placer_.error()), all->grow(placer_.error())};
+    auto within = all->widened(Rational(-placer_.error())), around = all->widened(placer_.error());
+    if (!within || !around) return too_sharp(placer_.error());
+    ReceivedRegions regions{std::move(*within), std::move(*around)};
     if (regions.within.empty()) {
       refuse("the zone", "is nowhere wider than its coordinates are exact",
              "a zone of more than 2 mm in both directions works");

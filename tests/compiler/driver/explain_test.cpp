@@ -485,16 +485,31 @@ TEST_F(Explain, AZoneThatNoMonitorAsksFor) {
   const std::string without = "  no monitor asks for it: modules have no table of it\n";
   EXPECT_EQ(about(3, "zone lab"),
             "zone lab\n  4 vertices, x from 0 m to 9 m, y from 0 m to 9 m\n" + without);
-  EXPECT_EQ(
-      about(4, "zone far"),
-      "zone far\n  every place within 536 km of (0 m, 0 m) that lab does not have\n" + without);
+  EXPECT_EQ(about(4, "zone far"),
+            "zone far\n  every place within 536 km of (0 m, 0 m) that lab does not have\n"
+            "  it takes no table of its own\n");
   EXPECT_EQ(about(5, "zone hall"),
             "zone hall\n  8 vertices, x from 0 m to 20.5 m, y from 0 m to 9 m\n" + without);
   EXPECT_EQ(
       about(6, "zone shop"),
       "zone shop\n  8 vertices, x from 0 m to 20.5 m, y from 0 m to 9 m, z from 1 m to 4 m\n" +
           without);
-  EXPECT_EQ(at(7).find("\nzone school\n"), std::string::npos);  // its times say enough
+  EXPECT_EQ(about(7, "zone school"),
+            "zone school\n  4 vertices, x from 0 m to 9 m, y from 0 m to 9 m\n" + without);
+}
+
+TEST_F(Explain, AZoneThatMonitorsWithoutARobotAskFor) {
+  write("door.rta",
+        "spec yard;\nperiod 1 s;\n"
+        "zone lab = rectangle (0 m, 0 m) to (9 m, 9 m);\n"
+        "zone hut = rectangle (20 m, 0 m) to (29 m, 9 m);\n"
+        "zone far = complement(hut);\n"
+        "input p : point in -90 .. 90 m;\n"
+        "input noise : length in 0 .. 9 m;\n"
+        "monitor m { \"R1: in the lab\" always p inside far; }\n"
+        "monitor n { \"R2: apart\" always distance(lab, hut) >= noise; }\n");
+  EXPECT_EQ(at(5).find("no monitor asks"), std::string::npos) << at(5);
+  EXPECT_NE(about(3, "zone lab").find("ask how far it is from others"), std::string::npos);
 }
 
 // The windows of a zone, on each of its lines, whether a monitor speaks of it or not.

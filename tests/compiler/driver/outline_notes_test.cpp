@@ -49,7 +49,7 @@ TEST_F(OutlineNotes, OfAFile) {
   write_spec("import \"a.kml\"");
   expect_in(explained(),
             "  1 vertex lies on a line with its neighbours and is left out; "
-            "see vertex 2 (47.002, 8) of a.kml: ");
+            "see vertex 2 (8, 47.002) of a.kml: ");
   expect_in(explained(), "  the outline runs clockwise and is turned; see a.kml: ");
   expect_in(explained(), "  1 hole runs counter-clockwise and is turned; see a.kml: ");
   expect_in(drawn(), ">the outline runs clockwise and is turned<");

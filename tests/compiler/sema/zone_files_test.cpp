@@ -395,7 +395,8 @@ TEST_F(ZoneFiles, AxesAreThoseOfTheFileWhateverItsFormatHas) {
            import.substr(0, import.find(' ')), "vertex 1 (", mend);
   };
   swapped("\"east.plan\"", "write `axes longitude latitude` behind it");
-  swapped("\"north.plan\" axes longitude latitude", "write `axes latitude longitude` behind it");
+  swapped("\"north.plan\" axes longitude latitude",
+          "write `axes latitude longitude` in the place of `axes longitude");
 }
 
 // Where the longitude is more than 90 degrees, the wrong order is off the globe.
@@ -457,7 +458,7 @@ TEST_F(ZoneFiles, AtThePolesNothingHasAPlace) {
   write("pole.geojson",
         R"({"type":"Polygon","coordinates":[[[10,88.9],[10.2,88.9],[10.2,89.01],[10,88.9]]]})");
   expect("origin 88.9 deg, 10 deg;\nzone z = import \"pole.geojson\";", Code::no_place_on_map,
-         "\"pole.geojson\"", "vertex 3 (89.01, 10.2) is too near to a pole", "up to 89 deg");
+         "\"pole.geojson\"", "vertex 3 (10.2, 89.01) is too near to a pole", "up to 89 deg");
 }
 
 TEST_F(ZoneFiles, RingsThatGoTheOtherWayRoundAreNoted) {

@@ -124,6 +124,28 @@ TEST(Ed269, LastMinuteOfADayIsItsEnd) {
   EXPECT_EQ(local.at(0).until_s, 22 * 3600);
 }
 
+// An end that is not later than the beginning is on the next day, whatever minute it is in.
+TEST(Ed269, WhatBeginsInTheLastMinuteOfADayGoesOnForADay) {
+  for (const char* end : {"23:59:00Z", "23:59:10Z"}) {
+    const auto schedule = schedule_of(
+        std::string(
+            R"({"permanent":"NO","schedule":[{"day":["ANY"],"startTime":"23:59:30Z","endTime":")") +
+        end + "\"}]}");
+    std::int32_t open_s = 0;
+    for (const Period& period : schedule) open_s += period.until_s - period.from_s;
+    EXPECT_GE(open_s, 86'400 - 30) << end;
+  }
+}
+
+TEST(Ed269, HeightsBeyondWhatFliesAreTold) {
+  for (const char* height : {"1e300", "-1e14", "1000001"}) {
+    const std::string text = zone(volume(), always);
+    const std::size_t at = text.find("\"upperLimit\":") + 13;
+    const std::string with = text.substr(0, at) + height + text.substr(text.find(',', at));
+    EXPECT_TRUE(contains(failure(with), "a limit of height of ")) << with;
+  }
+}
+
 TEST(Ed269, OnePermanentPeriodIsEnough) {
   EXPECT_TRUE(
       schedule_of(R"({"permanent":"NO","endDateTime":"2026-02-01T00:00:00Z"},)" + always).empty());

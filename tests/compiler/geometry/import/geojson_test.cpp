@@ -203,13 +203,38 @@ TEST(GeoJson, OnlyCrs84IsAccepted) {
   EXPECT_TRUE(contains(failure(feature_text(polygon_text(square), crs("x"))), "`x`"));
 }
 
+// Nothing of a broken part is dropped.
+TEST(GeoJson, NumbersAreNoGeometriesAndTextsNoProperties) {
+  EXPECT_TRUE(contains(failure(R"({"type":"GeometryCollection","geometries":[8.5,47.3]})"),
+                       "geometries: is an array of numbers (write an array of geometries here"));
+  for (const char* properties : {R"([{"upperLimit":120}])", R"("upperLimit 120")"}) {
+    EXPECT_TRUE(contains(failure(R"({"type":"Feature","geometry":null,"properties":)" +
+                                 std::string(properties) + "}"),
+                         "properties: is "))
+        << properties;
+  }
+}
+
+// What limits in a place that the format does not know limits all the same.
+TEST(GeoJson, LimitsBesideThePropertiesAreTold) {
+  for (const char* member : {R"("endTime":"2024-05-01")", R"("expires":"2024-05-01")",
+                             R"("when":{"end":"2024-05-01"})", R"("agl":50)"}) {
+    EXPECT_TRUE(contains(failure(R"({"type":"Feature","geometry":null,"properties":{},)" +
+                                 std::string(member) + "}"),
+                         "sounds like a limit"))
+        << member;
+  }
+}
+
 TEST(GeoJson, MembersOfEd318AreNotDropped) {
   EXPECT_TRUE(contains(failure(polygon_text(square, R"(,"layer":{"upper":120})")), "ED-318"));
 }
 
 TEST(GeoJson, WrongKindsAreToldWithValueAndPlace) {
   EXPECT_TRUE(contains(failure(polygon_text(R"([[["1",2],[3,4],[5,6],["1",2]]])")),
-                       "coordinates[0][0]: is an array, and its first element the text `1`"));
+                       "coordinates[0][0]: is an array, and its element 1 is the text `1`"));
+  EXPECT_TRUE(contains(failure(polygon_text("[[[1,null],[3,4],[5,6],[1,2]]]")),
+                       "coordinates[0][0]: is an array, and its element 2 is `null`"));
   EXPECT_TRUE(
       contains(failure(polygon_text("[[1,2],[3,4]]")), "coordinates[0]: is an array of numbers"));
   EXPECT_TRUE(contains(failure(polygon_text("[[[1,2,3,4]]]")), "has 4 numbers"));

@@ -37,6 +37,23 @@ TEST(Kml, PlacemarkIsAnArea) {
   EXPECT_FALSE(area.parts[0].band.floor || area.parts[0].band.ceiling);
 }
 
+// Whoever turns a file of GeoJSON into KML keeps its limits so.
+TEST(Kml, DataThatSoundLikeLimitsAreNoted) {
+  const auto with = [](const std::string& data) {
+    return only_area(Format::kml, kml(placemark("<ExtendedData>" + data + "</ExtendedData>" +
+                                                polygon(triangle))));
+  };
+  const Area height = with("<Data name=\"ceiling\"><value>120</value></Data>");
+  ASSERT_TRUE(height.unread_height);
+  EXPECT_TRUE(contains(height.unread_height->where, "line 2, column "));
+  EXPECT_TRUE(with("<SchemaData><SimpleData name=\"valid_until\">2024-05-01</SimpleData>"
+                   "</SchemaData>")
+                  .unread_time);
+  EXPECT_TRUE(with("<faa:ceiling xmlns:faa=\"http://x.org\">400 ft</faa:ceiling>").unread_height);
+  const Area plain = with("<Data name=\"owner\"><value>12</value></Data>");
+  EXPECT_FALSE(plain.unread_height || plain.unread_time);
+}
+
 TEST(Kml, InnerBoundariesAreHoles) {
   const std::string hole = "<innerBoundaryIs>" + ring("1,1 2,1 2,2 1,1") + "</innerBoundaryIs>";
   const Area area = only_area(Format::kml, kml(placemark(polygon("0,0 9,0 9,9 0,0", hole + hole))));

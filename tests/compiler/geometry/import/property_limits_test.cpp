@@ -86,12 +86,31 @@ TEST(PropertyLimits, NamesOfTimesAreFoundInEverySpelling) {
     EXPECT_NE(unread_time("\"" + name + "\":1714550400"), "") << name;
   }
   EXPECT_NE(unread_time(R"("schedule":[{"days":"Mon"}])"), "");
+  for (const std::string name :
+       {"time_start", "from_date", "valid_till", "notam_start", "applicability", "timePeriod",
+        "valid", "active", "when", "hours"}) {
+    EXPECT_NE(unread_time("\"" + name + R"(":"2024-05-01T08:00:00Z")"), "") << name;
+    EXPECT_NE(unread_time("\"" + name + R"(":{"startDateTime":"2024-05-01"})"), "") << name;
+  }
+}
+
+TEST(PropertyLimits, TimesAreTextsInEveryForm) {
+  for (const std::string text :
+       {"Mon-Fri", "8:00", "8 am", "1.5.24", "05/01/2024", "2024-05", "20240501", "May 1", "2024",
+        "weekdays", "2024-01-01/2024-02-01"}) {
+    EXPECT_NE(unread_time(R"("start":")" + text + "\""), "") << text;
+  }
+  for (const std::string text : {"Route 1234", "swisstopo 2023", "25000 m2", "3", "dam 7-12", ""}) {
+    EXPECT_EQ(unread_time(R"("start":")" + text + "\""), "") << text;
+  }
 }
 
 TEST(PropertyLimits, OtherDatesAndOtherValuesAreNoLimitsOfTime) {
   for (const std::string property :
        {R"("created":"2024-05-01")", R"("last_edited_date":"2024-05-01")", R"("effective":"yes")",
-        R"("schedule":null)", R"("weekend":1714550400)", R"("start":3)"}) {
+        R"("schedule":null)", R"("expires":"never")", R"("schedule_id":"S-1234")",
+        R"("effective_area":"2024-05-01")", R"("active":true)", R"("valid":"yes")",
+        R"("weekend":1714550400)", R"("start":3)"}) {
     EXPECT_EQ(unread_time(property), "") << property;
   }
 }

@@ -41,10 +41,23 @@ TEST(FormatOf, Ed269IsRecognisedWithoutAVolume) {
 TEST(FormatOf, Ed318IsRecognisedUnderTheExtensionOfGeoJson) {
   EXPECT_EQ(format_of("b.geojson", R"({"type":"FeatureCollection","zoneAuthority":[]})"),
             Format::ed318);
-  for (const char* member :
-       {"limitedApplicability", "lowerReference", "upperReference", "subType"}) {
+  for (const char* member : {"limitedApplicability", "lowerReference", "upperReference"}) {
     EXPECT_EQ(format_of("b.json", "{\"type\":1,\"" + std::string(member) + "\":0}"), Format::ed318);
   }
+}
+
+// Names and data may be called like members of another format.
+TEST(FormatOf, WordsOfAnotherFormatDoNotHideLimits) {
+  const std::string both = R"({"type":"FeatureCollection","features":[{"type":"Feature",)"
+                           R"("properties":{"zoneAuthority":[],"limitedApplicability":[],)"
+                           R"("restriction":"x","extendedProperties":{"applicability":1}}}]})";
+  for (const char* path : {"b.json", "b.geojson", "b"}) {
+    EXPECT_EQ(format_of(path, both), Format::ed318) << path;
+  }
+  EXPECT_EQ(format_of("b.geojson", R"({"features":[{"horizontalProjection":1}]})"), Format::ed269);
+  const std::string pond = R"({"type":"Feature","properties":{"subType":"lake"}})";
+  EXPECT_EQ(format_of("b.json", pond), Format::geojson);
+  EXPECT_EQ(format_of("b.geojson", R"({"restriction":1,"applicability":2})"), Format::geojson);
 }
 
 TEST(FormatOf, NothingIsGuessed) {
@@ -64,6 +77,13 @@ TEST(Read, TextsThatAreNoUtf8AreToldWithThePlace) {
   EXPECT_TRUE(contains(failure_of(Format::geojson, "\xed\xa0\x80"), "no UTF-8"));  // a surrogate
   EXPECT_TRUE(contains(failure_of(Format::geojson, "\xc0\x80"), "no UTF-8"));  // longer than needed
   EXPECT_TRUE(contains(failure_of(Format::geojson, "\xf0\x9f\x98"), "no UTF-8"));  // cut off
+}
+
+TEST(Read, WhatIsNoTextIsOfNoFormat) {
+  const std::string utf16("\xff\xfe{\0", 4);
+  ASSERT_TRUE(no_text(utf16, {}));
+  EXPECT_EQ(no_text(utf16, {})->message, "is UTF-16");
+  EXPECT_EQ(no_text("hello", {}), std::nullopt);
 }
 
 TEST(Read, EmptyTextsAndArchivesAreTold) {

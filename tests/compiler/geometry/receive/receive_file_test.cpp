@@ -156,6 +156,24 @@ TEST(ReceiveFile, AsksWhatSeveralInclusionsMean) {
   EXPECT_NE(refused(receive(kml(), as_kml, FileAreas::any)), "taken");
 }
 
+// Needles 60 cm wide: what moves them is the error of the map. Minutes would not be bounded time.
+TEST(ReceiveFile, RefusesSharpOutlinesThatTakeMinutes) {
+  std::string ring = "[[8.5,47.39]";
+  constexpr int needles = 10'001;
+  for (int i = 0; i < needles; ++i) {
+    const auto east = [](int eighths) {
+      const std::string digits = std::to_string(eighths * 4);
+      return "[8.5" + std::string(6 - digits.size(), '0') + digits;
+    };
+    ring += "," + east(2 * i) + ",47.4]," + east(2 * i + 1) + ",47.401]";
+  }
+  const std::string text =
+      R"({"type":"Polygon","coordinates":[)" + ring + ",[8.59,47.4],[8.59,47.39],[8.5,47.39]]]}";
+  EXPECT_NE(refused(receive(text, as_geojson, FileAreas::unstated, 30'000))
+                .find("the zone: has corners so sharp"),
+            std::string::npos);
+}
+
 // A circle is a polygon within it, and another one around it; of an exclusion the other way round.
 TEST(ReceiveFile, HasCirclesOnTheirSafeSides) {
   const std::string circle =

@@ -48,7 +48,8 @@ TEST(ReceiveZone, NamesTheVertexAndTheReason) {
                 .substr(0, 22),
             "hole 1: overlaps hole ");
   EXPECT_EQ(refused({polygon(square, {{{0, 5}, {5, 4}, {10, 5}, {5, 6}}})}),
-            "hole 1: touches the outer ring at (10 m, 5 m), and cuts the area in two");
+            "hole 1: touches the outer ring at (10 m, 5 m), on its edge from vertex 2, and cuts "
+            "the area in two");
 }
 
 // At compile time a note says that heights are left out; here nobody would read it.
