@@ -38,8 +38,8 @@ class Checker {
 
  private:
   // Millions of states: worth the time of the compiler, and in no need of a search that is too
-  // deep.
-  [[nodiscard]] bool is_large() const { return model_.monitors > 5; }
+  // deep. Where recoveries are coordinated, fewer monitors have as many.
+  [[nodiscard]] bool is_large() const { return model_.monitors > (model_.coordinated ? 2 : 5); }
   [[nodiscard]] std::string said() const { return read_file(path("said")).value_or(""); }
   [[nodiscard]] std::string path(const std::string& name) const {
     return folder_.path() + "/" + name;

@@ -229,6 +229,7 @@ Model protocol_model(const Subject& s, const Arbitration& arbitration, const std
   model.claims = std::string("\n") + claims_text;
   model.claim_names = {"one_controller", "scheduled", "given_back", "no_livelock",
                        "control_returns"};
+  model.coordinated = s.coordinated;
   if (s.coordinated) coordinate(model);
   return model;
 }

@@ -49,6 +49,7 @@ struct Model {
   std::string claims;       // formulas of linear temporal logic
   std::vector<std::string> claim_names;
   std::size_t monitors = 0;  // how many there are
+  bool coordinated = false;  // by what recoveries keep, in the place of a priority
   [[nodiscard]] std::string text() const { return rules + environment + claims; }
 };
 

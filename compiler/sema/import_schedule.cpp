@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "compiler/sema/openings.h"
@@ -28,26 +27,6 @@ unsigned weekday(std::int64_t day) {
 
 std::size_t windows_of(const Opening& opening) {
   return opening.days == 0 ? 1 : static_cast<std::size_t>(std::popcount(opening.days));
-}
-
-// Hours of the same days and dates that meet are one: a day from midnight to midnight elsewhere is
-// two parts of days in UTC.
-std::vector<Period> joined(std::vector<Period> schedule) {
-  const auto days = [](const Period& p) {
-    return std::tie(p.weekdays, p.from_us, p.until_us, p.rounded);
-  };
-  std::stable_sort(schedule.begin(), schedule.end(), [&](const Period& a, const Period& b) {
-    return days(a) != days(b) ? days(a) < days(b) : a.from_s < b.from_s;
-  });
-  std::vector<Period> all;
-  for (Period& next : schedule) {
-    if (all.empty() || days(all.back()) != days(next) || next.from_s > all.back().until_s) {
-      all.push_back(std::move(next));
-    } else {
-      all.back().until_s = std::max(all.back().until_s, next.until_s);
-    }
-  }
-  return all;
 }
 
 class WindowMaker {
@@ -132,7 +111,7 @@ class WindowMaker {
 
 std::variant<std::vector<Opening>, Failure> openings_of(const std::vector<Period>& schedule) {
   if (schedule.empty()) return std::vector<Opening>{};
-  return WindowMaker().run(joined(schedule));
+  return WindowMaker().run(geometry::import::joined(schedule));
 }
 
 std::string summary_of(const std::vector<Opening>& openings) {

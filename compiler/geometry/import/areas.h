@@ -57,6 +57,9 @@ struct Period {
   std::string where{};                        // in the file, for messages
   std::string rounded{};  // the moment or time that is no whole second, as the file has it, if any
 };
+// Hours of the same days and dates that meet are one: a day from midnight to midnight elsewhere is
+// two parts of days in UTC.
+std::vector<Period> joined(std::vector<Period> schedule);
 
 enum class Role { unstated, keep_in, keep_out };
 

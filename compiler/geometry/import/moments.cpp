@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <tuple>
+#include <utility>
 
 namespace rtac::geometry::import {
 namespace {
@@ -147,6 +149,24 @@ std::vector<Period> daily_periods(const Period& base, TimeOfDay from, TimeOfDay 
     result.push_back(second);
   }
   return result;
+}
+
+std::vector<Period> joined(std::vector<Period> schedule) {
+  const auto days = [](const Period& p) {
+    return std::tie(p.weekdays, p.from_us, p.until_us, p.rounded);
+  };
+  std::stable_sort(schedule.begin(), schedule.end(), [&](const Period& a, const Period& b) {
+    return days(a) != days(b) ? days(a) < days(b) : a.from_s < b.from_s;
+  });
+  std::vector<Period> all;
+  for (Period& next : schedule) {
+    if (all.empty() || days(all.back()) != days(next) || next.from_s > all.back().until_s) {
+      all.push_back(std::move(next));
+    } else {
+      all.back().until_s = std::max(all.back().until_s, next.until_s);
+    }
+  }
+  return all;
 }
 
 }  // namespace rtac::geometry::import

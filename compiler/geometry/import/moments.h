@@ -30,5 +30,4 @@ std::optional<TimeOfDay> parse_time_of_day(std::string_view text);
 // begins; an end that is not after the beginning is on the next day. With the moments of `base`.
 std::vector<Period> daily_periods(const Period& base, TimeOfDay from, TimeOfDay until,
                                   std::int32_t longer_s = 0);
-
 }  // namespace rtac::geometry::import

@@ -94,7 +94,8 @@ bool finish(Areas& areas, Findings& findings) {
   }
   for (Area& area : areas.areas) {
     if (area.refusal) area.parts.clear();
-    if (std::any_of(area.schedule.begin(), area.schedule.end(), is_always)) area.schedule.clear();
+    const std::vector<Period> all = joined(area.schedule);
+    if (std::any_of(all.begin(), all.end(), is_always)) area.schedule.clear();
   }
   return check_positions(areas, findings);
 }

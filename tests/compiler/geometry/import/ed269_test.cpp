@@ -146,6 +146,14 @@ TEST(Ed269, HeightsBeyondWhatFliesAreTold) {
   }
 }
 
+TEST(Ed269, PartsOfADayThatMeetAreNoLimit) {
+  EXPECT_TRUE(
+      schedule_of(
+          R"({"permanent":"NO","schedule":[{"day":["ANY"],"startTime":"12:00Z","endTime":"23:59Z"},)"
+          R"({"day":["ANY"],"startTime":"00:00Z","endTime":"12:00Z"}]})")
+          .empty());
+}
+
 TEST(Ed269, OnePermanentPeriodIsEnough) {
   EXPECT_TRUE(
       schedule_of(R"({"permanent":"NO","endDateTime":"2026-02-01T00:00:00Z"},)" + always).empty());
