@@ -67,11 +67,11 @@ function(rtac_precompiled_tests target)
 endfunction()
 
 #   rtac_test(<folder below tests> [LINK target...] [DEFINE definition...] [BATCH number] [KEEP source...]
-#             [PRECOMPILE header...] [WITH_C])
+#             [PRECOMPILE header...] [ENVIRONMENT NAME=VALUE] [WITH_C])
 # Every *_test.cpp of the folder goes into one GoogleTest executable; each test is a ctest case.
 # WITH_C: it gets sources in C as well, which cannot share what is precompiled.
 function(rtac_test folder)
-  cmake_parse_arguments(arg "WITH_C" "BATCH" "LINK;DEFINE;KEEP;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(arg "WITH_C" "BATCH;ENVIRONMENT" "LINK;DEFINE;KEEP;PRECOMPILE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp)
   if(NOT sources)
     return()
@@ -90,5 +90,5 @@ function(rtac_test folder)
     rtac_precompiled_tests(test_${name} ${arg_PRECOMPILE})
   endif()
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${name}) # ctest sums their times up
+    PROPERTIES LABELS ${name} ENVIRONMENT "${arg_ENVIRONMENT}") # ctest sums up times of labels
 endfunction()

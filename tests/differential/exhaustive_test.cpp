@@ -155,7 +155,7 @@ class SmallScope : public ::testing::Test {
 
 TEST_F(SmallScope, KernelVerdictsAndReferenceFollowTheDefinitions) {
   const auto code = driver::kernel_code(checked_->compilation);
-  const driver::LoadedKernel kernel = load(code);
+  const driver::LoadedKernel kernel = load(code, {}, Speed::of_building);
   ASSERT_NE(kernel.engine, nullptr) << kernel.problem;
   const driver::LoadedKernel verdicts = load_verdicts(code, {}, Speed::of_building);
   ASSERT_NE(verdicts.engine, nullptr) << verdicts.problem;
