@@ -85,7 +85,8 @@ class KmlReader {
   bool read_features(xml_node container, KmlPlace in, xml_node time, std::size_t depth);
   bool read_feature(KmlElement element, xml_node node, xml_node time, std::size_t depth);
   bool read_placemark(xml_node placemark, xml_node time);
-  bool read_placemark_child(KmlElement element, xml_node node, Area& area, xml_node& geometry);
+  bool read_placemark_child(KmlElement element, xml_node node, Area& area, xml_node& name,
+                            xml_node& geometry);
   void note_limits(xml_node data, Area& area);
   void refuse_time(xml_node time, Area& area);
   bool read_geometry(KmlElement element, xml_node node, Area& area, std::size_t depth);
@@ -361,10 +362,11 @@ void KmlReader::note_limits(xml_node data, Area& area) {
   }
 }
 
-bool KmlReader::read_placemark_child(KmlElement element, xml_node node, Area& area,
+bool KmlReader::read_placemark_child(KmlElement element, xml_node node, Area& area, xml_node& name,
                                      xml_node& geometry) {
   if (element == KmlElement::name) {
-    if (!area.name.empty()) return fail_second(node, "keep the one by which it is selected");
+    if (name) return fail_second(node, "keep the one by which it is selected");
+    name = node;
     return read_text(node, area.name);
   }
   if (element == KmlElement::time) {
@@ -386,9 +388,9 @@ bool KmlReader::read_placemark_child(KmlElement element, xml_node node, Area& ar
 bool KmlReader::read_placemark(xml_node placemark, xml_node time) {
   Area area;
   area.where = place(placemark);
-  xml_node geometry;
+  xml_node name, geometry;
   const auto take = [&](KmlElement element, xml_node child) {
-    return read_placemark_child(element, child, area, geometry);
+    return read_placemark_child(element, child, area, name, geometry);
   };
   if (!each_child(placemark, KmlPlace::placemark, take)) return false;
   const std::string id = placemark.attribute("id").value();

@@ -348,6 +348,8 @@ TEST(Kml, WhatIsMissingOrTwiceIsTold) {
                                              "</Polygon>"))),
                        "a second `<coordinates>`"));
   EXPECT_TRUE(contains(failure(kml(placemark("<name>pond</name>"))), "a second `<name>`"));
+  EXPECT_TRUE(contains(failure(kml("<Placemark><name/><name>pond</name></Placemark>")),
+                       "a second `<name>`"));
   EXPECT_TRUE(contains(
       refusal_of(only_area(Format::kml, kml(placemark(polygon(triangle) + polygon(triangle))))),
       "a second geometry of one Placemark, `<Polygon>`"));
