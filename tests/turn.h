@@ -1,6 +1,6 @@
 // Tests that take long may take turns: with RTAC_TURN=1/4 in the environment, they look at every
-// fourth of their cases, from the second on; without it at all of them. The integration machine
-// counts the turn with the commits, so that four of them look at everything (.ci/run).
+// fourth of their cases, from the second on; without it at all of them. On the integration machine
+// the commit chooses the turn (.ci/run).
 #pragma once
 
 #include <cstddef>

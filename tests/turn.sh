@@ -4,7 +4,10 @@
 is_due() {
   turn=${RTAC_TURN:-0/1}
   case $turn in
-    [0-9]*/[1-9]*) [ $(($1 % ${turn#*/})) -eq "${turn%/*}" ] ;;
+    [0-9]*/[1-9]*)
+      [ "${turn%/*}" -lt "${turn#*/}" ] || { echo "RTAC_TURN=$turn" >&2 && exit 1; }
+      [ $(($1 % ${turn#*/})) -eq "${turn%/*}" ]
+      ;;
     *) echo "RTAC_TURN=$turn" >&2 && exit 1 ;;
   esac
 }

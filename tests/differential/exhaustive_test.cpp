@@ -125,7 +125,7 @@ class SmallScope : public ::testing::Test {
     checked_ = check(specification(pairs_), Until::kernel);
     ASSERT_EQ(checked_->problem, "");
   }
-  // All of them by turns, since what is expected takes longest.
+  // What is expected is found once for all of them.
   void compare(const std::vector<driver::Engine*>& engines) const {
     std::size_t different = 0;
     for (std::size_t n = 0; n < traces_.size(); ++n) {

@@ -43,6 +43,7 @@ expect 'help with an argument' 2 'takes no arguments' "${dev[@]}" help extra
 expect 'lint of a file that is not there' 2 'there is no file `nofile`' "${dev[@]}" lint nofile
 expect 'lint of another kind of file' 2 'no C or C++ source' "${dev[@]}" lint dev
 expect 'lint by no turn' 2 'is no turn, such as 1/4' env RTAC_TURN=x "${dev[@]}" lint
+expect 'lint by a turn too many' 2 'is no turn, such as 1/4' env RTAC_TURN=4/4 "${dev[@]}" lint
 # shellcheck disable=SC2016  # back-ticks of the message
 expect 'bless of an unknown case' 2 'no golden case is called `nocase`' "${dev[@]}" bless nocase
 expect 'bless of an empty name' 2 'no golden case is called' "${dev[@]}" bless ''

@@ -80,6 +80,11 @@ Outcome read_format(Format format, std::string_view text, const Limits& limits) 
   return Failure{"the whole text", "is of an unknown format", "name one of the formats"};
 }
 
+// Of the order of bytes, which UTF-8 does not need.
+std::string_view without_mark(std::string_view text) {
+  return text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
+}
+
 bool is_always(const Period& period) {
   const Period always;
   return !period.from_us && !period.until_us && period.weekdays == always.weekdays &&
@@ -104,16 +109,13 @@ bool finish(Areas& areas, Findings& findings) {
 
 std::optional<Failure> no_text(const std::string& text, const Limits& limits) {
   Findings findings;
-  std::string_view content = text;
-  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
-  if (check_text(content, limits, findings)) return std::nullopt;
+  if (check_text(without_mark(text), limits, findings)) return std::nullopt;
   return findings.failure();
 }
 
 std::variant<Areas, Failure> read(Format format, const std::string& text, const Limits& limits) {
   Findings findings;
-  std::string_view content = text;
-  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
+  const std::string_view content = without_mark(text);
   if (!check_text(content, limits, findings)) return *findings.failure();
   Outcome outcome = read_format(format, content, limits);
   if (auto* areas = std::get_if<Areas>(&outcome); areas != nullptr && !finish(*areas, findings)) {

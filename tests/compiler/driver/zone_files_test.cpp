@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "tests/compiler/driver/testing.h"
+#include "tests/compiler/needles.h"
 
 namespace rtac::driver::test {
 namespace {
@@ -155,16 +156,7 @@ TEST_F(ZoneFiles, OffsetsOfMoreThan20000VerticesAreRefused) {
 
 // Needles 60 cm wide and 110 m long: what moves them is the error of the map, not the author.
 TEST_F(ZoneFiles, OutlinesInDegreesAreMovedByTheErrorOfTheMap) {
-  std::string ring = "[[8.5,47.39]";
-  constexpr int needles = 10'001;
-  for (int i = 0; i < needles; ++i) {
-    const auto east = [](int eighths) {
-      const std::string digits = std::to_string(eighths * 4);
-      return "[8.5" + std::string(6 - digits.size(), '0') + digits;
-    };
-    ring += "," + east(2 * i) + ",47.4]," + east(2 * i + 1) + ",47.401]";
-  }
-  write_polygon("a.geojson", ring + ",[8.59,47.4],[8.59,47.39],[8.5,47.39]]");
+  write_polygon("a.geojson", "[" + rtac::test::needles_in_degrees() + "]");
   expect_said("import \"a.geojson\"", "error[4030]: the areas of the file have 20059 ");
   expect_said("import \"a.geojson\"", "by the 2.701 mm that their places may be off");
 }

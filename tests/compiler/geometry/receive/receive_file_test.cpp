@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/compiler/needles.h"
+
 namespace rtac::geometry {
 namespace {
 
@@ -158,17 +160,8 @@ TEST(ReceiveFile, AsksWhatSeveralInclusionsMean) {
 
 // Needles 60 cm wide: what moves them is the error of the map. Minutes would not be bounded time.
 TEST(ReceiveFile, RefusesSharpOutlinesThatTakeMinutes) {
-  std::string ring = "[[8.5,47.39]";
-  constexpr int needles = 10'001;
-  for (int i = 0; i < needles; ++i) {
-    const auto east = [](int eighths) {
-      const std::string digits = std::to_string(eighths * 4);
-      return "[8.5" + std::string(6 - digits.size(), '0') + digits;
-    };
-    ring += "," + east(2 * i) + ",47.4]," + east(2 * i + 1) + ",47.401]";
-  }
   const std::string text =
-      R"({"type":"Polygon","coordinates":[)" + ring + ",[8.59,47.4],[8.59,47.39],[8.5,47.39]]]}";
+      R"({"type":"Polygon","coordinates":[[)" + rtac::test::needles_in_degrees() + "]]}";
   EXPECT_NE(refused(receive(text, as_geojson, FileAreas::unstated, 30'000))
                 .find("the zone: has corners so sharp"),
             std::string::npos);
