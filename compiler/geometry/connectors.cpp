@@ -53,53 +53,62 @@ double distance(Vec a, Vec b, Vec c, Vec d) {
 
 }  // namespace
 
-// A square; the clearance of its middle, without sign, is that of every point within `radius`.
-struct Connectors::Spot {
-  Vec middle;
-  double side, radius;
-  double gap;
-};
+double Connectors::Spot::radius_mm() const {
+  return side_mm / std::sqrt(2.0);
+}
 
-double Connectors::longest_mm(double x_mm, double y_mm, double size_mm,
-                              const std::vector<Landing>& landings, double reach_mm) {
+Connectors::Spot Connectors::look_around(double x_mm, double y_mm, double size_mm,
+                                         double reach_mm) {
   const Vec middle{x_mm + size_mm / 2, y_mm + size_mm / 2};
   const double limit = size_mm * std::sqrt(2.0) + reach_mm + std::max(clearance_mm_, body_mm_) + 1;
   near_.clear();
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     if (distance(start_of(edges_[i]), end_of(edges_[i]), middle) <= limit) near_.push_back(i);
   }
-  return longest_in({middle, size_mm, size_mm / std::sqrt(2.0), 0}, halvings_max, landings);
+  return spot_at(middle.x, middle.y, size_mm);
 }
 
-double Connectors::longest_in(const Spot& square, int halvings,
-                              const std::vector<Landing>& landings) const {
-  Spot spot = square;
-  spot.gap = std::max(clearance_mm_, body_mm_);  // more does not matter
+Connectors::Spot Connectors::spot_at(double x_mm, double y_mm, double side_mm) const {
+  double gap_mm = std::max(clearance_mm_, body_mm_);  // more does not matter
   for (const std::uint32_t i : near_) {
-    spot.gap = std::min(spot.gap, distance(start_of(edges_[i]), end_of(edges_[i]), spot.middle));
+    gap_mm = std::min(gap_mm, distance(start_of(edges_[i]), end_of(edges_[i]), {x_mm, y_mm}));
   }
+  return {x_mm, y_mm, side_mm, gap_mm};
+}
+
+std::array<Connectors::Spot, 4> Connectors::quarters(const Spot& spot) const {
+  const double off = spot.side_mm / 4, half = spot.side_mm / 2;
+  return {spot_at(spot.x_mm - off, spot.y_mm - off, half),
+          spot_at(spot.x_mm + off, spot.y_mm - off, half),
+          spot_at(spot.x_mm - off, spot.y_mm + off, half),
+          spot_at(spot.x_mm + off, spot.y_mm + off, half)};
+}
+
+double Connectors::longest_mm(double x_mm, double y_mm, double size_mm,
+                              const std::vector<Landing>& landings, double reach_mm) {
+  return longest_in(look_around(x_mm, y_mm, size_mm, reach_mm), halvings_max, landings);
+}
+
+double Connectors::longest_in(const Spot& spot, int halvings,
+                              const std::vector<Landing>& landings) const {
   if (holds_nobody(spot)) return 0;
   for (const Landing& to : landings) {
     if (!is_sound(spot, to)) continue;
-    return to.rest_mm + length(Vec{to.x_mm, to.y_mm} - spot.middle) + spot.radius;
+    return to.rest_mm + std::hypot(to.x_mm - spot.x_mm, to.y_mm - spot.y_mm) + spot.radius_mm();
   }
   if (halvings == 0) return -1;
   double longest = 0;
-  for (const double up : {-0.25, 0.25}) {
-    for (const double right : {-0.25, 0.25}) {
-      const Vec middle{spot.middle.x + right * spot.side, spot.middle.y + up * spot.side};
-      const double part =
-          longest_in({middle, spot.side / 2, spot.radius / 2, 0}, halvings - 1, landings);
-      if (part < 0) return -1;
-      longest = std::max(longest, part);
-    }
+  for (const Spot& part : quarters(spot)) {
+    const double of_part = longest_in(part, halvings - 1, landings);
+    if (of_part < 0) return -1;
+    longest = std::max(longest, of_part);
   }
   return longest;
 }
 
 bool Connectors::holds_nobody(const Spot& spot) const {
-  if (spot.gap + spot.radius < body_mm_ - slack_mm) return true;
-  return spot.gap > spot.radius + slack_mm && !contains(spot.middle.x, spot.middle.y);
+  if (spot.gap_mm + spot.radius_mm() < body_mm_ - slack_mm) return true;
+  return spot.gap_mm > spot.radius_mm() + slack_mm && !contains(spot.x_mm, spot.y_mm);
 }
 
 // Even-odd rule; the boundary is farther away than any error.
@@ -120,14 +129,15 @@ bool Connectors::contains(double x, double y) const {
 // not fall at p when (c - p) . (p - q) >= 0, q being the point of the edge nearest to p. That
 // product changes by at most |p - q| + |c - p| per mm of p, because projection is a contraction.
 bool Connectors::is_sound(const Spot& spot, const Landing& to) const {
-  const Vec p = spot.middle, c{to.x_mm, to.y_mm};
-  const double enough = std::min(clearance_mm_, spot.gap + spot.radius);
+  const Vec p{spot.x_mm, spot.y_mm}, c{to.x_mm, to.y_mm};
+  const double radius = spot.radius_mm();
+  const double enough = std::min(clearance_mm_, spot.gap_mm + radius);
   const double way = length(c - p);
   for (const std::uint32_t i : near_) {
     const Vec a = start_of(edges_[i]), b = end_of(edges_[i]);
-    if (distance(a, b, p, c) - spot.radius >= enough - forgiven_mm) continue;
+    if (distance(a, b, p, c) - radius >= enough - forgiven_mm) continue;
     const Vec q = nearest_on(a, b, p);
-    const double change = spot.radius * (length(p - q) + way + 2 * spot.radius);
+    const double change = radius * (length(p - q) + way + 2 * radius);
     if (dot(c - p, p - q) < change) return false;
   }
   return true;

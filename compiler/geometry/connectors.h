@@ -2,6 +2,7 @@
 // place near the boundary straight to the centre of an admissible cell. Internal to this folder.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,13 +30,25 @@ class Connectors {
   [[nodiscard]] double longest_mm(double x_mm, double y_mm, double size_mm,
                                   const std::vector<Landing>& landings, double reach_mm);
 
+  // The same one by one. A square by its middle, and up to what clearance matters the one that its
+  // middle has; of the cell at (x, y), whose edges are looked at from then on, or within it.
+  struct Spot {
+    double x_mm, y_mm, side_mm;
+    double gap_mm;
+    [[nodiscard]] double radius_mm() const;  // of the circle around it
+  };
+  [[nodiscard]] Spot look_around(double x_mm, double y_mm, double size_mm, double reach_mm);
+  [[nodiscard]] std::array<Spot, 4> quarters(const Spot& spot) const;
+  // No body can be there.
+  [[nodiscard]] bool holds_nobody(const Spot& spot) const;
+  // The leg to there is sound from each of its places.
+  [[nodiscard]] bool is_sound(const Spot& spot, const Landing& to) const;
+
  private:
-  struct Spot;
   [[nodiscard]] double longest_in(const Spot& spot, int halvings,
                                   const std::vector<Landing>& landings) const;
-  [[nodiscard]] bool holds_nobody(const Spot& spot) const;
+  [[nodiscard]] Spot spot_at(double x_mm, double y_mm, double side_mm) const;
   [[nodiscard]] bool contains(double x, double y) const;
-  [[nodiscard]] bool is_sound(const Spot& spot, const Landing& to) const;
 
   const std::vector<EdgeRow>& edges_;
   double clearance_mm_, body_mm_;

@@ -239,28 +239,6 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
 
 namespace {
 
-// Robots that wait for each other: in which passage they cannot get round one that holds.
-std::string room_to_pass(const Subject& s, const ir::Recovery& yield) {
-  const ir::ZoneTable& zone = s.module[yield.zone];
-  // one that holds in the middle, and the other between it and a wall
-  const std::int64_t need_mm = yield.pass_gap_mm + yield.route_clearance_mm;
-  const std::string wide = "a width of " + metres(2 * need_mm) + " would do";
-  if (zone.widest_mm < need_mm) {
-    return "robots that meet in " + quoted(zone.name) + " cannot get round each other: it is " +
-           metres(2 * std::int64_t{zone.widest_mm}) + " wide at most, and " + wide;
-  }
-  const auto narrow = analysis::passages(zone.cells, s.decision.body.radius_mm, need_mm);
-  if (narrow.empty()) {
-    return quoted(zone.name) +
-           " has no narrow passage, but that robots always find a way round each other is not "
-           "shown";
-  }
-  const analysis::Stranded& worst = narrow.front();
-  return "robots that meet near " + place(worst.x_mm, worst.y_mm) + " in " + quoted(zone.name) +
-         " cannot get round each other: it is about " + metres(2 * worst.clearance_mm) +
-         " wide there, and " + wide;
-}
-
 // What is only too high has control given back on the way down, at the latest where it ends.
 Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
@@ -387,14 +365,10 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     return ways.status == Status::proved ? returned_at_rest(s, k, std::move(ways)) : ways;
   }
   if (last == ir::RecoveryKind::land) return landing_returns(s, k, std::move(o));
+  if (last == ir::RecoveryKind::yield) return makes_room(s, k, std::move(o));
   o.status = Status::unknown;
   o.method = "no proof";
-  if (last == ir::RecoveryKind::yield) {
-    o.because = room_to_pass(s, ir::last_step(m.recovery));
-    o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
-  } else {
-    o.because = "nothing is claimed of where " + quoted(m.recovery.name) + " leads";
-  }
+  o.because = "nothing is claimed of where " + quoted(m.recovery.name) + " leads";
   return o;
 }
 

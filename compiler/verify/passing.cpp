@@ -1,0 +1,129 @@
+// P2b of a recovery that waits for other robots, and makes room for them.
+#include "compiler/analysis/company.h"
+#include "compiler/analysis/liveness.h"
+#include "compiler/geometry/parting.h"
+#include "compiler/support/words.h"
+#include "compiler/verify/atoms.h"
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+namespace {
+
+// Robots that wait for each other: in which passage they cannot get round one that holds.
+std::string room_to_pass(const Subject& s, const ir::Recovery& yield) {
+  const ir::ZoneTable& zone = s.module[yield.zone];
+  // one that holds in the middle, and the other between it and a wall
+  const std::int64_t need_mm = yield.pass_gap_mm + yield.route_clearance_mm;
+  const std::string wide = "a width of " + metres(2 * need_mm) + " would do";
+  if (zone.widest_mm < need_mm) {
+    return "robots that meet in " + quoted(zone.name) + " cannot get round each other: it is " +
+           metres(2 * std::int64_t{zone.widest_mm}) + " wide at most, and " + wide;
+  }
+  const auto narrow = analysis::passages(zone.cells, s.decision.body.radius_mm, need_mm);
+  if (narrow.empty()) {
+    return quoted(zone.name) +
+           " has no narrow passage, but that robots always find a way round each other is not "
+           "shown";
+  }
+  const analysis::Stranded& worst = narrow.front();
+  return "robots that meet near " + place(worst.x_mm, worst.y_mm) + " in " + quoted(zone.name) +
+         " cannot get round each other: it is about " + metres(2 * worst.clearance_mm) +
+         " wide there, and " + wide;
+}
+
+std::string place_of(const geometry::GridPoint& p) {
+  return place(p.x_mm, p.y_mm);
+}
+
+// As robots are measured that hold, and with the room for errors that the runtime leaves (Aside).
+geometry::PartingQuery query_of(const ir::Body& body, const ir::Recovery& yield) {
+  const auto mm = [](std::int64_t length_mm) {
+    return static_cast<std::int32_t>(std::max<std::int64_t>(length_mm, 0));
+  };
+  const std::int64_t error_mm = body.position_error_mm;
+  return {.clearance_mm = mm(yield.route_clearance_mm),
+          .body_mm = mm(body.radius_mm - error_mm),
+          .nearest_mm = mm(2 * (body.radius_mm - error_mm)),
+          .apart_mm = mm(yield.pass_gap_mm + error_mm + 1),
+          .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + 1)};
+}
+
+geometry::Parting parting_in(const ir::ZoneTable& zone, const geometry::PartingQuery& query) {
+  std::vector<geometry::EdgeRow> edges;
+  for (const ir::Edge& e : zone.edges) edges.push_back({{e.ax, e.ay}, {e.bx, e.by}});
+  const ir::Cells& c = zone.cells;
+  return geometry::parting(edges,
+                           {.origin = {c.origin_x_mm, c.origin_y_mm},
+                            .cell_mm = c.cell_mm,
+                            .columns = c.columns,
+                            .rows = c.rows,
+                            .clearance_mm_lo = c.clearance_mm_lo,
+                            .clearance_mm_hi = {}},
+                           query);
+}
+
+// "": the property says nothing but how far from each other two robots keep, and what inputs say.
+std::string more_than_two(const Subject& s, std::size_t k) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  const Atoms a = atoms_of(m.property);
+  const bool more = a.clearance || a.charge || a.speed || a.altitude || a.agent || a.energy ||
+                    a.others || a.received;
+  if (more) return quoted(m.name) + " asks for more than distances from other robots";
+  if (analysis::others_may_break(s.decision, m)) {
+    return "others may keep " + quoted(m.name) + " from holding, wherever the robot goes";
+  }
+  if (s.decision.body.in_space) return "one robot may hold over the other, in a corner";
+  if (s.decision.open_fleet) return "more robots may come";
+  if (s.decision.robots > 2) {
+    return "of " + std::to_string(s.decision.robots) +
+           " robots one may hold in the way of two others";
+  }
+  return "";
+}
+
+}  // namespace
+
+Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Recovery& yield = ir::last_step(s.decision.monitors[k].recovery);
+  const ir::ZoneTable& zone = s.module[yield.zone];
+  o.status = Status::unknown;
+  o.method = "no proof";
+  o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
+  if (const std::string more = more_than_two(s, k); !more.empty()) {
+    o.because = more + "; " + room_to_pass(s, yield);
+    return o;
+  }
+  const geometry::PartingQuery query = query_of(s.decision.body, yield);
+  const geometry::Parting found = parting_in(zone, query);
+  if (found.how == geometry::Parting::How::too_large) {
+    o.because = quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
+                "that one of two robots finds a way out of the other's is not shown";
+    return o;
+  }
+  if (found.how == geometry::Parting::How::stuck) {
+    o.because = "robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
+                " in " + quoted(zone.name) + " may both find no way that leads from the other; " +
+                room_to_pass(s, yield);
+    return o;
+  }
+  o.status = Status::proved;
+  o.method = "ways over cells";
+  o.because = "of two robots that hold in " + quoted(zone.name) +
+              " too near to each other one always finds a way, nowhere nearer to the other one, " +
+              "to a distance of " + metres(yield.pass_gap_mm);
+  o.repair.clear();
+  o.claims.push_back({"parting",
+                      {{"decision", s.decision.name},
+                       {"monitor", o.monitor},
+                       {"zone", zone.name},
+                       {"cell_mm", std::to_string(zone.cells.cell_mm)},
+                       {"cells_x_mm", std::to_string(zone.cells.origin_x_mm)},
+                       {"cells_y_mm", std::to_string(zone.cells.origin_y_mm)},
+                       {"route_mm", std::to_string(query.clearance_mm)},
+                       {"extra_us", std::to_string(s.decision.return_extra_us)},
+                       {"gap_mm", std::to_string(yield.pass_gap_mm)}}});
+  o.claims.push_back(lemma_claim("return_reached"));
+  return o;
+}
+
+}  // namespace rtac::verify

@@ -1,0 +1,136 @@
+// What is shown of robots that get out of each other's way holds for the search that drives them:
+// from wherever the two stand, it finds a way for the first of them or for the second.
+#include "compiler/geometry/parting.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "rtac/safe/grid_route.h"
+#include "testing.h"
+#include "zone_view.h"
+
+namespace rtac::geometry {
+namespace {
+
+constexpr PartingQuery cart{200, 100, 220, 700, 760};
+
+// Far enough from where the other one stands (Aside of the runtime).
+struct FarFrom final : safe::PlaceTest {
+  Vec2 other;
+  double gap_m;
+  FarFrom(Vec2 p, double gap) : other(p), gap_m(gap) {}
+  [[nodiscard]] bool accepts(Vec2 place, double) const override {
+    return norm(place - other) >= gap_m;
+  }
+};
+
+class Pairs {
+ public:
+  Pairs(const BakedZone& zone, const PartingQuery& query)
+      : zone_(zone), query_(query), view_(zone), route_(*view_) {}
+
+  bool leaves(Vec2 one, Vec2 other) {
+    safe::RouteQuery query;
+    query.clearance_m = 1e-3 * query_.clearance_mm;
+    query.start = one;
+    (void)query.recede_from.push(other);
+    Path way;
+    if (!route_.to_place(query, FarFrom(other, 1e-3 * query_.goal_mm), way)) return false;
+    Vec2 from = one;
+    for (const Vec2 to : way.points) {
+      EXPECT_GE(norm(to - other), norm(from - other) - 1e-9);
+      from = to;
+    }
+    return true;
+  }
+  // A place where a robot may be.
+  Vec2 somewhere() {
+    const CellGrid& cells = zone_.cells;
+    std::uniform_real_distribution<double> x(0, cells.columns * cells.cell_mm);
+    std::uniform_real_distribution<double> y(0, cells.rows * cells.cell_mm);
+    for (;;) {
+      const Vec2 p{1e-3 * (cells.origin.x_mm + x(random_)),
+                   1e-3 * (cells.origin.y_mm + y(random_))};
+      if (signed_clearance(*view_, p) >= 1e-3 * query_.body_mm) return p;
+    }
+  }
+  // The same, near enough to another one.
+  Vec2 near(Vec2 other) {
+    std::uniform_real_distribution<double> off(-query_.apart_mm, query_.apart_mm);
+    for (;;) {
+      const Vec2 p{other.x + 1e-3 * off(random_), other.y + 1e-3 * off(random_)};
+      const double far = 1e3 * norm(p - other);
+      if (far < query_.nearest_mm || far >= query_.apart_mm) continue;
+      if (signed_clearance(*view_, p) >= 1e-3 * query_.body_mm) return p;
+    }
+  }
+
+ private:
+  const BakedZone& zone_;
+  PartingQuery query_;
+  View view_;
+  safe::GridRoute route_;
+  std::mt19937 random_{7};
+};
+
+void expect_all_part(const Region& region, std::int32_t cell_mm, const PartingQuery& query) {
+  const BakedZone zone = bake(*snap_inside(region), cell_mm);
+  const Parting found = parting(zone.edges, zone.cells, query);
+  ASSERT_EQ(found.how, Parting::How::shown) << found.one.x_mm << ", " << found.one.y_mm << " and "
+                                            << found.other.x_mm << ", " << found.other.y_mm;
+  Pairs pairs(zone, query);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 other = pairs.somewhere(), one = pairs.near(other);
+    ASSERT_TRUE(pairs.leaves(one, other) || pairs.leaves(other, one))
+        << one.x << ", " << one.y << " and " << other.x << ", " << other.y;
+  }
+}
+
+TEST(Parting, InAHall) {
+  expect_all_part(box(0, 0, 5000, 5000), 100, cart);
+}
+TEST(Parting, AroundAPillar) {
+  expect_all_part(box(0, 0, 6000, 6000).subtract(box(2500, 2500, 3500, 3500)), 100, cart);
+}
+TEST(Parting, OnBothSidesOfAThinWall) {
+  expect_all_part(box(0, 0, 6000, 6000).subtract(box(2990, 0, 3010, 4000)), 100, cart);
+}
+TEST(Parting, InAHallOfWideCells) {
+  PartingQuery large = cart;
+  large.clearance_mm = 500, large.apart_mm = 2000, large.goal_mm = 2060;
+  expect_all_part(box(0, 0, 20'000, 16'000), 300, large);
+}
+Parting parting_in(const Region& region, const PartingQuery& query = cart) {
+  const BakedZone zone = bake(*snap_inside(region), 100);
+  return parting(zone.edges, zone.cells, query);
+}
+
+// A room in which no two places are far enough from each other, and a corridor in which one robot
+// can stand at either wall: neither gets away without coming nearer.
+TEST(Parting, NotWhereThereIsNoRoom) {
+  EXPECT_EQ(parting_in(box(0, 0, 900, 900)).how, Parting::How::stuck);
+  const Region corridor =
+      box(0, 0, 2000, 2000).unite(box(6000, 0, 8000, 2000)).unite(box(2000, 700, 6000, 1300));
+  const Parting narrow = parting_in(corridor);
+  ASSERT_EQ(narrow.how, Parting::How::stuck);
+  for (const GridPoint p : {narrow.one, narrow.other}) {
+    EXPECT_GT(p.x_mm, 1500);
+    EXPECT_LT(p.x_mm, 6500);
+  }
+}
+// They are there, too, when the search is asked.
+TEST(Parting, WhereTheSearchFindsNothingEither) {
+  const BakedZone zone = bake(*snap_inside(box(0, 0, 900, 900)), 100);
+  Pairs pairs(zone, cart);
+  EXPECT_FALSE(pairs.leaves({0.3, 0.3}, {0.6, 0.6}) || pairs.leaves({0.6, 0.6}, {0.3, 0.3}));
+}
+TEST(Parting, OfTooManyPairsIsNotLookedAt) {
+  PartingQuery far = cart;
+  far.apart_mm = 9000, far.goal_mm = 9060;
+  EXPECT_EQ(parting_in(box(0, 0, 19'900, 19'900), far).how, Parting::How::too_large);
+}
+
+}  // namespace
+}  // namespace rtac::geometry
