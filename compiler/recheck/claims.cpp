@@ -7,6 +7,7 @@
 #include "compiler/recheck/fails.h"
 #include "compiler/recheck/lasting.h"
 #include "compiler/recheck/leaving.h"
+#include "compiler/recheck/parting.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/sema/templates.h"
@@ -108,7 +109,8 @@ Found Claims::check(const Claim& claim) {
       {"start", &Claims::known},         {"judged", &Claims::on_plan},
       {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated},
       {"sides", &Claims::sides},         {"leaves", &Claims::leaves},
-      {"level", &Claims::level},         {"comes_in", &Claims::comes_in}};
+      {"level", &Claims::level},         {"comes_in", &Claims::comes_in},
+      {"parting", &Claims::parting}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -594,6 +596,13 @@ Found Claims::leaves(const Values& v) {
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
   if (m == nullptr || !m->recover || !d->period) return wrong("no such monitor");
   return check_leaving(spec_, *d, *this, *m, v);
+}
+
+Found Claims::parting(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  if (m == nullptr || !m->recover || !d->period) return wrong("no such monitor");
+  return check_parting(spec_, *d, *this, *m, v);
 }
 
 Found Claims::outranks(const Values& v) {

@@ -49,6 +49,7 @@ class Claims {
   std::optional<Doubt> ways(const Values& v);
   std::optional<Doubt> lasts(const Values& v);
   std::optional<Doubt> leaves(const Values& v);
+  std::optional<Doubt> parting(const Values& v);
   std::optional<Doubt> legs(const Values& v);
   std::optional<Doubt> height(const Values& v);
   std::optional<Doubt> landing(const Values& v);

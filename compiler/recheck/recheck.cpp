@@ -321,6 +321,10 @@ class Check {
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
     if (m.recover) follows(d, e, spec_[*m.recover]);
     if (has(e, "landing", {{"decision", d.name}, {"monitor", m.name}})) return;
+    if (has(e, "parting", {{"decision", d.name}, {"monitor", m.name}})) {
+      if (lets_go(spec_, d, claims_, m, 0)) return;
+      return fail(whom(d, e) + ": its `return when` may not hold where the robots have parted");
+    }
     const bool moves = m.recover && !moves_within(spec_[*m.recover]).empty();
     const bool legs = has(e, "legs", {{"decision", d.name}, {"monitor", m.name}});
     if (!legs && moves && !all_zones(*m.always).empty()) need(d, e, "ways", {{"monitor", m.name}});

@@ -78,7 +78,10 @@ class Condition {
     const bool strict = (v.op == Op::greater || v.op == Op::less) == value;
     const auto sum =
         difference(spec_, at_least ? *v.left : *v.right, at_least ? *v.right : *v.left);
-    if (!sum) return at_ && far(v, at_least);
+    const bool of_others = !sum || std::ranges::any_of(sum->terms, [](const auto& term) {
+      return term.first.kind == Measured::Kind::distance;
+    });
+    if (of_others) return at_ && far(v, at_least);
     if (sum->terms.size() == 2) return way_home(*sum);
     if (sum->terms.size() != 1) return false;
     const auto& [of, by] = *sum->terms.begin();

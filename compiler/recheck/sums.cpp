@@ -78,7 +78,7 @@ class Adding {
     }
     return false;
   }
-  // Of the robot itself.
+  // Of the robot itself, and how far it is from another one.
   static std::optional<Measured> measured(const sema::Expr& e) {
     using Kind = Measured::Kind;
     if (const auto* v = std::get_if<sema::Clearance>(&e.node)) {
@@ -87,6 +87,7 @@ class Adding {
     if (const auto* v = std::get_if<sema::EnergyTo>(&e.node)) {
       return Measured{Kind::energy_to, static_cast<std::uint32_t>(v->site)};
     }
+    if (std::holds_alternative<sema::Distance>(e.node)) return Measured{Kind::distance, 0};
     const auto* v = std::get_if<sema::SignalRef>(&e.node);
     if (v == nullptr || v->subject != sema::Subject::self) return std::nullopt;
     if (v->signal == sema::Signal::battery) return Measured{Kind::battery, 0};

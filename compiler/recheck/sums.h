@@ -10,7 +10,7 @@
 namespace rtac::recheck {
 
 struct Measured {
-  enum class Kind { battery, clearance, energy_to, speed, altitude };
+  enum class Kind { battery, clearance, energy_to, speed, altitude, distance };
   Kind kind;
   std::uint32_t index;  // of the zone or site; else 0
   auto operator<=>(const Measured&) const = default;

@@ -1,9 +1,8 @@
 // P2b of a recovery that waits for other robots, and makes room for them.
-#include "compiler/analysis/company.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/geometry/parting.h"
+#include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
-#include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -62,19 +61,30 @@ geometry::Parting parting_in(const ir::ZoneTable& zone, const geometry::PartingQ
                            query);
 }
 
-// "": the property says nothing but how far from each other two robots keep, and what inputs say.
+// It says nothing but how far from all others a robot keeps, at least.
+bool only_apart(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return only_apart(block, v->a, params) && only_apart(block, v->b, params);
+  }
+  if (const auto* each = std::get_if<ir::ForOthers>(&op)) {
+    return each->universal && only_apart(*each->body, each->body->result, params);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (compare == nullptr) return false;
+  const auto least = ir::lower_bound(block, *compare, params);
+  return least && least->leaf.kind == ir::Leaf::Kind::distance;
+}
+
+// "": nothing else than the other one of two robots in the plane keeps control from coming back.
 std::string more_than_two(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
-  const Atoms a = atoms_of(m.property);
-  const bool more = a.clearance || a.charge || a.speed || a.altitude || a.agent || a.energy ||
-                    a.others || a.received;
-  if (more) return quoted(m.name) + " asks for more than distances from other robots";
-  if (analysis::others_may_break(s.decision, m)) {
-    return "others may keep " + quoted(m.name) + " from holding, wherever the robot goes";
+  if (!only_apart(m.property, m.property.result, s.decision.facts.params)) {
+    return quoted(m.name) + " asks for more than a distance from all other robots";
   }
   if (s.decision.body.in_space) return "one robot may hold over the other, in a corner";
   if (s.decision.open_fleet) return "more robots may come";
-  if (s.decision.robots > 2) {
+  if (s.decision.robots != 2) {
     return "of " + std::to_string(s.decision.robots) +
            " robots one may hold in the way of two others";
   }
@@ -102,8 +112,8 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   }
   if (found.how == geometry::Parting::How::stuck) {
     o.because = "robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
-                " in " + quoted(zone.name) + " may both find no way that leads from the other; " +
-                room_to_pass(s, yield);
+                " in " + quoted(zone.name) + " may both find no way to a distance of " +
+                metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one";
     return o;
   }
   o.status = Status::proved;
