@@ -120,7 +120,8 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.method = "ways over cells";
   o.because = "of two robots that hold in " + quoted(zone.name) +
               " too near to each other one always finds a way, nowhere nearer to the other one, " +
-              "to a distance of " + metres(yield.pass_gap_mm);
+              "to a distance of " + metres(yield.pass_gap_mm) +
+              "; it is given back, and the other " + "one as soon as nobody drives near it";
   o.repair.clear();
   o.claims.push_back({"parting",
                       {{"decision", s.decision.name},
