@@ -10,8 +10,6 @@ namespace {
 constexpr int halvings_max = 5;
 // Errors of doubles, over coordinates of at most 2^29 mm.
 constexpr double slack_mm = 1e-3;
-// Clearance that a leg may lose; the search at run time forgives 8 mm.
-constexpr double forgiven_mm = 7;
 
 struct Vec {
   double x, y;
@@ -135,7 +133,7 @@ bool Connectors::is_sound(const Spot& spot, const Landing& to) const {
   const double way = length(c - p);
   for (const std::uint32_t i : near_) {
     const Vec a = start_of(edges_[i]), b = end_of(edges_[i]);
-    if (distance(a, b, p, c) - radius >= enough - forgiven_mm) continue;
+    if (distance(a, b, p, c) - radius >= enough - forgiven_mm_) continue;
     const Vec q = nearest_on(a, b, p);
     const double change = radius * (length(p - q) + way + 2 * radius);
     if (dot(c - p, p - q) < change) return false;

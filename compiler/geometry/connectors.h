@@ -19,9 +19,11 @@ struct Landing {
 class Connectors {
  public:
   // A body of less than `body_mm` of clearance is nowhere; a leg counts as sound when its clearance
-  // stays at that of its start or at `clearance_mm`, less 7 mm that the controller forgives.
-  Connectors(const std::vector<EdgeRow>& edges, std::int32_t clearance_mm, std::int32_t body_mm)
-      : edges_(edges), clearance_mm_(clearance_mm), body_mm_(body_mm) {}
+  // stays at that of its start or at `clearance_mm`, less what the controller forgives: of 8 mm in
+  // the plane, 7.
+  Connectors(const std::vector<EdgeRow>& edges, std::int32_t clearance_mm, std::int32_t body_mm,
+             double forgiven_mm = 7)
+      : edges_(edges), clearance_mm_(clearance_mm), body_mm_(body_mm), forgiven_mm_(forgiven_mm) {}
 
   // Upper bound, over every place of the square cell at (x, y) where a body can be, of the shortest
   // way over one of `landings`; negative when some place has no sound leg. The landings are sorted
@@ -51,7 +53,7 @@ class Connectors {
   [[nodiscard]] bool contains(double x, double y) const;
 
   const std::vector<EdgeRow>& edges_;
-  double clearance_mm_, body_mm_;
+  double clearance_mm_, body_mm_, forgiven_mm_;
   std::vector<std::uint32_t> near_;  // edges that matter for the cell
 };
 

@@ -10,6 +10,7 @@
 #include "compiler/recheck/parting.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
+#include "compiler/recheck/sight.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -466,8 +467,9 @@ Found Claims::legs(const Values& v) {
     if (!to || *to < 0) return wrong("one of its slabs leads nowhere");
     const auto target = static_cast<std::size_t>(*to);
     if (!zones_.leads_straight(*zone, from, target, milli(*aim))) {
-      return wrong("a slab does not lead straight to a convex one");
+      return wrong("a slab does not lead straight to that one");
     }
+    if (const Found found = in_sight(*d, *zone, target, v)) return found;
     if (z && !zones_.within_slab(*zone, target, milli(*z), milli(*aim))) {
       return wrong("the place does not lie in that slab");
     }
@@ -480,6 +482,31 @@ Found Claims::legs(const Values& v) {
     if (const Found found = lies_clear(*zone, there, *aim)) return found;
   }
   return std::nullopt;
+}
+
+// Of a slab that is convex every place is in sight.
+Found Claims::in_sight(const sema::Decision& d, sema::ZoneId zone, std::size_t slab,
+                       const Values& v) {
+  if (zones_.convex_slab(zone, slab)) return std::nullopt;
+  const std::string of = "_of_" + std::to_string(slab);
+  const auto cell = number(v, "cell_mm" + of), x = number(v, "cells_x_mm" + of);
+  const auto y = number(v, "cells_y_mm" + of), route = number(v, "route_mm");
+  const auto aim = number(v, "aim_mm");
+  const geometry::Region* const region = zones_.slab(zone, slab);
+  if (!cell || !x || !y || !route || !aim || region == nullptr) {
+    return wrong("a slab is not convex, and nothing is said of its cells");
+  }
+  const sema::RobotKind& kind = spec_[d.kind];
+  if (milli(*route) < kind.radius.value) return wrong("its legs leave no room for the body");
+  const Rational error = kind.position ? kind.position->error.value : Rational(0);
+  const double body = std::max(0.0, Rational(kind.radius.value - error).get_d());
+  const auto found =
+      out_of_sight(*region, {*cell, *x, *y}, {milli(*aim).get_d(), milli(*route).get_d(), body});
+  const auto* const place = std::get_if<std::optional<geometry::Point>>(&found);
+  if (place == nullptr) return wrong("the cells are not those of the slab, or too many");
+  if (!*place) return std::nullopt;
+  return wrong("from (" + to_decimal((*place)->x) + " m, " + to_decimal((*place)->y) +
+               " m) no place to return may be in sight");
 }
 
 Found Claims::height(const Values& v) {

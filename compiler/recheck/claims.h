@@ -51,6 +51,8 @@ class Claims {
   std::optional<Doubt> leaves(const Values& v);
   std::optional<Doubt> parting(const Values& v);
   std::optional<Doubt> legs(const Values& v);
+  std::optional<Doubt> in_sight(const sema::Decision& d, sema::ZoneId zone, std::size_t slab,
+                                const Values& v);
   std::optional<Doubt> height(const Values& v);
   std::optional<Doubt> landing(const Values& v);
   std::optional<Doubt> outranks(const Values& v);

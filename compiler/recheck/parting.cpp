@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "compiler/recheck/grid.h"
+#include "compiler/recheck/legs.h"
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
@@ -15,42 +17,8 @@
 namespace rtac::recheck {
 namespace {
 
-// A square of robots is quartered so many times at most: of the one that leaves, and of both.
-constexpr int quarters_max = 5, quarters_of_both_max = 4;
-constexpr std::int64_t steps_max = 4'000'000'000;
-// The runtime joins to cells within the larger of 0.4 m and two cells, and forgives 8 mm of
-// clearance on the way there; 7 are counted on.
-constexpr double reach_m = 0.4, forgiven_m = 0.007;
 constexpr double slack_square = 1e-6;  // m^2, of the doubles of the runtime
 
-struct Place {
-  double x, y;
-};
-double inner(Place a, Place b) {
-  return a.x * b.x + a.y * b.y;
-}
-double length(double x, double y) {
-  return std::sqrt(x * x + y * y);  // in m: far from what overflows, and faster than hypot
-}
-Place operator-(Place a, Place b) {
-  return {a.x - b.x, a.y - b.y};
-}
-std::array<Place, 4> corners(const Box& b) {
-  return {Place{b.x, b.y}, Place{b.right, b.y}, Place{b.x, b.top}, Place{b.right, b.top}};
-}
-Place middle(const Box& b) {
-  return {(b.x + b.right) / 2, (b.y + b.top) / 2};
-}
-double radius(const Box& b) {
-  return length(b.right - b.x, b.top - b.y) / 2;
-}
-std::array<Box, 4> quarters(const Box& b) {
-  const Place m = middle(b);
-  return {Box{b.x, b.y, m.x, m.y},
-          {m.x, b.y, b.right, m.y},
-          {b.x, m.y, m.x, b.top},
-          {m.x, m.y, b.right, b.top}};
-}
 double farthest(const Box& a, const Box& b) {
   double most = 0;
   for (const Place p : corners(a)) {
@@ -85,45 +53,6 @@ bool comes_nearer(Place c, const Box& from, const Box& other) {
   return on_x + on_y < -slack_square;
 }
 
-double to_segment(const Segment& s, Place p) {
-  return std::sqrt(square_to(s, p.x, p.y));
-}
-double between(const Segment& s, const Segment& t) {
-  const auto side = [](const Segment& of, double x, double y) {
-    return (of.bx - of.ax) * (y - of.ay) - (of.by - of.ay) * (x - of.ax);
-  };
-  const bool cross = side(s, t.ax, t.ay) * side(s, t.bx, t.by) < 0 &&
-                     side(t, s.ax, s.ay) * side(t, s.bx, s.by) < 0;
-  if (cross) return 0;
-  return std::min({to_segment(s, {t.ax, t.ay}), to_segment(s, {t.bx, t.by}),
-                   to_segment(t, {s.ax, s.ay}), to_segment(t, {s.bx, s.by})});
-}
-// From all of the square the way to c leads away from what is nearest of the segment, its ends or
-// its line. The distance along a line is convex: what does not fall at first never does.
-bool leads_off(const Segment& s, const Box& from, Place c) {
-  const Place a{s.ax, s.ay}, b{s.bx, s.by}, d = b - a;
-  bool beyond_a = false, beyond_b = false, between_ends = false;
-  int left = 0, right = 0;
-  for (const Place p : corners(from)) {
-    const double along = inner(p - a, d) / inner(d, d);
-    beyond_a = beyond_a || along <= 0;
-    beyond_b = beyond_b || along >= 1;
-    const double side = d.x * (p.y - a.y) - d.y * (p.x - a.x);
-    ++(side > 0 ? left : right);
-  }
-  for (const Place p : corners(from)) {
-    const double along = inner(p - a, d) / inner(d, d);
-    between_ends = between_ends || (along > 0 && along < 1);
-  }
-  between_ends = between_ends || (beyond_a && beyond_b);
-  if (between_ends && left != 0 && right != 0) return false;
-  const Place off = left != 0 ? Place{-d.y, d.x} : Place{d.y, -d.x};
-  return std::ranges::all_of(corners(from), [&](Place p) {
-    return (!beyond_a || inner(c - p, p - a) >= 0) && (!beyond_b || inner(c - p, p - b) >= 0) &&
-           (!between_ends || inner(c - p, off) >= 0);
-  });
-}
-
 class Partings {
  public:
   Partings(const std::vector<Segment>& all, const Grid& grid, const PartingLimits& limits)
@@ -156,10 +85,17 @@ class Partings {
   }
 
  private:
-  // Around a cell: what is near, and the cells that may be joined to.
+  // A square of robots is quartered so many times at most: of the one that leaves, and of both.
+  static constexpr int quarters_max = 5, quarters_of_both_max = 4;
+  static constexpr std::int64_t steps_max = 4'000'000'000;
+  // The runtime joins to cells within the larger of 0.4 m and two cells, and forgives 8 mm of
+  // clearance on the way there; 7 are counted on.
+  static constexpr double reach_m = 0.4, forgiven_m = 0.007;
+
+  // Around a cell: the boundary, and the cells that may be joined to.
   struct Site {
     bool known = false;
-    std::vector<Segment> near;
+    std::unique_ptr<Boundary> boundary;
     std::vector<int> joined, far;
   };
 
@@ -185,9 +121,7 @@ class Partings {
     s.known = true;
     const Place m = middle(box(cell));
     const double limit = far_ + grid_.cell + std::max(limits_.route, limits_.body) + snap_m;
-    for (const Segment& e : all_) {
-      if (to_segment(e, m) <= limit) s.near.push_back(e);
-    }
+    s.boundary = std::make_unique<Boundary>(all_, m, limit);
     const int off = static_cast<int>(far_ / grid_.cell);
     for (int r = row(cell) - off; r <= row(cell) + off; ++r) {
       for (int c = column(cell) - off; c <= column(cell) + off; ++c) {
@@ -201,33 +135,11 @@ class Partings {
     }
     return s;
   }
-  [[nodiscard]] static double gap(const Site& s, Place p) {
-    double least = 1e300;
-    for (const Segment& e : s.near) least = std::min(least, to_segment(e, p));
-    return least;
-  }
-  [[nodiscard]] bool inside(Place p) const {
-    bool in = false;
-    for (const Segment& e : all_) {
-      const bool spans = (e.ay > p.y) != (e.by > p.y);
-      if (spans && p.x < e.ax + (p.y - e.ay) / (e.by - e.ay) * (e.bx - e.ax)) in = !in;
-    }
-    return in;
-  }
   [[nodiscard]] bool holds_nobody(const Site& s, const Box& b) const {
-    const double free = gap(s, middle(b)), round = radius(b);
-    if (free + round < limits_.body - slack_m) return true;
-    return free > round + slack_m && !inside(middle(b));
+    return s.boundary->holds_nobody(b, limits_.body);
   }
-  // The way to there from everywhere in the square keeps the clearance that the robot has there, or
-  // that of ways.
   [[nodiscard]] bool keeps(const Site& s, const Box& from, Place c) const {
-    const Place m = middle(from);
-    const double round = radius(from);
-    const double enough = std::min(limits_.route, gap(s, m) + round) - forgiven_m;
-    return std::ranges::all_of(s.near, [&](const Segment& e) {
-      return between(e, {m.x, m.y, c.x, c.y}) - round >= enough || leads_off(e, from, c);
-    });
+    return s.boundary->keeps(from, c, limits_.route, forgiven_m);
   }
 
   // Of the cells around one, those from whose middles steps lead to a goal, each of them receding

@@ -97,14 +97,28 @@ std::size_t NamedZones::slabs(sema::ZoneId zone) {
   return known ? known->slabs().size() : 0;
 }
 
+const geometry::Region* NamedZones::slab(sema::ZoneId zone, std::size_t slab) {
+  auto known = slabs_.find(zone);
+  if (known == slabs_.end()) {
+    auto found = solid(zone);
+    if (!found) return nullptr;
+    known = slabs_.emplace(zone, std::move(*found)).first;
+  }
+  const std::vector<geometry::Slab>& all = known->second.slabs();
+  return slab < all.size() ? &all[slab].region : nullptr;
+}
+
+bool NamedZones::convex_slab(sema::ZoneId zone, std::size_t at) {
+  const geometry::Region* const region = slab(zone, at);
+  return region != nullptr && is_convex(region->rings());
+}
+
 bool NamedZones::leads_straight(sema::ZoneId zone, std::size_t from, std::size_t to,
                                 const Rational& clearance) {
   const auto known = solid(zone);
   if (!known || std::max(from, to) >= known->slabs().size()) return false;
   const std::vector<geometry::Slab>& all = known->slabs();
-  if (all[to].ceiling - all[to].floor < 2 * clearance || !is_convex(all[to].region.rings())) {
-    return false;
-  }
+  if (all[to].ceiling - all[to].floor < 2 * clearance) return false;
   for (std::size_t k = from; k < to; ++k) {
     const bool joined = all[k].ceiling == all[k + 1].floor;
     if (!joined || !all[k].region.subtract(all[k + 1].region).empty()) return false;

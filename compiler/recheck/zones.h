@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,8 +34,11 @@ class NamedZones {
   bool convex(sema::ZoneId zone, bool slab_by_slab);
   // How many slabs it has, one in the plane; 0: it is not known.
   std::size_t slabs(sema::ZoneId zone);
-  // Whether slab `to` is convex, 2 `clearance` high, and gets no narrower on the way there,
-  // straight up or down, from any place of slab `from`.
+  // The outline of one of them; nullptr: it is not known.
+  const geometry::Region* slab(sema::ZoneId zone, std::size_t slab);
+  bool convex_slab(sema::ZoneId zone, std::size_t slab);
+  // Whether slab `to` is 2 `clearance` high, and it gets no narrower on the way there, straight up
+  // or down, from any place of slab `from`.
   bool leads_straight(sema::ZoneId zone, std::size_t from, std::size_t to,
                       const Rational& clearance);
   // Whether the height is that of a place of the slab, `clearance` from its ends.
@@ -44,6 +48,7 @@ class NamedZones {
  private:
   const sema::Spec& spec_;
   std::vector<std::string> names_;  // by ZoneId
+  std::map<sema::ZoneId, geometry::Solid> slabs_;
   interp::Zones zones_;
 };
 

@@ -4,6 +4,7 @@
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
+#include "compiler/verify/tables.h"
 
 namespace rtac::verify {
 namespace {
@@ -45,20 +46,6 @@ geometry::PartingQuery query_of(const ir::Body& body, const ir::Recovery& yield)
           .nearest_mm = mm(2 * (body.radius_mm - error_mm)),
           .apart_mm = mm(yield.pass_gap_mm + error_mm + 1),
           .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + 1)};
-}
-
-geometry::Parting parting_in(const ir::ZoneTable& zone, const geometry::PartingQuery& query) {
-  std::vector<geometry::EdgeRow> edges;
-  for (const ir::Edge& e : zone.edges) edges.push_back({{e.ax, e.ay}, {e.bx, e.by}});
-  const ir::Cells& c = zone.cells;
-  return geometry::parting(edges,
-                           {.origin = {c.origin_x_mm, c.origin_y_mm},
-                            .cell_mm = c.cell_mm,
-                            .columns = c.columns,
-                            .rows = c.rows,
-                            .clearance_mm_lo = c.clearance_mm_lo,
-                            .clearance_mm_hi = {}},
-                           query);
 }
 
 // It says nothing but how far from all others a robot keeps, at least.
@@ -104,7 +91,7 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
     return o;
   }
   const geometry::PartingQuery query = query_of(s.decision.body, yield);
-  const geometry::Parting found = parting_in(zone, query);
+  const geometry::Parting found = geometry::parting(edges_of(zone), grid_of(zone), query);
   if (found.how == geometry::Parting::How::too_large) {
     o.because = quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
                 "that one of two robots finds a way out of the other's is not shown";

@@ -5,9 +5,11 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/geometry/sight.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
+#include "compiler/verify/tables.h"
 
 namespace rtac::verify {
 namespace {
@@ -232,14 +234,18 @@ std::optional<std::vector<geometry::Slab>> slabs_of(const Subject& s, ir::ZoneIn
   return slabs;
 }
 
-// A place of a slab with as much clearance, if the slab is convex and high enough.
+// The table that a slab of the zone has in the plane.
+const ir::ZoneTable& base_of(const Subject& s, const ir::ZoneTable& zone, std::size_t k) {
+  return zone.has_height() ? s.module[zone.slabs[k].base] : zone;
+}
+
+// A place of a slab with as much clearance, if the slab is high enough.
 std::optional<Spot> place_in(const Subject& s, const ir::ZoneTable& zone, std::size_t k,
-                             const geometry::Region& region, std::int64_t clearance_mm) {
+                             std::int64_t clearance_mm) {
   const bool high = zone.has_height();
-  const ir::Cells& cells = (high ? s.module[zone.slabs[k].base] : zone).cells;
+  const ir::Cells& cells = base_of(s, zone, k).cells;
   const auto widest = std::max_element(cells.clearance_mm_lo.begin(), cells.clearance_mm_lo.end());
   if (widest == cells.clearance_mm_lo.end() || *widest < clearance_mm) return std::nullopt;
-  if (!analysis::is_convex(region)) return std::nullopt;
   const auto at = static_cast<std::int64_t>(widest - cells.clearance_mm_lo.begin());
   Spot spot;
   spot.x_mm = cells.origin_x_mm + at % cells.columns * cells.cell_mm + cells.cell_mm / 2;
@@ -250,6 +256,17 @@ std::optional<Spot> place_in(const Subject& s, const ir::ZoneTable& zone, std::s
   if (slab.ceiling_mm - slab.floor_mm < 2 * clearance_mm + 1) return std::nullopt;
   spot.z_mm = (std::int64_t{slab.floor_mm} + slab.ceiling_mm) / 2;
   return spot;
+}
+
+// Whether from everywhere in a slab that is not convex the nearest places with room are in sight.
+geometry::Sight sight_in(const Subject& s, const ir::ZoneTable& base, const ir::Recovery& last,
+                         std::int64_t aim_mm) {
+  const ir::Body& body = s.decision.body;
+  return geometry::sight(edges_of(base), grid_of(base),
+                         {.aim_mm = static_cast<std::int32_t>(aim_mm),
+                          .clearance_mm = static_cast<std::int32_t>(last.route_clearance_mm),
+                          .body_mm = static_cast<std::int32_t>(
+                              std::max<std::int64_t>(body.radius_mm - body.position_error_mm, 0))});
 }
 
 // From any place of slab `from` straight up or down to slab `to`: through slabs that join, and get
@@ -264,13 +281,15 @@ bool leads_straight(const std::vector<geometry::Slab>& slabs, std::size_t from, 
   return true;
 }
 
-Obligation not_in_sight(const Subject& s, const ir::Recovery& last, Obligation o) {
+Obligation not_in_sight(const Subject& s, const ir::Recovery& last, Obligation o,
+                        const std::optional<Spot>& hidden) {
   o.status = Status::unknown;
   o.because = "that from everywhere in " + quoted(s.module[last.zone].name) +
-              " a leg leads up or down, through what gets no narrower, to a convex prism with a "
-              "place to return, " +
+              " a leg leads up or down, through what gets no narrower, to where a place to return "
+              "is in sight, " +
               metres(last.return_clearance_mm + s.decision.body.end_reach_mm) +
-              " from its boundary, is not shown";
+              " from the boundary, is not shown";
+  if (hidden) o.because += "; from near " + place(hidden->x_mm, hidden->y_mm) + " it may not be";
   return o;
 }
 
@@ -278,8 +297,9 @@ Obligation not_in_sight(const Subject& s, const ir::Recovery& last, Obligation o
 
 // RetreatInSpace tries legs up or down, and then level ones to the nearest cells, at a glance
 // first. Where a slab is convex, the clearance along a level leg is no less than at its ends, so
-// that every cell is in sight. The heights that it tries include the one of that slab that is next
-// to where it comes from; and up to this number of slabs its looks are enough for all of them.
+// that every cell is in sight; elsewhere `sight` finds out. The heights that it tries include the
+// one of that slab that is next to where it comes from; and up to this number of slabs its looks
+// are enough for all of them.
 Obligation legs_back(const Subject& s, std::size_t k) {
   constexpr std::size_t slabs_max = 6;  // runtime/core/space.cpp, looks_max
   const ir::Monitor& m = s.decision.monitors[k];
@@ -289,8 +309,9 @@ Obligation legs_back(const Subject& s, std::size_t k) {
   o.monitor = m.name;
   o.method = "straight legs";
   const auto slabs = slabs_of(s, last.zone);
+  std::optional<Spot> hidden;
   if (!ir::goes_back(last.kind) || !slabs || slabs->size() > slabs_max) {
-    return not_in_sight(s, last, std::move(o));
+    return not_in_sight(s, last, std::move(o), hidden);
   }
   const ir::ZoneTable& zone = s.module[last.zone];
   // it may come to rest beside where its legs end
@@ -299,14 +320,33 @@ Obligation legs_back(const Subject& s, std::size_t k) {
   claim.what = "legs";
   claim.values["aim_mm"] = std::to_string(aim_mm);
   claim.values["monitor"] = m.name;
+  bool all_convex = true;
+  // the places of the slabs that legs may lead to, once each
+  std::vector<std::optional<Spot>> places;
+  for (std::size_t to = 0; to < slabs->size(); ++to) {
+    places.push_back(place_in(s, zone, to, aim_mm));
+    if (!places[to] || analysis::is_convex((*slabs)[to].region)) continue;
+    const ir::ZoneTable& base = base_of(s, zone, to);
+    const geometry::Sight found = sight_in(s, base, last, aim_mm);
+    if (found.how != geometry::Sight::How::clear) places[to].reset();
+    if (found.how == geometry::Sight::How::hidden) {
+      hidden = Spot{found.place.x_mm, found.place.y_mm, 0};
+    }
+    all_convex = false;
+    const std::string of = "_of_" + std::to_string(to);
+    claim.values["cell_mm" + of] = std::to_string(base.cells.cell_mm);
+    claim.values["cells_x_mm" + of] = std::to_string(base.cells.origin_x_mm);
+    claim.values["cells_y_mm" + of] = std::to_string(base.cells.origin_y_mm);
+    claim.values["route_mm"] = std::to_string(last.route_clearance_mm);
+  }
   for (std::size_t from = 0; from < slabs->size(); ++from) {
     std::optional<Spot> place;
     for (std::size_t to = 0; to < slabs->size() && !place; ++to) {
-      if (!leads_straight(*slabs, from, to)) continue;
-      place = place_in(s, zone, to, (*slabs)[to].region, aim_mm);
+      if (!places[to] || !leads_straight(*slabs, from, to)) continue;
+      place = places[to];
       claim.values["to_" + std::to_string(from)] = std::to_string(to);
     }
-    if (!place) return not_in_sight(s, last, std::move(o));
+    if (!place) return not_in_sight(s, last, std::move(o), hidden);
     const std::string of = "_" + std::to_string(from);
     claim.values["x_mm" + of] = std::to_string(place->x_mm);
     claim.values["y_mm" + of] = std::to_string(place->y_mm);
@@ -315,14 +355,16 @@ Obligation legs_back(const Subject& s, std::size_t k) {
   claim.values.erase("x_mm");
   claim.values.erase("y_mm");
   o.status = Status::proved;
-  o.because =
-      slabs->size() == 1
-          ? quoted(zone.name) +
-                " is convex: from everywhere in it a leg leads straight to a "
-                "clearance of "
-          : "from everywhere in " + quoted(zone.name) +
-                " a leg leads up or down, through what gets no narrower, to a convex prism, "
-                "and another one to a clearance of ";
+  const std::string where = all_convex ? "to a convex prism" : "to where room is in sight";
+  o.because = slabs->size() > 1 ? "from everywhere in " + quoted(zone.name) +
+                                      " a leg leads up or down, through what gets no narrower, " +
+                                      where + ", and another one to a clearance of "
+              : all_convex ? quoted(zone.name) +
+                                 " is convex: from everywhere in it a leg leads straight to a "
+                                 "clearance of "
+                           : "from everywhere in " + quoted(zone.name) +
+                                 " the nearest places with room are in sight: a leg leads "
+                                 "straight to a clearance of ";
   o.because += metres(aim_mm);
   o.claims.push_back(std::move(claim));
   return o;

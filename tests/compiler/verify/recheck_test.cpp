@@ -138,6 +138,36 @@ TEST_F(Recheck, RobotsInSpaceAreProvedWhereSlabsLeadToAConvexOne) {
   EXPECT_EQ(rechecked_with(changed("legs", "z_mm_0", -2'000)).status, exit_violation);
   EXPECT_EQ(rechecked_with(changed("legs", "x_mm_2", 9'000)).status, exit_violation);
 }
+// Around a pillar and a corner the nearest places with room are in sight; from a wing that is too
+// narrow for any they are not, and that place is named.
+TEST_F(Recheck, RobotsInSpaceAreProvedWhereRoomIsInSight) {
+  const std::string level = spec_text("tests/campaign/specs/templates/retreat_space.rta");
+  const std::string shed = spec_text("tests/campaign/specs/templates/space.rta");
+  const auto p2b = [&](const std::string& wing) {
+    const std::string text = edited(
+        edited(shed, "(5 m, 9 m)) from 6 m to 10 m", wing + ") from 0 m to 6 m"), "3.5 m", "6 m");
+    write("space.rta", text);
+    const Json report =
+        Json::parse(verified(level, {"--format", "json", "-o", "certificates"}).out);
+    for (const Json& each : report["decisions"][0]["obligations"]) {
+      if (each["obligation"] == "P2b") return each;
+    }
+    return Json();
+  };
+  const Json narrow = p2b("(15 m, 1 m)");
+  EXPECT_EQ(narrow["status"], "unknown");
+  EXPECT_NE(narrow["because"].get<std::string>().find("from near (9."), std::string::npos)
+      << narrow;
+  EXPECT_EQ(p2b("(14 m, 4 m)")["status"], "proved");
+  EXPECT_EQ(rechecked().status, exit_clean);
+  report_ = Json::parse(read("certificates/verification.json"));
+  for (const auto& [key, by] : {std::pair{"aim_mm", 2'000},
+                                {"route_mm", -400},
+                                {"cell_mm_of_0", 100},
+                                {"cells_x_mm_of_0", 50}}) {
+    EXPECT_EQ(rechecked_with(changed("legs", key, by)).status, exit_violation) << key;
+  }
+}
 
 TEST_F(Recheck, RobotsInSpaceAreProvedInAConvexHall) {
   const std::string annex =

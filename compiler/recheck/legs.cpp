@@ -1,0 +1,102 @@
+#include "compiler/recheck/legs.h"
+
+#include <algorithm>
+
+namespace rtac::recheck {
+
+std::array<Place, 4> corners(const Box& b) {
+  return {Place{b.x, b.y}, Place{b.right, b.y}, Place{b.x, b.top}, Place{b.right, b.top}};
+}
+Place middle(const Box& b) {
+  return {(b.x + b.right) / 2, (b.y + b.top) / 2};
+}
+double radius(const Box& b) {
+  return length(b.right - b.x, b.top - b.y) / 2;
+}
+std::array<Box, 4> quarters(const Box& b) {
+  const Place m = middle(b);
+  return {Box{b.x, b.y, m.x, m.y},
+          {m.x, b.y, b.right, m.y},
+          {b.x, m.y, m.x, b.top},
+          {m.x, m.y, b.right, b.top}};
+}
+
+namespace {
+
+double to_segment(const Segment& s, Place p) {
+  return std::sqrt(square_to(s, p.x, p.y));
+}
+double between(const Segment& s, const Segment& t) {
+  const auto side = [](const Segment& of, double x, double y) {
+    return (of.bx - of.ax) * (y - of.ay) - (of.by - of.ay) * (x - of.ax);
+  };
+  const bool cross = side(s, t.ax, t.ay) * side(s, t.bx, t.by) < 0 &&
+                     side(t, s.ax, s.ay) * side(t, s.bx, s.by) < 0;
+  if (cross) return 0;
+  return std::min({to_segment(s, {t.ax, t.ay}), to_segment(s, {t.bx, t.by}),
+                   to_segment(t, {s.ax, s.ay}), to_segment(t, {s.bx, s.by})});
+}
+// From all of the square the way to c leads away from what is nearest of the segment, its ends or
+// its line. The distance along a line is convex: what does not fall at first never does.
+bool leads_off(const Segment& s, const Box& from, Place c) {
+  const Place a{s.ax, s.ay}, b{s.bx, s.by}, d = b - a;
+  bool beyond_a = false, beyond_b = false, between_ends = false;
+  int left = 0, right = 0;
+  for (const Place p : corners(from)) {
+    const double along = inner(p - a, d) / inner(d, d);
+    beyond_a = beyond_a || along <= 0;
+    beyond_b = beyond_b || along >= 1;
+    const double side = d.x * (p.y - a.y) - d.y * (p.x - a.x);
+    ++(side > 0 ? left : right);
+  }
+  for (const Place p : corners(from)) {
+    const double along = inner(p - a, d) / inner(d, d);
+    between_ends = between_ends || (along > 0 && along < 1);
+  }
+  between_ends = between_ends || (beyond_a && beyond_b);
+  if (between_ends && left != 0 && right != 0) return false;
+  const Place off = left != 0 ? Place{-d.y, d.x} : Place{d.y, -d.x};
+  return std::ranges::all_of(corners(from), [&](Place p) {
+    return (!beyond_a || inner(c - p, p - a) >= 0) && (!beyond_b || inner(c - p, p - b) >= 0) &&
+           (!between_ends || inner(c - p, off) >= 0);
+  });
+}
+
+}  // namespace
+
+Boundary::Boundary(const std::vector<Segment>& all, Place around, double within) : all_(all) {
+  for (const Segment& s : all) {
+    if (to_segment(s, around) <= within) near_.push_back(s);
+  }
+}
+
+double Boundary::gap(Place p) const {
+  double least = 1e300;
+  for (const Segment& s : near_) least = std::min(least, to_segment(s, p));
+  return least;
+}
+
+bool Boundary::inside(Place p) const {
+  bool in = false;
+  for (const Segment& s : all_) {
+    const bool spans = (s.ay > p.y) != (s.by > p.y);
+    if (spans && p.x < s.ax + (p.y - s.ay) / (s.by - s.ay) * (s.bx - s.ax)) in = !in;
+  }
+  return in;
+}
+
+bool Boundary::holds_nobody(const Box& square, double body) const {
+  const double free = gap(middle(square)), round = radius(square);
+  if (free + round < body - slack_m) return true;
+  return free > round + slack_m && !inside(middle(square));
+}
+
+bool Boundary::keeps(const Box& from, Place to, double clearance, double forgiven) const {
+  const Place m = middle(from);
+  const double round = radius(from), enough = std::min(clearance, gap(m) + round) - forgiven;
+  return std::ranges::all_of(near_, [&](const Segment& s) {
+    return between(s, {m.x, m.y, to.x, to.y}) - round >= enough || leads_off(s, from, to);
+  });
+}
+
+}  // namespace rtac::recheck
