@@ -214,7 +214,7 @@ class Pair {
   }
   // From outside of its zone; what only claims to stay there is braked instead.
   bool comes_in(const ir::Recovery& step, ir::ZoneIndex fence) {
-    if (step.claims || comes_in_within(take_over_, step.zone, fence)) return true;
+    if (step.claims || comes_in_within(take_over_, step, fence)) return true;
     const std::string name = name_as_written(module_[fence]);
     entry_.why = "from outside of " + name_as_written(module_[step.zone]) + " " +
                  quoted(recovery_.name) + " makes straight for it, and may leave " + name +

@@ -6,6 +6,9 @@
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/geometry/entry.h"
+#include "compiler/ir/to_geometry.h"
 
 namespace rtac::analysis {
 namespace {
@@ -68,11 +71,56 @@ bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
   return inside && inside->contains(where_held<Region>(at, held, centres));
 }
 
-bool comes_in_within(const TakeOver& at, ir::ZoneIndex zone, ir::ZoneIndex fence) {
+std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step) {
+  if (!ir::goes_back(step.kind)) return step.route_clearance_mm;
+  const ir::Body& body = decision.body;
+  const std::int64_t room_mm = step.kind == ir::RecoveryKind::loiter ? 500 : 0;
+  return step.return_clearance_mm + body.end_reach_mm + body.position_error_mm + room_mm;
+}
+
+namespace {
+
+// Connectors, and half a diagonal (connector_reach_m of the search).
+std::int64_t joins_within_mm(const ir::ZoneTable& zone) {
+  const std::int64_t cell_mm = zone.cells.cell_mm;
+  return std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
+}
+std::int32_t in_mm(std::int64_t length) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(length, 0, 1 << 29));
+}
+// The straight ways that the search may take from wherever a body may be in the fence. What a
+// property asks for beyond touching the fence is kept, or else what the robot has.
+bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
+  const ir::Body& body = at.decision.body;
+  std::int64_t standoff_mm = 0;
+  for (const Standoff& asked :
+       fence_standoffs(at.decision.monitors[at.judged].property, at.decision.facts.params)) {
+    if (asked.zone == fence) standoff_mm = std::max(standoff_mm, asked.mm);
+  }
+  geometry::EntryQuery query{.clearance_mm = in_mm(body.radius_mm + standoff_mm),
+                             .body_mm = in_mm(body.radius_mm - body.position_error_mm),
+                             .least_mm = in_mm(body.radius_mm)};
+  // what a retreat loses (loss_m), and what ways over cells do (connector_loss_m)
+  query.loss_mm = ir::goes_back(step.kind) ? 2 : 8;
+  if (at.decision.robots == 1) {
+    query.alone = {in_mm(aims_at_mm(at.decision, step)),
+                   ir::goes_back(step.kind) ? 0 : in_mm(joins_within_mm(at.module[step.zone]))};
+  }
+  const auto table_of = [&](ir::ZoneIndex zone) {
+    return geometry::Table{ir::edges_of(at.module[zone]), ir::grid_of(at.module[zone])};
+  };
+  return geometry::entry(table_of(step.zone), table_of(fence), query).how ==
+         geometry::Entry::How::within;
+}
+
+}  // namespace
+
+bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
+  const ir::ZoneIndex zone = step.zone;
   if (zone == fence) return true;
   if (!at.module[fence].has_height()) {
-    if (is_convex(at.exact(fence))) return true;
-    return starts_within(at, zone);
+    if (is_convex(at.exact(fence)) || starts_within(at, zone)) return true;
+    return !at.decision.body.in_space && enters_within(at, step, fence);
   }
   const Solid solid = at.solid(fence);
   const bool level = !at.module[zone].has_height();

@@ -24,9 +24,12 @@ struct TakeOver {
 // also where that is not known: an outline of very many vertices is not offset.
 bool starts_within(const TakeOver& at, ir::ZoneIndex zone);
 
-// Whether the straight way into the zone, which lies in the fence, stays in that: the fence is
-// convex, or there is no such way. In space the way is upright and then level; a zone of the plane
-// is entered on the level, so that each level counts by itself.
-bool comes_in_within(const TakeOver& at, ir::ZoneIndex zone, ir::ZoneIndex fence);
+// The clearance that a recovery of the plane looks for first, of cells.
+std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step);
+
+// Whether the straight way into the zone of the step, which lies in the fence, stays in that: the
+// fence is convex, or there is no such way. In space the way is upright and then level; a zone of
+// the plane is entered on the level, so that each level counts by itself.
+bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence);
 
 }  // namespace rtac::analysis

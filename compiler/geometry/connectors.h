@@ -43,8 +43,8 @@ class Connectors {
   [[nodiscard]] std::array<Spot, 4> quarters(const Spot& spot) const;
   // No body can be there.
   [[nodiscard]] bool holds_nobody(const Spot& spot) const;
-  // The leg to there is sound from each of its places.
-  [[nodiscard]] bool is_sound(const Spot& spot, const Landing& to) const;
+  // The leg to there, or to anywhere within `off_mm` of that, is sound from each of its places.
+  [[nodiscard]] bool is_sound(const Spot& spot, const Landing& to, double off_mm = 0) const;
 
  private:
   [[nodiscard]] double longest_in(const Spot& spot, int halvings,

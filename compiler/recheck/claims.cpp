@@ -261,7 +261,7 @@ Found Claims::comes_in(const Values& v) {
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
   const auto zone = zones_.find(text(v, "zone")), fence = zones_.find(text(v, "fence"));
   if (m == nullptr || !zone || !fence) return wrong("no such monitor or zone");
-  if (comes_in_within(spec_, *d, *this, *m, *zone, *fence)) return std::nullopt;
+  if (comes_in_within(spec_, *d, *this, *m, *zone, *fence, v)) return std::nullopt;
   return wrong("from outside of its zone the recovery may lead across what is not convex");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "compiler/recheck/entering.h"
 #include "compiler/sema/templates.h"
 
 namespace rtac::recheck {
@@ -132,11 +133,59 @@ bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   return starts.subtract(within(zones, zone, body)).empty();
 }
 
+namespace {
+
+// In the plane, cell by cell: each straight way that the recovery may take. Whoever recovers within
+// that zone loses no more than ways over cells do.
+bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                   const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence,
+                   const Values& v) {
+  const sema::RobotKind& kind = spec[d.kind];
+  const geometry::Region *const inner = claims.zones().region(zone), *const outer =
+                                                                         claims.zones().region(
+                                                                             fence);
+  const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
+  if (kind.in_space || inner == nullptr || outer == nullptr || inner->empty() || !cell || !x ||
+      !y) {
+    return false;
+  }
+  bool over_cells = false;  // some recovery within that zone is no retreat
+  for (const sema::MonitorId id : d.priority) {
+    if (!spec[id].recover) continue;
+    for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
+      const auto moves = sema::moves_of(what);
+      if (!moves || moves->zone != zone) continue;
+      over_cells = over_cells || std::holds_alternative<sema::Route>(what) ||
+                   std::holds_alternative<sema::Yield>(what);
+    }
+  }
+  const Rational error = kind.position ? kind.position->error.value : Rational(0);
+  const double radius = kind.radius.value.get_d();
+  const double body = std::max(0.0, Rational(kind.radius.value - error).get_d());
+  const double clearance = radius + gap_of(spec, *judged.always, fence).get_d();
+  EnteringLimits limits{clearance, body, radius, over_cells ? 0.008 : 0.002};
+  const auto robots = std::ranges::count_if(
+      spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
+  const auto aim = number(v, "aim_mm");
+  if (robots == 1 && aim && milli(*aim) >= kind.radius.value) {
+    const double width = milli(*cell).get_d();
+    const double reach = over_cells ? std::max(0.4, 2 * width) + width : 0;
+    limits.alone = {milli(*aim).get_d(), reach};
+  }
+  const auto found = enters_beyond(*inner, {*cell, *x, *y}, *outer, limits);
+  const auto* const place = std::get_if<std::optional<geometry::Point>>(&found);
+  return place != nullptr && !place->has_value();
+}
+
+}  // namespace
+
 bool comes_in_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
-                     const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence) {
+                     const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence,
+                     const Values& v) {
   if (zone == fence) return true;
   const bool level = claims.zones().region(zone) != nullptr;
-  return claims.zones().convex(fence, level) || starts_within(spec, d, claims, judged, zone);
+  return claims.zones().convex(fence, level) || starts_within(spec, d, claims, judged, zone) ||
+         enters_within(spec, d, claims, judged, zone, fence, v);
 }
 
 bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Rational& off) {

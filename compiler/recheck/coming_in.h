@@ -12,9 +12,11 @@ namespace rtac::recheck {
 bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                    const sema::Monitor& judged, sema::ZoneId zone);
 
-// Whether the way into the zone, which lies in the fence, does not lead out of that.
+// Whether the way into the zone, which lies in the fence, does not lead out of that. `v`: what is
+// claimed of the cells of the zone.
 bool comes_in_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
-                     const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence);
+                     const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence,
+                     const Values& v);
 
 // Whether a zone of the plane lies in one with heights at each of them, so far from its walls.
 bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Rational& off);

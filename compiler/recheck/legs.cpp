@@ -47,7 +47,8 @@ bool leads_off(const Segment& s, const Box& from, Place c) {
     beyond_a = beyond_a || along <= 0;
     beyond_b = beyond_b || along >= 1;
     const double side = d.x * (p.y - a.y) - d.y * (p.x - a.x);
-    ++(side > 0 ? left : right);
+    left += side > 0 ? 1 : 0;
+    right += side < 0 ? 1 : 0;
   }
   for (const Place p : corners(from)) {
     const double along = inner(p - a, d) / inner(d, d);
@@ -91,11 +92,24 @@ bool Boundary::holds_nobody(const Box& square, double body) const {
   return free > round + slack_m && !inside(middle(square));
 }
 
-bool Boundary::keeps(const Box& from, Place to, double clearance, double forgiven) const {
+double Boundary::asked_from(const Box& square, double clearance, double forgiven) const {
+  return std::min(clearance, gap(middle(square)) + radius(square)) - forgiven;
+}
+
+// Of ends between a and b, no farther from one of these than half of that: either the legs to both
+// are far enough, or both lead off, which is linear in the end.
+bool Boundary::keeps(const Box& from, Place a, Place b, double asked) const {
   const Place m = middle(from);
-  const double round = radius(from), enough = std::min(clearance, gap(m) + round) - forgiven;
+  const double round = radius(from), far = asked + round;
+  const Box legs{std::min({m.x, a.x, b.x}), std::min({m.y, a.y, b.y}), std::max({m.x, a.x, b.x}),
+                 std::max({m.y, a.y, b.y})};
   return std::ranges::all_of(near_, [&](const Segment& s) {
-    return between(s, {m.x, m.y, to.x, to.y}) - round >= enough || leads_off(s, from, to);
+    const bool beside =
+        std::min(s.ax, s.bx) - legs.right >= far || legs.x - std::max(s.ax, s.bx) >= far ||
+        std::min(s.ay, s.by) - legs.top >= far || legs.y - std::max(s.ay, s.by) >= far;
+    if (beside) return true;  // mostly
+    const auto is_far = [&](Place to) { return between(s, {m.x, m.y, to.x, to.y}) >= far; };
+    return (is_far(a) && is_far(b)) || (leads_off(s, from, a) && leads_off(s, from, b));
   });
 }
 

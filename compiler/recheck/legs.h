@@ -33,9 +33,15 @@ class Boundary {
   Boundary(const std::vector<Segment>& all, Place around, double within);
   // A body that needs so much clearance is nowhere in the square.
   [[nodiscard]] bool holds_nobody(const Box& square, double body) const;
-  // The leg to there from everywhere in the square keeps the clearance that the robot has there, or
+  // What a leg from anywhere in the square has to keep: the clearance that the robot has there, or
   // else `clearance`, but for what is forgiven.
-  [[nodiscard]] bool keeps(const Box& from, Place to, double clearance, double forgiven) const;
+  [[nodiscard]] double asked_from(const Box& square, double clearance, double forgiven) const;
+  // The leg from everywhere in the square keeps that.
+  [[nodiscard]] bool keeps(const Box& from, Place to, double asked) const {
+    return keeps(from, to, to, asked);
+  }
+  // The same of all legs to between two places no farther from each other than the square is wide.
+  [[nodiscard]] bool keeps(const Box& from, Place a, Place b, double asked) const;
 
  private:
   [[nodiscard]] double gap(Place p) const;

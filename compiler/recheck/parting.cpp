@@ -139,7 +139,7 @@ class Partings {
     return s.boundary->holds_nobody(b, limits_.body);
   }
   [[nodiscard]] bool keeps(const Site& s, const Box& from, Place c) const {
-    return s.boundary->keeps(from, c, limits_.route, forgiven_m);
+    return s.boundary->keeps(from, c, s.boundary->asked_from(from, limits_.route, forgiven_m));
   }
 
   // Of the cells around one, those from whose middles steps lead to a goal, each of them receding

@@ -92,9 +92,9 @@ class Sights {
       if (aim.surely) least = std::min(least, farthest(here, aim.place));
     }
     steps_ += 20 * static_cast<std::int64_t>(aims.size());
+    const double asked = boundary.asked_from(here, limits_.route, forgiven_m);
     const bool all = std::ranges::all_of(aims, [&](const Aim& aim) {
-      return nearest(here, aim.place) > least + slack_m ||
-             boundary.keeps(here, aim.place, limits_.route, forgiven_m);
+      return nearest(here, aim.place) > least + slack_m || boundary.keeps(here, aim.place, asked);
     });
     if (all && least < 1e300) return true;
     if (times == 0 || steps_ > steps_max) return false;

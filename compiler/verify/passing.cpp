@@ -2,9 +2,9 @@
 #include "compiler/analysis/liveness.h"
 #include "compiler/geometry/parting.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/to_geometry.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
-#include "compiler/verify/tables.h"
 
 namespace rtac::verify {
 namespace {
@@ -91,7 +91,7 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
     return o;
   }
   const geometry::PartingQuery query = query_of(s.decision.body, yield);
-  const geometry::Parting found = geometry::parting(edges_of(zone), grid_of(zone), query);
+  const geometry::Parting found = geometry::parting(ir::edges_of(zone), ir::grid_of(zone), query);
   if (found.how == geometry::Parting::How::too_large) {
     o.because = quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
                 "that one of two robots finds a way out of the other's is not shown";

@@ -7,9 +7,9 @@
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/geometry/sight.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/to_geometry.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
-#include "compiler/verify/tables.h"
 
 namespace rtac::verify {
 namespace {
@@ -262,7 +262,7 @@ std::optional<Spot> place_in(const Subject& s, const ir::ZoneTable& zone, std::s
 geometry::Sight sight_in(const Subject& s, const ir::ZoneTable& base, const ir::Recovery& last,
                          std::int64_t aim_mm) {
   const ir::Body& body = s.decision.body;
-  return geometry::sight(edges_of(base), grid_of(base),
+  return geometry::sight(ir::edges_of(base), ir::grid_of(base),
                          {.aim_mm = static_cast<std::int32_t>(aim_mm),
                           .clearance_mm = static_cast<std::int32_t>(last.route_clearance_mm),
                           .body_mm = static_cast<std::int32_t>(

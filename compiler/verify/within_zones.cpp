@@ -117,9 +117,9 @@ std::string doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
     return "places of " + name + " are nearer than " + metres(outer.mm) + " to the boundary of " +
            outer_name;
   }
-  if (analysis::comes_in_within(take_over, step.zone, outer.zone)) return "";
-  return "from outside of " + name + " it makes straight for it, and " + outer_name +
-         " is not convex";
+  if (analysis::comes_in_within(take_over, step, outer.zone)) return "";
+  return "from outside of " + name + " it makes straight for it, and is not shown to stay in " +
+         outer_name + " on its way, which is not convex";
 }
 
 }  // namespace
@@ -145,10 +145,15 @@ void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
         claims.push_back(contained(s, driving, outer.zone, {inner, 0}));
       }
       if (step->claims) continue;
+      const ir::Cells& cells = s.module[inner].cells;
       claims.push_back({"comes_in",
                         {{"decision", s.decision.name},
                          {"monitor", judged.name},
                          {"zone", s.module[inner].name},
+                         {"aim_mm", std::to_string(analysis::aims_at_mm(s.decision, *step))},
+                         {"cell_mm", std::to_string(cells.cell_mm)},
+                         {"cells_x_mm", std::to_string(cells.origin_x_mm)},
+                         {"cells_y_mm", std::to_string(cells.origin_y_mm)},
                          {"fence", s.module[outer.zone].name}}});
     }
   }

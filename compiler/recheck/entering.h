@@ -1,0 +1,31 @@
+// Straight ways into a zone from outside of it, once more, and what they keep from the boundary of
+// a fence (docs/templates.md, retreat). In m.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "compiler/recheck/zones.h"
+
+namespace rtac::recheck {
+
+struct EnteringLimits {
+  double clearance;  // to keep from the boundary of the fence, or what one has
+  double body;       // with less clearance in the fence a robot is nowhere
+  double least;      // clearance of the cells that ways lead to, at least
+  double loss;       // how much farther from the zone a way may lead than it begins
+  // Of a robot that no other one is in the way of: the clearance that it looks for first, and how
+  // far off it considers all cells.
+  struct Alone {
+    double aim, reach;
+  };
+  std::optional<Alone> alone{};
+};
+// A place from which a way that is straight may come too near to the boundary of the fence; none:
+// there is none. `BadCells`: the cells are not those of the zone, or there are too many ways.
+std::variant<std::optional<geometry::Point>, BadCells> enters_beyond(const geometry::Region& zone,
+                                                                     const Cells& cells,
+                                                                     const geometry::Region& fence,
+                                                                     const EnteringLimits& limits);
+
+}  // namespace rtac::recheck

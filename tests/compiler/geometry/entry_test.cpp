@@ -1,0 +1,128 @@
+// Of straight ways into a zone that are shown to stay in a fence, those that recoveries take do.
+#include "compiler/geometry/entry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "rtac/safe/manoeuvre.h"
+#include "testing.h"
+#include "zone_view.h"
+
+namespace rtac::geometry {
+namespace {
+
+// Of a retreat, and of ways over cells.
+constexpr EntryQuery cart{.clearance_mm = 200,
+                          .body_mm = 190,
+                          .least_mm = 200,
+                          .loss_mm = 2,
+                          .alone = EntryQuery::Alone{760, 0}};
+constexpr EntryQuery courier{.clearance_mm = 200,
+                             .body_mm = 190,
+                             .least_mm = 200,
+                             .loss_mm = 8,
+                             .alone = EntryQuery::Alone{450, 480}};
+
+safe::Setting setting_of(const ZoneView& zone) {
+  safe::Setting s;
+  s.limits.speed_mps = 1, s.limits.accel_mps2 = s.limits.brake_mps2 = 1;
+  s.limits.radius_m = 0.2, s.limits.position_error_m = 0.01, s.limits.latency_us = 20'000;
+  s.period_us = 100'000, s.speed_mps = 0.3, s.zone = &zone;
+  s.route_clearance_m = 0.45, s.return_clearance_m = 0.7;
+  return s;
+}
+
+class Ways {
+ public:
+  Ways(const Region& zone, const Region& fence)
+      : zone_(bake(*snap_inside(zone), 100)), fence_(bake(*snap_inside(fence), 100)) {}
+
+  [[nodiscard]] Entry shown(const EntryQuery& query) const {
+    return entry({zone_.edges, zone_.cells}, {fence_.edges, fence_.cells}, query);
+  }
+  // The first legs from places between the zone and the fence that lead too near to the latter.
+  int astray(bool retreats) {
+    const View zone(zone_), fence(fence_);
+    safe::GridRoute route(*zone);
+    const CellGrid& cells = fence_.cells;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> x(0, cells.columns * cells.cell_mm);
+    std::uniform_real_distribution<double> y(0, cells.rows * cells.cell_mm);
+    int astray = 0;
+    for (int looked = 0; looked < 1500;) {
+      const Vec2 p{1e-3 * (cells.origin.x_mm + x(random)), 1e-3 * (cells.origin.y_mm + y(random))};
+      const double gap_m = signed_clearance(*fence, p);
+      if (gap_m < 0.19 || signed_clearance(*zone, p) >= 0) continue;
+      ++looked;
+      const std::optional<Vec2> to = retreats ? retreat_from(*zone, p) : along(route, p);
+      if (!to) continue;
+      if (!keeps_clearance(*fence, p, *to, std::min(0.2, gap_m) - 0.01)) ++astray;
+    }
+    return astray;
+  }
+
+ private:
+  static std::optional<Vec2> retreat_from(const ZoneView& zone, Vec2 p) {
+    safe::RetreatManoeuvre retreat(setting_of(zone));
+    Observation seen;
+    seen.now_us = 1'000'000;
+    seen.position = {p, seen.now_us};
+    retreat.engage(seen);
+    retreat.update(seen, Gate::free, true);
+    if (retreat.way().points.empty()) return std::nullopt;
+    return retreat.way().points[0];
+  }
+  // Home, at a corner of the zone.
+  std::optional<Vec2> along(safe::GridRoute& route, Vec2 p) const {
+    const Vec2 home{1e-3 * (zone_.cells.origin.x_mm + 800), 1e-3 * (zone_.cells.origin.y_mm + 800)};
+    Path way;
+    if (!route.to_point({0.45, p, {}, {}}, home, way)) return std::nullopt;
+    return way.points[0];
+  }
+
+  BakedZone zone_, fence_;
+};
+
+void expect_within(const Region& zone, const Region& fence) {
+  Ways ways(zone, fence);
+  for (const bool retreats : {true, false}) {
+    const Entry found = ways.shown(retreats ? cart : courier);
+    EXPECT_EQ(found.how, Entry::How::within) << found.place.x_mm << ", " << found.place.y_mm;
+    EXPECT_EQ(ways.astray(retreats), 0);
+  }
+}
+
+Region inset(const Region& region, long mm) {
+  return *region.offset(q(-mm, 1000));
+}
+
+TEST(Entry, AroundAPillar) {
+  const Region hall = box(0, 0, 7000, 6000).subtract(box(3000, 2500, 4000, 3500));
+  expect_within(inset(hall, 300), hall);
+}
+TEST(Entry, AroundACorner) {
+  const Region hall = box(0, 0, 9000, 9000).unite(box(9000, 0, 14'000, 4000));
+  expect_within(inset(hall, 300), hall);
+}
+// From the tip of a corner a far cell beyond another corner would do, if everything nearer were in
+// the way of other robots: the way there leads no farther from the zone than the tip, and out.
+TEST(Entry, OfARobotThatIsAloneToNoneThatIsFartherThanOneInSight) {
+  const Region hall = box(0, 0, 6000, 6000).unite(box(6000, 0, 9000, 3000));
+  expect_within(inset(hall, 300), hall);
+  EntryQuery among_others = cart;
+  among_others.alone.reset();
+  EXPECT_EQ(Ways(inset(hall, 300), hall).shown(among_others).how, Entry::How::beyond);
+}
+// A retreat behind a wall with a door in it: straight is through the wall.
+TEST(Entry, NotThroughAWall) {
+  const Region hall = box(0, 0, 8000, 4000).subtract(box(4000, 0, 4400, 3000));
+  Ways ways(box(4900, 500, 7500, 3500), hall);
+  const Entry found = ways.shown(cart);
+  EXPECT_EQ(found.how, Entry::How::beyond);
+  EXPECT_LT(found.place.x_mm, 4400);
+  EXPECT_GT(ways.astray(true), 100);
+}
+
+}  // namespace
+}  // namespace rtac::geometry
