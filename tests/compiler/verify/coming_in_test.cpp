@@ -120,6 +120,48 @@ TEST_F(ComingIn, AWayAcrossACornerIsDenied) {
   expect_denied(said_of(led_home(ell, accepted), proved), "lead across what is not convex");
 }
 
+// Back into a part of a hall with a pillar: each straight way in stays in the hall, until the part
+// begins where a wall lies between.
+TEST_F(ComingIn, StraightWaysIntoAPartOfAHallAreFollowed) {
+  const auto led_into = [](const std::string& core) {
+    return R"(spec inset;
+zone hall = rectangle (0 m, 0 m) to (7 m, 6 m) - rectangle (3 m, 2 m) to (4 m, 3 m);
+zone core = )" +
+           core + R"(;
+robot Rover {
+  body     radius 20 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 1 cm    max_age 100 ms;
+  sense    velocity : vector  error 1 cm/s  max_age 100 ms;
+  output   thrust   : acceleration;
+  latency  20 ms;
+}
+fleet one : Rover;
+controller pilot : advanced for Rover extern;
+controller back  : safe for Rover = retreat within core speed 0.3 m/s;
+monitor m for r : Rover { "SR-1" always r inside hall; recover back; }
+decision go for Rover { advanced pilot; period 100 ms; priority m; }
+)";
+  };
+  const Json inset = report_of(led_into("shrink(hall, 30 cm)"));
+  const auto p2a = [](const Json& report) {
+    for (const Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] == "P2a") return o;
+    }
+    return Json();
+  };
+  EXPECT_EQ(p2a(inset)["status"], "proved") << p2a(inset);
+  EXPECT_EQ(rechecked(inset).status, exit_clean);
+  expect_denied(without(inset, "comes_in"), "it rests on no claim `comes_in`");
+  Json elsewhere = inset;
+  for (Json& o : elsewhere["decisions"][0]["obligations"]) {
+    for (Json& claim : o["claims"]) {
+      if (claim["claim"] == "comes_in") claim["cells_x_mm"] = "700";
+    }
+  }
+  expect_denied(elsewhere, "lead across what is not convex");
+}
+
 TEST_F(ComingIn, WhoKeepsItsHeightKeepsAZoneThatHasSome) {
   const Json report =
       report_of(at_a_height("= retreat within flat speed 0.3 m/s", "r inside hall"));
