@@ -19,6 +19,8 @@ constexpr int whole_levels = 3;
 constexpr double forgiven_mm = 8, beyond_loss_mm = 1.5, rounding_mm = 0.5;
 // It tries so many cells of the zone at most, ring by ring (max_cell_tests).
 constexpr int tests_max = 2000;
+// And so all of those in so many rings, from wherever in a cell of the fence it begins.
+constexpr int rings_surely = 18;
 // Of a leg so many places are looked at that may be too far from the zone.
 constexpr int samples = 24;
 constexpr std::int64_t looks_max = 500'000'000;
@@ -33,6 +35,7 @@ struct Nearest {
 struct Cell {
   Vec middle;
   std::int32_t clearance_mm;
+  std::int32_t ring;  // around the one that the search begins at
 };
 Vec operator-(Vec a, Vec b) {
   return {a.x - b.x, a.y - b.y};
@@ -139,7 +142,8 @@ class Entering {
           if (clearance < query_.least_mm) continue;
           found.push_back({{grid.origin.x_mm + (c + 0.5) * grid.cell_mm,
                             grid.origin.y_mm + (r + 0.5) * grid.cell_mm},
-                           clearance});
+                           clearance,
+                           ring});
         }
       }
       if (tested >= tests_max) last = std::min(last, ring + more);
@@ -202,7 +206,8 @@ class Entering {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Cell& c : near_) {
       const double way = distance(c.middle, middle) + spot.radius_mm();
-      if (c.clearance_mm < query_.alone->aim_mm || way >= nearest) continue;
+      if (c.clearance_mm < query_.alone->aim_mm || c.ring > rings_surely || way >= nearest)
+        continue;
       if (is_seen(spot, off, c.middle)) nearest = way;
     }
     return std::max<double>(nearest, query_.alone->reach_mm);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "compiler/geometry/connectors.h"
+#include "compiler/geometry/receding.h"
 
 namespace rtac::geometry {
 namespace {
@@ -16,111 +17,11 @@ namespace {
 // The cells that two robots stand in are cut into four, and these again, at most so often: that of
 // the one that looks for a way, and then both.
 constexpr int halvings_max = 5, halvings_of_both_max = 3;
+// The search tries the cells around a place ring by ring, 2,000 at most (max_cell_tests), and so
+// all of those in so many rings.
+constexpr int far_cells_max = 20;
 // Cells and legs that are looked at, over all pairs.
 constexpr std::int64_t looks_max = 800'000'000;
-// Errors of the doubles of the search, over coordinates of at most 2^29 mm: a leg that is meant to
-// recede does so by as much, in mm^2.
-constexpr double slack_mm2 = 1;
-
-struct Vec {
-  double x = 0, y = 0;
-};
-// All places within `half` of the middle, on either axis.
-struct Box {
-  Vec middle;
-  double half = 0;
-};
-double squared(double x) {
-  return x * x;
-}
-// Whether every place of the box is at least so far from p.
-bool is_beyond(Vec p, const Box& box, double far) {
-  const double x = std::max(std::abs(p.x - box.middle.x) - box.half, 0.0);
-  const double y = std::max(std::abs(p.y - box.middle.y) - box.half, 0.0);
-  return squared(x) + squared(y) >= squared(far);
-}
-// Square of the longest way between the boxes.
-double farthest_squared(const Box& a, const Box& b) {
-  return squared(std::abs(a.middle.x - b.middle.x) + a.half + b.half) +
-         squared(std::abs(a.middle.y - b.middle.y) + a.half + b.half);
-}
-
-struct Range {
-  double low, high;
-};
-Range along_x(const Box& box) {
-  return {box.middle.x - box.half, box.middle.x + box.half};
-}
-Range along_y(const Box& box) {
-  return {box.middle.y - box.half, box.middle.y + box.half};
-}
-// Least (c - p) (p - q) of one axis: concave in p, linear in q.
-double least_product(double c, Range p, Range q) {
-  double least = 1e300;
-  for (const double at : {p.low, p.high}) {
-    for (const double from : {q.low, q.high}) least = std::min(least, (c - at) * (at - from));
-  }
-  return least;
-}
-// Whether the way from anywhere in the box to c leads nowhere nearer to anywhere in the other one.
-// What is not negative on either axis is not in doubles either.
-bool recedes(double on_x, double on_y) {
-  return (on_x >= 0 && on_y >= 0) || on_x + on_y >= slack_mm2;
-}
-
-bool recedes(Vec c, const Box& from, const Box& other) {
-  return recedes(least_product(c.x, along_x(from), along_x(other)),
-                 least_product(c.y, along_y(from), along_y(other)));
-}
-// Most (c - p) (p - q) of one axis.
-double most_product(double c, Range p, Range q) {
-  double most = -1e300;
-  for (const double from : {q.low, q.high}) {
-    const double at = std::clamp((c + from) / 2, p.low, p.high);
-    most = std::max(most, (c - at) * (at - from));
-  }
-  return most;
-}
-// Whether the way to c leads nearer to the other robot from wherever in their boxes they are.
-bool comes_nearer(Vec c, const Box& from, const Box& other) {
-  return most_product(c.x, along_x(from), along_x(other)) +
-             most_product(c.y, along_y(from), along_y(other)) <
-         -slack_mm2;
-}
-// As `recedes`, of all directions between two, by which the one robot is off the other: linear in
-// both.
-using Octant = std::array<Vec, 2>;
-bool recedes(Vec c, const Box& from, const Octant& off) {
-  return std::all_of(off.begin(), off.end(), [&](Vec v) {
-    const double x = v.x * (c.x - from.middle.x) - std::abs(v.x) * from.half;
-    const double y = v.y * (c.y - from.middle.y) - std::abs(v.y) * from.half;
-    return recedes(x, y);
-  });
-}
-// Nearer, or nowhere at all.
-bool comes_nearer(Vec c, const Box& from, const Octant& off) {
-  return std::all_of(off.begin(), off.end(), [&](Vec v) {
-    const double x = v.x * (c.x - from.middle.x) + std::abs(v.x) * from.half;
-    const double y = v.y * (c.y - from.middle.y) + std::abs(v.y) * from.half;
-    return x <= 0 && y <= 0;
-  });
-}
-// In which directions the places of one box are off those of another one.
-std::vector<Octant> octants(const Box& one, const Box& other) {
-  std::vector<Octant> all;
-  const double half = one.half + other.half;
-  const Vec off{one.middle.x - other.middle.x, one.middle.y - other.middle.y};
-  for (const double sx : {-1.0, 1.0}) {
-    for (const double sy : {-1.0, 1.0}) {
-      const double x_most = sx * off.x + half, y_most = sy * off.y + half;
-      if (x_most <= 0 || y_most <= 0) continue;  // their rims count to the others
-      if (x_most >= sy * off.y - half) all.push_back({Vec{sx, 0}, Vec{sx, sy}});
-      if (y_most >= sx * off.x - half) all.push_back({Vec{0, sy}, Vec{sx, sy}});
-    }
-  }
-  return all;
-}
-
 struct Step {
   int columns, rows;
 };
@@ -134,7 +35,7 @@ class Search {
         cells_(cells),
         query_(query),
         size_(cells.cell_mm),
-        far_mm_(1.5 * query.clearance_mm + 4 * size_ + 400),
+        far_mm_(std::min(1.5 * query.clearance_mm + 4 * size_ + 400, far_cells_max * size_)),
         window_(static_cast<int>(std::ceil(query.goal_mm / size_)) + 3),
         places_(cells.clearance_mm_lo.size()) {
     for (int cell = 0; index(cell) < places_.size(); ++cell) steps_.push_back(steps_from(cell));
@@ -167,8 +68,7 @@ class Search {
     std::vector<int> sound;
     std::optional<std::vector<int>> far{};  // the same of those farther off, once it is asked for
     std::vector<std::optional<Patch>> parts{};  // none: no body can be there
-    int last =
-        -1;  // the leg that has done for one place of the other robot, often does for the next
+    int last = -1;  // the leg that did for one place of the other robot: often for the next, too
     std::optional<Ways> ways{};
   };
   struct Place {

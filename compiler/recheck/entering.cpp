@@ -16,6 +16,7 @@ namespace {
 struct End {
   Place place;
   double clearance;
+  int ring;  // of cells, around the one that the search begins at
   double farthest = 0.5;
 };
 double turn(Place a, Place b, Place c) {
@@ -58,7 +59,7 @@ class Entries {
   static constexpr std::int64_t steps_max = 12'000'000'000;
   // The search tries so many cells, ring by ring; with two rings more for the place that it begins
   // at and for cells that are none in its table.
-  static constexpr int tests_max = 2000, more_rings = 3;
+  static constexpr int tests_max = 2000, more_rings = 3, rings_surely = 18;
   // Of the clearance in the fence so much is forgiven, in all: less than the 10 mm that a hold has
   // room for, and more than a way may lose, for the grids.
   [[nodiscard]] double forgiven() const { return std::max(0.0082, limits_.loss + 0.0017); }
@@ -159,7 +160,7 @@ class Entries {
     double nearest = 1e300;
     for (const End& e : ends_) {
       const double way = apart(e.place, middle(from)) + radius(from);
-      if (e.clearance >= limits_.alone->aim + table_m && way < nearest &&
+      if (e.ring <= rings_surely && e.clearance >= limits_.alone->aim + table_m && way < nearest &&
           in_sight(from, off, e.place)) {
         nearest = way;
       }

@@ -63,7 +63,7 @@ class Partings {
         rows_(static_cast<int>(grid.rows)),
         window_(static_cast<int>(std::ceil(limits.goal / grid.cell)) + 3),
         joins_(std::max(reach_m, 2 * grid.cell)),
-        far_(1.5 * limits.route + 4 * grid.cell + 0.4),
+        far_(std::min(1.5 * limits.route + 4 * grid.cell + 0.4, rings * grid.cell)),
         sites_(grid.clearance.size()) {}
 
   std::variant<Meeting, BadCells> run() {
@@ -86,6 +86,8 @@ class Partings {
 
  private:
   // A square of robots is quartered so many times at most: of the one that leaves, and of both.
+  // Of the cells around a place it tries all in so many rings, whatever else it tries.
+  static constexpr int rings = 20;
   static constexpr int quarters_max = 5, quarters_of_both_max = 4;
   static constexpr std::int64_t steps_max = 4'000'000'000;
   // The runtime joins to cells within the larger of 0.4 m and two cells, and forgives 8 mm of
