@@ -7,8 +7,8 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/tables.h"
 #include "compiler/geometry/entry.h"
-#include "compiler/ir/to_geometry.h"
 
 namespace rtac::analysis {
 namespace {
@@ -107,7 +107,7 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
                    ir::goes_back(step.kind) ? 0 : in_mm(joins_within_mm(at.module[step.zone]))};
   }
   const auto table_of = [&](ir::ZoneIndex zone) {
-    return geometry::Table{ir::edges_of(at.module[zone]), ir::grid_of(at.module[zone])};
+    return geometry::Table{edges_of(at.module[zone]), grid_of(at.module[zone])};
   };
   return geometry::entry(table_of(step.zone), table_of(fence), query).how ==
          geometry::Entry::How::within;

@@ -16,14 +16,14 @@ constexpr int halvings_max = 8;
 constexpr int whole_levels = 3;
 // What may be lost of the clearance in the fence: less than the 10 mm by which a hold strays, and
 // more than a way may lose of that in the zone, for the grids.
-constexpr double forgiven_mm = 8, beyond_loss_mm = 1.5, rounding_mm = 0.5;
+constexpr double forgiven_mm = 8, beyond_loss_mm = 1.8, rounding_mm = 0.1;
 // It tries so many cells of the zone at most, ring by ring (max_cell_tests).
 constexpr int tests_max = 2000;
 // And so all of those in so many rings, from wherever in a cell of the fence it begins.
 constexpr int rings_surely = 18;
 // Of a leg so many places are looked at that may be too far from the zone.
 constexpr int samples = 24;
-constexpr std::int64_t looks_max = 500'000'000;
+constexpr std::int64_t looks_max = 250'000'000;
 
 struct Vec {
   double x = 0, y = 0;
@@ -73,11 +73,11 @@ class Entering {
         const double x = fence_.origin.x_mm + column * size, y = fence_.origin.y_mm + row * size;
         const Vec middle{x + size / 2, y + size / 2};
         if (is_inside(middle, size / std::sqrt(2.0))) continue;
-        near_ = cells_near(middle);
+        const std::vector<Cell> cells = cells_near(middle);
         double reach = 0;
-        for (const Cell& c : near_) reach = std::max(reach, distance(c.middle, middle));
+        for (const Cell& c : cells) reach = std::max(reach, distance(c.middle, middle));
         const bool stays =
-            stays_within(connectors_.look_around(x, y, size, reach), near_, halvings_max);
+            stays_within(connectors_.look_around(x, y, size, reach), cells, halvings_max);
         if (looks_ > looks_max) return {Entry::How::too_large, {}};
         if (stays) continue;
         return {Entry::How::beyond,
@@ -158,53 +158,48 @@ class Entering {
     if (looks_ > looks_max) return false;
     const double off = contains(middle) ? 0 : nearest_of_zone(middle).way;
     const bool closely = halvings <= halvings_max - whole_levels;
-    std::vector<Cell> open;
+    const double farthest = farthest_taken(spot, cells, off);
+    std::vector<Cell> taken, open;
     for (const Cell& c : cells) {
+      if (distance(c.middle, middle) - radius > farthest) continue;
+      taken.push_back(c);
       looks_ += 8;
       if (connectors_.is_sound(spot, {c.middle.x, c.middle.y, 0})) continue;
       const double most = off + 2 * radius + query_.loss_mm + rounding_mm;
       if (!leads_off(spot, c.middle, most, closely)) open.push_back(c);
     }
-    if (!open.empty() && closely && query_.alone) {
-      const double farthest = farthest_taken(spot, off);
-      std::erase_if(open,
-                    [&](const Cell& c) { return distance(c.middle, middle) - radius > farthest; });
-    }
     if (open.empty() && nearest_are_sound(spot, off)) return true;
     if (halvings == 0) return false;
     const auto parts = connectors_.quarters(spot);
     return std::all_of(parts.begin(), parts.end(), [&](const Connectors::Spot& part) {
-      return stays_within(part, open, halvings - 1);
+      return stays_within(part, query_.alone ? taken : open, halvings - 1);
     });
   }
   // The way from anywhere in the spot to the place leads farther from the zone than `most`.
   bool leads_off(const Connectors::Spot& spot, Vec to, double most, bool closely) {
-    const auto off_at = [&](double t) {
+    double best = 0, most_off = 0;
+    const auto look = [&](double t) {
       const Vec at{spot.x_mm + t * (to.x - spot.x_mm), spot.y_mm + t * (to.y - spot.y_mm)};
       const double way = nearest_of_zone(at).way;
-      return way > most && !contains(at) ? most + 1 : way;
+      if (way > most_off && !contains(at)) best = t, most_off = way;
+      return most_off > most;
     };
-    double best = 0, most_off = 0;
     for (int i = 1; i < samples; i += closely ? 1 : 6) {
-      const double off = off_at(double(i) / samples);
-      if (off > most) return true;
-      if (off > most_off) best = double(i) / samples, most_off = off;
+      if (look(double(i) / samples)) return true;
     }
-    if (!closely) return false;
-    for (double step = 0.5 / samples; step > 0.005 / samples; step /= 2) {
-      for (const double t : {best - step, best + step}) {
-        const double off = off_at(t);
-        if (off > most) return true;
-        if (off > most_off) best = t, most_off = off;
-      }
+    for (double step = 0.5 / samples; closely && step > 0.005 / samples; step /= 2) {
+      const double from = best;
+      if (look(from - step) || look(from + step)) return true;
     }
     return false;
   }
-  // How far off a cell may be that it takes: no farther than any one that it surely sees.
-  double farthest_taken(const Connectors::Spot& spot, double off) {
+  // How far off a cell may be that it takes: of a robot that is alone, no farther than any one that
+  // it surely sees. Those that it takes from a part of the spot are among those of the whole.
+  double farthest_taken(const Connectors::Spot& spot, const std::vector<Cell>& cells, double off) {
     const Vec middle{spot.x_mm, spot.y_mm};
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Cell& c : near_) {
+    if (!query_.alone) return nearest;
+    for (const Cell& c : cells) {
       const double way = distance(c.middle, middle) + spot.radius_mm();
       if (c.clearance_mm < query_.alone->aim_mm || c.ring > rings_surely || way >= nearest)
         continue;
@@ -273,7 +268,6 @@ class Entering {
   const CellGrid& fence_;
   const EntryQuery query_;
   Connectors connectors_;
-  std::vector<Cell> near_;  // of the cell of the fence that is looked at
   std::int64_t looks_ = 0;
 };
 

@@ -39,13 +39,13 @@ class Entries {
       for (double x = left; x < right; x += square_m) {
         const Box square{x, y, x + square_m, y + square_m};
         if (is_inside(square)) continue;
-        ends_ = ends_near(middle(square));
+        const std::vector<End> ends = ends_near(middle(square));
         double reach = 0;
-        for (const End& e : ends_) reach = std::max(reach, apart(e.place, middle(square)));
+        for (const End& e : ends) reach = std::max(reach, apart(e.place, middle(square)));
         const Boundary boundary(
             fence_, middle(square),
             reach + 2 * square_m + std::max(limits_.clearance, limits_.body) + snap_m);
-        const bool stays = stays_within(boundary, square, ends_, quarters_max);
+        const bool stays = stays_within(boundary, square, ends, quarters_max);
         if (steps_ > steps_max) return BadCells{};
         if (!stays) return std::optional(geometry::Point{Rational(x), Rational(y)});
       }
@@ -62,7 +62,7 @@ class Entries {
   static constexpr int tests_max = 2000, more_rings = 3, rings_surely = 18;
   // Of the clearance in the fence so much is forgiven, in all: less than the 10 mm that a hold has
   // room for, and more than a way may lose, for the grids.
-  [[nodiscard]] double forgiven() const { return std::max(0.0082, limits_.loss + 0.0017); }
+  [[nodiscard]] double forgiven() const { return std::max(0.0082, limits_.loss + 0.0018); }
 
   static double apart(Place a, Place b) { return length(a.x - b.x, a.y - b.y); }
   [[nodiscard]] bool contains(Place p) const {
@@ -102,7 +102,7 @@ class Entries {
           if (clearance < limits_.least) continue;
           found.push_back(
               {middle(grid_.box(static_cast<std::size_t>(c), static_cast<std::size_t>(r), 1)),
-               clearance});
+               clearance, off});
         }
       }
       if (tested >= tests_max) last = std::min(last, off + more_rings);
@@ -116,27 +116,26 @@ class Entries {
     if (steps_ > steps_max) return false;
     const double off = contains(middle(from)) ? 0 : to_zone(middle(from));
     const double asked = boundary.asked_from(from, limits_.clearance, forgiven());
-    std::vector<End> open;
+    const double farthest = limits_.alone ? farthest_taken(from, ends, off) : 1e300;
+    std::vector<End> taken, open;
     for (End e : ends) {
+      if (apart(e.place, middle(from)) - radius(from) > farthest) continue;
       steps_ += 30;
-      if (boundary.keeps(from, e.place, asked)) continue;
-      if (!leads_off(from, e, off, times <= quarters_max - ways_followed_after)) open.push_back(e);
-    }
-    if (!open.empty() && limits_.alone && times <= quarters_max - ways_followed_after) {
-      const double most = farthest_taken(from, off);
-      std::erase_if(
-          open, [&](const End& e) { return apart(e.place, middle(from)) - radius(from) > most; });
+      const bool stays = boundary.keeps(from, e.place, asked) ||
+                         leads_off(from, e, off, times <= quarters_max - ways_followed_after);
+      taken.push_back(e);
+      if (!stays) open.push_back(e);
     }
     if (open.empty() && to_the_nearest(boundary, from, off, asked)) return true;
     if (times == 0) return false;
     return std::ranges::all_of(quarters(from), [&](const Box& quarter) {
-      return stays_within(boundary, quarter, open, times - 1);
+      return stays_within(boundary, quarter, limits_.alone ? taken : open, times - 1);
     });
   }
   // Somewhere on the way it is farther from the zone than it may be, from wherever it begins.
   bool leads_off(const Box& from, End& end, double off, bool closely) {
     const Place m = middle(from);
-    const double most = off + 2 * radius(from) + limits_.loss + snap_m / 10;
+    const double most = off + 2 * radius(from) + limits_.loss + 0.0001;
     double farthest = 0;
     const auto look = [&](double t) {
       const Place at{m.x + t * (end.place.x - m.x), m.y + t * (end.place.y - m.y)};
@@ -156,9 +155,9 @@ class Entries {
   }
   // It takes no cell that is farther off than one to which straight ways in the zone lead from all
   // places of it that may be the nearest one: along its own way there it comes nearer to those.
-  double farthest_taken(const Box& from, double off) {
+  double farthest_taken(const Box& from, const std::vector<End>& ends, double off) {
     double nearest = 1e300;
-    for (const End& e : ends_) {
+    for (const End& e : ends) {
       const double way = apart(e.place, middle(from)) + radius(from);
       if (e.ring <= rings_surely && e.clearance >= limits_.alone->aim + table_m && way < nearest &&
           in_sight(from, off, e.place)) {
@@ -221,7 +220,6 @@ class Entries {
   const Grid& grid_;
   const std::vector<Segment>& fence_;
   const EnteringLimits limits_;
-  std::vector<End> ends_;  // of the square that is looked at
   std::int64_t steps_ = 0;
 };
 

@@ -1,8 +1,8 @@
 // P2b of a recovery that waits for other robots, and makes room for them.
 #include "compiler/analysis/liveness.h"
+#include "compiler/analysis/tables.h"
 #include "compiler/geometry/parting.h"
 #include "compiler/ir/linear.h"
-#include "compiler/ir/to_geometry.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
 
@@ -91,7 +91,8 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
     return o;
   }
   const geometry::PartingQuery query = query_of(s.decision.body, yield);
-  const geometry::Parting found = geometry::parting(ir::edges_of(zone), ir::grid_of(zone), query);
+  const geometry::Parting found =
+      geometry::parting(analysis::edges_of(zone), analysis::grid_of(zone), query);
   if (found.how == geometry::Parting::How::too_large) {
     o.because = quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
                 "that one of two robots finds a way out of the other's is not shown";

@@ -5,9 +5,9 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/tables.h"
 #include "compiler/geometry/sight.h"
 #include "compiler/ir/linear.h"
-#include "compiler/ir/to_geometry.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
 
@@ -262,7 +262,7 @@ std::optional<Spot> place_in(const Subject& s, const ir::ZoneTable& zone, std::s
 geometry::Sight sight_in(const Subject& s, const ir::ZoneTable& base, const ir::Recovery& last,
                          std::int64_t aim_mm) {
   const ir::Body& body = s.decision.body;
-  return geometry::sight(ir::edges_of(base), ir::grid_of(base),
+  return geometry::sight(analysis::edges_of(base), analysis::grid_of(base),
                          {.aim_mm = static_cast<std::int32_t>(aim_mm),
                           .clearance_mm = static_cast<std::int32_t>(last.route_clearance_mm),
                           .body_mm = static_cast<std::int32_t>(

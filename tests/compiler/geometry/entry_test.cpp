@@ -4,25 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "rooms.h"
 #include "rtac/safe/manoeuvre.h"
+#include "rtac/safe/pilot.h"
 #include "testing.h"
 #include "zone_view.h"
 
 namespace rtac::geometry {
 namespace {
-
-// Of a retreat, and of ways over cells.
-constexpr EntryQuery cart{.clearance_mm = 200,
-                          .body_mm = 190,
-                          .least_mm = 200,
-                          .loss_mm = 2,
-                          .alone = EntryQuery::Alone{760, 0}};
-constexpr EntryQuery courier{.clearance_mm = 200,
-                             .body_mm = 190,
-                             .least_mm = 200,
-                             .loss_mm = 8,
-                             .alone = EntryQuery::Alone{450, 480}};
 
 safe::Setting setting_of(const ZoneView& zone) {
   safe::Setting s;
@@ -33,6 +24,23 @@ safe::Setting setting_of(const ZoneView& zone) {
   return s;
 }
 
+// Of a retreat, and of ways over cells.
+EntryQuery cart_query(const safe::Setting& setting) {
+  const safe::Setting& s = setting;
+  const double aim_m = s.return_clearance_m + safe::end_reach_m(s) + s.limits.position_error_m;
+  return {.clearance_mm = 200,
+          .body_mm = 190,
+          .least_mm = 200,
+          .loss_mm = 2,
+          .alone = EntryQuery::Alone{static_cast<std::int32_t>(std::ceil(1e3 * aim_m)), 0}};
+}
+const EntryQuery cart = cart_query(setting_of({}));
+constexpr EntryQuery courier{.clearance_mm = 200,
+                             .body_mm = 190,
+                             .least_mm = 200,
+                             .loss_mm = 8,
+                             .alone = EntryQuery::Alone{450, 480}};
+
 class Ways {
  public:
   Ways(const Region& zone, const Region& fence)
@@ -42,7 +50,7 @@ class Ways {
     return entry({zone_.edges, zone_.cells}, {fence_.edges, fence_.cells}, query);
   }
   // The first legs from places between the zone and the fence that lead too near to the latter.
-  int astray(bool retreats) {
+  int astray(bool retreats, int places = 1500) {
     const View zone(zone_), fence(fence_);
     safe::GridRoute route(*zone);
     const CellGrid& cells = fence_.cells;
@@ -50,7 +58,7 @@ class Ways {
     std::uniform_real_distribution<double> x(0, cells.columns * cells.cell_mm);
     std::uniform_real_distribution<double> y(0, cells.rows * cells.cell_mm);
     int astray = 0;
-    for (int looked = 0; looked < 1500;) {
+    for (int looked = 0, tried = 0; looked < places && tried < 200'000; ++tried) {
       const Vec2 p{1e-3 * (cells.origin.x_mm + x(random)), 1e-3 * (cells.origin.y_mm + y(random))};
       const double gap_m = signed_clearance(*fence, p);
       if (gap_m < 0.19 || signed_clearance(*zone, p) >= 0) continue;
@@ -114,6 +122,24 @@ TEST(Entry, OfARobotThatIsAloneToNoneThatIsFartherThanOneInSight) {
   among_others.alone.reset();
   EXPECT_EQ(Ways(inset(hall, 300), hall).shown(among_others).how, Entry::How::beyond);
 }
+TEST(Entry, InRandomRooms) {
+  std::mt19937 random(29);
+  int shown = 0;
+  for (int i = 0; i < rooms_count() / 3; ++i) {
+    const Region room = random_room(random);
+    const long off = 220 + static_cast<long>(random() % 300);
+    const Region zone = inset(room, off);
+    if (zone.empty() || !snap_inside(zone)) continue;
+    Ways ways(zone, room);
+    for (const bool retreats : {true, false}) {
+      if (ways.shown(retreats ? cart : courier).how != Entry::How::within) continue;
+      ++shown;
+      EXPECT_EQ(ways.astray(retreats, 150), 0) << "room " << i;
+    }
+  }
+  EXPECT_GT(shown, rooms_count() / 12);
+}
+
 // A retreat behind a wall with a door in it: straight is through the wall.
 TEST(Entry, NotThroughAWall) {
   const Region hall = box(0, 0, 8000, 4000).subtract(box(4000, 0, 4400, 3000));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "rooms.h"
 #include "rtac/safe/grid_route.h"
 #include "testing.h"
 #include "zone_view.h"
@@ -75,17 +76,24 @@ class Pairs {
   std::mt19937 random_{7};
 };
 
-void expect_all_part(const Region& region, std::int32_t cell_mm, const PartingQuery& query) {
-  const BakedZone zone = bake(*snap_inside(region), cell_mm);
-  const Parting found = parting(zone.edges, zone.cells, query);
-  ASSERT_EQ(found.how, Parting::How::shown) << found.one.x_mm << ", " << found.one.y_mm << " and "
-                                            << found.other.x_mm << ", " << found.other.y_mm;
+Parting parting_of(const BakedZone& zone, const PartingQuery& query) {
+  return parting(zone.edges, zone.cells, query);
+}
+// Wherever two robots stand in the zone, the search finds a way for one of them.
+void expect_ways(const BakedZone& zone, const PartingQuery& query, int count) {
   Pairs pairs(zone, query);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Vec2 other = pairs.somewhere(), one = pairs.near(other);
     ASSERT_TRUE(pairs.leaves(one, other) || pairs.leaves(other, one))
         << one.x << ", " << one.y << " and " << other.x << ", " << other.y;
   }
+}
+void expect_all_part(const Region& region, std::int32_t cell_mm, const PartingQuery& query) {
+  const BakedZone zone = bake(*snap_inside(region), cell_mm);
+  const Parting found = parting_of(zone, query);
+  ASSERT_EQ(found.how, Parting::How::shown) << found.one.x_mm << ", " << found.one.y_mm << " and "
+                                            << found.other.x_mm << ", " << found.other.y_mm;
+  expect_ways(zone, query, 3000);
 }
 
 TEST(Parting, InAHall) {
@@ -102,6 +110,24 @@ TEST(Parting, InAHallOfWideCells) {
   large.clearance_mm = 500, large.apart_mm = 2000, large.goal_mm = 2060;
   expect_all_part(box(0, 0, 20'000, 16'000), 300, large);
 }
+// In any room: whatever is shown is so.
+TEST(Parting, InRandomRooms) {
+  std::mt19937 random(17);
+  int shown = 0;
+  for (int i = 0; i < rooms_count(); ++i) {
+    const BakedZone zone = bake(*snap_inside(random_room(random)), 100);
+    const auto upto = [&](int most) { return static_cast<int>(random() % unsigned(most)); };
+    PartingQuery query{120 + upto(200), 40 + upto(80), 0, 300 + upto(700), 0};
+    query.nearest_mm = 2 * query.body_mm;
+    query.goal_mm = query.apart_mm + upto(80);
+    if (parting_of(zone, query).how != Parting::How::shown) continue;
+    ++shown;
+    expect_ways(zone, query, 300);
+    if (HasFatalFailure()) FAIL() << "room " << i;
+  }
+  EXPECT_GT(shown, rooms_count() / 8);
+}
+
 Parting parting_in(const Region& region, const PartingQuery& query = cart) {
   const BakedZone zone = bake(*snap_inside(region), 100);
   return parting(zone.edges, zone.cells, query);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rooms.h"
 #include "rtac/safe/space.h"
 #include "testing.h"
 #include "zone_view.h"
@@ -34,18 +35,15 @@ Sight sight_in(const Region& region, std::int32_t cell_mm = 100) {
   return sight(zone.edges, zone.cells, flyer);
 }
 
-void expect_all_see(const Region& region, std::int32_t cell_mm = 100) {
-  const BakedZone zone = bake(*snap_inside(region), cell_mm);
-  const Sight found = sight(zone.edges, zone.cells, flyer);
-  ASSERT_EQ(found.how, Sight::How::clear) << found.place.x_mm << ", " << found.place.y_mm;
+// From wherever there is little room a look finds a leg.
+void expect_legs(const BakedZone& zone, int count) {
   const View view(zone);
   Looking retreat(setting_of(*view, flyer));
   std::mt19937 random(5);
   const CellGrid& cells = zone.cells;
   std::uniform_real_distribution<double> x(0, cells.columns * cells.cell_mm);
   std::uniform_real_distribution<double> y(0, cells.rows * cells.cell_mm);
-  int looked = 0;
-  while (looked < 2000) {
+  for (int looked = 0; looked < count;) {
     const Vec2 p{1e-3 * (cells.origin.x_mm + x(random)), 1e-3 * (cells.origin.y_mm + y(random))};
     const double now_m = signed_clearance(*view, p);
     if (now_m < 1e-3 * flyer.body_mm || now_m >= 1e-3 * flyer.aim_mm) continue;
@@ -59,6 +57,12 @@ void expect_all_see(const Region& region, std::int32_t cell_mm = 100) {
     EXPECT_TRUE(keeps_clearance(*view, p, {end.x, end.y}, floor_m - 1e-9));
   }
 }
+void expect_all_see(const Region& region, std::int32_t cell_mm = 100) {
+  const BakedZone zone = bake(*snap_inside(region), cell_mm);
+  const Sight found = sight(zone.edges, zone.cells, flyer);
+  ASSERT_EQ(found.how, Sight::How::clear) << found.place.x_mm << ", " << found.place.y_mm;
+  expect_legs(zone, 2000);
+}
 
 TEST(Sight, AroundACornerAndAPillar) {
   const Region hall = box(0, 0, 9000, 9000).unite(box(9000, 0, 14'000, 4000));
@@ -70,6 +74,19 @@ TEST(Sight, BetweenSlantingWalls) {
 }
 TEST(Sight, WithWideCells) {
   expect_all_see(box(0, 0, 24'000, 18'000).subtract(box(9730, 7370, 14'110, 9330)), 310);
+}
+
+TEST(Sight, InRandomRooms) {
+  std::mt19937 random(23);
+  int shown = 0;
+  for (int i = 0; i < rooms_count(); ++i) {
+    const BakedZone zone = bake(*snap_inside(random_room(random)), 100);
+    if (sight(zone.edges, zone.cells, flyer).how != Sight::How::clear) continue;
+    ++shown;
+    expect_legs(zone, 200);
+    if (HasFatalFailure()) FAIL() << "room " << i;
+  }
+  EXPECT_GT(shown, rooms_count() / 8);
 }
 
 // In a wing that is too narrow to return, and behind a wall that is thinner than the wing is wide.

@@ -6,16 +6,16 @@
 #include "compiler/geometry/bake.h"
 #include "compiler/ir/tables.h"
 
-namespace rtac::ir {
+namespace rtac::analysis {
 
-inline std::vector<geometry::EdgeRow> edges_of(const ZoneTable& zone) {
+inline std::vector<geometry::EdgeRow> edges_of(const ir::ZoneTable& zone) {
   std::vector<geometry::EdgeRow> edges;
-  for (const Edge& e : zone.edges) edges.push_back({{e.ax, e.ay}, {e.bx, e.by}});
+  for (const ir::Edge& e : zone.edges) edges.push_back({{e.ax, e.ay}, {e.bx, e.by}});
   return edges;
 }
 // Without upper bounds of clearances.
-inline geometry::CellGrid grid_of(const ZoneTable& zone) {
-  const Cells& c = zone.cells;
+inline geometry::CellGrid grid_of(const ir::ZoneTable& zone) {
+  const ir::Cells& c = zone.cells;
   return {.origin = {c.origin_x_mm, c.origin_y_mm},
           .cell_mm = c.cell_mm,
           .columns = c.columns,
@@ -24,4 +24,4 @@ inline geometry::CellGrid grid_of(const ZoneTable& zone) {
           .clearance_mm_hi = {}};
 }
 
-}  // namespace rtac::ir
+}  // namespace rtac::analysis
