@@ -23,10 +23,13 @@ constexpr int tests_max = 2000;
 constexpr int rings_surely = 18;
 // Of a leg so many places are looked at that may be too far from the zone.
 constexpr int samples = 24;
-constexpr std::int64_t looks_max = 250'000'000;
+constexpr std::int64_t looks_max = 1'600'000'000;
 
 struct Vec {
   double x = 0, y = 0;
+};
+struct Box {
+  double left, low, right, top;
 };
 struct Nearest {
   Vec place;
@@ -36,6 +39,7 @@ struct Cell {
   Vec middle;
   std::int32_t clearance_mm;
   std::int32_t ring;  // around the one that the search begins at
+  double off = 0.5;   // the share of the way there after which it is farthest from the zone
 };
 Vec operator-(Vec a, Vec b) {
   return {a.x - b.x, a.y - b.y};
@@ -61,7 +65,13 @@ class Entering {
         fence_(fence.cells),
         query_(query),
         connectors_(fence.edges, query.clearance_mm, query.body_mm,
-                    std::max(forgiven_mm, query.loss_mm + beyond_loss_mm)) {}
+                    std::max(forgiven_mm, query.loss_mm + beyond_loss_mm)) {
+    for (const EdgeRow& e : zone.edges) {
+      const auto [left, right] = std::minmax({double(e.a.x_mm), double(e.b.x_mm)});
+      const auto [low, top] = std::minmax({double(e.a.y_mm), double(e.b.y_mm)});
+      boxes_.push_back({left, low, right, top});
+    }
+  }
 
   Entry run() {
     const double size = fence_.cell_mm;
@@ -100,11 +110,18 @@ class Entering {
   [[nodiscard]] Nearest nearest_of_zone(Vec p) {
     looks_ += static_cast<std::int64_t>(zone_.edges.size());
     Nearest found;
-    for (const EdgeRow& e : zone_.edges) {
-      const Vec q = nearest_on(e, p);
-      const double way = distance(q, p);
-      if (way < found.way) found = {q, way};
+    double square = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      const Box& b = boxes_[i];
+      const double x = std::max({b.left - p.x, p.x - b.right, 0.0});
+      const double y = std::max({b.low - p.y, p.y - b.top, 0.0});
+      if (x * x + y * y >= square) continue;
+      const Vec q = nearest_on(zone_.edges[i], p), d = q - p;
+      if (d.x * d.x + d.y * d.y >= square) continue;
+      square = d.x * d.x + d.y * d.y;
+      found.place = q;
     }
+    found.way = std::sqrt(square);
     return found;
   }
   // All places so near to it lie in the zone.
@@ -160,13 +177,14 @@ class Entering {
     const bool closely = halvings <= halvings_max - whole_levels;
     const double farthest = farthest_taken(spot, cells, off);
     std::vector<Cell> taken, open;
-    for (const Cell& c : cells) {
+    for (Cell c : cells) {
       if (distance(c.middle, middle) - radius > farthest) continue;
-      taken.push_back(c);
       looks_ += 8;
-      if (connectors_.is_sound(spot, {c.middle.x, c.middle.y, 0})) continue;
       const double most = off + 2 * radius + query_.loss_mm + rounding_mm;
-      if (!leads_off(spot, c.middle, most, closely)) open.push_back(c);
+      const bool stays = connectors_.is_sound(spot, {c.middle.x, c.middle.y, 0}) ||
+                         leads_off(spot, c, most, closely);
+      if (query_.alone) taken.push_back(c);
+      if (!stays) open.push_back(c);
     }
     if (open.empty() && nearest_are_sound(spot, off)) return true;
     if (halvings == 0) return false;
@@ -175,20 +193,22 @@ class Entering {
       return stays_within(part, query_.alone ? taken : open, halvings - 1);
     });
   }
-  // The way from anywhere in the spot to the place leads farther from the zone than `most`.
-  bool leads_off(const Connectors::Spot& spot, Vec to, double most, bool closely) {
-    double best = 0, most_off = 0;
+  // The way from anywhere in the spot to the cell leads farther from the zone than `most`.
+  bool leads_off(const Connectors::Spot& spot, Cell& cell, double most, bool closely) {
+    double most_off = 0;
     const auto look = [&](double t) {
-      const Vec at{spot.x_mm + t * (to.x - spot.x_mm), spot.y_mm + t * (to.y - spot.y_mm)};
+      const Vec at{spot.x_mm + t * (cell.middle.x - spot.x_mm),
+                   spot.y_mm + t * (cell.middle.y - spot.y_mm)};
       const double way = nearest_of_zone(at).way;
-      if (way > most_off && !contains(at)) best = t, most_off = way;
+      if (way > most_off && !contains(at)) cell.off = t, most_off = way;
       return most_off > most;
     };
+    if (look(cell.off)) return true;
     for (int i = 1; i < samples; i += closely ? 1 : 6) {
       if (look(double(i) / samples)) return true;
     }
     for (double step = 0.5 / samples; closely && step > 0.005 / samples; step /= 2) {
-      const double from = best;
+      const double from = cell.off;
       if (look(from - step) || look(from + step)) return true;
     }
     return false;
@@ -268,6 +288,7 @@ class Entering {
   const CellGrid& fence_;
   const EntryQuery query_;
   Connectors connectors_;
+  std::vector<Box> boxes_;  // of the edges of the zone
   std::int64_t looks_ = 0;
 };
 
