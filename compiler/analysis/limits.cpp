@@ -36,14 +36,13 @@ std::int64_t tracking_of_recovery_mm(const ir::Body& b, const ir::Motion& motion
   return b.in_space ? motion.beside_mm : std::max(motion.beside_mm, b.end_reach_mm);
 }
 // Acceleration of the reference point when the speed is at most `speed`: driving and turning, or,
-// of a point mass, what any controller commands and what pushes it. A point mass that slows down as
-// hard as its brake may do so sideways, too; wheels brake along the way.
+// of a point mass, what any controller commands and what pushes it. It slows down as hard as its
+// brake: a point mass sideways, too, and wheels along the way, but between two stamps whatever they
+// are slower by counts.
 std::int64_t planar_accel(const sema::RobotKind& kind, std::int64_t speed_mmps) {
-  if (!kind.motion.turn) {
-    return up(std::max(kind.motion.accel.value, kind.motion.brake.value) + disturbance_of(kind),
-              1000);
-  }
-  const std::int64_t accel = up(kind.motion.accel.value, 1000);
+  const Rational along = std::max(kind.motion.accel.value, kind.motion.brake.value);
+  if (!kind.motion.turn) return up(along + disturbance_of(kind), 1000);
+  const std::int64_t accel = up(along, 1000);
   const std::int64_t lateral = div_up(speed_mmps * up(kind.motion.turn->value, 1000), 1000);
   return root_up(accel * accel + lateral * lateral);
 }
@@ -97,6 +96,9 @@ void add_sampled_brake(std::int64_t period_us, bool promises, ir::Body& b) {
   if (promises) b.hold_mm = std::max(b.hold_mm, hold.spans_mm);
   b.sway_mm = hold.sways_mm;
   if (b.in_space) b.end_reach_mm = b.sway_mm;
+  // latched at eta b / (b - d) as measured, and then as errors and pushes move it
+  b.stands_mmps = div_up(b.brake_lag_ms * b.brake_mmps2, 1000) + b.velocity_error_mmps +
+                  hold_speed_mmps(b, period_us);
 }
 
 }  // namespace

@@ -41,20 +41,22 @@ std::int64_t overshoot_ppm(const ir::Decision& decision) {
 // How fast a recovery may truly be that means to drive at `w_mmps`. One whose speed is commanded
 // follows that within its limits. A point mass measures it: in the plane it settles where errors of
 // its velocity and pushes let it, and overshoots that, by twice where they turn around; in space it
-// follows its hold.
+// follows its hold. Before it sets out and at its end it holds its place, which errors and pushes
+// move.
 std::int64_t fastest_mmps(const ir::Decision& decision, std::int64_t w_mmps) {
   const ir::Body& b = decision.body;
   const std::int64_t faster_mmps = w_mmps + 2 * decision.pushed_mmps;
   if (b.brake_lag_ms == 0) return faster_mmps;
   if (b.in_space) {
-    return std::max(faster_mmps + b.velocity_error_mmps,
-                    w_mmps + hold_speed_mmps(b, decision.period_us));
+    return std::max({faster_mmps + b.velocity_error_mmps, b.stands_mmps,
+                     w_mmps + hold_speed_mmps(b, decision.period_us)});
   }
   const std::int64_t over_ppm = overshoot_ppm(decision);
   const std::int64_t lasts_mmps = b.velocity_error_mmps + decision.pushed_mmps;
   const Rational over(Rational(static_cast<long>(over_ppm * (w_mmps + 2 * lasts_mmps))) /
                       1'000'000);
-  return std::max(faster_mmps + b.velocity_error_mmps, w_mmps + lasts_mmps + ceil_to_int(over));
+  return std::max({faster_mmps + b.velocity_error_mmps, b.stands_mmps,
+                   w_mmps + lasts_mmps + ceil_to_int(over)});
 }
 
 // The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
@@ -273,8 +275,11 @@ std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookah
 std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) {
   const std::int64_t declared_mmps = decision.motions[0].speed_mmps;
   const std::int64_t mmps = decision.motions[k + 1].speed_mmps;
-  // at the declared speed already, or standing
-  if (mmps == 0 || mmps >= declared_mmps) return mmps;
+  if (mmps >= declared_mmps) return mmps;
+  if (mmps == 0) {  // it stands
+    const ir::Body& b = decision.body;
+    return b.brake_lag_ms == 0 ? 0 : std::min(declared_mmps, b.stands_mmps);
+  }
   return std::min(declared_mmps, fastest_mmps(decision, mmps - 2 * decision.pushed_mmps));
 }
 

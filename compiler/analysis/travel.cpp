@@ -146,11 +146,11 @@ Rational braking(const sema::RobotKind& kind) {
   return kind.motion.brake.value - disturbance_of(kind);
 }
 
-// It brakes, rests, and looks for its way.
+// It brakes, rests, sees where it does so, and looks for its way.
 Rational rest_seconds(const sema::RobotKind& kind, const Rational& period) {
   return kind.motion.speed.value / braking(kind) +
          pace::rest_samples * (delay(kind, period) + seconds_of(kind.velocity)) +
-         Rational(pace::look_every_ms, 1000);
+         seconds_of(kind.position) + period + Rational(pace::look_every_ms, 1000);
 }
 
 }  // namespace

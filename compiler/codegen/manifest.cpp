@@ -225,7 +225,7 @@ Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
     if (a.in_space) j["agents"].back()["in_space"] = true;
   }
   // what is said of agents is kept while the robot is faster; slower it counts as standing
-  if (!d.agents.empty()) j["rest_mmps"] = rest_mmps(d.body);
+  if (!d.agents.empty()) j["rest_mmps"] = d.body.stands_mmps;
   if (has_signals(d)) j["facts"] = facts(module, spec, d);
   return j;
 }

@@ -178,7 +178,7 @@ class Decisions {
       inputs_.insert(c->name);
     }
     if (!d.agents.empty()) {
-      j["rest_mps"] = metres(ir::rest_mmps(d.body));
+      j["rest_mps"] = metres(d.body.stands_mmps);
       for (const sema::Agent& a : spec_.agents) j["agents"].push_back(agent(a));
     }
     j["monitors"] = Json::array();

@@ -85,7 +85,7 @@ std::string summary(const ir::Module& module) {
       std::string names;
       for (const ir::Agent& a : d.agents) names += (names.empty() ? "" : ", ") + a.name;
       out += "  assumed: nobody keeps " + names + " from a robot that stands (up to " +
-             to_decimal(Rational(ir::rest_mmps(d.body), 1000)) + " m/s)\n";
+             to_decimal(Rational(d.body.stands_mmps, 1000)) + " m/s)\n";
     }
     if (d.coordinated) {
       out += "  coordinated: of several recoveries the one drives that keeps most of the order\n";

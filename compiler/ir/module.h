@@ -38,6 +38,9 @@ struct Body {
   // Of commands: the robot follows those up to `command_mmps2`, within the error, what pushes it
   // included.
   std::int64_t command_mmps2 = 0, command_error_mmps2 = 0;
+  // A robot that is told to stop counts as standing up to here: as fast as the hold may be that the
+  // sampled brake turns into, which stays within `hold_mm`. What commands a speed ends in 0.
+  std::int64_t stands_mmps = 1;
   bool in_space = false;  // it moves up and down as well: all lengths above are of space
 };
 // What pushes the robot adds this share to its stopping distance, d / (b - d), and bends it away by
@@ -47,7 +50,7 @@ inline std::int64_t sway_permille(const Body& b) {
   return b.disturbance_mmps2 == 0 ? 0 : (1000 * b.disturbance_mmps2 + left_mmps2 - 1) / left_mmps2;
 }
 // How much longer than s1 / (b - d) it takes until the sampled brake has turned into a hold: until
-// the speed is at most `rest_mmps` for good. Sampled brake: eta = b lag; |v| falls by b sqrt(1 -
+// the speed is at most `stands_mmps` for good. Sampled brake: eta = b lag; |v| falls by b sqrt(1 -
 // (eta / |v|)^2) - d at least, since the command is off by eta at most; that is half of b - d at
 // least where |v| is eta sqrt(2 b / (b - d)) or more, and the time that is lost is 2 b eta /
 // (b - d)^2 at most.
@@ -55,12 +58,6 @@ inline std::int64_t still_lag_ms(const Body& b) {
   // undisturbed it loses nothing: the integral of dv / (b sqrt(1 - (eta / v)^2)) is below s1 / b
   if (b.disturbance_mmps2 == 0) return b.brake_lag_ms;
   return (b.brake_lag_ms * 2 * (1000 + sway_permille(b)) + 999) / 1000;
-}
-// A robot that is told to stop counts as standing up to here: the speed below which the sampled
-// brake turns into a hold. The hold may be that fast for a moment, and stays within `hold_mm`. The
-// brake of a body whose speed is commanded ends in 0.
-inline std::int64_t rest_mmps(const Body& b) {
-  return 1 + b.brake_lag_ms * b.brake_mmps2 / 1000;  // eta b / (b - d)
 }
 struct Motion {
   std::string name;  // "any" or the name of the recovery

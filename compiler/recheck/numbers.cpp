@@ -14,8 +14,9 @@ Rational value(const std::optional<sema::Quantity>& q) {
 
 // Of the latched hold of a point mass (docs/templates.md, the brake that all of them begin with):
 // how far it may rest from its place, and from where it was latched.
+// And how fast it may be.
 struct Hold {
-  Rational sways, strays;
+  Rational sways, strays, speed;
 };
 Hold hold_of(const Numbers& n, const Rational& delay) {
   const Rational left = n.brake - n.disturbance;
@@ -31,7 +32,10 @@ Hold hold_of(const Numbers& n, const Rational& delay) {
   const Rational latched = n.velocity_error + eta * n.brake / left;
   const Rational sways =
       2 * n.position_error + 2 * n.velocity_error / omega + n.disturbance / (omega * omega);
-  return {sways, sways + latched * (Rational(7, 25) / omega + delay / 2)};
+  // as a velocity follows what acts on it, from what it was latched at
+  const Rational follows =
+      Rational(98, 100) * (omega * n.position_error + 2 * n.velocity_error + n.disturbance / omega);
+  return {sways, sways + latched * (Rational(7, 25) / omega + delay / 2), latched + follows};
 }
 
 }  // namespace
@@ -79,7 +83,9 @@ Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
   if (n.unicycle) {
     // theory, unicycle: A_eff^2 = A^2 + (V W)^2, and W / turn_accel is the time of the turn
     const Rational lateral = n.speed * value(kind.motion.turn);
-    n.accel_square = kind.motion.accel.value * kind.motion.accel.value + lateral * lateral;
+    // they slow down as hard as their brake, too
+    const Rational along = std::max(kind.motion.accel.value, n.brake);
+    n.accel_square = along * along + lateral * lateral;
     n.bend = 2;
     if (kind.motion.turn_accel) {
       const Rational turn = value(kind.motion.turn);
@@ -97,6 +103,7 @@ Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
   const Hold hold = hold_of(n, delay);
   n.hold = eta * eta / left + hold.strays;
   n.sway = hold.sways;
+  n.stands = std::min(n.speed, hold.speed);
   return n;
 }
 

@@ -14,8 +14,9 @@ struct Numbers {
   bool unicycle = false;
   // eta / (b - d): how much longer the sampled brake takes, and how far its hold may be.
   Rational lag, hold;
-  Rational sway;  // how far from the place that it holds it may rest, as it measures itself
-  Rational bend;  // of unicycles: share of the stopping distance
+  Rational sway;    // how far from the place that it holds it may rest, as it measures itself
+  Rational stands;  // how fast it may be there; 0 of wheels
+  Rational bend;    // of unicycles: share of the stopping distance
 };
 Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
                    const Rational& jitter);

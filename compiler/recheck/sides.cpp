@@ -143,7 +143,8 @@ std::optional<Rational> Sides::speed_of(const sema::Controller& recovery) const 
 Rational Sides::while_driving(const Rational& speed) const {
   // a point mass measures how fast it is
   const Rational strays = numbers_.unicycle || speed == 0 ? Rational(0) : numbers_.velocity_error;
-  return std::min(numbers_.speed, Rational(speed + pushed(numbers_) + strays));
+  const Rational drives = speed == 0 ? Rational(0) : Rational(speed + pushed(numbers_) + strays);
+  return std::min(numbers_.speed, std::max(drives, numbers_.stands));
 }
 
 std::optional<Rational> Sides::claimed_speed_of(const sema::Controller& recovery) const {

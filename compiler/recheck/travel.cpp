@@ -129,10 +129,11 @@ class Travel {
     }
     return omega;
   }
-  // It brakes, and looks for its way.
+  // It brakes, sees that it rests and then where, and looks for its way.
   [[nodiscard]] Rational rest() const {
     return kind_.motion.speed.value / brakes_ +
-           samples_at_rest * (delay_ + oldest(kind_.velocity)) + looks_every;
+           samples_at_rest * (delay_ + oldest(kind_.velocity)) + oldest(kind_.position) + period_ +
+           looks_every;
   }
   [[nodiscard]] Rational slowest() const { return speed_ - taken_; }
   [[nodiscard]] Rational planned() const { return steers_ * planned_braking; }

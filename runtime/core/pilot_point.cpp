@@ -172,7 +172,8 @@ Acceleration Pilot<Acceleration>::halt(const Observation& observation) {
   last_velocity_ = v;
   last_seen_us_ = observation.velocity.stamp_us;
   const double speed = norm(v), b = limits_.brake_mps2;
-  if (!latched_ && rest_.admits(observation, limits_.latency_us) && speed <= rest_mps_) {
+  if (!latched_ && rest_.admits(observation, limits_.latency_us)) rest_.sees(speed <= rest_mps_);
+  if (!latched_ && rest_.tells_where(observation)) {
     latched_ = true;
     // Where the remaining speed comes to rest, so that the hold begins without a step back.
     hold_at_ = p + (reaction_s_ / 2) * v;

@@ -77,10 +77,13 @@ Twist Pilot<Twist>::brake_blind(const Observation&) {
 
 Twist Pilot<Twist>::halt(const Observation& observation) {
   driving_ = false;
-  if (latched_ || !rest_.admits(observation, limits_.latency_us)) return {};
-  const bool still = norm(observation.velocity.value) <= limits_.velocity_error_mps + rest_mps;
-  still_samples_ = still ? still_samples_ + 1 : 0;
-  latched_ = still_samples_ >= pace::rest_samples;
+  if (latched_) return {};
+  if (rest_.admits(observation, limits_.latency_us)) {
+    const bool still = norm(observation.velocity.value) <= limits_.velocity_error_mps + rest_mps;
+    rest_.sees(still);
+    still_samples_ = still ? still_samples_ + 1 : 0;
+  }
+  latched_ = still_samples_ >= pace::rest_samples && rest_.tells_where(observation);
   return {};
 }
 

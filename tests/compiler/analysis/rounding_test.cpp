@@ -81,10 +81,10 @@ TEST(Rounding, DemandsAreRoundedUpAndSuppliesDown) {
   up(recovery_motion(k, "slow", Rational(1, 9), 50'000).speed_mmps, Rational(1, 9), 1000);
 }
 
-// theory, unicycle: A_eff = sqrt(A^2 + (V W)^2)
+// theory, unicycle: A_eff = sqrt(A^2 + (V W)^2), A being what it slows down with, if that is more
 TEST(Rounding, TheAccelerationOfAUnicycleContainsItsTurning) {
   const sema::RobotKind k = kind_of(sema::MotionModel::unicycle);
-  const Rational a = k.motion.accel.value * 1000;
+  const Rational a = std::max(k.motion.accel.value, k.motion.brake.value) * 1000;
   const Rational lateral = k.motion.speed.value * k.motion.turn->value * 1000;
   const Rational least_squared = a * a + lateral * lateral;
   for (const std::int64_t derived :

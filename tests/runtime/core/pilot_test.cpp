@@ -360,7 +360,32 @@ TEST(UnicyclePilot, RestsOnNewMeasurementsOfTheHaltOnly) {
     (void)pilot.halt(seen);
     seen.now_us += 10'000;
   }
+  EXPECT_FALSE(pilot.latched());
+  // where it rests is not known before a position comes that is as new
+  seen.position.stamp_us = seen.now_us;
+  (void)pilot.halt(seen);
   EXPECT_TRUE(pilot.latched());
+}
+
+// A robot that has stopped is measured where it was before: that is not where it holds.
+TEST(PointPilot, HoldsWhereItIsMeasuredAtRest) {
+  Pilot<Acceleration> pilot(drone());
+  Observation seen = Plant<Acceleration>(test::drone_limits(), {3, 0}).observe();
+  seen.now_us = 5'000'000;
+  seen.position = {{2, 0}, 4'900'000};
+  seen.velocity = {{0, 0}, 5'000'000};
+  pilot.engage(seen);
+  for (int i = 0; i < 5; ++i) {
+    seen.now_us += 20'000;
+    seen.velocity.stamp_us = seen.now_us;
+    (void)pilot.halt(seen);
+    EXPECT_FALSE(pilot.latched());
+  }
+  seen.now_us += 20'000;
+  seen.position = {{3, 0}, seen.now_us};
+  (void)pilot.halt(seen);
+  EXPECT_TRUE(pilot.latched());
+  EXPECT_NEAR(pilot.halting()->place.x, 3, 1e-9);
 }
 
 }  // namespace

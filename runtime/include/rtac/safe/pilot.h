@@ -56,13 +56,17 @@ double approach_speed(const LegTracker::Bearing& leg, double speed_mps, double b
                       double reaction_s);
 
 // Which measurements may show that a halt has come to rest: those taken after its first command
-// acted, each once. An older one may still show the robot before it was driven off.
+// acted, each once. An older one may still show the robot before it was driven off. Where it rests,
+// a position tells that was measured no earlier than a velocity which showed it: one from before
+// may be as far off as the robot came on since, and whoever is promised that it stays there relies
+// on it.
 class RestWitness {
  public:
-  void reset() { since_us_ = never_us; }
+  void reset() { since_us_ = still_since_us_ = never_us; }
   void go_on(const Halt& halt) {
     since_us_ = halt.since_us;
     last_us_ = halt.seen_us;
+    still_since_us_ = never_us;
   }
   [[nodiscard]] TimeUs since_us() const { return since_us_; }
   [[nodiscard]] TimeUs seen_us() const { return last_us_; }
@@ -76,9 +80,22 @@ class RestWitness {
     last_us_ = observation.velocity.stamp_us;
     return true;
   }
+  // What a measurement that was admitted shows.
+  void sees(bool still) {
+    if (!still) {
+      still_since_us_ = never_us;
+    } else if (still_since_us_ == never_us) {
+      still_since_us_ = last_us_;
+    }
+  }
+  // The newest position is one of the robot at rest.
+  [[nodiscard]] bool tells_where(const Observation& observation) const {
+    return still_since_us_ != never_us && observation.position.stamp_us >= still_since_us_;
+  }
 
  private:
   TimeUs since_us_ = never_us, last_us_ = never_us;
+  TimeUs still_since_us_ = never_us;  // stamp of the first of the velocities that show it at rest
 };
 
 // How wheels are led along a leg (pace.h).
