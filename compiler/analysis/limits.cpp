@@ -36,15 +36,24 @@ std::int64_t tracking_of_recovery_mm(const ir::Body& b, const ir::Motion& motion
   return b.in_space ? motion.beside_mm : std::max(motion.beside_mm, b.end_reach_mm);
 }
 // Acceleration of the reference point when the speed is at most `speed`: driving and turning, or,
-// of a point mass, what any controller commands and what pushes it. It slows down as hard as its
-// brake: a point mass sideways, too, and wheels along the way, but between two stamps whatever they
-// are slower by counts.
-std::int64_t planar_accel(const sema::RobotKind& kind, std::int64_t speed_mmps) {
-  const Rational along = std::max(kind.motion.accel.value, kind.motion.brake.value);
-  if (!kind.motion.turn) return up(along + disturbance_of(kind), 1000);
+// of a point mass, what any controller commands and what pushes it. A point mass that slows down as
+// hard as its brake may do so sideways, too; wheels brake along the way.
+std::int64_t planar_accel(const sema::RobotKind& kind, const Rational& along,
+                          std::int64_t speed_mmps) {
+  if (!kind.motion.turn) {
+    return up(std::max(along, kind.motion.brake.value) + disturbance_of(kind), 1000);
+  }
   const std::int64_t accel = up(along, 1000);
   const std::int64_t lateral = div_up(speed_mmps * up(kind.motion.turn->value, 1000), 1000);
   return root_up(accel * accel + lateral * lateral);
+}
+std::int64_t planar_accel(const sema::RobotKind& kind) {
+  return planar_accel(kind, kind.motion.accel.value, up(kind.motion.speed.value, 1000));
+}
+// By which a velocity may have changed between two stamps, braking included.
+std::int64_t planar_change(const sema::RobotKind& kind) {
+  return planar_accel(kind, std::max(kind.motion.accel.value, kind.motion.brake.value),
+                      up(kind.motion.speed.value, 1000));
 }
 
 // The frequency at which a position error takes its share of the brake, rounded down, rad/s.
@@ -97,8 +106,8 @@ void add_sampled_brake(std::int64_t period_us, bool promises, ir::Body& b) {
   b.sway_mm = hold.sways_mm;
   if (b.in_space) b.end_reach_mm = b.sway_mm;
   // latched at eta b / (b - d) as measured, and then as errors and pushes move it
-  b.stands_mmps = div_up(b.brake_lag_ms * b.brake_mmps2, 1000) + b.velocity_error_mmps +
-                  hold_speed_mmps(b, period_us);
+  b.stands_mmps = std::max(div_up(b.brake_lag_ms * b.brake_mmps2, 1000) + b.velocity_error_mmps,
+                           hold_speed_mmps(b, period_us));
 }
 
 }  // namespace
@@ -126,7 +135,7 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
   const Rational larger = Rational(b.radius_mm, 1000) - kind.radius.value;
   b.position_error_mm = kind.position ? up(Rational(kind.position->error.value + larger), 1000) : 0;
   b.velocity_error_mmps = kind.velocity ? up(kind.velocity->error.value, 1000) : 0;
-  b.accel_mmps2 = planar_accel(kind, up(kind.motion.speed.value, 1000));
+  b.accel_mmps2 = planar_change(kind);
   b.brake_mmps2 = down(kind.motion.brake.value, 1000);
   b.disturbance_mmps2 = up(disturbance_of(kind), 1000);
   b.latency_us = micros(kind.latency.value);
@@ -191,7 +200,7 @@ void keep_off_walls(const sema::Spec& spec, const sema::Decision& from, const se
 
 ir::Motion any_control(const sema::RobotKind& kind) {
   const std::int64_t speed = up(kind.motion.speed.value, 1000);
-  return {"any", speed, planar_accel(kind, speed), false, kind.motion.range};
+  return {"any", speed, planar_accel(kind), false, kind.motion.range};
 }
 
 ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
@@ -200,7 +209,7 @@ ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
   const Rational most =
       std::min(kind.motion.speed.value, Rational(speed + 2 * pushed_speed(kind, period_us)));
   // while it brakes, the recovery may still turn at the speed that it found
-  return {name, up(most, 1000),    planar_accel(kind, up(kind.motion.speed.value, 1000)),
+  return {name, up(most, 1000),    planar_accel(kind),
           true, kind.motion.range, beside_mm(kind, speed, period_us)};
 }
 
@@ -238,7 +247,7 @@ std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t look
   const std::int64_t t_us = horizon_us_max(b, lookahead_us) + decision.return_extra_us;
   // theory, unequal stamps: the one sample may be new while the other is as old as it may be
   const std::int64_t apart_ms = div_up(std::max(b.position_age_us, b.velocity_age_us), 1000);
-  const std::int64_t apart_mmps = div_up(decision.motions[0].accel_mmps2 * apart_ms, 1000);
+  const std::int64_t apart_mmps = div_up(b.accel_mmps2 * apart_ms, 1000);
   return disc_mm(b, decision.motions[0], b.velocity_error_mmps + apart_mmps, t_us) +
          b.position_error_mm;
 }

@@ -42,21 +42,21 @@ std::int64_t overshoot_ppm(const ir::Decision& decision) {
 // follows that within its limits. A point mass measures it: in the plane it settles where errors of
 // its velocity and pushes let it, and overshoots that, by twice where they turn around; in space it
 // follows its hold. Before it sets out and at its end it holds its place, which errors and pushes
-// move.
+// move: one that latches at less than that is never faster (docs/lemmas.md, speed).
 std::int64_t fastest_mmps(const ir::Decision& decision, std::int64_t w_mmps) {
   const ir::Body& b = decision.body;
   const std::int64_t faster_mmps = w_mmps + 2 * decision.pushed_mmps;
   if (b.brake_lag_ms == 0) return faster_mmps;
   if (b.in_space) {
-    return std::max({faster_mmps + b.velocity_error_mmps, b.stands_mmps,
-                     w_mmps + hold_speed_mmps(b, decision.period_us)});
+    return std::max(faster_mmps + b.velocity_error_mmps,
+                    w_mmps + hold_speed_mmps(b, decision.period_us));
   }
   const std::int64_t over_ppm = overshoot_ppm(decision);
   const std::int64_t lasts_mmps = b.velocity_error_mmps + decision.pushed_mmps;
   const Rational over(Rational(static_cast<long>(over_ppm * (w_mmps + 2 * lasts_mmps))) /
                       1'000'000);
-  return std::max({faster_mmps + b.velocity_error_mmps, b.stands_mmps,
-                   w_mmps + lasts_mmps + ceil_to_int(over)});
+  return std::max({faster_mmps + b.velocity_error_mmps, w_mmps + lasts_mmps + ceil_to_int(over),
+                   hold_speed_mmps(b, decision.period_us)});
 }
 
 // The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
@@ -266,8 +266,9 @@ std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookah
   const std::int64_t us = horizon_us_max(body, lookahead_us) + decision.return_extra_us;
   // theory, horizon: stamps that differ add to the error of the velocity
   const std::int64_t apart_us = std::max(body.position_age_us, body.velocity_age_us);
-  const Rational gained =
-      Rational(static_cast<long>(body.accel_mmps2)) * (us + apart_us) / 1'000'000;
+  const Rational speeds_up(static_cast<long>(decision.motions[0].accel_mmps2));
+  const Rational changes(static_cast<long>(body.accel_mmps2));
+  const Rational gained = (speeds_up * us + changes * apart_us) / 1'000'000;
   const std::int64_t mmps = 2 * body.velocity_error_mmps + grid_mmps + ceil_to_int(gained);
   return std::min(decision.motions[0].speed_mmps, mmps);
 }
@@ -278,7 +279,8 @@ std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) 
   if (mmps >= declared_mmps) return mmps;
   if (mmps == 0) {  // it stands
     const ir::Body& b = decision.body;
-    return b.brake_lag_ms == 0 ? 0 : std::min(declared_mmps, b.stands_mmps);
+    return b.brake_lag_ms == 0 ? 0
+                               : std::min(declared_mmps, hold_speed_mmps(b, decision.period_us));
   }
   return std::min(declared_mmps, fastest_mmps(decision, mmps - 2 * decision.pushed_mmps));
 }

@@ -32,10 +32,10 @@ Hold hold_of(const Numbers& n, const Rational& delay) {
   const Rational latched = n.velocity_error + eta * n.brake / left;
   const Rational sways =
       2 * n.position_error + 2 * n.velocity_error / omega + n.disturbance / (omega * omega);
-  // as a velocity follows what acts on it, from what it was latched at
+  // as a velocity follows what acts on it
   const Rational follows =
       Rational(98, 100) * (omega * n.position_error + 2 * n.velocity_error + n.disturbance / omega);
-  return {sways, sways + latched * (Rational(7, 25) / omega + delay / 2), latched + follows};
+  return {sways, sways + latched * (Rational(7, 25) / omega + delay / 2), follows};
 }
 
 }  // namespace
@@ -83,9 +83,10 @@ Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
   if (n.unicycle) {
     // theory, unicycle: A_eff^2 = A^2 + (V W)^2, and W / turn_accel is the time of the turn
     const Rational lateral = n.speed * value(kind.motion.turn);
+    n.accel_square = kind.motion.accel.value * kind.motion.accel.value + lateral * lateral;
     // they slow down as hard as their brake, too
     const Rational along = std::max(kind.motion.accel.value, n.brake);
-    n.accel_square = along * along + lateral * lateral;
+    n.change = interp::square_root(Rational(along * along + lateral * lateral)).below;
     n.bend = 2;
     if (kind.motion.turn_accel) {
       const Rational turn = value(kind.motion.turn);
@@ -95,6 +96,7 @@ Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
   }
   n.accel = std::max(kind.motion.accel.value, n.brake) + n.disturbance;
   n.accel_square = n.accel * n.accel;
+  n.change = n.accel;
   const Rational left = n.brake - n.disturbance;
   if (left <= 0) return n;
   const Rational delay = n.velocity_age + n.period + n.jitter + n.latency;
@@ -114,7 +116,7 @@ Rational pushed(const Numbers& n) {
 
 Rational resting_clearance(const Numbers& n, const Rational& accel, const Rational& ahead) {
   const Rational horizon = ahead + n.position_age + n.latency + n.jitter;
-  const Rational apart = accel * std::max(n.position_age, n.velocity_age);
+  const Rational apart = n.change * std::max(n.position_age, n.velocity_age);
   const Rational s0 = std::min(n.speed, Rational(2 * n.velocity_error + apart));
   const Rational unbounded = s0 + accel * horizon;
   const Rational s1 = std::min(n.speed, unbounded);

@@ -11,6 +11,7 @@ struct Numbers {
       jitter;
   Rational speed, accel, brake, disturbance;
   Rational accel_square;  // of unicycles, whose planar acceleration is a root
+  Rational change;        // of the velocity, braking included; a root from below
   bool unicycle = false;
   // eta / (b - d): how much longer the sampled brake takes, and how far its hold may be.
   Rational lag, hold;

@@ -53,8 +53,9 @@ class SafeController {
   virtual Output command(const Observation& observation, Gate gate) = 0;
   // False: it is not, or not known to be, where it claims to stay, and brakes whatever the gate.
   [[nodiscard]] virtual bool keeps_claim(const Observation&) const { return true; }
-  // Latched in its position hold: at rest, and meaning to stay. False as soon as it wants to move,
-  // so that the decision module stops renewing the HELD lease.
+  // Latched in its position hold: at rest, where a position shows it that was measured since, and
+  // meaning to stay. False as soon as it wants to move, so that the decision module stops renewing
+  // the HELD lease.
   [[nodiscard]] virtual bool holding() const = 0;
   // It found no way because of robots that stand, and asks them for passage.
   [[nodiscard]] virtual bool blocked() const { return false; }

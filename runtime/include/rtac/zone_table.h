@@ -80,7 +80,7 @@ inline bool is_sound(const ZoneOutline& o) {
   const std::int64_t grid = std::int64_t{o.columns} * o.rows;
   const bool has_cells = o.columns > 0 && o.rows > 0 && grid < o.cell_count;
   return has_cells && o.shift >= 2 && o.shift <= 32 && o.shift % 2 == 0 && o.depth >= 0 &&
-         o.depth <= 16;
+         o.depth <= o.shift / 2;
 }
 
 // 64 bytes an edge and 64 KiB, as the compiler reports it.

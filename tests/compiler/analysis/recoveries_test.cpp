@@ -302,7 +302,7 @@ TEST(Recoveries, AReasonToStandIsOfUseWhereThereIsAPlaceToLeave) {
 TEST(Recoveries, WhoStandsIsSlowEnoughAndNotGivenBack) {
   Text slow{"brake_and_hold"};
   slow.zones = "zone plants = rectangle (1 m, 1 m) to (2 m, 2 m);";
-  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.25 m/s";
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.2 m/s";
   EXPECT_EQ(codes(slow), Codes{5017});
   const auto c = compiled(text_of(slow));
   const std::string said = reports(*c);
