@@ -32,7 +32,7 @@ decision gate for Cart { advanced policy; period 50 ms; priority )" +
          order + "; }\n";
 }
 const char* const halts = "estop implies r.speed <= 0.05 m/s";
-const char* const by_load = "if load >= 30 kg then r.speed <= 0.4 m/s else r.speed <= 0.8 m/s";
+const char* const by_load = "if load >= 30 kg then r.speed <= 0.4 m/s else r.speed <= 0.85 m/s";
 
 class Told : public Verify {
  protected:
