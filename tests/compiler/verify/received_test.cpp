@@ -77,7 +77,7 @@ TEST_F(ReceivedZones, WhoMovesMayBreakThem) {
 
 // It is enough to stand, wherever the zone is: nothing of that depends on it.
 TEST_F(ReceivedZones, WhoMayBeNearSlowlyIsGivenBackAtRest) {
-  std::string text = site_with(std::string(stays_out) + " or r.speed <= 0.8 m/s", "nofly > fence");
+  std::string text = site_with(std::string(stays_out) + " or r.speed <= 0.85 m/s", "nofly > fence");
   text = edited(text, " hold when violated \"who closes it lets it out\";", "");
   const Outcome o = verified(text, {"--format", "json"});
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
