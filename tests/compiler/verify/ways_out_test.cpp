@@ -191,7 +191,9 @@ void drive(const Scene& s, const ir::Module& module, bool agreed, Scenes& scenes
   }
 }
 
-TEST(WaysOut, LeadNoNearerThanIsClaimed) {
+class WaysOut : public Verify {};
+
+TEST_F(WaysOut, LeadNoNearerThanIsClaimed) {
   Scenes scenes(7);
   Study study;
   for (int k = 0; k < scenes_most; ++k) {
