@@ -411,7 +411,7 @@ class Deriver {
     for (const sema::MonitorId id : from.priority) {
       need_drain(spec_[id], kind);
       d.monitors.push_back(monitor(spec_[id], d));
-      if (!from.on_plan) d.motions.push_back(motion(spec_[id], from, d.period_us));
+      if (!from.on_plan) d.motions.push_back(motion(spec_[id], from, d));
     }
     d.heard_reach_mm = heard_reach_mm(d);
     for (const auto& a : from.acknowledgements) {
@@ -529,14 +529,15 @@ class Deriver {
     return r;
   }
   ir::Motion motion(const sema::Monitor& from, const sema::Decision& decision,
-                    std::int64_t period_us) {
+                    const ir::Decision& to) {
+    const std::int64_t period_us = to.period_us;
     const sema::RobotKind& kind = spec_[decision.kind];
     const sema::Controller& c = spec_[*from.recover];
     const std::vector<sema::Template> all = sema::templates_of(c);
     if (all.empty()) {
       const auto claim = sema::claim_of(c);
-      return recovery_motion(kind, c.name, claim ? claim->speed.value : kind.motion.speed.value,
-                             period_us);
+      return recovery_motion(kind, to.body, c.name,
+                             claim ? claim->speed.value : kind.motion.speed.value, period_us);
     }
     const Rational least = least_speed(kind, period_us);
     Rational speed = 0;  // whoever stands never gets faster than it was found
@@ -549,7 +550,7 @@ class Deriver {
         report_off_heading(decision, c, *own);
       }
     }
-    return recovery_motion(kind, c.name, speed, period_us);
+    return recovery_motion(kind, to.body, c.name, speed, period_us);
   }
   // The slowest recovery of a point mass that makes half of its speed good, whatever its velocity
   // errs and whatever pushes it back. Wheels drive at the speed that they are told; in space the

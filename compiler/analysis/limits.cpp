@@ -203,14 +203,19 @@ ir::Motion any_control(const sema::RobotKind& kind) {
   return {"any", speed, planar_accel(kind), false, kind.motion.range};
 }
 
-ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
-                           const Rational& speed, std::int64_t period_us) {
-  // twice what it is faster when its velocity has settled: until it has
-  const Rational most =
-      std::min(kind.motion.speed.value, Rational(speed + 2 * pushed_speed(kind, period_us)));
+ir::Motion recovery_motion(const sema::RobotKind& kind, const ir::Body& body,
+                           const std::string& name, const Rational& speed, std::int64_t period_us) {
+  const std::int64_t pushed_mmps = up(pushed_speed(kind, period_us), 1000);
+  // what stands is held, which the hold accounts for
+  const std::int64_t most_mmps =
+      speed == 0 ? 2 * pushed_mmps : fastest_mmps(body, pushed_mmps, period_us, up(speed, 1000));
   // while it brakes, the recovery may still turn at the speed that it found
-  return {name, up(most, 1000),    planar_accel(kind),
-          true, kind.motion.range, beside_mm(kind, speed, period_us)};
+  return {name,
+          std::min(up(kind.motion.speed.value, 1000), most_mmps),
+          planar_accel(kind),
+          true,
+          kind.motion.range,
+          beside_mm(kind, speed, period_us)};
 }
 
 // What the stop bends from the straight one, what errors of the hold lead it aside by while it
@@ -240,6 +245,44 @@ std::int64_t hold_speed_mmps(const ir::Body& b, std::int64_t period_us) {
                                                b.latency_us);  // of one that knows its jitter
   return ceil_to_int(Rational(99, 100) * (omega * b.position_error_mm + 2 * b.velocity_error_mmps +
                                           b.disturbance_mmps2 / least));
+}
+
+namespace {
+
+// How far the velocity of a point mass overshoots, in ppm of a step of what it follows. It settles
+// with a delay, half as long as it takes at most: x' = -k x(t - 1), of which k up to 1 / e passes
+// nothing, and k = 1/2 by 4.24 %. The parabola is above what lies between.
+std::int64_t overshoot_ppm(const ir::Body& b, std::int64_t period_us) {
+  constexpr std::int64_t most_ppm = 45'000, none_ppm = 370'000, half_ppm = 500'000;
+  const std::int64_t delay_us = b.velocity_age_us + period_us + b.latency_us;
+  const std::int64_t settling_us =
+      std::max<std::int64_t>(1000 * pace::velocity_time_ms, pace::velocity_time_delays * delay_us);
+  const Rational beyond =
+      Rational(delay_us * 1'000'000, settling_us) - Rational(static_cast<long>(none_ppm));
+  if (beyond <= 0) return 0;
+  const Rational share = beyond / static_cast<long>(half_ppm - none_ppm);
+  return ceil_to_int(Rational(share * share * static_cast<long>(most_ppm)));
+}
+
+}  // namespace
+
+// One whose speed is commanded follows that within its limits, twice what pushes have made it
+// faster by when its velocity has settled. A point mass measures it: in the plane it settles where
+// errors of its velocity and pushes let it, and overshoots that, by twice where they turn around;
+// in space it follows its hold. Before it sets out and at its end it holds its place, which errors
+// and pushes move: one that latches at less than that is never faster (docs/lemmas.md, speed).
+std::int64_t fastest_mmps(const ir::Body& b, std::int64_t pushed_mmps, std::int64_t period_us,
+                          std::int64_t w_mmps) {
+  const std::int64_t faster_mmps = w_mmps + 2 * pushed_mmps;
+  if (b.brake_lag_ms == 0) return faster_mmps;
+  const std::int64_t holds_mmps = hold_speed_mmps(b, period_us);
+  if (b.in_space) return std::max(faster_mmps + b.velocity_error_mmps, w_mmps + holds_mmps);
+  const std::int64_t lasts_mmps = b.velocity_error_mmps + pushed_mmps;
+  const Rational over(
+      Rational(static_cast<long>(overshoot_ppm(b, period_us) * (w_mmps + 2 * lasts_mmps))) /
+      1'000'000);
+  return std::max(
+      {faster_mmps + b.velocity_error_mmps, w_mmps + lasts_mmps + ceil_to_int(over), holds_mmps});
 }
 
 std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us) {

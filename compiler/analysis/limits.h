@@ -14,10 +14,9 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
 void keep_off_walls(const sema::Spec& spec, const sema::Decision& from, const sema::RobotKind& kind,
                     ir::Decision& d);
 ir::Motion any_control(const sema::RobotKind& kind);
-// Limits while the named recovery drives at most at `speed`; what pushes the robot may make it
-// faster.
-ir::Motion recovery_motion(const sema::RobotKind& kind, const std::string& name,
-                           const Rational& speed, std::int64_t period_us);
+// Limits while the named recovery means to drive at most at `speed`, with how fast it may truly be.
+ir::Motion recovery_motion(const sema::RobotKind& kind, const ir::Body& body,
+                           const std::string& name, const Rational& speed, std::int64_t period_us);
 
 // Of the hold of a point mass, in rad/s, `delay_us` being that of its velocity; what it is at
 // least.
@@ -27,6 +26,11 @@ Rational hold_frequency(const ir::Body& body, std::int64_t delay_us);
 std::int64_t stray_mm(const ir::Body& body, const Rational& speed, std::int64_t period_us);
 // How fast a hold of a point mass may be for a moment, whatever turns around that errs and pushes.
 std::int64_t hold_speed_mmps(const ir::Body& body, std::int64_t period_us);
+
+// How fast a recovery may truly be that means to drive at `w_mmps`, `pushed_mmps` being how much
+// faster what pushes the robot makes it (pushed_speed).
+std::int64_t fastest_mmps(const ir::Body& body, std::int64_t pushed_mmps, std::int64_t period_us,
+                          std::int64_t w_mmps);
 
 // Measured clearance of the centre that lets every fence of the decision hand control back to a
 // robot at rest, in spite of noise (theory: rho_ret + r_eff, plus one more position error because

@@ -22,43 +22,6 @@ std::string speed_text(std::int64_t mmps) {
   return to_decimal(Rational(mmps, 1000)) + " m/s";
 }
 
-// How far the velocity of a point mass overshoots, in ppm of a step of what it follows. It settles
-// with a delay, half as long as it takes at most: x' = -k x(t - 1), of which k up to 1 / e passes
-// nothing, and k = 1/2 by 4.24 %. The parabola is above what lies between.
-std::int64_t overshoot_ppm(const ir::Decision& decision) {
-  constexpr std::int64_t most_ppm = 45'000, none_ppm = 370'000, half_ppm = 500'000;
-  const ir::Body& b = decision.body;
-  const std::int64_t delay_us = b.velocity_age_us + decision.period_us + b.latency_us;
-  const std::int64_t settling_us =
-      std::max<std::int64_t>(1000 * pace::velocity_time_ms, pace::velocity_time_delays * delay_us);
-  const Rational beyond =
-      Rational(delay_us * 1'000'000, settling_us) - Rational(static_cast<long>(none_ppm));
-  if (beyond <= 0) return 0;
-  const Rational share = beyond / static_cast<long>(half_ppm - none_ppm);
-  return ceil_to_int(Rational(share * share * static_cast<long>(most_ppm)));
-}
-
-// How fast a recovery may truly be that means to drive at `w_mmps`. One whose speed is commanded
-// follows that within its limits. A point mass measures it: in the plane it settles where errors of
-// its velocity and pushes let it, and overshoots that, by twice where they turn around; in space it
-// follows its hold. Before it sets out and at its end it holds its place, which errors and pushes
-// move: one that latches at less than that is never faster (docs/lemmas.md, speed).
-std::int64_t fastest_mmps(const ir::Decision& decision, std::int64_t w_mmps) {
-  const ir::Body& b = decision.body;
-  const std::int64_t faster_mmps = w_mmps + 2 * decision.pushed_mmps;
-  if (b.brake_lag_ms == 0) return faster_mmps;
-  if (b.in_space) {
-    return std::max(faster_mmps + b.velocity_error_mmps,
-                    w_mmps + hold_speed_mmps(b, decision.period_us));
-  }
-  const std::int64_t over_ppm = overshoot_ppm(decision);
-  const std::int64_t lasts_mmps = b.velocity_error_mmps + decision.pushed_mmps;
-  const Rational over(Rational(static_cast<long>(over_ppm * (w_mmps + 2 * lasts_mmps))) /
-                      1'000'000);
-  return std::max({faster_mmps + b.velocity_error_mmps, w_mmps + lasts_mmps + ceil_to_int(over),
-                   hold_speed_mmps(b, decision.period_us)});
-}
-
 // The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
 // where nothing else of it holds.
 class Limits {
@@ -225,7 +188,8 @@ class Limits {
     std::int64_t low = 0, high = most_mmps;
     while (low < high) {
       const std::int64_t middle = (low + high + 1) / 2;
-      if (fastest_mmps(decision_, middle) <= most_mmps) {
+      if (fastest_mmps(decision_.body, decision_.pushed_mmps, decision_.period_us, middle) <=
+          most_mmps) {
         low = middle;
       } else {
         high = middle - 1;
@@ -275,14 +239,10 @@ std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookah
 
 std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) {
   const std::int64_t declared_mmps = decision.motions[0].speed_mmps;
+  const ir::Body& b = decision.body;
   const std::int64_t mmps = decision.motions[k + 1].speed_mmps;
-  if (mmps >= declared_mmps) return mmps;
-  if (mmps == 0) {  // it stands
-    const ir::Body& b = decision.body;
-    return b.brake_lag_ms == 0 ? 0
-                               : std::min(declared_mmps, hold_speed_mmps(b, decision.period_us));
-  }
-  return std::min(declared_mmps, fastest_mmps(decision, mmps - 2 * decision.pushed_mmps));
+  const std::int64_t holds_mmps = b.brake_lag_ms == 0 ? 0 : hold_speed_mmps(b, decision.period_us);
+  return std::min(declared_mmps, std::max(mmps, holds_mmps));
 }
 
 namespace {

@@ -8,15 +8,16 @@ static int64_t fastest_mmps(const estimate *s, const motion *m, int64_t us) {
   return min_of(speed_cap(s, m), s->speed_mmps + s->v_error_mmps +
                                      div_up(m->accel_mmps2 * div_up(us, 1000), 1000));
 }
-/*= speed_now : fastest_mmps span_of span_unknown max_of div_up */
-static span speed_now(const estimate *s, const motion *m) {
+/*= speed_now : body_type fastest_mmps span_of span_unknown max_of div_up */
+/* It may have slowed down since the sample as hard as it brakes. */
+static span speed_now(const estimate *s, const body *b, const motion *m) {
   if (s->input != INPUT_NONE) {
     return span_unknown(s->input);
   } else {
     const int64_t fastest = fastest_mmps(s, m, s->age_us);
     /* 1: the measured speed is rounded up. What was faster than its cap is taken at its word. */
     const int64_t least = s->speed_mmps - 1 - s->v_error_mmps -
-                          div_up(m->accel_mmps2 * div_up(s->age_us, 1000), 1000);
+                          div_up(b->accel_mmps2 * div_up(s->age_us, 1000), 1000);
     return span_of(min_of(max_of(least, 0), fastest), fastest);
   }
 }

@@ -78,7 +78,19 @@ TEST(Rounding, DemandsAreRoundedUpAndSuppliesDown) {
   EXPECT_LE(exact(b.brake_mmps2), k.motion.brake.value * 1000);
   EXPECT_GT(exact(b.brake_mmps2 + 1), k.motion.brake.value * 1000);
   up(any_control(k).speed_mmps, k.motion.speed.value, 1000);
-  up(recovery_motion(k, "slow", Rational(1, 9), 50'000).speed_mmps, Rational(1, 9), 1000);
+  const sema::RobotKind wheels = kind_of(sema::MotionModel::unicycle);
+  up(recovery_motion(wheels, body_of(wheels, 50'000), "slow", Rational(1, 9), 50'000).speed_mmps,
+     Rational(1, 9), 1000);
+}
+
+// It drives at what it measures, and holds while errors of its place move the hold.
+TEST(Rounding, ARecoveryOfAPointMassIsAsMuchFasterAsItsVelocityErrs) {
+  const sema::RobotKind k = kind_of(sema::MotionModel::point);
+  const ir::Body b = body_of(k, 50'000);
+  const Rational v = k.motion.speed.value, w = Rational(1, 9);
+  const std::int64_t mmps = recovery_motion(k, b, "slow", w, 50'000).speed_mmps;
+  EXPECT_GE(exact(mmps), std::min(v, Rational(w + k.velocity->error.value)) * 1000);
+  EXPECT_LE(mmps, any_control(k).speed_mmps);
 }
 
 // theory, unicycle: A_eff = sqrt(A^2 + (V W)^2); between two stamps it may slow down as hard as its
@@ -91,7 +103,7 @@ TEST(Rounding, TheAccelerationOfAUnicycleContainsItsTurning) {
   for (const std::int64_t derived :
        {any_control(k).accel_mmps2,
         // a recovery may still turn at the speed that it found
-        recovery_motion(k, "slow", Rational(1, 100), 50'000).accel_mmps2}) {
+        recovery_motion(k, body_of(k, 50'000), "slow", Rational(1, 100), 50'000).accel_mmps2}) {
     EXPECT_GE(exact(derived) * exact(derived), least_squared);
     EXPECT_LT(exact(derived - 4) * exact(derived - 4), least_squared);
   }
@@ -125,7 +137,7 @@ TEST(Rounding, WhatPushesAPointMassCountsEverywhere) {
   const Rational eta = k.velocity->error.value * 1000 + (brake + d) * delay;
   EXPECT_GE(exact(b.brake_lag_ms), 1000 * eta / left);
   EXPECT_GE(exact(b.hold_mm), eta * eta / left + 2 * k.position->error.value * 1000);
-  EXPECT_GT(recovery_motion(k, "slow", Rational(1, 9), 50'000).speed_mmps, 112);
+  EXPECT_GT(recovery_motion(k, b, "slow", Rational(1, 9), 50'000).speed_mmps, 112);
 }
 
 // theory, horizon: the jitter is part of it, and of the lag of the sampled brake

@@ -171,7 +171,7 @@ TEST(Heights, NobodyClaimsTheHeightOfWhatIsExternal) {
 // It comes to rest some centimetres beside where it lands.
 TEST(Heights, ALandingStraysFromItsEnd) {
   EXPECT_EQ(broken_by("down", "r.position.z >= 1 m"), breaks_height("down"));
-  EXPECT_EQ(broken_by("down", "r.position.z >= 0.5 m"), Messages{});
+  EXPECT_EQ(broken_by("down", "r.position.z >= 0.4 m"), Messages{});
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ TEST_F(Recheck, RobotsInSpaceAreProvedWhereRoomIsInSight) {
   EXPECT_EQ(rechecked().status, exit_clean);
   report_ = Json::parse(read("certificates/verification.json"));
   for (const auto& [key, by] : {std::pair{"aim_mm", 2'000},
-                                {"route_mm", -450},
+                                {"route_mm", -600},
                                 {"cell_mm_of_0", 100},
                                 {"cells_x_mm_of_0", 50}}) {
     EXPECT_EQ(rechecked_with(changed("legs", key, by)).status, exit_violation) << key;

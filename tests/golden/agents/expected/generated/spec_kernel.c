@@ -1239,7 +1239,7 @@ static const agent_kind move_agents[] = {
 static const motion MOTIONS[] = {
   {1000, 2000, 0}, /* any */
   {0, 2000, 1}, /* stop */
-  {300, 2000, 1} /* inwards */
+  {311, 2000, 1} /* inwards */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t move_horizons_us[] = {75000};

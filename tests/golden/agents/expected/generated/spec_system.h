@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : move(self), stop(standing()), inwards(setting(0.3, hall_zone(), 0.529, 0.541, 1.345)) {}
+        : move(self), stop(standing()), inwards(setting(0.3, hall_zone(), 0.534, 0.541, 1.345)) {}
     Move move;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
     rtac::safe::Retreat<rtac::Acceleration> inwards;

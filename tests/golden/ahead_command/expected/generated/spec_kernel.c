@@ -1404,8 +1404,8 @@ static const order flit_order = {1500, 152, 20000};
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1500, 1650, 0}, /* any */
-  {390, 1650, 1}, /* wait */
-  {390, 1650, 1}, /* turn_in */
+  {410, 1650, 1}, /* wait */
+  {410, 1650, 1}, /* turn_in */
   {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */

@@ -55,7 +55,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : flit(self), wait(setting(0.3, hall_zone(), 0.859, 1.181, 3.551)), turn_in(setting(0.3, hall_zone(), 0.859, 1.181, 3.551)) {}
+        : flit(self), wait(setting(0.3, hall_zone(), 0.879, 1.181, 3.551)), turn_in(setting(0.3, hall_zone(), 0.879, 1.181, 3.551)) {}
     Flit flit;
     rtac::safe::Yield<rtac::Acceleration> wait;
     rtac::safe::Retreat<rtac::Acceleration> turn_in;

@@ -994,7 +994,7 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {500, 1000, 0}, /* any */
-  {200, 1000, 1} /* inwards */
+  {220, 1000, 1} /* inwards */
 };
 /* What is shown to keep what, to coordinate by. Row: a recovery, column: a monitor; 0: not
  * shown, 1: shown, 2: its own recovery. */

@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : drive(self), inwards(setting(0.2, yard_zone(), 0.639, 0.766, 1.376)) {}
+        : drive(self), inwards(setting(0.2, yard_zone(), 0.653, 0.766, 1.376)) {}
     Drive drive;
     rtac::safe::Retreat<rtac::Acceleration> inwards;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

@@ -706,14 +706,15 @@ static int64_t fastest_mmps(const estimate *s, const motion *m, int64_t us) {
                                      div_up(m->accel_mmps2 * div_up(us, 1000), 1000));
 }
 
-static span speed_now(const estimate *s, const motion *m) {
+/* It may have slowed down since the sample as hard as it brakes. */
+static span speed_now(const estimate *s, const body *b, const motion *m) {
   if (s->input != SUPERFLUOUS_INPUT_NONE) {
     return span_unknown(s->input);
   } else {
     const int64_t fastest = fastest_mmps(s, m, s->age_us);
     /* 1: the measured speed is rounded up. What was faster than its cap is taken at its word. */
     const int64_t least = s->speed_mmps - 1 - s->v_error_mmps -
-                          div_up(m->accel_mmps2 * div_up(s->age_us, 1000), 1000);
+                          div_up(b->accel_mmps2 * div_up(s->age_us, 1000), 1000);
     return span_of(min_of(max_of(least, 0), fastest), fastest);
   }
 }
@@ -954,8 +955,8 @@ static const body BODY = {
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
   {0, 1000, 1}, /* stop */
-  {300, 1000, 1}, /* back_off */
-  {300, 1000, 1} /* go_west */
+  {321, 1000, 1}, /* back_off */
+  {321, 1000, 1} /* go_west */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t fly_horizons_us[] = {75000};
@@ -979,7 +980,7 @@ typedef struct fly_view {
 
 /* SR-1: slow (spec.rta:12). d.speed <= 0.9 m/s */
 static margin fly_calm_now(const fly_view *v) {
-  const span v0 = speed_now(&v->self, v->m);
+  const span v0 = speed_now(&v->self, &BODY, v->m);
   const span v1 = span_of(900, 900);
   const margin v2 = margin_at_least(v1, v0, WEIGHT_MMPS, 0);
   return v2;

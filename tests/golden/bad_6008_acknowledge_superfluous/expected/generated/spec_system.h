@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stop(standing()), back_off(setting(0.3, room_zone(), 0.467, 0.373, 1.4)), go_west(setting(0.3, west_zone(), 0.467, 0.373, 1.4)) {}
+        : fly(self), stop(standing()), back_off(setting(0.3, room_zone(), 0.48, 0.373, 1.4)), go_west(setting(0.3, west_zone(), 0.48, 0.373, 1.4)) {}
     Fly fly;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
     rtac::safe::Retreat<rtac::Acceleration> back_off;

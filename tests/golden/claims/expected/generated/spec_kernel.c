@@ -912,8 +912,8 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {500, 1000, 1}, /* escape */
-  {500, 1000, 1}, /* escape */
+  {522, 1000, 1}, /* escape */
+  {522, 1000, 1}, /* escape */
   {0, 1000, 1} /* stop */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */

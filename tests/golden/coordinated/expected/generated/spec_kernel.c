@@ -706,14 +706,15 @@ static int64_t fastest_mmps(const estimate *s, const motion *m, int64_t us) {
                                      div_up(m->accel_mmps2 * div_up(us, 1000), 1000));
 }
 
-static span speed_now(const estimate *s, const motion *m) {
+/* It may have slowed down since the sample as hard as it brakes. */
+static span speed_now(const estimate *s, const body *b, const motion *m) {
   if (s->input != SHARED_INPUT_NONE) {
     return span_unknown(s->input);
   } else {
     const int64_t fastest = fastest_mmps(s, m, s->age_us);
     /* 1: the measured speed is rounded up. What was faster than its cap is taken at its word. */
     const int64_t least = s->speed_mmps - 1 - s->v_error_mmps -
-                          div_up(m->accel_mmps2 * div_up(s->age_us, 1000), 1000);
+                          div_up(b->accel_mmps2 * div_up(s->age_us, 1000), 1000);
     return span_of(min_of(max_of(least, 0), fastest), fastest);
   }
 }
@@ -1035,9 +1036,9 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {2000, 1000, 0}, /* any */
-  {1500, 1000, 1}, /* dash */
-  {300, 1000, 1}, /* go_west */
-  {100, 1000, 1} /* creep */
+  {1579, 1000, 1}, /* dash */
+  {325, 1000, 1}, /* go_west */
+  {116, 1000, 1} /* creep */
 };
 /* What is shown to keep what, to coordinate by. Row: a recovery, column: a monitor; 0: not
  * shown, 1: shown, 2: its own recovery. */
@@ -1096,7 +1097,7 @@ static margin drive_side_ahead(const drive_view *v) {
 
 /* SR-3: never faster than 1.8 m/s (spec.rta:35). c.speed <= 1.8 m/s */
 static margin drive_calm_now(const drive_view *v) {
-  const span v0 = speed_now(&v->self, v->m);
+  const span v0 = speed_now(&v->self, &BODY, v->m);
   const span v1 = span_of(1800, 1800);
   const margin v2 = margin_at_least(v1, v0, WEIGHT_MMPS, 0);
   return v2;

@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : drive(self), dash(setting(1.5, yard_zone(), 2.992, 1.383, 4.906)), go_west(setting(0.3, west_zone(), 0.841, 1.383, 4.906)), creep(setting(0.1, yard_zone(), 0.623, 1.383, 4.906)) {}
+        : drive(self), dash(setting(1.5, yard_zone(), 3.184, 1.383, 4.906)), go_west(setting(0.3, west_zone(), 0.872, 1.383, 4.906)), creep(setting(0.1, yard_zone(), 0.639, 1.383, 4.906)) {}
     Drive drive;
     rtac::safe::Retreat<rtac::Acceleration> dash;
     rtac::safe::Retreat<rtac::Acceleration> go_west;

@@ -1005,9 +1005,9 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {300, 1000, 1}, /* switch */
-  {300, 1000, 1}, /* operator */
-  {300, 1000, 1} /* operator */
+  {321, 1000, 1}, /* switch */
+  {321, 1000, 1}, /* operator */
+  {321, 1000, 1} /* operator */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */
 static const int64_t int__horizons_us[] = {120000};

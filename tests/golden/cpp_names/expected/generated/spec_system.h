@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : int_(self), switch_(setting(0.3, reach__zone(), 0.476, 0.399, 1.43)), operator_(setting(0.3, class__zone(), 0.476, 0.399, 1.43)) {}
+        : int_(self), switch_(setting(0.3, reach__zone(), 0.489, 0.399, 1.43)), operator_(setting(0.3, class__zone(), 0.489, 0.399, 1.43)) {}
     Int_ int_;
     rtac::safe::Retreat<rtac::Acceleration> switch_;
     rtac::safe::Retreat<rtac::Acceleration> operator_;

@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stay_out(setting(0.3, ring_zone(), 0.517, 0.423, 1.4)) {}
+        : fly(self), stay_out(setting(0.3, ring_zone(), 0.53, 0.423, 1.4)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> stay_out;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

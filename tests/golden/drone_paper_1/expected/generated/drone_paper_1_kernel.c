@@ -850,7 +850,7 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {300, 1000, 1} /* turn_back */
+  {321, 1000, 1} /* turn_back */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t plan_executor_horizons_us[] = {75000};

@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : plan_executor(self), turn_back(setting(0.3, room_zone(), 0.596, 0.519, 1.43)) {}
+        : plan_executor(self), turn_back(setting(0.3, room_zone(), 0.609, 0.519, 1.43)) {}
     PlanExecutor plan_executor;
     rtac::safe::Retreat<rtac::Acceleration> turn_back;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

@@ -871,7 +871,7 @@ static const body fly_heard_body = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 2000, 0}, /* any */
-  {300, 2000, 1}, /* inwards */
+  {320, 2000, 1}, /* inwards */
   {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */

@@ -1005,7 +1005,7 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {500, 1000, 1} /* land_now */
+  {522, 1000, 1} /* land_now */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t fly_horizons_us[] = {125000};

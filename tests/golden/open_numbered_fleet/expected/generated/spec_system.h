@@ -59,7 +59,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), inwards(setting(0.3, field_zone(), 0.463, 0.414, 1.446)), go_home(setting(0.3, field_zone(), 0.463, 0.414, 1.446), home(self)) {}
+        : fly(self), inwards(setting(0.3, field_zone(), 0.47, 0.414, 1.446)), go_home(setting(0.3, field_zone(), 0.47, 0.414, 1.446), home(self)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> inwards;
     rtac::safe::Route<rtac::Acceleration> go_home;

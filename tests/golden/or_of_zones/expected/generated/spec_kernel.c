@@ -1029,8 +1029,8 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {300, 1000, 1}, /* back_off */
-  {100, 1000, 1} /* back_off_slowly */
+  {321, 1000, 1}, /* back_off */
+  {121, 1000, 1} /* back_off_slowly */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */
 static const int64_t fly_horizons_us[] = {120000};

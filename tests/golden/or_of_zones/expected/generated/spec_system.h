@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.576, 0.499, 1.43)), back_off_slowly(setting(0.1, room_zone(), 0.466, 0.499, 1.43)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.589, 0.499, 1.43)), back_off_slowly(setting(0.1, room_zone(), 0.475, 0.499, 1.43)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
     rtac::safe::Retreat<rtac::Acceleration> back_off_slowly;

@@ -55,7 +55,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), give_way(setting(0.3, field_zone(), 0.461, 0.411, 1.64)) {}
+        : fly(self), give_way(setting(0.3, field_zone(), 0.468, 0.411, 1.64)) {}
     Fly fly;
     rtac::safe::Yield<rtac::Acceleration> give_way;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

@@ -1234,14 +1234,15 @@ static int64_t fastest_mmps(const estimate *s, const motion *m, int64_t us) {
                                      div_up(m->accel_mmps2 * div_up(us, 1000), 1000));
 }
 
-static span speed_now(const estimate *s, const motion *m) {
+/* It may have slowed down since the sample as hard as it brakes. */
+static span speed_now(const estimate *s, const body *b, const motion *m) {
   if (s->input != FIELD_INPUT_NONE) {
     return span_unknown(s->input);
   } else {
     const int64_t fastest = fastest_mmps(s, m, s->age_us);
     /* 1: the measured speed is rounded up. What was faster than its cap is taken at its word. */
     const int64_t least = s->speed_mmps - 1 - s->v_error_mmps -
-                          div_up(m->accel_mmps2 * div_up(s->age_us, 1000), 1000);
+                          div_up(b->accel_mmps2 * div_up(s->age_us, 1000), 1000);
     return span_of(min_of(max_of(least, 0), fastest), fastest);
   }
 }
@@ -1862,7 +1863,7 @@ static const motion MOTIONS[] = {
   {2000, 2050, 0}, /* any */
   {30, 2050, 1}, /* stop */
   {30, 2050, 1}, /* stop */
-  {330, 2050, 1} /* back */
+  {350, 2050, 1} /* back */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t fly_horizons_us[] = {75000};
@@ -1975,7 +1976,7 @@ static margin fly_nofly_now(const fly_view *v) {
   const span v3 = span_of(1000, 1000);
   /* distance(d, closed) >= 1 m */
   const margin v4 = in_unit(margin_at_least(v0, v3, WEIGHT_MM, 0), FIELD_UNIT_METRE);
-  const span v5 = speed_now(&v->self, v->m);
+  const span v5 = speed_now(&v->self, &BODY, v->m);
   const span v6 = span_of(500, 500);
   /* d.speed <= 50 cm/s */
   const margin v7 = in_unit(margin_at_least(v6, v5, WEIGHT_MMPS, 0), 4);

@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stop(standing()), back(setting(0.3, yard_zone(), 0.673, 0.907, 2.961)) {}
+        : fly(self), stop(standing()), back(setting(0.3, yard_zone(), 0.683, 0.907, 2.961)) {}
     Fly fly;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
     rtac::safe::Retreat<rtac::Acceleration> back;

@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self, rtac::SafeController<rtac::Acceleration>& external_land_now)
-        : fly(self), inwards(setting(0.3, inner_zone(), 0.491, 0.425, 1.47)), land_now(standing(), {&room_zone(), 0.5, 145000, 1.0, 0.145, 0.0, 0.143}) {
+        : fly(self), inwards(setting(0.3, inner_zone(), 0.505, 0.425, 1.47)), land_now(standing(), {&room_zone(), 0.5, 145000, 1.0, 0.145, 0.0, 0.143}) {
       land_now.attach(external_land_now);
     }
     Fly fly;

@@ -1625,7 +1625,7 @@ static const order fly_order = {4000, 102, 20000};
 static const motion MOTIONS[] = {
   {3000, 4100, 0}, /* any */
   {60, 4100, 1}, /* stop */
-  {560, 4100, 1}, /* back */
+  {742, 4100, 1}, /* back */
   {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */

@@ -55,7 +55,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stop(standing()), back(setting(0.5, shaft_zone(), 1.186, 2.081, 6.498)) {}
+        : fly(self), stop(standing()), back(setting(0.5, shaft_zone(), 1.312, 2.081, 6.498)) {}
     Fly fly;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
     rtac::safe::RetreatInSpace back;

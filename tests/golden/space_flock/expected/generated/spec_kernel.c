@@ -1313,7 +1313,7 @@ static const body fly_heard_body = {
 static const motion MOTIONS[] = {
   {4000, 3200, 0}, /* any */
   {120, 3200, 1}, /* stop */
-  {620, 3200, 1}, /* back */
+  {820, 3200, 1}, /* back */
   {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */

@@ -55,7 +55,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stop(standing()), back(setting(0.5, field_zone(), 1.432, 1.512, 9.132)) {}
+        : fly(self), stop(standing()), back(setting(0.5, field_zone(), 1.578, 1.512, 9.132)) {}
     Fly fly;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
     rtac::safe::RetreatInSpace back;

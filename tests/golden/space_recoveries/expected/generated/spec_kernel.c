@@ -725,14 +725,15 @@ static int64_t fastest_mmps(const estimate *s, const motion *m, int64_t us) {
                                      div_up(m->accel_mmps2 * div_up(us, 1000), 1000));
 }
 
-static span speed_now(const estimate *s, const motion *m) {
+/* It may have slowed down since the sample as hard as it brakes. */
+static span speed_now(const estimate *s, const body *b, const motion *m) {
   if (s->input != SPACE_RECOVERIES_INPUT_NONE) {
     return span_unknown(s->input);
   } else {
     const int64_t fastest = fastest_mmps(s, m, s->age_us);
     /* 1: the measured speed is rounded up. What was faster than its cap is taken at its word. */
     const int64_t least = s->speed_mmps - 1 - s->v_error_mmps -
-                          div_up(m->accel_mmps2 * div_up(s->age_us, 1000), 1000);
+                          div_up(b->accel_mmps2 * div_up(s->age_us, 1000), 1000);
     return span_of(min_of(max_of(least, 0), fastest), fastest);
   }
 }
@@ -1129,11 +1130,11 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {300, 1000, 1}, /* back */
-  {200, 1000, 1}, /* aside */
-  {300, 1000, 1}, /* down */
-  {300, 1000, 1}, /* round */
-  {300, 1000, 1} /* home */
+  {369, 1000, 1}, /* back */
+  {269, 1000, 1}, /* aside */
+  {369, 1000, 1}, /* down */
+  {369, 1000, 1}, /* round */
+  {369, 1000, 1} /* home */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t fly_horizons_us[] = {75000};
@@ -1199,7 +1200,7 @@ static margin fly_calm_ahead(const fly_view *v) {
 
 /* SR-5: not fast (spec.rta:28). q.speed <= 0.9 m/s */
 static margin fly_slow_now(const fly_view *v) {
-  const span v0 = speed_now(&v->self, v->m);
+  const span v0 = speed_now(&v->self, &BODY, v->m);
   const span v1 = span_of(900, 900);
   const margin v2 = margin_at_least(v1, v0, WEIGHT_MMPS, 0);
   return v2;

@@ -55,8 +55,8 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), aside(setting(0.2, plot_zone(), 0.533, 0.494, 1.641)), down(landing(0.3, 1.0)), round(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), home(
-            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RetreatInSpace>(setting(0.3, hall_zone(), 0.588, 0.494, 1.641)), 20000000},
+        : fly(self), back(setting(0.3, hall_zone(), 0.633, 0.494, 1.641)), aside(setting(0.2, plot_zone(), 0.57, 0.494, 1.641)), down(landing(0.3, 1.0)), round(setting(0.3, hall_zone(), 0.633, 0.494, 1.641)), home(
+            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RetreatInSpace>(setting(0.3, hall_zone(), 0.633, 0.494, 1.641)), 20000000},
             rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::Land>(landing(0.3, 1.0)), 0}) {}
     Fly fly;
     rtac::safe::RetreatInSpace back;

@@ -1278,9 +1278,9 @@ static const body fly_heard_body = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {200, 1000, 1}, /* aside */
-  {300, 1000, 1}, /* home */
-  {200, 1000, 1}, /* later */
+  {269, 1000, 1}, /* aside */
+  {369, 1000, 1}, /* home */
+  {269, 1000, 1}, /* later */
   {0, 1, 1} /* holding, and bound by its promise to stay */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */

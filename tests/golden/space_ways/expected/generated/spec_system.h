@@ -61,9 +61,9 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), aside(setting(0.2, plot_zone(), 0.552, 0.513, 2.179)), home(setting(0.3, plot_zone(), 0.607, 0.513, 2.179), pad(self)), later(
+        : fly(self), aside(setting(0.2, plot_zone(), 0.589, 0.513, 2.179)), home(setting(0.3, plot_zone(), 0.652, 0.513, 2.179), pad(self)), later(
             rtac::safe::step<rtac::safe::BrakeAndHold, rtac::Acceleration>(2000000, standing()),
-            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RouteInSpace>(setting(0.2, plot_zone(), 0.552, 0.513, 2.179), pad(self)), 0}) {}
+            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RouteInSpace>(setting(0.2, plot_zone(), 0.589, 0.513, 2.179), pad(self)), 0}) {}
     Fly fly;
     rtac::safe::YieldInSpace aside;
     rtac::safe::RouteInSpace home;

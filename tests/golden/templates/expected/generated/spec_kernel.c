@@ -912,8 +912,8 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {300, 1000, 1}, /* standing */
-  {300, 1000, 1} /* sequence */
+  {321, 1000, 1}, /* standing */
+  {321, 1000, 1} /* sequence */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t pilot_horizons_us[] = {75000};

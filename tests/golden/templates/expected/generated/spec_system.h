@@ -60,10 +60,10 @@ class System {
     explicit Robot(int self)
         : pilot(self), standing_(
             rtac::safe::step<rtac::safe::BrakeAndHold, rtac::Acceleration>(2000000, standing()),
-            rtac::safe::step<rtac::safe::Route, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.087, 0.993, 1.64), loiter(self))), sequence(
-            rtac::safe::step<rtac::safe::Retreat, rtac::Acceleration>(5000000, setting(0.2, land_zone(), 1.087, 0.993, 1.64)),
-            rtac::safe::step<rtac::safe::Yield, rtac::Acceleration>(10000000, setting(0.1, land_zone(), 1.087, 0.993, 1.64)),
-            rtac::safe::step<rtac::safe::Loiter, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.087, 0.993, 1.64))) {}
+            rtac::safe::step<rtac::safe::Route, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.1, 0.993, 1.64), loiter(self))), sequence(
+            rtac::safe::step<rtac::safe::Retreat, rtac::Acceleration>(5000000, setting(0.2, land_zone(), 1.1, 0.993, 1.64)),
+            rtac::safe::step<rtac::safe::Yield, rtac::Acceleration>(10000000, setting(0.1, land_zone(), 1.1, 0.993, 1.64)),
+            rtac::safe::step<rtac::safe::Loiter, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.1, 0.993, 1.64))) {}
     Pilot pilot;
     rtac::safe::Sequence<rtac::Acceleration> standing_;
     rtac::safe::Sequence<rtac::Acceleration> sequence;

@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.576, 0.499, 1.43)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.589, 0.499, 1.43)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

@@ -1072,7 +1072,7 @@ static const body BODY = {
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
-  {300, 1000, 1} /* back_off */
+  {321, 1000, 1} /* back_off */
 };
 /* From the decision until its recovery acts: look-ahead, jitter and latency, us. */
 static const int64_t fly_horizons_us[] = {75000};

@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), inwards(setting(0.3, field_zone(), 0.461, 0.411, 1.64)) {}
+        : fly(self), inwards(setting(0.3, field_zone(), 0.468, 0.411, 1.64)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> inwards;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
