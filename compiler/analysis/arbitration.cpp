@@ -184,7 +184,7 @@ class Pair {
         return false;
       }
       const auto zone = moves_within(*step);
-      if (!zone || *zone == fence) continue;
+      if (!zone || (*zone == fence && !step->claims)) continue;
       const bool high = module_[fence].has_height() || module_[*zone].has_height();
       if (!(high ? in_space(*step, fence) : in_plane(*step, fence, beyond_mm)) ||
           !keeps_its_standoff(*step, fence, beyond_mm) || !comes_in(*step, fence)) {
@@ -237,13 +237,11 @@ class Pair {
     }
     return true;
   }
-  // What lies in the fence, and need not keep what is asked beyond that. An external recovery is
-  // braked where it would be nearer to the boundary of its zone than any property asks for.
+  // What lies in the fence, and need not keep what is asked beyond that.
   bool keeps_its_standoff(const ir::Recovery& step, ir::ZoneIndex fence,
                           std::optional<std::int64_t> beyond_mm) {
-    if (step.claims) return true;
     const std::int64_t asked_mm = beyond_mm.value_or(unbounded_mm);
-    if (keeps_off(module_, decision_, exact_, solid_, driving_, step.zone, {fence, asked_mm})) {
+    if (keeps_off(module_, decision_, exact_, solid_, driving_, step, {fence, asked_mm})) {
       return true;
     }
     const std::string name = name_as_written(module_[fence]);

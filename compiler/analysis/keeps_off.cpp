@@ -60,9 +60,12 @@ bool lies_all_over(const ir::Module& module, const ExactZone& exact, const Exact
 }
 
 bool keeps_off(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
-               const ExactSolid& solid, const ir::Monitor& driving, ir::ZoneIndex zone,
+               const ExactSolid& solid, const ir::Monitor& driving, const ir::Recovery& step,
                const Standoff& fence) {
-  if (fence.mm <= touching_mm || zone == fence.zone) return true;
+  const ir::ZoneIndex zone = step.zone;
+  if (fence.mm <= touching_mm) return true;
+  if (step.claims) return lies_deep(module, exact, solid, zone, fence);
+  if (zone == fence.zone) return true;
   if (surely_off_mm(driving.property, decision.facts.params, zone) >= fence.mm) return true;
   return lies_deep(module, exact, solid, zone, fence) ||
          lies_level(module, exact, solid, zone, fence) ||
@@ -79,7 +82,7 @@ std::string deep_text(const ir::Module& module, ir::ZoneIndex zone, const Stando
   const std::string other = out ? off.substr(outside.size()) : off;
   const std::string far = ", " + metres(fence.mm) + ")";
   const std::string kept = fence.mm <= 0 ? other : (out ? "grow(" : "shrink(") + other + far;
-  return from + (out ? " - " : " & ") + kept;
+  return zone == fence.zone ? kept : from + (out ? " - " : " & ") + kept;
 }
 
 }  // namespace rtac::analysis

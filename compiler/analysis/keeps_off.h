@@ -34,9 +34,10 @@ inline constexpr std::int64_t touching_mm = 1;
 // machine may be led past a wall as near. So they keep a standoff from the wall where the zone has
 // that boundary and no other, where each place of the zone is so far off, or where the
 // property of its own monitor asks for as much from the boundary of the zone, so that the robot has
-// it. `zone` lies in that of the fence.
+// it. The zone of `step` lies in that of the fence. Who only claims to stay in its zone may be
+// anywhere in it: each place has to be so far off.
 bool keeps_off(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
-               const ExactSolid& solid, const ir::Monitor& driving, ir::ZoneIndex zone,
+               const ExactSolid& solid, const ir::Monitor& driving, const ir::Recovery& step,
                const Standoff& fence);
 
 // What is left of a zone so far off, as it would be written, such as `yard & shrink(hall, 0.5 m)`;

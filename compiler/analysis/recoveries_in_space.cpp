@@ -78,7 +78,7 @@ class InSpace {
 
   Found within_zone(const ir::Recovery& step) const {
     for (const ir::ZoneIndex fence : fences()) {
-      if (fence == step.zone) continue;
+      if (fence == step.zone && !step.claims) continue;
       if (Found found = lies_in(step, fence) ? nearer(step, fence) : outside(step, fence)) {
         return found;
       }
@@ -147,7 +147,7 @@ class InSpace {
   Found nearer(const ir::Recovery& step, ir::ZoneIndex fence) const {
     for (const Standoff& each : fence_standoffs(monitor_.property, decision_.facts.params)) {
       if (each.zone != fence ||
-          keeps_off(module_, decision_, flat_, exact_, monitor_, step.zone, each)) {
+          keeps_off(module_, decision_, flat_, exact_, monitor_, step, each)) {
         continue;
       }
       const std::string far = metres(each.mm) + " from the boundary of `" + module_[fence].name;

@@ -115,7 +115,7 @@ class Places {
     return std::max<std::int64_t>(least.value_or(0), 0);
   }
   [[nodiscard]] static bool is_own(const ir::Recovery& step, const Kept& kept) {
-    return kept.zones.size() == 1 && step.zone == kept.zones[0];
+    return kept.zones.size() == 1 && step.zone == kept.zones[0] && !step.claims;
   }
 
   void look(const ir::Recovery& step) {
@@ -183,8 +183,7 @@ class Places {
   // Of another zone than its own it keeps what is asked for only as keeps_off.h says.
   bool nearer(const ir::Recovery& step, ir::ZoneIndex zone) {
     const Standoff fence{zone, standoff_mm(monitor_, zone)};
-    if (step.claims ||
-        keeps_off(module_, decision_, exact_, ExactSolid{}, monitor_, step.zone, fence)) {
+    if (keeps_off(module_, decision_, exact_, ExactSolid{}, monitor_, step, fence)) {
       return false;
     }
     const std::string own = "`" + module_[step.zone].name + "`", far = metres(fence.mm);
@@ -196,8 +195,11 @@ class Places {
     const Region kept = shrunk(exact_(zone), fence.mm), near = exact_(step.zone).subtract(kept);
     d.notes.push_back({std::nullopt, area(near) + " of " + own + " are nearer than that" +
                                          some_place(near, kept)});
-    d.notes.push_back({std::nullopt, "on its way it keeps from every boundary of " + own +
-                                         " as much as it has where it sets out, and no more"});
+    d.notes.push_back({std::nullopt, step.claims
+                                         ? "anywhere in " + own + " its claim holds"
+                                         : "on its way it keeps from every boundary of " + own +
+                                               " as much as it has where it sets "
+                                               "out, and no more"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
     const std::string deep = deep_text(module_, step.zone, fence);
     d.help = "a zone all of whose places are that far off works" +

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* solver = "z3";
-constexpr const char* solver_limit = "-T:20";  // seconds, for one lemma
+constexpr int solver_seconds_max = 20;  // for one lemma
 
 constexpr const char* standard_input = "<stdin>";
 
@@ -43,11 +43,19 @@ int refuse(Compilation& c, diag::Code code, std::string message, std::string hel
   return exit_usage;
 }
 
-// What z3 says of a script: `unsat` on every line, or else something is not proved.
-std::optional<recheck::Doubt> ask(const std::string& script, const std::string& folder) {
+// What z3 says of a script: `unsat` on every line, or else something is not proved. One that has
+// not ended once is not asked again.
+std::optional<recheck::Doubt> ask(const std::string& script, const std::string& folder,
+                                  bool& hangs) {
   const std::string file = folder + "/lemma.smt2", said = folder + "/said";
+  if (hangs) return recheck::Doubt{false, "z3 is not asked, since it has not ended before"};
   std::ofstream(file, std::ios::binary) << script;
-  const ProgramResult result = run_program({solver, solver_limit, file}, said);
+  const ProgramResult result = run_within(solver_seconds_max, {solver, file}, said);
+  hangs = result.timed_out;
+  if (hangs) {
+    return recheck::Doubt{false,
+                          "z3 has not ended within " + std::to_string(solver_seconds_max) + " s"};
+  }
   if (!result.started) return recheck::Doubt{false, "z3 cannot be started: " + result.problem};
   const std::string answer = read_file(said).value_or("");
   std::size_t from = 0;
@@ -67,13 +75,13 @@ std::optional<recheck::Doubt> ask(const std::string& script, const std::string& 
 
 // A lemma is the one that this program knows, and z3 proves it.
 std::optional<recheck::Doubt> prove(const std::string& name, const std::string& folder,
-                                    const std::string& scratch) {
+                                    const std::string& scratch, bool& hangs) {
   const auto known = lemma_texts().find(name);
   if (known == lemma_texts().end()) return recheck::Doubt{true, "no lemma is called " + name};
   const auto written = read_file(folder + "/lemmas/" + name + ".smt2");
   if (!written) return recheck::Doubt{true, "lemmas/" + name + ".smt2 is missing"};
   if (*written != known->second) return recheck::Doubt{true, "lemmas/" + name + ".smt2 is another"};
-  return ask(*written, scratch);
+  return ask(*written, scratch, hangs);
 }
 
 std::string model_path(const std::string& folder, const std::string& decision) {
@@ -154,8 +162,9 @@ int recheck_certificates(const Options& options, Compilation& c, std::ostream& o
   if (!scratch.problem().empty()) {
     return refuse(c, diag::Code::cannot_write, scratch.problem(), "make room, or set TMPDIR");
   }
+  bool hangs = false;
   const recheck::Provers provers{
-      [&](const std::string& lemma) { return prove(lemma, folder, scratch.path()); },
+      [&](const std::string& lemma) { return prove(lemma, folder, scratch.path(), hangs); },
       [&](const protocol::Model& model) { return prove_model(model, folder); }};
   const recheck::Outcome outcome = recheck::recheck(*c.spec, c.sources, *report, provers);
   for (const std::string& failed : outcome.failed) out << "not proved: " << failed << "\n";

@@ -22,8 +22,8 @@ std::array<struct sigaction, signals.size()> before;
 
 void end_child(int signal) {
   const int error = errno;
-  // Whoever does not listen the first time is not asked again.
-  if (child > 0) ::kill(child, signal_seen == 0 ? signal : SIGKILL);
+  // Whoever does not listen the first time is not asked again; with all that it has started.
+  if (child > 0) ::kill(-child, signal_seen == 0 ? signal : SIGKILL);
   signal_seen = signal;
   errno = error;
 }
@@ -64,6 +64,7 @@ bool take_streams(const std::string& out, const std::string& err) {
     ::sigaction(signal, nullptr, &now);
     if (now.sa_handler == end_child) std::signal(signal, SIG_DFL);
   }
+  ::setpgid(0, 0);
   quiet.end();
   // It may have died already, before it was asked for.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -126,8 +127,9 @@ int run_child(const std::vector<std::string>& words, const std::string& out, con
       ::close(report[0]);
       return error;
     }
+    ::setpgid(pid, pid);  // whichever of the two comes first
     child = pid;
-    if (signal_seen != 0) ::kill(pid, SIGKILL);  // it came just before
+    if (signal_seen != 0) ::kill(-pid, SIGKILL);  // it came just before
   }
   int error = 0;
   ssize_t told = 0;

@@ -14,7 +14,7 @@ namespace {
 using protocol::Answer;
 
 // Enough for eight monitors (docs/protocol.md); what takes more is not known.
-constexpr const char* seconds_max = "20";  // for one claim
+constexpr int seconds_max = 20, compiler_seconds_max = 120;  // for one claim, and before all
 constexpr const char* memory_mb_max = "2000";
 // Steps of a run. The stack for the most takes as long to clear as a small model to search.
 constexpr const char* depth_first = "-m20000";
@@ -45,25 +45,29 @@ class Checker {
     return folder_.path() + "/" + name;
   }
   // In the folder: spin and what it makes write where they stand.
-  ProgramResult shell(const std::string& command) const {
-    return run_program({"sh", "-c", "cd \"$0\" && " + command, folder_.path()}, path("said"));
+  ProgramResult shell(const std::string& command, int seconds = seconds_max) const {
+    return run_within(seconds, {"sh", "-c", "cd \"$0\" && " + command, folder_.path()},
+                      path("said"));
+  }
+  static std::string not_ended(const std::string& program, int seconds) {
+    return program + " has not ended within " + std::to_string(seconds) + " s";
   }
   [[nodiscard]] std::string build() const {
     std::ofstream(path("m.pml"), std::ios::binary) << model_.text();
     const ProgramResult made = shell("spin -a m.pml");
-    if (!made.started) return "spin cannot be started: " + made.problem;
-    if (made.status == 127) return "`spin` is not installed (`apt-get install spin`)";
+    if (!made.started) return "`spin` is not installed (`apt-get install spin`)";
+    if (made.timed_out) return not_ended("spin", seconds_max);
     if (made.status != 0) return "spin does not read the model: " + said();
     const ProgramResult compiled = shell("${CC:-cc} -w -DMEMLIM=" + std::string(memory_mb_max) +
-                                         (is_large() ? " -O2" : " -O0") + " -o pan pan.c");
+                                             (is_large() ? " -O2" : " -O0") + " -o pan pan.c",
+                                         compiler_seconds_max);
+    if (compiled.timed_out) return not_ended("the C compiler", compiler_seconds_max);
     return compiled.started && compiled.status == 0 ? "" : "no C compiler (`$CC` or `cc`) works";
   }
   ProgramResult search(const char* depth, const std::string& claim) const {
-    return shell(std::string("timeout ") + seconds_max + " ./pan -a -w20 " + depth + " -N " +
-                 claim);
+    return shell(std::string("./pan -a -w20 ") + depth + " -N " + claim);
   }
   [[nodiscard]] Answer ask(const std::string& claim) const {
-    constexpr int timed_out = 124;
     constexpr const char* too_deep = "max search depth too small";
     ProgramResult result = search(is_large() ? depth_max : depth_first, claim);
     if (!is_large() && said().find(too_deep) != std::string::npos) {
@@ -71,9 +75,8 @@ class Checker {
     }
     const std::string text = said();
     const auto has = [&](const char* part) { return text.find(part) != std::string::npos; };
-    if (!result.started || result.status == timed_out) {
-      return {Answer::Kind::unknown, claim,
-              std::string("spin has not ended within ") + seconds_max + " s"};
+    if (!result.started || result.timed_out) {
+      return {Answer::Kind::unknown, claim, not_ended("spin", seconds_max)};
     }
     if (has("errors: 0") && !has(too_deep) && !has("Search not completed")) {
       return {Answer::Kind::holds, claim, ""};

@@ -100,9 +100,21 @@ ProgramResult run_program(const std::vector<std::string>& words, const std::stri
                           const std::string& err) {
   int status = 0;
   if (const int error = run_child(words, out, err, status); error != 0) {
-    return {false, 0, std::strerror(error)};
+    return {false, false, 0, std::strerror(error)};
   }
-  return {true, WIFEXITED(status) ? WEXITSTATUS(status) : -1, ""};
+  return {true, false, WIFEXITED(status) ? WEXITSTATUS(status) : -1, ""};
+}
+
+ProgramResult run_within(int seconds, std::vector<std::string> words, const std::string& log) {
+  constexpr int no_such_program = 127, too_long = 124, killed = 128 + SIGKILL;  // of coreutils
+  const std::string program = words.front();
+  words.insert(words.begin(), {"timeout", "--kill-after=2", std::to_string(seconds)});
+  ProgramResult result = run_program(words, log);
+  result.timed_out = result.started && (result.status == too_long || result.status == killed);
+  if (result.started && result.status == no_such_program) {
+    return {false, false, 0, "no program is called `" + program + "`"};
+  }
+  return result;
 }
 
 }  // namespace rtac::driver

@@ -27,6 +27,7 @@ class TemporaryFolder {
 
 struct ProgramResult {
   bool started = false;
+  bool timed_out = false;
   int status = 0;       // of its exit; a signal counts as failure
   std::string problem;  // why it did not start
 };
@@ -34,5 +35,7 @@ struct ProgramResult {
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& log);
 ProgramResult run_program(const std::vector<std::string>& words, const std::string& out,
                           const std::string& err);
+// The same, for so many seconds at most: then it is ended, with what it has started.
+ProgramResult run_within(int seconds, std::vector<std::string> words, const std::string& log);
 
 }  // namespace rtac::driver

@@ -32,6 +32,8 @@ std::string first_line(const std::string& path) {
   return "it says nothing";
 }
 
+constexpr int object_seconds_max = 600;  // of the largest tables, on a slow machine
+
 // Empty when all is well.
 std::string compile(const std::string& folder) {
   std::vector<std::string> command = compiler();
@@ -40,9 +42,12 @@ std::string compile(const std::string& folder) {
   command.push_back(folder + "/kernel.so");
   command.push_back(folder + "/glue.c");
   const std::string log = folder + "/log";
-  const ProgramResult compiled = run_program(command, log);
+  const ProgramResult compiled = run_within(object_seconds_max, command, log);
   if (!compiled.started) {
     return "the C compiler `" + name + "` cannot be started: " + compiled.problem;
+  }
+  if (compiled.timed_out) {
+    return "`" + name + "` has not ended within " + std::to_string(object_seconds_max) + " s";
   }
   if (compiled.status == 0) return "";
   return "`" + name + "` does not compile the generated kernel: " + first_line(log);

@@ -120,7 +120,19 @@ Found Claims::check(const Claim& claim) {
   }
   const auto rule = rules.find(claim.what);
   if (rule == rules.end()) return wrong("no claim is called `" + claim.what + "`");
+  if (claim.values.count("extra_us") != 0 && !looks_as_far(claim.values)) {
+    return wrong("control is given back on a look-ahead of another length");
+  }
   return (this->*rule->second)(claim.values);
+}
+
+// What is claimed of the return depends on it.
+bool Claims::looks_as_far(const Values& v) const {
+  const sema::Decision* const d = decision(v);
+  const auto extra_us = number(v, "extra_us");
+  if (d == nullptr || !extra_us) return false;
+  const Rational off = micro(*extra_us) - return_extra(spec_, *d);
+  return off >= 0 && off < micro(1);  // a period in whole microseconds
 }
 
 const sema::Decision* Claims::decision(const Values& v) const {
@@ -189,8 +201,7 @@ Found Claims::returns(const Values& v) {
     return wrong("no such monitor");
   }
   const auto extra = number(v, "extra_us"), dwell = number(v, "dwell_ticks");
-  // theory, hysteresis: P3 needs no more than a test that looks as far, P2b a period of it
-  if (!extra || *extra < 0) return wrong("control returns on less than what lets it go on");
+  if (!extra) return wrong("it is not said how far ahead it looks");
   if (!dwell || *dwell < 1) return wrong("control returns without a dwell");
   return std::nullopt;
 }
@@ -422,7 +433,7 @@ Found Claims::place(const Values& v) {
   const auto zone = zones_.find(text(v, "zone"));
   const auto x = number(v, "x_mm"), y = number(v, "y_mm"), gap = number(v, "clearance_mm");
   const auto extra = number(v, "extra_us");
-  if (d == nullptr || !zone || !x || !y || !gap || !extra || *extra < 0) {
+  if (d == nullptr || !zone || !x || !y || !gap || !extra) {
     return wrong("no such zone or place");
   }
   if (d->period && milli(*gap) < return_clearance(*d, *zone, micro(*extra))) {
@@ -512,7 +523,7 @@ Found Claims::in_sight(const sema::Decision& d, sema::ZoneId zone, std::size_t s
 Found Claims::height(const Values& v) {
   const sema::Decision* const d = decision(v);
   const auto z = number(v, "z_mm"), gap = number(v, "gap_mm"), extra = number(v, "extra_us");
-  if (d == nullptr || !d->period || !z || !gap || !extra || *extra < 0) {
+  if (d == nullptr || !d->period || !z || !gap || !extra) {
     return wrong("no such decision or height");
   }
   for (const sema::MonitorId id : d->priority) {
@@ -554,7 +565,7 @@ Found Claims::landing(const Values& v) {
   const sema::Decision* const d = decision(v);
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
   const auto end = number(v, "land_mm"), gap = number(v, "gap_mm"), extra = number(v, "extra_us");
-  if (m == nullptr || !m->recover || !d->period || !end || !gap || !extra || *extra < 0) {
+  if (m == nullptr || !m->recover || !d->period || !end || !gap || !extra) {
     return wrong("no such monitor or height");
   }
   const std::vector<sema::Template> steps = sema::templates_of(spec_[*m->recover]);
@@ -581,8 +592,7 @@ Found Claims::ways(const Values& v) {
   const auto route = number(v, "route_mm"), back = number(v, "return_mm");
   const auto extra = number(v, "extra_us");
   const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
-  if (m == nullptr || !m->recover || !zone || !route || !back || !extra || *extra < 0 || !cell ||
-      !x || !y) {
+  if (m == nullptr || !m->recover || !zone || !route || !back || !extra || !cell || !x || !y) {
     return wrong("no such zone");
   }
   const auto within = moves_within(spec_[*m->recover]);

@@ -34,6 +34,7 @@ class Claims {
                                           const Rational& extra) const;
 
  private:
+  [[nodiscard]] bool looks_as_far(const Values& v) const;
   std::optional<Doubt> limits(const Values& v);
   std::optional<Doubt> horizon(const Values& v);
   std::optional<Doubt> returns(const Values& v);

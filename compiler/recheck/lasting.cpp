@@ -163,7 +163,7 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   const sema::RobotKind& kind = spec[decision.kind];
   const auto said = said_of(claims, v);
   const auto held_us = number(v, "held_us"), extra_us = number(v, "extra_us");
-  if (!said || !held_us || !extra_us || *extra_us < 0) return wrong("a number is missing");
+  if (!said || !held_us || !extra_us) return wrong("a number is missing");
   if (!kind.energy) return wrong("no charge is declared");
   const Rational held = micro(*held_us);
   if (held > kind.energy->held.value) return wrong("it lasts longer than `held`");

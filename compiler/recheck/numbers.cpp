@@ -61,6 +61,14 @@ Rational jitter_of(const sema::Spec& spec, const sema::Decision& decision) {
   return jitter;
 }
 
+Rational return_extra(const sema::Spec& spec, const sema::Decision& decision) {
+  const Rational period = value(decision.period);
+  const bool commands = std::ranges::any_of(
+      decision.priority, [&](sema::MonitorId id) { return spec[id].ahead.command; });
+  if (!commands) return period;
+  return std::max(period, std::min(Rational(4 * period), Rational(1, 5)));
+}
+
 Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
                    const Rational& jitter) {
   Numbers n;

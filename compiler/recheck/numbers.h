@@ -29,6 +29,10 @@ Rational least_ahead(const sema::Spec& spec, const sema::Decision& decision,
 // look-aheads have room for.
 Rational jitter_of(const sema::Spec& spec, const sema::Decision& decision);
 
+// How much further ahead than the check the test looks that gives control back: a period, and where
+// commands are judged four of them, 200 ms at most and a period at least (language, ahead command).
+Rational return_extra(const sema::Spec& spec, const sema::Decision& decision);
+
 // By how much a robot is faster than its recovery means to be where something pushes it: its
 // velocity follows with a time constant of two delays, 0.3 s at least (docs/templates.md).
 Rational pushed(const Numbers& n);

@@ -293,6 +293,15 @@ std::optional<Rational> apart_by(const sema::Spec& spec, const sema::Expr& e) {
   return Rational(-sum->least / by);
 }
 
+// Whether no other recovery than that of `m` may drive where `m` is engaged.
+bool drives_alone(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& m) {
+  for (const sema::MonitorId id : d.priority) {
+    if (&spec[id] == &m && !d.coordinated) return true;
+    if (spec[id].recover != m.recover) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
@@ -302,7 +311,7 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
   const auto route = number(v, "route_mm"), gap = number(v, "gap_mm");
   const auto extra = number(v, "extra_us");
-  if (!zone || !cell || !x || !y || !route || !gap || !extra || *extra < 0) {
+  if (!zone || !cell || !x || !y || !route || !gap || !extra) {
     return wrong("a number is missing");
   }
   const auto steps = sema::templates_of(spec[*m.recover]);
@@ -311,6 +320,7 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   const auto robots = std::ranges::count_if(
       spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
   if (robots != 2 || kind.open_fleet || kind.in_space) return wrong("they are no two in the plane");
+  if (!drives_alone(spec, d, m)) return wrong("another recovery may drive instead");
   const auto asked = apart_by(spec, *m.always);
   if (!asked) return wrong("its property asks for more than a distance from other robots");
   const Numbers n = numbers_of(kind, d, d.jitter ? d.jitter->value : Rational(0));

@@ -63,9 +63,23 @@ bool only_apart(const ir::Block& block, ir::ValueId id, const std::vector<ir::Pa
   return least && least->leaf.kind == ir::Leaf::Kind::distance;
 }
 
+// Another recovery that may drive in the place of that of monitor `k`: it makes no room, and tells
+// nobody that it cannot get away.
+const ir::Monitor* drives_instead(const ir::Decision& d, std::size_t k) {
+  const std::size_t many = d.coordinated ? d.monitors.size() : k;
+  for (std::size_t i = 0; i < many; ++i) {
+    if (d.monitors[i].recovery.name != d.monitors[k].recovery.name) return &d.monitors[i];
+  }
+  return nullptr;
+}
+
 // "": nothing else than the other one of two robots in the plane keeps control from coming back.
 std::string more_than_two(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
+  if (const ir::Monitor* other = drives_instead(s.decision, k)) {
+    return "where " + quoted(other->name) + " is engaged as well, " + quoted(other->recovery.name) +
+           " may drive, which makes no room for others";
+  }
   if (!only_apart(m.property, m.property.result, s.decision.facts.params)) {
     return quoted(m.name) + " asks for more than a distance from all other robots";
   }

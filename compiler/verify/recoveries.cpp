@@ -362,7 +362,11 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     Obligation ways = legs                           ? legs_back(s, k)
                       : asks_of_heights(s, k, atoms) ? keeps_its_height(s, k, std::move(o))
                                                      : ways_back(s, k, std::move(o));
-    return ways.status == Status::proved ? returned_at_rest(s, k, std::move(ways)) : ways;
+    if (ways.status != Status::proved) return ways;
+    if (s.decision.robots > 1 || s.decision.open_fleet) {
+      ways.because += ", as soon as no other robot stands in its way";
+    }
+    return returned_at_rest(s, k, std::move(ways));
   }
   if (last == ir::RecoveryKind::land) return landing_returns(s, k, std::move(o));
   if (last == ir::RecoveryKind::yield) return makes_room(s, k, std::move(o));

@@ -15,12 +15,10 @@ namespace {
 // No place of a zone is so far from its boundary.
 constexpr std::int64_t nowhere_mm = 1 << 30;
 
-Claim contained(const Subject& s, const ir::Monitor& driving, ir::ZoneIndex inner,
-                const analysis::Standoff& outer) {
+Claim contained(const Subject& s, ir::ZoneIndex inner, const analysis::Standoff& outer) {
   Claim claim{"contained", {{"inner", s.module[inner].name}, {"outer", s.module[outer.zone].name}}};
   // only where the robot need not have it where it sets out
   const bool deep = outer.mm > analysis::touching_mm && inner != outer.zone &&
-                    !driving.recovery.claims &&
                     analysis::lies_deep(s.module, s.exact, s.solid, inner, outer);
   if (deep) claim.values["standoff_mm"] = std::to_string(outer.mm);
   return claim;
@@ -104,7 +102,7 @@ bool keeps_level(const Subject& s, const ir::Recovery& step, const analysis::Sta
 std::string doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
                           const ir::Monitor& driving, const ir::Recovery& step,
                           const analysis::Standoff& outer) {
-  if (step.zone == outer.zone) return "";
+  if (step.zone == outer.zone && !step.claims) return "";
   const std::string name = quoted(s.module[step.zone].name);
   const std::string outer_name = analysis::name_as_written(s.module[outer.zone]);
   if (!keeps_level(s, step, {outer.zone, 0}) && !lies_in(s, step.zone, outer.zone)) {
@@ -112,11 +110,11 @@ std::string doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
                ? "a way from one zone of the `or` to another is not shown to stay in one of them"
                : name + " does not lie in " + outer_name;
   }
-  if (step.claims) return "";
-  if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, step.zone, outer)) {
+  if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, step, outer)) {
     return "places of " + name + " are nearer than " + metres(outer.mm) + " to the boundary of " +
            outer_name;
   }
+  if (step.claims) return "";
   if (analysis::comes_in_within(take_over, step, outer.zone)) return "";
   return "from outside of " + name + " it makes straight for it, and is not shown to stay in " +
          outer_name + " on its way, which is not convex";
@@ -136,13 +134,12 @@ void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
   for (const ir::Recovery* step : steps) {
     for (const analysis::Standoff& outer : asked.zones) {
       const ir::ZoneIndex inner = step->zone;
-      claims.push_back(keeps_level(s, *step, {outer.zone, 0})
-                           ? level(s, inner, outer)
-                           : contained(s, driving, inner, outer));
+      claims.push_back(keeps_level(s, *step, {outer.zone, 0}) ? level(s, inner, outer)
+                                                              : contained(s, inner, outer));
       if (inner == outer.zone) continue;
       if (outer.mm > analysis::touching_mm &&
           analysis::lies_all_over(s.module, s.exact, s.solid, inner, outer.zone)) {
-        claims.push_back(contained(s, driving, outer.zone, {inner, 0}));
+        claims.push_back(contained(s, outer.zone, {inner, 0}));
       }
       if (step->claims) continue;
       const ir::Cells& cells = s.module[inner].cells;

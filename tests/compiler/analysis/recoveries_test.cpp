@@ -364,6 +364,39 @@ TEST(Recoveries, ExternalOnesClaimSomethingThatLiesInTheProperty) {
   EXPECT_EQ(claims(" keeps inside room speed <= 1.1 m/s"), Codes{5005});
 }
 
+// An external one may be anywhere in its claim, which has to be as far off as is asked.
+TEST(Recoveries, ExternalOnesAreWhereTheirClaimIsFarEnoughOff) {
+  Text t{"extern keeps inside inner speed <= 0.5 m/s"};
+  t.clauses = "hold when violated \"why\";";
+  const auto within = [&](const std::string& inner, const std::string& asked) {
+    t.zones = "zone inner = " + inner + ";";
+    t.property = "clearance(d, room) >= " + asked;
+    return codes(t);
+  };
+  EXPECT_EQ(within("room & room", "50 cm"), Codes{5016});
+  EXPECT_EQ(within("shrink(room, 49 cm)", "50 cm"), Codes{5016});
+  EXPECT_EQ(within("shrink(room, 50 cm)", "50 cm"), Codes{});
+  EXPECT_EQ(within("room & room", "0 m"), Codes{});
+  t.recovery = "extern keeps inside room speed <= 0.5 m/s";
+  EXPECT_EQ(within("room", "50 cm"), Codes{5016});
+  EXPECT_NE(reports(*compiled(text_of(t))).find("works, such as `shrink(room, 0.5 m)`"),
+            std::string::npos);
+
+  const auto in_space = [](const std::string& inside) {
+    Text high{
+        "extern keeps inside " + inside + " speed <= 0.5 m/s",
+        "zone hall = prism (rectangle (0 m, 0 m) to (5 m, 5 m)) from 0 m to 5 m; "
+        "zone deep = prism (rectangle (0.5 m, 0.5 m) to (4.5 m, 4.5 m)) from 0.5 m to 4.5 m; "
+        "zone low = prism (rectangle (0.5 m, 0.5 m) to (4.5 m, 4.5 m)) from 0.4 m to 4.5 m; "};
+    high.property = "clearance(d, hall) >= 50 cm";
+    high.clauses = "hold when violated \"why\";";
+    return codes_in_space(high);
+  };
+  EXPECT_EQ(in_space("hall"), Codes{5016});
+  EXPECT_EQ(in_space("low"), Codes{5016});
+  EXPECT_EQ(in_space("deep"), Codes{});
+}
+
 // 0.357 m: a body at rest, with its errors, and what it may do until it is braked.
 TEST(Recoveries, AClaimIsLargeEnoughToBeSeenToHold) {
   const auto in = [](int mm) {
@@ -408,9 +441,9 @@ TEST(Recoveries, InSpaceWhoStandsIsToldToYield) {
 // 5007 for every recovery: what can be had by none of them.
 TEST(Recoveries, NoneReturnsWhereNoPlaceIsWideEnough) {
   for (const std::string recovery :
-       {"brake_and_hold", "extern keeps inside room speed <= 1 m/s",
+       {"brake_and_hold", "extern keeps inside inner speed <= 1 m/s",
         "loiter within room speed 0.3 m/s", "retreat within room speed 0.3 m/s"}) {
-    Text t{recovery};
+    Text t{recovery, "zone inner = shrink(room, 2 m);"};
     const bool stands = recovery == "brake_and_hold" || recovery.starts_with("extern");
     if (stands) t.clauses = "hold when violated \"why\";";
     t.property = "clearance(d, room) >= 2.5 m";

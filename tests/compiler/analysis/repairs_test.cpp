@@ -19,9 +19,11 @@ TEST(Repairs, TheLeastLookaheadOf5001Works) {
 }
 
 TEST(Repairs, AnExternalRecoveryNeedsTwoPeriods) {
-  const std::string external = edited(edited(drone_spec(), "= retreat within room speed 0.3 m/s",
-                                             "extern keeps inside room speed <= 1 m/s"),
-                                      "ahead   100 ms, 2 waypoints", "ahead 99 ms");
+  const std::string external =
+      edited(edited(edited(drone_spec(), "= retreat within room speed 0.3 m/s",
+                           "extern keeps inside inner speed <= 1 m/s"),
+                    "ahead   100 ms, 2 waypoints", "ahead 99 ms"),
+             "monitor walls", "zone inner = shrink(room, 10 cm);\nmonitor walls");
   const auto c = compiled(external);
   ASSERT_TRUE(has(*c, Code::lookahead_too_short)) << reports(*c);
   EXPECT_EQ(number_in_help(*c, Code::lookahead_too_short, "`", "ms`"), "100");

@@ -137,6 +137,26 @@ TEST_F(Endings, AChildDiesWithItsParent) {
   EXPECT_EQ(WTERMSIG(status), SIGKILL);
 }
 
+TEST_F(Endings, WhatTakesTooLongIsEndedWithAllThatItHasStarted) {
+  const ProgramResult result =
+      run_within(1, {"sh", "-c", "sleep 100 & echo $! > pid; wait"}, "said");
+  EXPECT_TRUE(result.started);
+  EXPECT_TRUE(result.timed_out);
+  const int status = end_of(std::atoi(read("pid").c_str()));
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGTERM);
+  EXPECT_FALSE(run_within(1, {"no-such-program"}, "said").started);
+  EXPECT_EQ(run_within(1, {"sh", "-c", "exit 3"}, "said").status, 3);
+}
+
+TEST_F(Endings, ASignalEndsWhatTheChildHasStarted) {
+  const pid_t pid = start("sleep 100 & echo $! > grandchild;");
+  const pid_t grandchild = std::atoi(read("grandchild").c_str());
+  ::kill(pid, SIGTERM);
+  EXPECT_EQ(WTERMSIG(end_of(pid)), SIGTERM);
+  EXPECT_EQ(WTERMSIG(end_of(grandchild)), SIGTERM);
+}
+
 TEST_F(Endings, IgnoredSignalsStayIgnored) {
   std::signal(SIGHUP, SIG_IGN);
   {

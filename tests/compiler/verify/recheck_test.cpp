@@ -66,7 +66,10 @@ TEST_F(Recheck, AMutatedBoundIsNoticed) {
                   {"limits", "hold_mm", -15},
                   {"horizon", "lookahead_us", -60'000},
                   {"horizon", "horizon_us", -1},
-                  {"return", "extra_us", -60'000},
+                  {"return", "extra_us", -1},
+                  {"return", "extra_us", 1},
+                  {"ways", "extra_us", -50'000},
+                  {"place", "extra_us", -50'000},
                   {"return", "dwell_ticks", -2},
                   {"place", "x_mm", 2'200},
                   {"place", "clearance_mm", -60},
@@ -264,6 +267,32 @@ TEST_F(Recheck, APropertyThatIsNeverFalseIsNoticed) {
   const Outcome o = rechecked();
   EXPECT_EQ(o.status, exit_violation);
   EXPECT_NE((o.out + o.err).find("never false"), std::string::npos) << o.out << o.err;
+}
+
+// Who only claims to stay in a zone may be anywhere in it, beside its boundary as well.
+TEST_F(Verify, AClaimKeepsWhatEachOfItsPlacesKeeps) {
+  const std::string claimed =
+      edited(edited(drone_spec(), "= retreat within room speed 0.3 m/s",
+                    "extern keeps inside inner speed <= 0.5 m/s"),
+             "monitor walls", "zone inner = shrink(room, 10 cm);\nmonitor walls");
+  const std::string text =
+      edited(claimed, "recover back_off;", "recover back_off; hold when violated \"staff\";");
+  const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
+  EXPECT_EQ(statuses(o.out, "P2a", "walls"), Statuses{"proved"}) << o.out << o.err;
+  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+  for (const auto& [to, why] : {std::pair{"shrink(room, 9 cm)", "it is not contained"},
+                                {"room & room", "it is not contained"}}) {
+    write("certificates/sources/spec.rta", edited(text, "shrink(room, 10 cm)", to));
+    const Outcome forged = rtac({"verify", "--recheck", "certificates"});
+    EXPECT_EQ(forged.status, exit_violation) << to;
+    EXPECT_NE((forged.out + forged.err).find(why), std::string::npos) << forged.out << forged.err;
+  }
+  write("certificates/sources/spec.rta", edited(text, "inside inner", "inside room"));
+  const Outcome own = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_NE((own.out + own.err).find("nothing says that `back_off` keeps so far from `room`"),
+            std::string::npos)
+      << own.out << own.err;
 }
 
 // Nobody has acknowledged anything.

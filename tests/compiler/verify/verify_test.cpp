@@ -207,15 +207,30 @@ TEST_F(MakingRoom, OfTwoRobotsOneFindsAWay) {
                          " | rectangle (8 m, 3 m) to (12 m, 5 m)"));
   EXPECT_NE(gate.find("robots that hold near (8."), std::string::npos) << gate;
 }
+// A fence that ranks higher leads back from a wall, towards the other robot, and tells nobody that
+// it cannot pass.
+TEST_F(MakingRoom, WhereAnotherRecoveryMayDriveNothingIsShown) {
+  const std::string hall = halls_with("rectangle (0 m, 0 m) to (6 m, 4 m)");
+  for (const char* const order : {"priority fence > apart;", "coordinate apart > fence;"}) {
+    const std::string other = edited(hall, "priority apart > fence;", order);
+    const std::string why = because(other);
+    EXPECT_NE(why.find("where `fence` is engaged as well, `back` may drive"), std::string::npos)
+        << why;
+    // nor is a certificate of the first order believed of the other one
+    ASSERT_EQ(room(hall)["status"], "proved");
+    write("certificates/sources/spec.rta", other);
+    const Outcome again = rtac({"verify", "--recheck", "certificates"});
+    EXPECT_NE((again.out + again.err).find("another recovery may drive instead"), std::string::npos)
+        << again.out << again.err;
+  }
+}
 // What a certificate says of it is held against the specification.
 TEST_F(MakingRoom, AMutatedCertificateIsNoticed) {
   ASSERT_EQ(room(halls_with("rectangle (0 m, 0 m) to (6 m, 4 m)"))["status"], "proved");
   const Json report = Json::parse(read("certificates/verification.json"));
-  const std::pair<const char*, int> changes[] = {{"gap_mm", -900},
-                                                 {"gap_mm", 2'500},
-                                                 {"route_mm", -600},
-                                                 {"cell_mm", 100},
-                                                 {"extra_us", 9'000'000}};
+  const std::pair<const char*, int> changes[] = {{"gap_mm", -900},       {"gap_mm", 2'500},
+                                                 {"route_mm", -600},     {"cell_mm", 100},
+                                                 {"extra_us", -100'000}, {"extra_us", 9'000'000}};
   for (const auto& [key, by] : changes) {
     Json changed = report;
     int found = 0;
@@ -365,6 +380,43 @@ TEST_F(Verify, WithoutAModelCheckerNothingIsSaidOfSwitching) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
+}
+// Programs of that name which never end stand before those that do.
+class Hanging : public Verify {
+ protected:
+  void SetUp() override {
+    Verify::SetUp();
+    path_ = std::getenv("PATH");
+  }
+  void TearDown() override {
+    ::setenv("PATH", path_.c_str(), 1);
+    Verify::TearDown();
+  }
+  void hangs(const std::string& program) const {
+    fs::create_directory("bin");
+    write("bin/" + program, "#!/bin/sh\nsleep 3600\n");
+    fs::permissions("bin/" + program, fs::perms::owner_all);
+    ::setenv("PATH", (fs::absolute("bin").string() + ":" + path_).c_str(), 1);
+  }
+
+ private:
+  std::string path_;
+};
+TEST_F(Hanging, AModelCheckerLeavesItUnknown) {
+  hangs("spin");
+  const Outcome o = verified(drone_spec(), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
+  EXPECT_NE(o.out.find("spin has not ended within 20 s"), std::string::npos) << o.out;
+}
+TEST_F(Hanging, ASolverLeavesItUnknownAndIsAskedOnce) {
+  ASSERT_EQ(verified(drone_spec(), {"-o", "certificates"}).status, exit_clean);
+  hangs("z3");
+  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_EQ(again.status, exit_inconclusive) << again.out << again.err;
+  EXPECT_NE(again.out.find("z3 has not ended within 20 s"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("z3 is not asked, since it has not ended before"), std::string::npos)
+      << again.out;
 }
 TEST_F(Verify, ZonesThatShareNoRoomHaveNoJointReturn) {
   std::string text = edited(drone_spec(), "decision fly", R"(

@@ -935,7 +935,7 @@ typedef struct fly_view {
   place at_room; /* of the robot itself */
 } fly_view;
 
-/* SR-1: the drone stays clear of the walls (spec.rta:10). clearance(d, room) >= 10 cm */
+/* SR-1: the drone stays clear of the walls (spec.rta:11). clearance(d, room) >= 10 cm */
 static margin fly_walls_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(100, 100);
@@ -949,7 +949,7 @@ static margin fly_walls_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-2: the drone stays in (spec.rta:17). d inside room */
+/* SR-2: the drone stays in (spec.rta:18). d inside room */
 static margin fly_again_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);
@@ -963,7 +963,7 @@ static margin fly_again_ahead(const fly_view *v) {
   return v0;
 }
 
-/* SR-3: and if all else fails, it stops (spec.rta:24). d inside room */
+/* SR-3: and if all else fails, it stops (spec.rta:25). d inside room */
 static margin fly_last_now(const fly_view *v) {
   const span v0 = clearance_now(&v->at_room, &v->self, &BODY, v->m);
   const span v1 = span_of(0, 0);

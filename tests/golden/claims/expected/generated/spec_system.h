@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self, rtac::SafeController<rtac::Acceleration>& external_escape)
-        : fly(self), escape(standing(), {&room_zone(), 0.5, 175000, 1.0, 0.145, 0.0, 0.143}), stop(standing()) {
+        : fly(self), escape(standing(), {&inner_zone(), 0.5, 175000, 1.0, 0.145, 0.0, 0.143}), stop(standing()) {
       escape.attach(external_escape);
     }
     Fly fly;

@@ -43,6 +43,7 @@ class Fly final : public rtac::DecisionModule {
 
 // Zones, as baked.
 const rtac::ZoneView& room_zone();
+const rtac::ZoneView& inner_zone();
 
 // Limits of the robots, as declared.
 const rtac::RobotLimits& Drone_limits();

@@ -30,7 +30,7 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.509;
+  static constexpr double return_clearance_m = 0.409;
   static constexpr double cruise_clearance_m = 1.185;
   static constexpr double pass_gap_m = 1.45;
 
@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self, rtac::SafeController<rtac::Acceleration>& external_land_now)
-        : fly(self), land_now(standing(), {&room_zone(), 0.5, 125000, 1.0, 0.145, 0.0, 0.143}) {
+        : fly(self), land_now(standing(), {&inner_zone(), 0.5, 125000, 1.0, 0.145, 0.0, 0.143}) {
       land_now.attach(external_land_now);
     }
     Fly fly;
