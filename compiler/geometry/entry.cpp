@@ -31,10 +31,6 @@ struct Vec {
 struct Box {
   double left, low, right, top;
 };
-struct Nearest {
-  Vec place;
-  double way = std::numeric_limits<double>::infinity();
-};
 struct Cell {
   Vec middle;
   std::int32_t clearance_mm;
@@ -107,9 +103,9 @@ class Entering {
     }
     return inside;
   }
-  [[nodiscard]] Nearest nearest_of_zone(Vec p) {
+  // How far its boundary is.
+  [[nodiscard]] double nearest_of_zone(Vec p) {
     looks_ += static_cast<std::int64_t>(zone_.edges.size());
-    Nearest found;
     double square = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       const Box& b = boxes_[i];
@@ -119,14 +115,12 @@ class Entering {
       const Vec q = nearest_on(zone_.edges[i], p), d = q - p;
       if (d.x * d.x + d.y * d.y >= square) continue;
       square = d.x * d.x + d.y * d.y;
-      found.place = q;
     }
-    found.way = std::sqrt(square);
-    return found;
+    return std::sqrt(square);
   }
   // All places so near to it lie in the zone.
   [[nodiscard]] bool is_inside(Vec middle, double radius) {
-    return nearest_of_zone(middle).way > radius && contains(middle);
+    return nearest_of_zone(middle) > radius && contains(middle);
   }
 
   // The cells of the zone that may be tried from near a place.
@@ -173,7 +167,7 @@ class Entering {
     const double radius = spot.radius_mm();
     if (connectors_.holds_nobody(spot) || is_inside(middle, radius)) return true;
     if (looks_ > looks_max) return false;
-    const double off = contains(middle) ? 0 : nearest_of_zone(middle).way;
+    const double off = contains(middle) ? 0 : nearest_of_zone(middle);
     const bool closely = halvings <= halvings_max - whole_levels;
     const double farthest = farthest_taken(spot, cells, off);
     std::vector<Cell> taken, open;
@@ -199,7 +193,7 @@ class Entering {
     const auto look = [&](double t) {
       const Vec at{spot.x_mm + t * (cell.middle.x - spot.x_mm),
                    spot.y_mm + t * (cell.middle.y - spot.y_mm)};
-      const double way = nearest_of_zone(at).way;
+      const double way = nearest_of_zone(at);
       if (way > most_off && !contains(at)) cell.off = t, most_off = way;
       return most_off > most;
     };

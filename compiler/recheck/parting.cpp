@@ -85,9 +85,9 @@ class Partings {
   }
 
  private:
-  // A square of robots is quartered so many times at most: of the one that leaves, and of both.
   // Of the cells around a place it tries all in so many rings, whatever else it tries.
   static constexpr int rings = 20;
+  // A square of robots is quartered so many times at most: of the one that leaves, and of both.
   static constexpr int quarters_max = 5, quarters_of_both_max = 4;
   static constexpr std::int64_t steps_max = 4'000'000'000;
   // The runtime joins to cells within the larger of 0.4 m and two cells, and forgives 8 mm of

@@ -276,16 +276,14 @@ Claim leaves_claim(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::ZoneTable& zone = s.module[m.recovery.zone];
   const auto text = [](std::int64_t n) { return std::to_string(n); };
-  return {"leaves",
-          {{"decision", s.decision.name},
-           {"monitor", m.name},
-           {"zone", zone.name},
-           {"cell_mm", text(zone.cells.cell_mm)},
-           {"cells_x_mm", text(zone.cells.origin_x_mm)},
-           {"cells_y_mm", text(zone.cells.origin_y_mm)},
-           {"starts_mm", text(s.decision.body.radius_mm + m.recovery.leave_least_mm)},
-           {"route_mm", text(m.recovery.route_clearance_mm)},
-           {"leave_us", text(m.recovery.leave_us)}}};
+  return with_cells({"leaves",
+                     {{"decision", s.decision.name},
+                      {"monitor", m.name},
+                      {"zone", zone.name},
+                      {"starts_mm", text(s.decision.body.radius_mm + m.recovery.leave_least_mm)},
+                      {"route_mm", text(m.recovery.route_clearance_mm)},
+                      {"leave_us", text(m.recovery.leave_us)}}},
+                    zone);
 }
 
 }  // namespace rtac::verify

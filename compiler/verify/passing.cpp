@@ -125,16 +125,14 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
               "to a distance of " + metres(yield.pass_gap_mm) +
               "; it is given back, and the other " + "one as soon as nobody drives near it";
   o.repair.clear();
-  o.claims.push_back({"parting",
-                      {{"decision", s.decision.name},
-                       {"monitor", o.monitor},
-                       {"zone", zone.name},
-                       {"cell_mm", std::to_string(zone.cells.cell_mm)},
-                       {"cells_x_mm", std::to_string(zone.cells.origin_x_mm)},
-                       {"cells_y_mm", std::to_string(zone.cells.origin_y_mm)},
-                       {"route_mm", std::to_string(query.clearance_mm)},
-                       {"extra_us", std::to_string(s.decision.return_extra_us)},
-                       {"gap_mm", std::to_string(yield.pass_gap_mm)}}});
+  o.claims.push_back(with_cells({"parting",
+                                 {{"decision", s.decision.name},
+                                  {"monitor", o.monitor},
+                                  {"zone", zone.name},
+                                  {"route_mm", std::to_string(query.clearance_mm)},
+                                  {"extra_us", std::to_string(s.decision.return_extra_us)},
+                                  {"gap_mm", std::to_string(yield.pass_gap_mm)}}},
+                                zone));
   o.claims.push_back(lemma_claim("return_reached"));
   return o;
 }

@@ -334,9 +334,7 @@ Obligation legs_back(const Subject& s, std::size_t k) {
     }
     all_convex = false;
     const std::string of = "_of_" + std::to_string(to);
-    claim.values["cell_mm" + of] = std::to_string(base.cells.cell_mm);
-    claim.values["cells_x_mm" + of] = std::to_string(base.cells.origin_x_mm);
-    claim.values["cells_y_mm" + of] = std::to_string(base.cells.origin_y_mm);
+    claim = with_cells(std::move(claim), base, of);
     claim.values["route_mm"] = std::to_string(last.route_clearance_mm);
   }
   for (std::size_t from = 0; from < slabs->size(); ++from) {

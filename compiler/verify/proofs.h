@@ -113,6 +113,8 @@ std::vector<Obligation> plan_obligations(const Subject& s);
 // it: within what the energy clause reckons with.
 std::optional<Claim> lasting_claim(const Subject& s, std::size_t k);
 
+// The claim, and the cells of the zone that it speaks of; `of` ends the names of these numbers.
+Claim with_cells(Claim claim, const ir::ZoneTable& zone, const std::string& of = "");
 // The integers that the kernel counts with, for a program that has its own idea of them.
 Claim limits_claim(const Subject& s);
 Claim lemma_claim(const std::string& lemma);

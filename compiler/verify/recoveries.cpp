@@ -181,16 +181,14 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
               metres(back_mm(s, last)) +
               (bound ? ", within " + seconds(*bound) + " in all"
                      : ", along cells that it enters once each");
-  o.claims.push_back({"ways",
-                      {{"decision", s.decision.name},
-                       {"monitor", o.monitor},
-                       {"zone", zone.name},
-                       {"cell_mm", std::to_string(zone.cells.cell_mm)},
-                       {"cells_x_mm", std::to_string(zone.cells.origin_x_mm)},
-                       {"cells_y_mm", std::to_string(zone.cells.origin_y_mm)},
-                       {"route_mm", std::to_string(last.route_clearance_mm)},
-                       {"extra_us", std::to_string(s.decision.return_extra_us)},
-                       {"return_mm", std::to_string(back_mm(s, last))}}});
+  o.claims.push_back(with_cells({"ways",
+                                 {{"decision", s.decision.name},
+                                  {"monitor", o.monitor},
+                                  {"zone", zone.name},
+                                  {"route_mm", std::to_string(last.route_clearance_mm)},
+                                  {"extra_us", std::to_string(s.decision.return_extra_us)},
+                                  {"return_mm", std::to_string(back_mm(s, last))}}},
+                                zone));
   o.claims.push_back(lemma_claim("return_reached"));
   return o;
 }

@@ -46,6 +46,13 @@ Claim limits_claim(const Subject& s) {
   return c;
 }
 
+Claim with_cells(Claim claim, const ir::ZoneTable& zone, const std::string& of) {
+  claim.values["cell_mm" + of] = std::to_string(zone.cells.cell_mm);
+  claim.values["cells_x_mm" + of] = std::to_string(zone.cells.origin_x_mm);
+  claim.values["cells_y_mm" + of] = std::to_string(zone.cells.origin_y_mm);
+  return claim;
+}
+
 Claim lemma_claim(const std::string& lemma) {
   return {"lemma", {{"name", lemma}}};
 }

@@ -142,16 +142,14 @@ void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
         claims.push_back(contained(s, outer.zone, {inner, 0}));
       }
       if (step->claims) continue;
-      const ir::Cells& cells = s.module[inner].cells;
-      claims.push_back({"comes_in",
-                        {{"decision", s.decision.name},
-                         {"monitor", judged.name},
-                         {"zone", s.module[inner].name},
-                         {"aim_mm", std::to_string(analysis::aims_at_mm(s.decision, *step))},
-                         {"cell_mm", std::to_string(cells.cell_mm)},
-                         {"cells_x_mm", std::to_string(cells.origin_x_mm)},
-                         {"cells_y_mm", std::to_string(cells.origin_y_mm)},
-                         {"fence", s.module[outer.zone].name}}});
+      claims.push_back(
+          with_cells({"comes_in",
+                      {{"decision", s.decision.name},
+                       {"monitor", judged.name},
+                       {"zone", s.module[inner].name},
+                       {"aim_mm", std::to_string(analysis::aims_at_mm(s.decision, *step))},
+                       {"fence", s.module[outer.zone].name}}},
+                     s.module[inner]));
     }
   }
   if (steps.empty() || !asked.by_sides) return;

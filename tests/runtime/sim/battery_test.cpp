@@ -22,6 +22,18 @@ TEST(Battery, FallsWithMetresAndSeconds) {
   EXPECT_NEAR(world.truth(0).battery, 1 - 0.012 * metres - 0.0003 * 100, 1e-9);
 }
 
+// What it takes per metre and what it takes per second at most are two limits (rule 6.7).
+TEST(Battery, FallsNoFasterThanItMayDrain) {
+  RobotSetup setup = robot_at(turtle_limits(), {0, 0});
+  setup.limits.drain_per_s = 0.001;
+  World<Twist> world({setup}, quiet());
+  world.robot(0).actuate({0.2, 0});  // 0.0024 a second
+  world.wait_until(10 * s);
+  const double before = world.truth(0).battery;
+  world.wait_until(60 * s);
+  EXPECT_NEAR(world.truth(0).battery, before - 0.001 * 50, 1e-9);
+}
+
 TEST(Battery, StopsAtZero) {
   RobotSetup setup = robot_at(turtle_limits(), {0, 0});
   setup.battery = 0.0001;

@@ -46,6 +46,7 @@ inline RobotLimits turtle_limits() {
   limits.latency_us = 40 * ms;
   limits.drive_per_m = 0.012;
   limits.idle_per_s = 0.0003;
+  limits.drain_per_s = 0.05;
   limits.charge_per_s = 0.01;
   return limits;
 }
