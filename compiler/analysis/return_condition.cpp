@@ -140,6 +140,9 @@ class Judge {
     }
     const auto most = ir::upper_bound(block, *compare);
     if (most && most->leaf.kind == Leaf::Kind::speed) return slow(most->most, source);
+    if (most && most->leaf.kind == Leaf::Kind::clearance) {
+      return too_near(ir::ZoneIndex(most->leaf.table), most->most, source);
+    }
     const auto way = way_of(block, *compare);
     if (!way) return std::nullopt;
     const ir::Body& b = decision_.body;
@@ -265,6 +268,37 @@ class Judge {
                                          metres(table.widest_mm - best)});
     d.help = best - strict >= 0 ? "a clearance of " + metres(best - strict) + " works"
                                 : "no clearance works: widen the zone";
+    return d;
+  }
+
+  // Nobody is given control nearer to a boundary than where the look-ahead is sure to keep what it
+  // asks for: of a robot at rest that is measured at this instant, at least.
+  Finding too_near(ir::ZoneIndex zone, std::int64_t most_mm, const SourceRange& source) const {
+    constexpr std::int64_t rounded_mm = 10;
+    const ir::Body& b = decision_.body;
+    const ir::Monitor* keeps = nullptr;
+    std::int64_t least_mm = most_mm;
+    for (const ir::Monitor& m : decision_.monitors) {
+      if (!m.lookahead.duration || m.lookahead.command) continue;  // that needs less
+      const auto fences = sure_fences(m.property, decision_.facts.params);
+      if (std::find(fences.begin(), fences.end(), zone) == fences.end()) continue;
+      const std::int64_t us = horizon_us_max(b, m.lookahead.duration_us) - b.position_age_us +
+                              decision_.return_extra_us;
+      const std::int64_t need_mm =
+          disc_mm(b, decision_.motions[0], 0, us) - b.radius_mm - rounded_mm;
+      if (need_mm <= least_mm) continue;
+      least_mm = need_mm;
+      keeps = &m;
+    }
+    if (keeps == nullptr) return std::nullopt;
+    diag::Diagnostic d = finding(source);
+    d.label = "is false wherever `" + keeps->name + "` lets control go back";
+    d.notes.push_back({std::nullopt, "its look-ahead needs a clearance of more than " +
+                                         metres(least_mm) + " in `" + module_[zone].name +
+                                         "`, at rest as well"});
+    d.help =
+        "`clearance >= ...` asks for a deeper place; without `return when` control goes back "
+        "as soon as the look-ahead allows it";
     return d;
   }
 

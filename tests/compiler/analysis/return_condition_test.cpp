@@ -36,6 +36,19 @@ TEST(ReturnCondition, AClearanceThatTheZoneDoesNotHaveIsRefusedWithTheLargestOne
   EXPECT_TRUE(is_refused(fence_returns("clearance(r, floor) > " + most + " m")));
 }
 
+// Where the look-ahead lets control go back the condition is false: of a limit from above, and of a
+// property that is asked to fail.
+TEST(ReturnCondition, NothingIsGivenBackNearerThanTheLookAheadAllows) {
+  for (const char* const never : {"clearance(r, floor) <= 10 cm", "not (r inside floor)",
+                                  "clearance(r, floor) <= 10 cm and r.speed <= 1 m/s"}) {
+    EXPECT_TRUE(is_refused(fence_returns(never))) << never;
+  }
+  for (const char* const may :
+       {"clearance(r, floor) <= 2 m", "clearance(r, floor) <= 10 cm or r.speed <= 1 m/s"}) {
+    EXPECT_FALSE(is_refused(fence_returns(may))) << may;
+  }
+}
+
 // A room deep in another zone, which the condition is about: how deep it lies counts.
 TEST(ReturnCondition, AClearanceOfAZoneAroundTheRoomOfTheRecoveryIsHadThere) {
   const auto hall = [](const std::string& room, const std::string& metres) {
