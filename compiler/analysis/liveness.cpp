@@ -289,29 +289,71 @@ Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decis
   return ways;
 }
 
-std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,
-                                       const ir::Decision& decision, const ir::Recovery& recovery) {
-  const ir::Recovery& last = ir::last_step(recovery);
-  if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return std::nullopt;
-  const bool route = last.kind == ir::RecoveryKind::route, carried = decision.body.in_space;
-  if (carried && !route) return std::nullopt;  // its ways are not those over cells
+namespace {
+
+// From corner to corner of the box around a zone, and of one with heights as much again as it is
+// high, in mm: the longest level leg and the longest one up or down.
+std::int64_t longest_legs_mm(const ir::Module& module, const ir::ZoneTable& zone) {
+  std::int64_t low_x = INT64_MAX, high_x = INT64_MIN, low_y = INT64_MAX, high_y = INT64_MIN;
+  const auto hold = [&](const ir::ZoneTable& table) {
+    for (const ir::Edge& e : table.edges) {
+      low_x = std::min<std::int64_t>(low_x, e.ax);
+      high_x = std::max<std::int64_t>(high_x, e.ax);
+      low_y = std::min<std::int64_t>(low_y, e.ay);
+      high_y = std::max<std::int64_t>(high_y, e.ay);
+    }
+  };
+  if (!zone.has_height()) {
+    hold(zone);
+    return high_x - low_x + high_y - low_y;
+  }
+  for (const auto& slab : zone.slabs) hold(module[slab.base]);
+  return high_x - low_x + high_y - low_y + zone.slabs.back().ceiling_mm -
+         zone.slabs.front().floor_mm;
+}
+
+// What moves in space goes up or down and on a level straight to where there is room, as far as
+// such legs lead there (verify: legs_back); to circle there it goes on to where that has room, too.
+std::optional<Rational> seconds_of_legs(const sema::RobotKind& kind, const ir::Module& module,
+                                        const ir::Decision& decision, const ir::Recovery& last) {
+  const int looks = last.kind == ir::RecoveryKind::loiter ? 2 : 1;
+  const Rational speed(static_cast<long>(last.speed_mmps), 1000);
+  return legs_seconds(kind, speed, decision.period_us, 2 * looks,
+                      looks * longest_legs_mm(module, module[last.zone]));
+}
+
+// Over cells; it begins where it stands, beside the centre of one (connector_reach_m of the
+// search).
+std::optional<Rational> seconds_over_cells(const sema::RobotKind& kind, const ir::Module& module,
+                                           const ir::Decision& decision, const ir::Recovery& last) {
   const Ways ways = ways_of(module, decision, last);
   if (!ways.longest_mm || !ways.stranded.empty()) return std::nullopt;
-  // from where it stands to the centre of a cell (connector_reach_m of the search)
   const std::int64_t cell_mm = module[last.zone].cells.cell_mm;
   const Rational speed(static_cast<long>(last.speed_mmps), 1000);
   const std::int64_t joined_mm =
       *ways.longest_mm + std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
   const auto cell = static_cast<std::int32_t>(cell_mm);
-  const std::optional<Rational> driven =
-      carried ? carried_seconds(kind, speed, decision.period_us, cell, joined_mm)
-              : travel_seconds(kind, speed, decision.period_us, cell, joined_mm);
+  if (decision.body.in_space) {
+    return carried_seconds(kind, speed, decision.period_us, cell, joined_mm);
+  }
+  const Rational driven = travel_seconds(kind, speed, decision.period_us, cell, joined_mm);
+  if (last.kind == ir::RecoveryKind::route) return driven;
+  // the last leg goes straight on
+  const Rational slowest = speed - lasting_speed(kind, decision.period_us);
+  return driven + Rational(run_out_mm(kind, speed, decision.period_us), 1000) / slowest;
+}
+
+}  // namespace
+
+std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,
+                                       const ir::Decision& decision, const ir::Recovery& recovery) {
+  const ir::Recovery& last = ir::last_step(recovery);
+  if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return std::nullopt;
+  const bool legs = decision.body.in_space && last.kind != ir::RecoveryKind::route;
+  const std::optional<Rational> driven = legs ? seconds_of_legs(kind, module, decision, last)
+                                              : seconds_over_cells(kind, module, decision, last);
   if (!driven) return std::nullopt;
   Rational seconds = *driven;
-  if (!route) {  // the last leg goes straight on
-    const Rational slowest = speed - lasting_speed(kind, decision.period_us);
-    seconds += Rational(run_out_mm(kind, speed, decision.period_us), 1000) / slowest;
-  }
   for (const ir::Recovery& step : recovery.steps) {
     seconds += Rational(static_cast<long>(step.lasts_us), 1'000'000);
   }

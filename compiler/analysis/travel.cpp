@@ -285,6 +285,16 @@ std::optional<Rational> carried_leg_seconds(const sema::RobotKind& kind, const R
   return period + late + seconds_of(kind.position) + settles + Rational(pace::look_every_ms, 1000);
 }
 
+// It looks after a stop, and begins each leg at rest.
+std::optional<Rational> legs_seconds(const sema::RobotKind& kind, const Rational& speed,
+                                     std::int64_t period_us, int legs, std::int64_t way_mm) {
+  if (braking(kind) <= 0) return std::nullopt;  // reported
+  const auto leg = carried_leg_seconds(kind, speed, period_us);
+  if (!leg) return std::nullopt;
+  return Rational(Rational(way_mm, 1000) / speed) + (legs + 1) * *leg +
+         (legs + 1) * rest_seconds(kind, seconds_of(period_us));
+}
+
 // As ways of the plane; but whatever lasts and pushes the robot, its hold is carried at the full
 // speed. What has been latched at the beginning settles like a leg.
 std::optional<Rational> carried_seconds(const sema::RobotKind& kind, const Rational& speed,

@@ -68,6 +68,9 @@ Rational follows_up_to(const sema::RobotKind& kind, std::int64_t period_us);
 // of a robot in space, which is carried along it by its hold. none: it does not follow that.
 std::optional<Rational> carried_leg_seconds(const sema::RobotKind& kind, const Rational& speed,
                                             std::int64_t period_us);
+// What so many legs take, from where the robot was moving on until it rests at the end of the last.
+std::optional<Rational> legs_seconds(const sema::RobotKind& kind, const Rational& speed,
+                                     std::int64_t period_us, int legs, std::int64_t way_mm);
 // As `travel_seconds`, of a way that has such legs.
 std::optional<Rational> carried_seconds(const sema::RobotKind& kind, const Rational& speed,
                                         std::int64_t period_us, std::int32_t cell_mm,

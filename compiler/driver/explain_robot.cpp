@@ -365,9 +365,12 @@ class RobotRemarks {
     if (!m.hold_reason.empty()) to.push_back("accepted where it is false: " + m.hold_reason);
     const auto seconds = analysis::return_seconds(spec_[from.kind], module_, d, m.recovery);
     if (seconds) {
+      // whether they do, verify finds out
+      const bool legs = d.body.in_space && ir::goes_back(ir::last_step(m.recovery).kind);
       to.push_back("control comes back within " +
-                   to_decimal(Rational(ceil_to_int(Rational(*seconds * 10)), 10)) +
-                   " s, where no other robot is near and nothing else keeps it");
+                   to_decimal(Rational(ceil_to_int(Rational(*seconds * 10)), 10)) + " s, where " +
+                   (legs ? "straight legs lead to room, " : "") +
+                   "no other robot is near and nothing else keeps it");
     } else {
       to.emplace_back("nothing bounds the time until control comes back");
     }

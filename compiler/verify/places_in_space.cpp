@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/liveness.h"
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/tables.h"
@@ -364,6 +365,9 @@ Obligation legs_back(const Subject& s, std::size_t k) {
                                  " the nearest places with room are in sight: a leg leads "
                                  "straight to a clearance of ";
   o.because += metres(aim_mm);
+  if (const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, m.recovery)) {
+    o.because += ", within " + seconds(*bound) + " in all";
+  }
   o.claims.push_back(std::move(claim));
   return o;
 }

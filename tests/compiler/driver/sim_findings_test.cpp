@@ -44,6 +44,27 @@ TEST_F(Findings, WhatRetreatsIsGivenBack) {
   EXPECT_FALSE(fs::exists("found.trace"));
 }
 
+// Where legs lead straight to room, `verify` says how long they take at most; a run at bounds takes
+// less, and no recovery is done at once.
+TEST_F(Findings, InSpaceControlComesBackWithinWhatIsSaid) {
+  const std::string folder = std::string(RTAC_SOURCE_DIR) + "/tests/campaign/specs/templates/";
+  for (const char* const name : {"retreat_space", "loiter_space"}) {
+    const std::string spec = folder + name + ".rta";
+    const Outcome proved = rtac({"verify", spec});
+    const std::string before = " m, within ";
+    const std::size_t at = proved.out.find(before);
+    ASSERT_NE(at, std::string::npos) << proved.out;
+    const double within_s = std::stod(proved.out.substr(at + before.size()));
+    const auto given_back = [&](double s) {
+      write("s.json", R"({"runs": 8, "duration_s": )" + std::to_string(s + 10) +
+                          R"(, "return_within_s": )" + std::to_string(s) + "}");
+      return rtac({"sim", spec, "--scenario", "s.json"}).status;
+    };
+    EXPECT_EQ(given_back(within_s), exit_clean) << name;
+    EXPECT_EQ(given_back(0.5), exit_violation) << name;
+  }
+}
+
 // Decided in every period, which its look-ahead covers.
 TEST_F(Findings, ASoundLookAheadLeavesNothingUndecided) {
   const Outcome o =
