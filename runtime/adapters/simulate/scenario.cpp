@@ -265,6 +265,26 @@ Problem read_scenario(const std::string& text, Scenario& to) {
   return {};
 }
 
+namespace {
+
+// A place in space has three numbers, and one of the plane two.
+Problem check_heights(const Scenario& scenario, const Case& all) {
+  for (const DecisionCase& d : all.decisions) {
+    for (const auto& [robot, start] : scenario.starts) {
+      const bool of_it = std::find(d.robots.begin(), d.robots.end(), robot) != d.robots.end();
+      if (!of_it || !start.place || start.height_m.has_value() == d.limits.in_space) continue;
+      return {"the scenario says where `" + robot + "` starts by " +
+                  (d.limits.in_space ? "two numbers, and it is in space"
+                                     : "three numbers, and it is in the plane"),
+              d.limits.in_space ? "`\"at\": [1, 2, 3]` has its height as well"
+                                : "`\"at\": [1, 2]` works"};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
 Problem check_names(const Scenario& scenario, const Case& all) {
   std::vector<std::string> names;
   if (!scenario.adversary.empty()) names.push_back(scenario.adversary);
@@ -291,7 +311,7 @@ Problem check_names(const Scenario& scenario, const Case& all) {
         });
     if (!there) return {"the scenario names a robot `" + robot + "`, which does not exist", ""};
   }
-  return {};
+  return check_heights(scenario, all);
 }
 
 }  // namespace rtac::simulate

@@ -30,7 +30,7 @@ const Adversary* find_adversary(const std::string& name);
 struct Start {
   std::optional<Vec2> place;
   std::optional<double> heading_rad, battery;
-  double height_m = 0;  // of the place, in space
+  std::optional<double> height_m;  // of the place, in space
 };
 struct Scenario {
   using Value = std::variant<bool, double, std::string>;

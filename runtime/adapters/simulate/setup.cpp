@@ -55,7 +55,7 @@ void draw(const DecisionCase& d, const Field& field, const Start* fixed, Random&
   if (d.limits.in_space) truth.height_m = field.draw_height(random);
   if (fixed == nullptr) return;
   truth.position = fixed->place.value_or(truth.position);
-  if (fixed->place) truth.height_m = fixed->height_m;
+  if (fixed->place) truth.height_m = fixed->height_m.value_or(0);
   truth.heading_rad = fixed->heading_rad.value_or(truth.heading_rad);
   truth.battery = fixed->battery.value_or(truth.battery);
 }

@@ -243,6 +243,27 @@ TEST_F(Simulations, AScenarioSaysWhereRobotsStart) {
   EXPECT_NE(o.out.find("by r1 at 0 s, down to -1.2"), std::string::npos) << o.out;
 }
 
+// Three numbers are a place in space, and two one of the plane.
+TEST_F(Simulations, APlaceHasAsManyNumbersAsItsRobotKnows) {
+  const auto refused = [](const std::string& at) {
+    write("s.json", R"({"duration_s": 1, "runs": 1, "starts": {")" + at + "}}");
+    return rtac({"sim", "spec.rta", "--scenario", "s.json"});
+  };
+  write("spec.rta", yard("50 ms"));
+  const Outcome plane = refused(R"(r1": {"at": [1, 4, 2]})");
+  EXPECT_EQ(plane.status, exit_usage) << plane.err;
+  EXPECT_NE(plane.err.find("where `r1` starts by three numbers, and it is in the plane"),
+            std::string::npos)
+      << plane.err;
+  const std::string folder = "tests/campaign/specs/templates/";
+  write("space.rta", spec_text(folder + "space.rta"));
+  write("spec.rta", spec_text(folder + "retreat_space.rta"));
+  const Outcome space = refused(R"(m1": {"at": [1, 4]})");
+  EXPECT_EQ(space.status, exit_usage) << space.err;
+  EXPECT_NE(space.err.find("`\"at\": [1, 2, 3]` has its height as well"), std::string::npos)
+      << space.err;
+}
+
 // Of the only zone that is spoken of the outside goes on for hundreds of km: nobody would come
 // near.
 TEST_F(Simulations, WhatKeepsOutIsAttackedWhereItIs) {
