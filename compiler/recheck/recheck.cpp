@@ -9,6 +9,7 @@
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
 #include "compiler/recheck/lasting.h"
+#include "compiler/recheck/lemmas.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/travel.h"
@@ -176,6 +177,7 @@ class Check {
     if (e.kind == "P3") {
       need(d, e, "limits");
       need(d, e, "return", of_monitor);
+      look_ahead(d, e, *m);
       return need(d, e, "lemma", {{"name", "return_implies_ahead"}}, false);
     }
     if (e.kind == "C") return keeps_other(d, e, *m, part);
@@ -302,8 +304,11 @@ class Check {
         !std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation)) {
       need(d, e, "lemma", {{"name", "way_pieces"}}, false);
     }
-    if (all_zones(*m.always).empty()) return;
-    for (const char* lemma : {"capsule", "disc", "stop_difference"}) {
+    look_ahead(d, e, m);
+  }
+  // What the test of its property rests on.
+  void look_ahead(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    for (const std::string& lemma : lemmas_for(spec_, d, m)) {
       need(d, e, "lemma", {{"name", lemma}}, false);
     }
   }
@@ -323,6 +328,7 @@ class Check {
     if (m.recover) follows(d, e, spec_[*m.recover]);
     if (has(e, "landing", {{"decision", d.name}, {"monitor", m.name}})) return;
     if (has(e, "parting", {{"decision", d.name}, {"monitor", m.name}})) {
+      need(d, e, "lemma", {{"name", "return_reached"}}, false);
       if (lets_go(spec_, d, claims_, m, 0)) return;
       return fail(whom(d, e) + ": its `return when` may not hold where the robots have parted");
     }
