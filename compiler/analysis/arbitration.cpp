@@ -205,7 +205,7 @@ class Pair {
     if (leads_inside(fence)) {
       entry_.help = "a way to " + quoted(module_[ir::last_step(recovery_).site].name) + " within " +
                     name + " works, as far as the charge pays for it";
-    } else if (would_do(fence)) {
+    } else if (would_do(fence) && !(step.claims && beyond_mm.value_or(0) > touching_mm)) {
       entry_.help = "a recovery within " + name + " works";
     } else {
       offer_shared(step.zone, fence, beyond_mm);

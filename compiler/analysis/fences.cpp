@@ -19,9 +19,7 @@ std::optional<ir::ZoneIndex> fence_of(const ir::Block& block, ir::ValueId id,
                                       const std::vector<ir::Param>& params) {
   const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
   const auto bound = compare ? ir::lower_bound(block, *compare, params) : std::nullopt;
-  if (!bound || bound->leaf.kind != Leaf::Kind::clearance || bound->need.strictest < 0) {
-    return std::nullopt;
-  }
+  if (!bound || bound->leaf.kind != Leaf::Kind::clearance) return std::nullopt;
   return ir::ZoneIndex{bound->leaf.table};
 }
 

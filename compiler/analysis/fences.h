@@ -8,8 +8,9 @@
 
 namespace rtac::analysis {
 
-// The zones that a centre is in wherever the property holds, each once, while its parameters ask
-// for most: what a recovery has to stay in.
+// The zones whose clearance a property bounds from below, each once, while its parameters ask for
+// most: what a recovery has to stay in, though a body may stick out of it where the bound is
+// negative.
 std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
                                      const std::vector<ir::Param>& params);
 

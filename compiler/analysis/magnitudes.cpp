@@ -76,10 +76,10 @@ class Checker {
   // besides.
   void check_push(const char* what, const sema::Quantity& push, const sema::RobotKind& k,
                   const Rational& others) {
-    const Rational most = k.motion.brake.value * holdable_share - others;
-    if (push.value > most && push.value < k.motion.brake.value) return refuse(what, push, k, most);
+    const Rational held = k.motion.brake.value * holdable_share - others;
     const Rational room =
         std::min(k.motion.brake.value, k.motion.accel.value) - 2 * least_accel_mps2 - others;
+    if (push.value > held) return refuse(what, push, k, std::min(held, room));
     if (push.value <= room) return;
     report(what, push, "at most " + to_decimal(std::max(room, Rational(0))) + " m/s^2 works");
   }

@@ -94,8 +94,13 @@ class InSpace {
   }
   Found outside(const ir::Recovery& step, ir::ZoneIndex fence) const {
     const ir::ZoneTable& zone = module_[step.zone];
-    const std::string works =
-        "a zone that lies in `" + module_[fence].name + "` works, such as that one itself";
+    const auto asked = fence_standoffs(monitor_.property, decision_.facts.params);
+    const bool deep = step.claims && std::ranges::any_of(asked, [&](const Standoff& each) {
+                        return each.zone == fence && each.mm > touching_mm;
+                      });
+    const std::string works = "a zone that lies " + std::string(deep ? "as far " : "") + "in `" +
+                              module_[fence].name + "` " +
+                              (deep ? "as is asked for works" : "works, such as that one itself");
     const std::string name = "`" + module_[fence].name + "`";
     const bool flat = !zone.has_height() && module_[fence].has_height();
     if (flat && step.claims) {
@@ -153,9 +158,11 @@ class InSpace {
       const std::string far = metres(each.mm) + " from the boundary of `" + module_[fence].name;
       return elsewhere(
           step, "what is " + far + "`",
-          "places of `" + module_[step.zone].name +
-              "` are nearer, and it keeps from the boundary of that zone as much as it "
-              "has where it sets out, and no more",
+          step.claims
+              ? "anywhere in `" + module_[step.zone].name + "` its claim holds"
+              : "places of `" + module_[step.zone].name +
+                    "` are nearer, and it keeps from the boundary of that zone as much as it "
+                    "has where it sets out, and no more",
           "a zone all of whose places are that far off works");
     }
     return std::nullopt;

@@ -114,6 +114,15 @@ class Places {
     }
     return std::max<std::int64_t>(least.value_or(0), 0);
   }
+  // What a step has to keep: the most of these, where it may be anywhere in its zone.
+  [[nodiscard]] std::int64_t kept_mm(const ir::Recovery& step, ir::ZoneIndex zone) const {
+    if (!step.claims) return standoff_mm(monitor_, zone);
+    std::int64_t most = 0;
+    for (const Standoff& each : fence_standoffs(monitor_.property, decision_.facts.params)) {
+      if (each.zone == zone) most = std::max(most, each.mm);
+    }
+    return most;
+  }
   [[nodiscard]] static bool is_own(const ir::Recovery& step, const Kept& kept) {
     return kept.zones.size() == 1 && step.zone == kept.zones[0] && !step.claims;
   }
@@ -175,14 +184,13 @@ class Places {
   }
   // Where the property keeps it out of a zone, what is left of its own.
   std::string example(const ir::Recovery& step, ir::ZoneIndex zone) const {
-    const bool out = module_[zone].name.starts_with("outside_of_");
-    const std::string left =
-        out ? deep_text(module_, step.zone, {zone, standoff_mm(monitor_, zone)}) : "";
+    const bool out = module_[zone].name.starts_with("outside_of_") || step.claims;
+    const std::string left = out ? deep_text(module_, step.zone, {zone, kept_mm(step, zone)}) : "";
     return left.empty() ? name_of(zone) : "`" + left + "`";
   }
   // Of another zone than its own it keeps what is asked for only as keeps_off.h says.
   bool nearer(const ir::Recovery& step, ir::ZoneIndex zone) {
-    const Standoff fence{zone, standoff_mm(monitor_, zone)};
+    const Standoff fence{zone, kept_mm(step, zone)};
     if (keeps_off(module_, decision_, exact_, ExactSolid{}, monitor_, step, fence)) {
       return false;
     }

@@ -20,7 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* solver = "z3";
-constexpr int solver_seconds_max = 20;  // for one lemma
+// For one lemma, as the solver is told, and until it is ended: it is told, since nobody ends it
+// when this program has been killed.
+constexpr int solver_seconds_max = 20, spare_s = 2;
 
 constexpr const char* standard_input = "<stdin>";
 
@@ -50,7 +52,9 @@ std::optional<recheck::Doubt> ask(const std::string& script, const std::string& 
   const std::string file = folder + "/lemma.smt2", said = folder + "/said";
   if (hangs) return recheck::Doubt{false, "z3 is not asked, since it has not ended before"};
   std::ofstream(file, std::ios::binary) << script;
-  const ProgramResult result = run_within(solver_seconds_max, {solver, file}, said);
+  const ProgramResult result =
+      run_within(solver_seconds_max + spare_s,
+                 {solver, "-T:" + std::to_string(solver_seconds_max), file}, said);
   hangs = result.timed_out;
   if (hangs) {
     return recheck::Doubt{false,

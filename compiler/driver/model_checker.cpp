@@ -45,7 +45,7 @@ class Checker {
     return folder_.path() + "/" + name;
   }
   // In the folder: spin and what it makes write where they stand.
-  ProgramResult shell(const std::string& command, int seconds = seconds_max) const {
+  ProgramResult shell(const std::string& command, int seconds = seconds_max + 2) const {
     return run_within(seconds, {"sh", "-c", "cd \"$0\" && " + command, folder_.path()},
                       path("said"));
   }
@@ -65,7 +65,9 @@ class Checker {
     return compiled.started && compiled.status == 0 ? "" : "no C compiler (`$CC` or `cc`) works";
   }
   ProgramResult search(const char* depth, const std::string& claim) const {
-    return shell(std::string("./pan -a -w20 ") + depth + " -N " + claim);
+    // it ends by itself, too, when this program has been killed
+    return shell("timeout " + std::to_string(seconds_max) + " ./pan -a -w20 " + depth + " -N " +
+                 claim);
   }
   [[nodiscard]] Answer ask(const std::string& claim) const {
     constexpr const char* too_deep = "max search depth too small";

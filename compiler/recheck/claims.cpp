@@ -63,28 +63,34 @@ std::vector<sema::ZoneId> all_zones(const sema::Expr& property) {
   return zones;
 }
 
-std::vector<sema::ZoneId> kept_in(const sema::Expr& property) {
-  if (const auto* inside = std::get_if<sema::InsideZone>(&property.node)) return {inside->zone};
-  const auto* logic = std::get_if<sema::Logic>(&property.node);
-  if (logic != nullptr) {
-    std::vector<sema::ZoneId> zones;
+namespace {
+
+// The zones of all parts of an `and` for which `counts` says so.
+template <class Counts>
+std::vector<sema::ZoneId> zones_of_parts(const sema::Spec& spec, const sema::Expr& property,
+                                         const Counts& counts) {
+  std::vector<sema::ZoneId> zones;
+  if (const auto* logic = std::get_if<sema::Logic>(&property.node)) {
     if (logic->op != sema::LogicOp::logical_and) return zones;
     for (const auto& operand : logic->operands) {
-      for (const sema::ZoneId zone : kept_in(*operand)) zones.push_back(zone);
+      const auto each = zones_of_parts(spec, *operand, counts);
+      zones.insert(zones.end(), each.begin(), each.end());
     }
-    return zones;
+  } else if (const auto floor = floor_of(spec, property); floor && counts(*floor)) {
+    zones.push_back(floor->zone);
   }
-  // clearance(r, Z) >= c, c >= 0
-  const auto* compare = std::get_if<sema::Compare>(&property.node);
-  if (compare == nullptr) return {};
-  const bool at_least =
-      compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::greater_equal;
-  const sema::Expr& large = at_least ? *compare->left : *compare->right;
-  const sema::Expr& small = at_least ? *compare->right : *compare->left;
-  const auto* gap = std::get_if<sema::Clearance>(&large.node);
-  const auto* least = std::get_if<sema::Constant>(&small.node);
-  if (gap == nullptr || least == nullptr || least->value < 0) return {};
-  return {gap->zone};
+  return zones;
+}
+// More than any zone has.
+const Rational unbounded_m(1'000'000'000);
+
+}  // namespace
+
+std::vector<sema::ZoneId> kept_in(const sema::Spec& spec, const sema::Expr& property) {
+  return zones_of_parts(spec, property, [](const Floor& f) { return f.laxest >= 0; });
+}
+std::vector<sema::ZoneId> asked_in(const sema::Spec& spec, const sema::Expr& property) {
+  return zones_of_parts(spec, property, [](const Floor&) { return true; });
 }
 
 std::vector<sema::ZoneId> moves_within(const sema::Controller& controller) {
@@ -276,45 +282,36 @@ Found Claims::comes_in(const Values& v) {
   return wrong("from outside of its zone the recovery may lead across what is not convex");
 }
 
+// Of a comparison that speaks of the zone in another way than as a bound, nothing is known.
 Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone) {
   Rational most = 0;
   sema::for_each_expr(property, [&](const sema::Expr& e) {
     const auto* compare = std::get_if<sema::Compare>(&e.node);
     if (compare == nullptr) return;
-    for (const auto& [gap, least] : {std::pair(compare->left.get(), compare->right.get()),
-                                     std::pair(compare->right.get(), compare->left.get())}) {
-      const auto* clearance = std::get_if<sema::Clearance>(&gap->node);
-      if (clearance == nullptr || clearance->zone != zone) continue;
-      const auto* constant = std::get_if<sema::Constant>(&least->node);
-      const auto* param = std::get_if<sema::ParamRef>(&least->node);
-      if (constant != nullptr) most = std::max(most, constant->value);
-      if (param != nullptr) most = std::max(most, spec[param->param].most.value);
+    const auto zones = all_zones(e);
+    if (std::ranges::find(zones, zone) == zones.end()) return;
+    for (const auto& [a, b] : {std::pair(compare->left.get(), compare->right.get()),
+                               std::pair(compare->right.get(), compare->left.get())}) {
+      const auto sum = difference(spec, *a, *b);
+      const bool bound = sum && sum->terms.size() == 1;
+      const Rational asked =
+          bound ? Rational(-sum->least / sum->terms.begin()->second) : unbounded_m;
+      most = std::max(most, asked);
     }
   });
   return most;
 }
-Rational sure_gap_of(const sema::Expr& property, sema::ZoneId zone) {
+Rational sure_gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone) {
   if (const auto* logic = std::get_if<sema::Logic>(&property.node)) {
     Rational most = 0;
     if (logic->op != sema::LogicOp::logical_and) return most;
     for (const sema::ExprPtr& each : logic->operands) {
-      most = std::max(most, sure_gap_of(*each, zone));
+      most = std::max(most, sure_gap_of(spec, *each, zone));
     }
     return most;
   }
-  const auto* compare = std::get_if<sema::Compare>(&property.node);
-  if (compare == nullptr) return 0;
-  const bool at_least =
-      compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::greater_equal;
-  const bool at_most =
-      compare->op == sema::CompareOp::less || compare->op == sema::CompareOp::less_equal;
-  if (!at_least && !at_most) return 0;
-  const sema::Expr &gap = at_least ? *compare->left : *compare->right,
-                   &least = at_least ? *compare->right : *compare->left;
-  const auto* clearance = std::get_if<sema::Clearance>(&gap.node);
-  const auto* constant = std::get_if<sema::Constant>(&least.node);
-  return clearance != nullptr && clearance->zone == zone && constant != nullptr ? constant->value
-                                                                                : Rational(0);
+  const auto floor = floor_of(spec, property);
+  return floor && floor->zone == zone ? floor->laxest : Rational(0);
 }
 
 namespace {
@@ -709,7 +706,8 @@ Found Claims::no_fences(const Values& v) {
   if (d == nullptr) return wrong("no such decision");
   for (const sema::MonitorId id : d->priority) {
     if (spec_[id].ahead.waypoints_only) continue;  // it looks at plans, not at places
-    if (!kept_in(*spec_[id].always).empty()) return wrong("`" + spec_[id].name + "` has a zone");
+    if (!asked_in(spec_, *spec_[id].always).empty())
+      return wrong("`" + spec_[id].name + "` has a zone");
     // outside of all zones
     constexpr long nowhere_m = 10'000'000;
     if (lets_go_at(spec_, *d, *this, spec_[id], {nowhere_m, nowhere_m}, std::nullopt)) continue;

@@ -81,13 +81,15 @@ Rational micro(std::int64_t n);
 std::optional<std::int64_t> number(const Values& v, const std::string& key);
 std::string text(const Values& v, const std::string& key);
 
-// The zones that a property keeps the robot in whatever else it says, and those of all its atoms.
-std::vector<sema::ZoneId> kept_in(const sema::Expr& property);
+// The zones that a property keeps the robot in whatever else it says, those whose clearance it
+// bounds from below, and those of all its atoms.
+std::vector<sema::ZoneId> kept_in(const sema::Spec& spec, const sema::Expr& property);
+std::vector<sema::ZoneId> asked_in(const sema::Spec& spec, const sema::Expr& property);
 std::vector<sema::ZoneId> all_zones(const sema::Expr& property);
 // The largest c of `clearance(r, zone) >= c` in a property, whatever its parameters become; and the
 // largest that holds wherever the property does, whatever they are.
 Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone);
-Rational sure_gap_of(const sema::Expr& property, sema::ZoneId zone);
+Rational sure_gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone);
 bool speaks_of_height(const sema::Expr& property);
 // Whether a property allows a height, with `gap` to spare of each of its limits.
 bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap);

@@ -252,15 +252,17 @@ std::optional<Doubt> is_free(const sema::Spec& spec, const sema::Decision& d,
 }
 
 // Whether the centre of a robot surely is in a zone of the plane, wherever something holds.
-bool keeps_in(Claims& claims, const sema::Expr& e, sema::ZoneId own) {
+bool keeps_in(const sema::Spec& spec, Claims& claims, const sema::Expr& e, sema::ZoneId own) {
   if (const auto* logic = std::get_if<sema::Logic>(&e.node)) {
-    const auto keeps = [&](const sema::ExprPtr& each) { return keeps_in(claims, *each, own); };
+    const auto keeps = [&](const sema::ExprPtr& each) {
+      return keeps_in(spec, claims, *each, own);
+    };
     if (logic->op == sema::LogicOp::logical_and) {
       return std::ranges::any_of(logic->operands, keeps);
     }
     return logic->op == sema::LogicOp::logical_or && std::ranges::all_of(logic->operands, keeps);
   }
-  const auto zones = kept_in(e);
+  const auto zones = kept_in(spec, e);
   if (zones.size() != 1) return false;
   const geometry::Region* const in = claims.zones().region(zones.front());
   const geometry::Region* const out = claims.zones().region(own);
@@ -275,7 +277,7 @@ bool stays_in(const sema::Spec& spec, const sema::Decision& d, Claims& claims, s
     const bool broken = !looks || std::ranges::any_of(d.acknowledgements, [&](const auto& a) {
       return a.monitor == id;
     });
-    return !broken && keeps_in(claims, *spec[id].always, own);
+    return !broken && keeps_in(spec, claims, *spec[id].always, own);
   });
 }
 

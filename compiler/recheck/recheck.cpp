@@ -181,7 +181,17 @@ class Check {
       return need(d, e, "lemma", {{"name", "return_implies_ahead"}}, false);
     }
     if (e.kind == "C") return keeps_other(d, e, *m, part);
-    if (e.kind == "satisfiable" && e.claims.empty()) fail(whom(d, e) + ": it rests on no claim");
+    if (e.kind == "satisfiable") satisfiable(d, e, *m);
+  }
+  // A place in each zone that it asks for; of none, that the robot is as it is declared.
+  void satisfiable(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    const auto zones = asked_in(spec_, *m.always);
+    for (const sema::ZoneId zone : zones) {
+      need(d, e, "seen", {{"monitor", m.name}, {"zone", claims_.zones().name(zone)}});
+    }
+    if (zones.empty() && !has(e, "seen", {{"decision", d.name}, {"monitor", m.name}})) {
+      need(d, e, "limits");
+    }
   }
   const sema::Monitor* monitor(const sema::Decision& d, const std::string& name) const {
     for (const sema::MonitorId id : d.priority) {
@@ -195,12 +205,13 @@ class Check {
     std::set<std::string> zones, places;
     for (const sema::MonitorId id : d.priority) {
       if (spec_[id].ahead.waypoints_only) continue;
-      for (const sema::ZoneId zone : kept_in(*spec_[id].always)) {
+      for (const sema::ZoneId zone : asked_in(spec_, *spec_[id].always)) {
         zones.insert(claims_.zones().name(zone));
       }
     }
     for (const Claim& c : e.claims) {
       if (c.what != "place" && c.what != "returned") continue;
+      if (text(c.values, "decision") != d.name) continue;
       places.insert(c.values.count("x_mm") + c.values.count("y_mm") == 2
                         ? c.values.at("x_mm") + " " + c.values.at("y_mm")
                         : "");
@@ -266,7 +277,7 @@ class Check {
     // a step of the grid is no more than touching
     if (gap <= Rational(1, 1000)) return;
     if (!sema::claim_of(recovery)) {  // that one may be anywhere in its zone
-      if (inner == outer || sure_gap_of(*driving.always, inner) >= gap) return;
+      if (inner == outer || sure_gap_of(spec_, *driving.always, inner) >= gap) return;
       // the same boundary, under another name
       const Values back{{"inner", names.at("outer")}, {"outer", names.at("inner")}};
       if (has(e, "contained", back)) return;
@@ -326,6 +337,10 @@ class Check {
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m, const Part& part) {
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
     if (m.recover) follows(d, e, spec_[*m.recover]);
+    if (m.recover && sema::claim_of(spec_[*m.recover]) && sema::speaks_of_robot(*m.always)) {
+      return fail(whom(d, e) + ": of where `" + spec_[*m.recover].name +
+                  "` leads nothing is known");
+    }
     if (has(e, "landing", {{"decision", d.name}, {"monitor", m.name}})) return;
     if (has(e, "parting", {{"decision", d.name}, {"monitor", m.name}})) {
       need(d, e, "lemma", {{"name", "return_reached"}}, false);
@@ -336,15 +351,10 @@ class Check {
     const bool legs = has(e, "legs", {{"decision", d.name}, {"monitor", m.name}});
     if (!legs && moves && !all_zones(*m.always).empty()) need(d, e, "ways", {{"monitor", m.name}});
     if (has(e, "ways")) need(d, e, "lemma", {{"name", "return_reached"}}, false);
-    // how much further ahead control returns is said with P3
-    const Entry* const ahead = find(part, "P3", m.name);
-    const Claim* const claimed = ahead != nullptr ? claim_of(*ahead, "return") : nullptr;
-    const auto extra_us = claimed != nullptr ? number(claimed->values, "extra_us") : std::nullopt;
-    const Rational extra = Rational(static_cast<long>(extra_us.value_or(0))) / 1'000'000;
     if (!lets_go(spec_, d, claims_, m, left_by(e))) {
       fail(whom(d, e) + ": its `return when` may not hold where the recovery has led to");
     }
-    if (Sides(spec_, d, claims_).gives_back(m, extra)) return;
+    if (Sides(spec_, d, claims_).gives_back(m, return_extra(spec_, d))) return;
     fail(whom(d, e) + ": where the recovery has led to, nothing gives control back");
   }
   static bool guards(const Entry& e, const sema::Decision& d, const sema::Monitor& judged,

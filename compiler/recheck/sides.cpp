@@ -106,10 +106,7 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
     for (const Part& each : parts.parts) collect(recovery, each, either || parts.any, asked);
     return;
   }
-  const bool plain = !either && part.value && !std::holds_alternative<sema::Logic>(part.expr->node);
-  for (const sema::ZoneId zone : plain ? kept_in(*part.expr) : all_zones(*part.expr)) {
-    asked.zones.push_back(zone);
-  }
+  for (const sema::ZoneId zone : all_zones(*part.expr)) asked.zones.push_back(zone);
 }
 
 // A side that asks for no more than to be as slow as the recovery is, from when it stands on.
@@ -236,7 +233,7 @@ bool Sides::zones_of(const Part& part, std::vector<sema::ZoneId>& zones) {
     return true;
   }
   const auto* compare = std::get_if<sema::Compare>(&part.expr->node);
-  const auto own = kept_in(*part.expr);
+  const auto own = kept_in(spec_, *part.expr);
   if (compare == nullptr || own.size() != 1) return false;
   for (const sema::Expr* side : {compare->left.get(), compare->right.get()}) {
     const auto* least = std::get_if<sema::Constant>(&side->node);

@@ -109,4 +109,22 @@ std::optional<Sum> difference(const sema::Spec& spec, const sema::Expr& large,
   return adding.sum();
 }
 
+std::optional<Floor> floor_of(const sema::Spec& spec, const sema::Expr& comparison) {
+  if (const auto* inside = std::get_if<sema::InsideZone>(&comparison.node)) {
+    return Floor{inside->zone, 0, 0};
+  }
+  const auto* compare = std::get_if<sema::Compare>(&comparison.node);
+  if (compare == nullptr) return std::nullopt;
+  using Op = sema::CompareOp;
+  const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
+  if (!above && compare->op != Op::less && compare->op != Op::less_equal) return std::nullopt;
+  const sema::Expr& large = above ? *compare->left : *compare->right;
+  const sema::Expr& small = above ? *compare->right : *compare->left;
+  const auto least = difference(spec, large, small), most = difference(spec, small, large);
+  if (!least || !most || least->terms.size() != 1) return std::nullopt;
+  const auto& [of, by] = *least->terms.begin();
+  if (of.kind != Measured::Kind::clearance || by <= 0) return std::nullopt;
+  return Floor{sema::ZoneId{of.index}, Rational(-least->least / by), Rational(most->least / by)};
+}
+
 }  // namespace rtac::recheck

@@ -27,4 +27,12 @@ struct Sum {
 std::optional<Sum> difference(const sema::Spec& spec, const sema::Expr& large,
                               const sema::Expr& small);
 
+// What a comparison asks of the clearance of one zone, from below: the most that its parameters may
+// make of that, and the least. none: it asks for something else.
+struct Floor {
+  sema::ZoneId zone;
+  Rational strictest, laxest;
+};
+std::optional<Floor> floor_of(const sema::Spec& spec, const sema::Expr& comparison);
+
 }  // namespace rtac::recheck

@@ -31,13 +31,13 @@ class Turns {
   [[nodiscard]] bool keeps(std::size_t i, std::size_t j) const {
     if (shown_to_keep(spec_, d_, part_, monitor(i), monitor(j))) return true;
     return !d_.coordinated && j < i &&
-           Sides(spec_, d_, claims_).keeps_while_told(recovery(i), monitor(j), extra(j));
+           Sides(spec_, d_, claims_).keeps_while_told(recovery(i), monitor(j), extra());
   }
 
   // Where recovery i may return, nothing keeps monitor j from giving control back.
   bool settles(std::size_t i, std::size_t j) {
     const sema::Expr& says = *monitor(j).always;
-    if (Sides(spec_, d_, claims_).holds_at_rest(monitor(j), extra(j))) return true;
+    if (Sides(spec_, d_, claims_).holds_at_rest(monitor(j), extra())) return true;
     const auto zones = all_zones(says);
     bool other = false;
     sema::for_each_expr(says, [&](const sema::Expr& e) {
@@ -97,24 +97,18 @@ class Turns {
     const auto* signal = std::get_if<sema::SignalRef>(&e.node);
     return signal != nullptr && signal->signal == sema::Signal::altitude;
   }
-  // How much further ahead monitor j looks for control to return: said with its P3.
-  [[nodiscard]] Rational extra(std::size_t j) const {
-    const Entry* const ahead = find(part_, "P3", monitor(j).name);
-    const Claim* const claim = ahead != nullptr ? claim_of(*ahead, "return") : nullptr;
-    const auto us = claim != nullptr ? number(claim->values, "extra_us") : std::nullopt;
-    return Rational(static_cast<long>(us.value_or(0))) / 1'000'000;
-  }
+  // How much further ahead it looks for control to return.
+  [[nodiscard]] Rational extra() const { return return_extra(spec_, d_); }
   // The lowest and the highest place where recovery i leads to keep every limit of height.
   bool leaves_height(std::size_t i, std::size_t j) {
     const auto within = moves_within(recovery(i));
     const Claim* const way = way_back(i);
     if (within.empty() || way == nullptr || way->what != "legs") return false;
     const auto left_mm = number(way->values, "clearance_mm");
-    const auto extra_us = number(way->values, "extra_us");
     const auto solid = claims_.zones().solid(within.back());
-    if (!left_mm || !extra_us || !solid || solid->slabs().empty()) return false;
+    if (!left_mm || !solid || solid->slabs().empty()) return false;
     const Rational left = Rational(*left_mm) / 1000;
-    const Rational gap = claims_.return_clearance(d_, monitor(j), Rational(*extra_us) / 1'000'000);
+    const Rational gap = claims_.return_clearance(d_, monitor(j), extra());
     return keeps_heights(*monitor(j).always, true, solid->slabs().front().floor + left, gap) &&
            keeps_heights(*monitor(j).always, true, solid->slabs().back().ceiling - left, gap);
   }
@@ -142,10 +136,9 @@ class Turns {
     if (within.empty() || way == nullptr) return false;
     const bool legs = way->what == "legs";
     const auto left_mm = number(way->values, legs ? "clearance_mm" : "return_mm");
-    const auto extra_us = number(way->values, "extra_us");
-    if (!left_mm || !extra_us) return false;
-    const Rational extra = Rational(*extra_us) / 1'000'000, left = Rational(*left_mm) / 1000;
-    const Rational more = claims_.return_clearance(d_, zone, extra) - left;
+    if (!left_mm) return false;
+    const Rational left = Rational(*left_mm) / 1000;
+    const Rational more = claims_.return_clearance(d_, zone, extra()) - left;
     if (within.back() == zone) return more <= 0;
     if (more <= 0) {
       const auto in = claims_.zones().solid(within.back()), out = claims_.zones().solid(zone);

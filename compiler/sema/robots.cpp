@@ -109,27 +109,7 @@ class KindChecker {
     if (values["turn"].good) kind_.motion.turn = values["turn"].quantity;
     if (values["turn_accel"].good) kind_.motion.turn_accel = values["turn_accel"].quantity;
     if (values["brake"].good && kind_.motion.brake.value == 0) report_no_brake();
-    if (values["disturbance"].good) {
-      kind_.motion.disturbance = values["disturbance"].quantity;
-      if (values["accel"].good && values["brake"].good) check_disturbance();
-    }
-  }
-
-  // Whatever pushes must be weaker than what the robot can do against it.
-  void check_disturbance() {
-    const Quantity& d = *kind_.motion.disturbance;
-    for (const auto& [name, own] :
-         {std::pair{"brake", kind_.motion.brake}, std::pair{"accel", kind_.motion.accel}}) {
-      if (d.value < own.value || own.value == 0) continue;
-      const std::string most = show(own.value, dims::acceleration);
-      context_.report(Finding(Code::limit_contradictory, d.range,
-                              "`disturbance` of " + show(d.value, dims::acceleration) +
-                                  " is not below `" + name + "` of " + most)
-                          .label("nothing can hold against it")
-                          .note(own.range, "`" + std::string(name) + "` is declared here")
-                          .help("less than " + most + " works"));
-      return;
-    }
+    if (values["disturbance"].good) kind_.motion.disturbance = values["disturbance"].quantity;
   }
 
   // Limits of the other motion model: says so rather than that the limit is unknown.

@@ -73,7 +73,6 @@ void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueI
       asked.received = asked.received || leaf.kind == ir::Leaf::Kind::received;
     }
     const auto least = ir::lower_bound(block, *compare, s.decision.facts.params);
-    if (!any && (!least || least->need.strictest < 0)) return;
     for (const auto& [leaf, coefficient] : ir::linear_form(block, *compare).terms) {
       if (leaf.kind != ir::Leaf::Kind::clearance) continue;
       const std::int64_t mm = least ? std::max<std::int64_t>(least->need.strictest, 0) : nowhere_mm;

@@ -364,6 +364,16 @@ TEST(Recoveries, ExternalOnesClaimSomethingThatLiesInTheProperty) {
   EXPECT_EQ(claims(" keeps inside room speed <= 1.1 m/s"), Codes{5005});
 }
 
+// A negative bound lets a body stick out, and leaves the recovery no other zone.
+TEST(Recoveries, MoveWhereAPropertyWithANegativeBoundHolds) {
+  Text t{"retreat within beside speed 0.3 m/s",
+         "zone beside = rectangle (5.5 m, 0 m) to (9 m, 5 m);"};
+  t.property = "clearance(d, room) >= -30 cm";
+  EXPECT_EQ(codes(t), Codes{5016});
+  t.recovery = "retreat within room speed 0.3 m/s";
+  EXPECT_EQ(codes(t), Codes{});
+}
+
 // An external one may be anywhere in its claim, which has to be as far off as is asked.
 TEST(Recoveries, ExternalOnesAreWhereTheirClaimIsFarEnoughOff) {
   Text t{"extern keeps inside inner speed <= 0.5 m/s"};
@@ -377,6 +387,9 @@ TEST(Recoveries, ExternalOnesAreWhereTheirClaimIsFarEnoughOff) {
   EXPECT_EQ(within("shrink(room, 49 cm)", "50 cm"), Codes{5016});
   EXPECT_EQ(within("shrink(room, 50 cm)", "50 cm"), Codes{});
   EXPECT_EQ(within("room & room", "0 m"), Codes{});
+  EXPECT_EQ(within("room & room", "0 m and clearance(d, room) >= 50 cm"), Codes{5016});
+  EXPECT_EQ(within("grow(room, 1 m)", "-30 cm"), Codes{5016});  // a body may stick out, a claim not
+  EXPECT_EQ(within("room & room", "-30 cm"), Codes{});
   t.recovery = "extern keeps inside room speed <= 0.5 m/s";
   EXPECT_EQ(within("room", "50 cm"), Codes{5016});
   EXPECT_NE(reports(*compiled(text_of(t))).find("works, such as `shrink(room, 0.5 m)`"),

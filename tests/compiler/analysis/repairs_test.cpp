@@ -18,6 +18,27 @@ TEST(Repairs, TheLeastLookaheadOf5001Works) {
   EXPECT_TRUE(compiled(edited(faulty, "49 ms", least + " ms"))->module);
 }
 
+// Of what pushes a robot the largest that its hold stands is offered, however much is declared.
+TEST(Repairs, TheLargestPushOf5005Works) {
+  const auto pushed = [](const std::string& by, bool output) {
+    return output ? edited(drone_spec(), "thrust : acceleration;",
+                           "thrust : acceleration error " + by + " m/s^2;")
+                  : edited(drone_spec(), "brake >= 1 m/s^2;",
+                           "brake >= 1 m/s^2; disturbance <= " + by + " m/s^2;");
+  };
+  for (const bool output : {false, true}) {
+    for (const char* const by : {"0.8", "1", "3"}) {
+      const auto c = compiled(pushed(by, output));
+      ASSERT_TRUE(has(*c, Code::limit_contradictory)) << reports(*c);
+      const std::string most =
+          number_in_help(*c, Code::limit_contradictory, "at most ", "m/s^2 works");
+      EXPECT_EQ(most, "0.75") << by;
+      EXPECT_EQ(reports(*compiled(pushed(most, output))).find("too little of its brake"),
+                std::string::npos);
+    }
+  }
+}
+
 TEST(Repairs, AnExternalRecoveryNeedsTwoPeriods) {
   const std::string external =
       edited(edited(edited(drone_spec(), "= retreat within room speed 0.3 m/s",

@@ -291,11 +291,75 @@ TEST_F(Verify, AClaimKeepsWhatEachOfItsPlacesKeeps) {
     EXPECT_EQ(forged.status, exit_violation) << to;
     EXPECT_NE((forged.out + forged.err).find(why), std::string::npos) << forged.out << forged.err;
   }
+  // however it is written
+  const std::string asked = "clearance(d, room) >= 10 cm";
+  for (const char* const more :
+       {"clearance(d, room) >= 11 cm", "2 * clearance(d, room) >= 22 cm",
+        "clearance(d, room) - 11 cm >= 0 m", "clearance(d, room) >= most"}) {
+    const std::string named =
+        edited(text, "zone inner", "param most : length in 0 m .. 11 cm = 0 m;\nzone inner");
+    write("certificates/sources/spec.rta", edited(named, asked, more));
+    const Outcome forged = rtac({"verify", "--recheck", "certificates"});
+    EXPECT_EQ(forged.status, exit_violation) << more;
+    EXPECT_NE((forged.out + forged.err).find("keeps so far from `room`"), std::string::npos)
+        << more << forged.out << forged.err;
+  }
   write("certificates/sources/spec.rta", edited(text, "inside inner", "inside room"));
   const Outcome own = rtac({"verify", "--recheck", "certificates"});
   EXPECT_NE((own.out + own.err).find("nothing says that `back_off` keeps so far from `room`"),
             std::string::npos)
       << own.out << own.err;
+}
+
+// What is proved of one obligation does not stand for another one.
+TEST_F(Recheck, ClaimsOfAnotherKindAreNoProof) {
+  const auto with_claims_of = [&](const std::string& kind, const std::string& other) {
+    Json report = report_, claims;
+    for (const Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] == other) claims = o["claims"];
+    }
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] == kind) o["claims"] = claims;
+    }
+    return rechecked_with(report).status;
+  };
+  EXPECT_EQ(with_claims_of("satisfiable", "P1b"), exit_violation);
+  EXPECT_EQ(with_claims_of("joint return", "satisfiable"), exit_violation);
+  EXPECT_EQ(with_claims_of("P2b", "P1b"), exit_violation);
+}
+// Of an external recovery it is not known where it leads, whatever is claimed.
+TEST_F(Recheck, NothingShowsWhereAnExternalRecoveryLeads) {
+  write("certificates/sources/spec.rta",
+        edited(edited(drone_spec(), "= retreat within room speed 0.3 m/s",
+                      "extern keeps inside inner speed <= 0.5 m/s"),
+               "monitor walls", "zone inner = shrink(room, 10 cm);\nmonitor walls"));
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_violation);
+  EXPECT_NE((o.out + o.err).find("of where `back_off` leads nothing is known"), std::string::npos)
+      << o.out << o.err;
+}
+// How much further ahead the return looks is not what some other entry says.
+TEST_F(Recheck, TheReturnLooksAsFarAsIsDeclared) {
+  // from rest it may reach 0.269 m/s before a recovery acts, a period of the return included
+  const std::string calm = edited(
+      edited(edited(drone_spec(), "speed 0.3 m/s", "speed 0.2 m/s"), "decision fly",
+             "monitor calm for d : Drone { \"SR-2: slow\" always d.speed <= 0.35 m/s; recover "
+             "back_off; }\ndecision fly"),
+      "priority walls;", "priority walls > calm;");
+  ASSERT_EQ(verified(calm, {"-o", "certificates"}).status, exit_clean);
+  write("certificates/sources/spec.rta",
+        edited(calm, "d.speed <= 0.35 m/s", "d.speed <= 0.26 m/s"));
+  Json report = Json::parse(read("certificates/verification.json"));
+  for (Json& o : report["decisions"][0]["obligations"]) {
+    if (o["obligation"] != "P3") continue;
+    o["status"] = "unknown";
+    for (Json& c : o["claims"]) {
+      if (c["claim"] == "return") c["extra_us"] = "-100000";
+    }
+  }
+  const Outcome o = rechecked_with(report);
+  EXPECT_EQ(o.status, exit_violation);
+  EXPECT_NE((o.out + o.err).find("P2b of `calm`"), std::string::npos) << o.out << o.err;
 }
 
 // Nobody has acknowledged anything.
