@@ -348,7 +348,7 @@ TEST_F(Recheck, TheReturnLooksAsFarAsIsDeclared) {
       "priority walls;", "priority walls > calm;");
   ASSERT_EQ(verified(calm, {"-o", "certificates"}).status, exit_clean);
   write("certificates/sources/spec.rta",
-        edited(calm, "d.speed <= 0.35 m/s", "d.speed <= 0.26 m/s"));
+        edited(calm, "d.speed <= 0.35 m/s", "d.speed <= 0.25 m/s"));
   Json report = Json::parse(read("certificates/verification.json"));
   for (Json& o : report["decisions"][0]["obligations"]) {
     if (o["obligation"] != "P3") continue;
