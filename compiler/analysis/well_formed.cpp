@@ -280,7 +280,8 @@ class WellFormed {
         2 * (clearance_mm - std::max<std::int64_t>(best_mm, 0) + hidden_mm);
     const auto others = repairs(of.spec, of.written, [&](const Trial& t) {
       const Rational speed(static_cast<long>(way.speed_mmps), 1000);
-      const ir::Motion motion = recovery_motion(t.kind, t.decision.body, way.name, speed, t.decision.period_us);
+      const ir::Motion motion =
+          recovery_motion(t.kind, t.decision.body, way.name, speed, t.decision.period_us);
       const std::int64_t need_mm = std::max(cruise_clearance_mm(t.decision, motion, t.lookahead_us),
                                             return_clearance_mm(t.decision, t.lookahead_us));
       return need_mm + standoff_mm(of.decision, way) <= best_mm;

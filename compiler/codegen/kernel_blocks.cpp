@@ -216,7 +216,9 @@ std::string BlockPrinter::call(const Value& v, const Block& block) {
     std::string operator()(const EnergyTo& e) const {
       return p.use("energy_now", cells(e.site) + ", &v->self, &BODY, v->m");
     }
-    std::string operator()(const Speed&) const { return p.use("speed_now", "&v->self, &BODY, v->m"); }
+    std::string operator()(const Speed&) const {
+      return p.use("speed_now", "&v->self, &BODY, v->m");
+    }
     std::string operator()(const Add& a) const {
       return p.use("span_add", ref(a.a) + ", " + ref(a.b));
     }
