@@ -217,6 +217,7 @@ class Check {
                         : "");
       zones.erase(c.values.count("zone") != 0 ? c.values.at("zone") : "");
     }
+    if (places.empty()) need(d, e, "no_fences");
     const bool asked = std::any_of(d.priority.begin(), d.priority.end(), [&](sema::MonitorId id) {
       return spec_[id].return_when != nullptr;
     });

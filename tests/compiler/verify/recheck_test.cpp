@@ -327,6 +327,19 @@ TEST_F(Recheck, ClaimsOfAnotherKindAreNoProof) {
   EXPECT_EQ(with_claims_of("joint return", "satisfiable"), exit_violation);
   EXPECT_EQ(with_claims_of("P2b", "P1b"), exit_violation);
 }
+// Nor does nothing at all.
+TEST_F(Recheck, WhereNoZoneIsAskedForThatIsClaimed) {
+  const std::string calm =
+      edited(edited(drone_spec(), "clearance(d, room) >= 10 cm", "d.speed <= 0.5 m/s"),
+             "ahead   100 ms, 2 waypoints;", "");
+  const Outcome o = verified(calm, {"--format", "json", "-o", "certificates"});
+  ASSERT_EQ(statuses(o.out, "joint return", ""), Statuses{"proved"}) << o.out << o.err;
+  Json report = Json::parse(read("certificates/verification.json"));
+  for (Json& each : report["decisions"][0]["obligations"]) {
+    if (each["obligation"] == "joint return") each["claims"] = Json::array();
+  }
+  EXPECT_EQ(rechecked_with(report).status, exit_violation);
+}
 // Of an external recovery it is not known where it leads, whatever is claimed.
 TEST_F(Recheck, NothingShowsWhereAnExternalRecoveryLeads) {
   write("certificates/sources/spec.rta",
