@@ -11,6 +11,7 @@
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sight.h"
+#include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 

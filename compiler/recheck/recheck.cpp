@@ -173,7 +173,7 @@ class Check {
     const sema::Monitor* const m = monitor(d, e.monitor);
     if (m == nullptr) return fail(whom(d, e) + ": there is no such monitor");
     if (e.kind == "P2a") return keeps(d, e, *m);
-    if (e.kind == "P2b") return returns(d, e, *m, part);
+    if (e.kind == "P2b") return returns(d, e, *m);
     if (e.kind == "P3") {
       need(d, e, "limits");
       need(d, e, "return", of_monitor);
@@ -335,7 +335,7 @@ class Check {
     }
     return 0;
   }
-  void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m, const Part& part) {
+  void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
     if (m.recover) follows(d, e, spec_[*m.recover]);
     if (m.recover && sema::claim_of(spec_[*m.recover]) && sema::speaks_of_robot(*m.always)) {
