@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
 
 namespace rtac::analysis {
@@ -291,35 +292,15 @@ Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decis
 
 namespace {
 
-// From corner to corner of the box around a zone, and of one with heights as much again as it is
-// high, in mm: the longest level leg and the longest one up or down.
-std::int64_t longest_legs_mm(const ir::Module& module, const ir::ZoneTable& zone) {
-  std::int64_t low_x = INT64_MAX, high_x = INT64_MIN, low_y = INT64_MAX, high_y = INT64_MIN;
-  const auto hold = [&](const ir::ZoneTable& table) {
-    for (const ir::Edge& e : table.edges) {
-      low_x = std::min<std::int64_t>(low_x, e.ax);
-      high_x = std::max<std::int64_t>(high_x, e.ax);
-      low_y = std::min<std::int64_t>(low_y, e.ay);
-      high_y = std::max<std::int64_t>(high_y, e.ay);
-    }
-  };
-  if (!zone.has_height()) {
-    hold(zone);
-    return high_x - low_x + high_y - low_y;
-  }
-  for (const auto& slab : zone.slabs) hold(module[slab.base]);
-  return high_x - low_x + high_y - low_y + zone.slabs.back().ceiling_mm -
-         zone.slabs.front().floor_mm;
-}
-
 // What moves in space goes up or down and on a level straight to where there is room, as far as
 // such legs lead there (verify: legs_back); to circle there it goes on to where that has room, too.
 std::optional<Rational> seconds_of_legs(const sema::RobotKind& kind, const ir::Module& module,
                                         const ir::Decision& decision, const ir::Recovery& last) {
   const int looks = last.kind == ir::RecoveryKind::loiter ? 2 : 1;
   const Rational speed(static_cast<long>(last.speed_mmps), 1000);
-  return legs_seconds(kind, speed, decision.period_us, 2 * looks,
-                      looks * longest_legs_mm(module, module[last.zone]));
+  // no longer than its box is high, and than that is wide and deep together
+  const auto [dx, dy, up] = extent_of(module, module[last.zone]);
+  return legs_seconds(kind, speed, decision.period_us, 2 * looks, looks * (dx + dy + up));
 }
 
 // Over cells; it begins where it stands, beside the centre of one (connector_reach_m of the

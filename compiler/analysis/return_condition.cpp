@@ -8,6 +8,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/site_room.h"
+#include "compiler/analysis/tables.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
 #include "compiler/support/words.h"
@@ -76,19 +77,6 @@ bool is_never_at_all(const ir::Decision& decision, const ir::Block& block, ir::V
   if (const auto* v = std::get_if<ir::Or>(&op)) return is(v->a) && is(v->b);
   return is_never(decision, block, id);
 }
-
-// Of the box around zones of the plane.
-struct Sides {
-  std::int64_t low_x = INT64_MAX, high_x = INT64_MIN, low_y = INT64_MAX, high_y = INT64_MIN;
-  void hold(const ir::ZoneTable& zone) {
-    for (const ir::Edge& e : zone.edges) {
-      low_x = std::min<std::int64_t>(low_x, e.ax);
-      high_x = std::max<std::int64_t>(high_x, e.ax);
-      low_y = std::min<std::int64_t>(low_y, e.ay);
-      high_y = std::max<std::int64_t>(high_y, e.ay);
-    }
-  }
-};
 
 class Judge {
  public:
@@ -342,15 +330,7 @@ class Judge {
   }
   // From corner to corner of the box around the zone, rounded down to the grid of distances.
   std::int64_t diameter_mm(const ir::ZoneTable& zone) const {
-    Sides box;
-    std::int64_t up = 0;
-    if (zone.has_height()) {
-      for (const auto& slab : zone.slabs) box.hold(module_[slab.base]);
-      up = std::int64_t{zone.slabs.back().ceiling_mm} - zone.slabs.front().floor_mm;
-    } else {
-      box.hold(zone);
-    }
-    const std::int64_t dx = box.high_x - box.low_x, dy = box.high_y - box.low_y;  // 2^30 at most
+    const auto [dx, dy, up] = extent_of(module_, zone);  // 2^30 at most
     std::int64_t low = 0, high = dx + dy + up;
     while (low < high) {
       const std::int64_t middle = low + (high - low + 1) / 2;
