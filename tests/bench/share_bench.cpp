@@ -1,6 +1,7 @@
 // What is left of the time to an advanced controller that drives at the fence, in the reference
 // experiment of the theory, whose own shares stand beside: under any control and where its commands
-// are judged, too, against the same adversaries.
+// are judged, too, against the same adversaries; and what the theory's own design leaves to the one
+// that always pushes.
 #include "shares.h"
 
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <iostream>
 #include <string>
 
+#include "reference_design.h"
 #include "tests/bench/benchmarks.h"
 
 namespace rtac::bench {
@@ -63,6 +65,13 @@ bool measure_shares(const Effort& effort, Report& report) {
   const Series all[] = {{true, false, false}, {true, true, false}, {false, false, false},
                         {false, true, false}, {true, false, true}, {true, true, true}};
   bool good = true;
+  report.section("Share of the advanced controller, design of the theory, every 50 ms, push-at-fence");
+  for (const campaign::TheoryRow& theory : campaign::theory_shares()) {
+    const campaign::Left left = campaign::left_by_the_reference(theory.delta_ms, 50, 4, 600);
+    char what[80];
+    std::snprintf(what, sizeof what, "\u0394 = %.2f s", theory.delta_ms / 1e3);
+    report.add("share_reference_" + std::to_string(theory.delta_ms), what, left.percent, "%", 1);
+  }
   for (const Series& s : all) {
     report.section(title_of(s));
     for (const char* adversary : {"push-at-fence", "chase-fence"}) {

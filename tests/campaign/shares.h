@@ -11,6 +11,7 @@ namespace rtac::campaign {
 struct TheoryRow {
   int delta_ms;
   double brake, retreat;
+  double clearance_m;  // the least of the retreat; less than none: nothing to measure
 };
 const std::vector<TheoryRow>& theory_shares();
 
