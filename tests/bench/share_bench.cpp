@@ -65,7 +65,8 @@ bool measure_shares(const Effort& effort, Report& report) {
   const Series all[] = {{true, false, false}, {true, true, false}, {false, false, false},
                         {false, true, false}, {true, false, true}, {true, true, true}};
   bool good = true;
-  report.section("Share of the advanced controller, design of the theory, every 50 ms, push-at-fence");
+  report.section(
+      "Share of the advanced controller, design of the theory, every 50 ms, push-at-fence");
   for (const campaign::TheoryRow& theory : campaign::theory_shares()) {
     const campaign::Left left = campaign::left_by_the_reference(theory.delta_ms, 50, 4, 600);
     char what[80];

@@ -27,10 +27,10 @@ TEST(Shares, OfARetreatAreThoseOfTheTheory) {
   }
 }
 
-// The theory's own design comes as near to the wall as is told of it. Its share against an adversary
-// that always pushes is what that leaves to anybody; the generated decision, which looks further
-// ahead for what the reference leaves out (the tube of the sampled brake, a late decision), has nine
-// tenths of it.
+// The theory's own design comes as near to the wall as is told of it. Its share against an
+// adversary that always pushes is what that leaves to anybody; the generated decision, which looks
+// further ahead for what the reference leaves out (the tube of the sampled brake, a late decision),
+// has nine tenths of it.
 TEST(Shares, OfWhoAlwaysPushesAreNearlyThoseOfTheReferenceDesign) {
   constexpr double most_percent = 50, start_percent = 1;  // A = b
   for (const TheoryRow& theory : theory_shares()) {
