@@ -149,9 +149,14 @@ class FencedOut {
   }
 
  private:
+  // The monitor that lets none be there, and by how much the place is out of what it allows.
+  struct Barred {
+    sema::MonitorId by;
+    double short_m = 0;
+  };
   // A recovery leads there, and a monitor that outranks it takes over before it arrives.
   struct Stopped {
-    sema::MonitorId by;
+    Barred by;
     const sema::Controller* recovery;
   };
   [[nodiscard]] std::optional<Stopped> on_the_way(sema::SiteId id, const sema::Site::Place& place,
@@ -168,22 +173,25 @@ class FencedOut {
         for (std::size_t j = 0; j < k; ++j) {
           const sema::MonitorId by = decision.priority[j];
           // as its own property, what it recovers for leads out of its zone (5016)
-          if (spec_[by].recover == recover || !lets_none_be(by, place, kind, 0)) continue;
-          return Stopped{by, &spec_[*recover]};
+          if (spec_[by].recover == recover) continue;
+          if (const auto short_m = short_of(by, place, kind, 0)) {
+            return Stopped{{by, *short_m}, &spec_[*recover]};
+          }
         }
       }
     }
     return std::nullopt;
   }
-  [[nodiscard]] bool lets_none_be(sema::MonitorId monitor, const sema::Site::Place& place,
-                                  sema::KindId kind, double within_m) const {
-    return is_outside({place.position.x, place.position.y}, *spec_[monitor].always,
-                      spec_[kind].radius.value.get_d(), within_m);
+  [[nodiscard]] std::optional<double> short_of(sema::MonitorId monitor,
+                                               const sema::Site::Place& place, sema::KindId kind,
+                                               double within_m) const {
+    return short_of({place.position.x, place.position.y}, *spec_[monitor].always,
+                    spec_[kind].radius.value.get_d() - within_m);
   }
   // Nobody charges there; it is for whoever gets there.
-  [[nodiscard]] std::optional<sema::MonitorId> against_all(sema::SiteId id,
-                                                           const sema::Site::Place& place) const {
-    std::optional<sema::MonitorId> fence;
+  [[nodiscard]] std::optional<Barred> against_all(sema::SiteId id,
+                                                  const sema::Site::Place& place) const {
+    std::optional<Barred> fence;
     for (const sema::KindId kind : kinds_for(place)) {
       fence = is_routed_to(id, kind) ? std::nullopt : against(place, kind);
       if (!fence) return std::nullopt;
@@ -208,61 +216,75 @@ class FencedOut {
     });
   }
   // The first monitor that never lets a robot of the kind be there.
-  [[nodiscard]] std::optional<sema::MonitorId> against(const sema::Site::Place& place,
-                                                       sema::KindId kind) const {
+  [[nodiscard]] std::optional<Barred> against(const sema::Site::Place& place,
+                                              sema::KindId kind) const {
     for (const sema::Decision& decision : spec_.decisions) {
       if (decision.kind != kind) continue;
       for (const sema::MonitorId id : decision.priority) {
-        if (lets_none_be(id, place, kind, charges_within_m)) return id;
+        if (const auto short_m = short_of(id, place, kind, charges_within_m)) {
+          return Barred{id, *short_m};
+        }
       }
     }
     return std::nullopt;
   }
-  // No place so near to `p` has what the property asks for: its clearance would be more than that
-  // of `p` by no more than that.
-  [[nodiscard]] bool is_outside(const geometry::Point& p, const sema::Expr& always, double radius_m,
-                                double within_m) const {
+  // How far from `p` at least the next place is that has what the property asks for, with `needs_m`
+  // of room around it; none: it may be nearer than that room.
+  [[nodiscard]] std::optional<double> short_of(const geometry::Point& p, const sema::Expr& always,
+                                               double needs_m) const {
     if (const auto* logic = std::get_if<sema::Logic>(&always.node)) {
-      const auto outside = [&](const auto& operand) {
-        return is_outside(p, *operand, radius_m, within_m);
-      };
-      if (logic->op == sema::LogicOp::logical_and) {
-        return std::ranges::any_of(logic->operands, outside);
-      }
-      return logic->op == sema::LogicOp::logical_or &&
-             std::ranges::all_of(logic->operands, outside);
+      return short_of(p, *logic, needs_m);
     }
     const std::optional<Fence> fence = fence_of(always);
-    if (!fence || spec_[fence->zone].has_height) return false;  // a site has none
+    if (!fence || spec_[fence->zone].has_height) return std::nullopt;  // a site has none
     const auto region = region_of_(fence->zone);
-    if (!region) return false;
+    if (!region) return std::nullopt;
     const double clear_m = distance_m(p, *region) * (region->contains(p) ? 1 : -1);
-    return clear_m + within_m + rounding_m < fence->least_m + radius_m;
+    const double short_m = fence->least_m + needs_m - clear_m;
+    return short_m > rounding_m ? std::optional(short_m) : std::nullopt;
+  }
+  // All operands of `and` are needed, and one of `or`.
+  [[nodiscard]] std::optional<double> short_of(const geometry::Point& p, const sema::Logic& logic,
+                                               double needs_m) const {
+    const bool all = logic.op == sema::LogicOp::logical_and;
+    if (!all && logic.op != sema::LogicOp::logical_or) return std::nullopt;
+    std::optional<double> found;
+    for (const auto& operand : logic.operands) {
+      const auto short_m = short_of(p, *operand, needs_m);
+      if (!short_m && !all) return std::nullopt;
+      if (!short_m) continue;
+      found = !found ? *short_m : (all ? std::max(*found, *short_m) : std::min(*found, *short_m));
+    }
+    return found;
   }
   void report(const sema::Site& site, const sema::Site::Place& place, const Stopped& stopped) {
-    const sema::Monitor& monitor = spec_[stopped.by];
+    const sema::Monitor& monitor = spec_[stopped.by.by];
     diagnostics_.report({diag::Code::site_outside_zone,
                          place.range,
                          name_of(spec_, site, place) + ", where `" + stopped.recovery->name +
                              "` leads, lies where `" + monitor.name + "` lets none be",
-                         "out of reach",
+                         out_of_reach(stopped.by),
                          {{monitor.always_range, "robots are kept in here, before anything else"}},
                          "move it inside, as far as the body needs",
                          {}});
   }
-  void report(const sema::Site& site, const sema::Site::Place& place, sema::MonitorId by,
+  void report(const sema::Site& site, const sema::Site::Place& place, const Barred& barred,
               bool charges) {
-    const sema::Monitor& monitor = spec_[by];
+    const sema::Monitor& monitor = spec_[barred.by];
     const std::string use = charges ? ", where `" + spec_[monitor.kind].name + "` charges," : "";
     diagnostics_.report(
         {charges ? diag::Code::charge_behind_fence : diag::Code::site_behind_fence,
          place.range,
          name_of(spec_, site, place) + use + " lies where `" + monitor.name + "` lets none be",
-         "out of reach",
+         out_of_reach(barred),
          {{monitor.always_range, "robots are kept in here"}},
          "move it inside, as far as the body needs" +
              std::string(charges ? "" : ", or leave it out"),
          {}});
+  }
+
+  static std::string out_of_reach(const Barred& barred) {
+    return "out of reach: by " + millimetres_up(barred.short_m);
   }
 
   const sema::Spec& spec_;
