@@ -76,10 +76,6 @@ const ir::Monitor* drives_instead(const ir::Decision& d, std::size_t k) {
 // "": nothing else than the other one of two robots in the plane keeps control from coming back.
 std::string more_than_two(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
-  if (const ir::Monitor* other = drives_instead(s.decision, k)) {
-    return "where " + quoted(other->name) + " is engaged as well, " + quoted(other->recovery.name) +
-           " may drive, which makes no room for others";
-  }
   if (!only_apart(m.property, m.property.result, s.decision.facts.params)) {
     return quoted(m.name) + " asks for more than a distance from all other robots";
   }
@@ -92,6 +88,23 @@ std::string more_than_two(const Subject& s, std::size_t k) {
   return "";
 }
 
+// "": of two robots that hold one always finds a way.
+std::string no_way(const ir::ZoneTable& zone, const ir::Recovery& yield,
+                   const geometry::PartingQuery& query) {
+  const geometry::Parting found =
+      geometry::parting(analysis::edges_of(zone), analysis::grid_of(zone), query);
+  if (found.how == geometry::Parting::How::too_large) {
+    return quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
+           "that one of two robots finds a way out of the other's is not shown";
+  }
+  if (found.how == geometry::Parting::How::stuck) {
+    return "robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
+           " in " + quoted(zone.name) + " may both find no way to a distance of " +
+           metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one";
+  }
+  return "";
+}
+
 }  // namespace
 
 Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
@@ -100,24 +113,20 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.status = Status::unknown;
   o.method = "no proof";
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
-  if (const std::string more = more_than_two(s, k); !more.empty()) {
-    o.because = more + "; " + room_to_pass(s, yield);
-    return o;
-  }
   const geometry::PartingQuery query = query_of(s.decision.body, yield);
-  const geometry::Parting found =
-      geometry::parting(analysis::edges_of(zone), analysis::grid_of(zone), query);
-  if (found.how == geometry::Parting::How::too_large) {
-    o.because = quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
-                "that one of two robots finds a way out of the other's is not shown";
+  const std::string more = more_than_two(s, k);
+  if (const ir::Monitor* other = drives_instead(s.decision, k)) {
+    const std::string found = more.empty() ? no_way(zone, yield, query) : more;
+    o.because = "where " + quoted(other->name) + " is engaged as well, " +
+                quoted(other->recovery.name) + " may drive, which makes no room for others";
+    if (!more.empty()) o.because += "; " + more;
+    if (found.empty() && !s.decision.coordinated) {
+      o.repair = quoted(o.monitor) + " ranked above " + quoted(other->name) + "; or " + o.repair;
+    }
     return o;
   }
-  if (found.how == geometry::Parting::How::stuck) {
-    o.because = "robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
-                " in " + quoted(zone.name) + " may both find no way to a distance of " +
-                metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one";
-    return o;
-  }
+  o.because = more.empty() ? no_way(zone, yield, query) : more + "; " + room_to_pass(s, yield);
+  if (!o.because.empty()) return o;
   o.status = Status::proved;
   o.method = "ways over cells";
   o.because = "of two robots that hold in " + quoted(zone.name) +

@@ -224,6 +224,19 @@ TEST_F(MakingRoom, WhereAnotherRecoveryMayDriveNothingIsShown) {
         << again.out << again.err;
   }
 }
+// That another order would do is said where it does, and not where nothing would be shown either.
+TEST_F(MakingRoom, TheOrderThatWorksIsOffered) {
+  const auto repair = [&](const std::string& zone, const char* order) {
+    return room(edited(halls_with(zone), "priority apart > fence;", order))["repair"]
+        .get<std::string>();
+  };
+  const std::string offered = "`apart` ranked above `fence`";
+  const std::string hall = "rectangle (0 m, 0 m) to (6 m, 4 m)";
+  EXPECT_EQ(repair(hall, "priority fence > apart;").find(offered), 0U);
+  EXPECT_EQ(repair(hall, "coordinate fence > apart;").find(offered), std::string::npos);
+  const std::string aisle = "rectangle (0 m, 0 m) to (20 m, 2.5 m)";
+  EXPECT_EQ(repair(aisle, "priority fence > apart;").find(offered), std::string::npos);
+}
 // What a certificate says of it is held against the specification.
 TEST_F(MakingRoom, AMutatedCertificateIsNoticed) {
   ASSERT_EQ(room(halls_with("rectangle (0 m, 0 m) to (6 m, 4 m)"))["status"], "proved");
