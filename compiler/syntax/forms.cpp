@@ -33,6 +33,7 @@ constexpr Construct kConstructs[] = {
 constexpr std::string_view kMonitorOfSignals =
     "monitor calm { \"R1: it drives slowly\" always speed <= 1 m/s; }";
 constexpr std::string_view kAggregate = "mean[0 s, 1 s](speed)";
+constexpr std::string_view kZones = "zone free = shrink(room, 30 cm) - pillar;";
 constexpr Construct kTemplates[] = {
     {T::RETREAT, "retreat within free speed 0.1 m/s"},
     {T::ROUTE, "route to dock within free speed 0.1 m/s"},
@@ -116,6 +117,8 @@ std::string_view construct_form(const std::vector<Token>& tokens, std::size_t be
   const bool in_controller = tokens[begin].kind == T::CONTROLLER;
   if (in_controller && error.expects(T::THEN)) return find_text(kTemplates, T::SEQUENCE);
   if (error.expects(T::THEN) || error.expects(T::ELSE)) return find_text(kConstructs, T::IF);
+  // behind a zone that is complete
+  if (tokens[begin].kind == T::ZONE && error.expects(T::AMPERSAND)) return kZones;
   if (error.expects(T::PLUS)) {
     if (error.expects(T::IN)) return find_text(kConstructs, T::LET);
     return window_form(tokens, begin, error.index);

@@ -58,6 +58,8 @@ std::string help_of(const std::string& text) {
 TEST(Forms, AreThoseOfTheMistake) {
   EXPECT_EQ(help_of("zone z = ;"), "the form is `zone room = rectangle (0 m, 0 m) to (5 m, 5 m);`");
   EXPECT_EQ(help_of("zone z = circle (1 m, 1 m) ;"), "the form is `circle (1 m, 1 m) radius 2 m`");
+  EXPECT_EQ(help_of("zone z = room minus pillar;"),
+            "the form is `zone free = shrink(room, 30 cm) - pillar;`");
   EXPECT_EQ(help_of("controller c : safe for Cart = route ;"),
             "the form is `route to dock within free speed 0.1 m/s`");
   EXPECT_EQ(help_of("robot Cart {\n  latency ;\n}"), "the form is `latency 40 ms;`");
