@@ -319,16 +319,17 @@ class Search {
     const TimeUs apart_us = heard ? 0 : oracle_.velocity_age_us() - oracle_.position_age_us();
     const double age_s = static_cast<double>(age_us) / us_per_s;
     return worst_paths(d_.limits, {robot, normal, -age_s, age_s + ahead_s,
-                                   static_cast<double>(apart_us) / us_per_s});
+                                   static_cast<double>(apart_us) / us_per_s, d_.period_us});
   }
   // Nothing was sent before, and the proposal acts from the decision on.
   [[nodiscard]] WorstPaths told(const Moving& robot, const Wall& wall) const {
     const auto seconds = [](TimeUs us) { return static_cast<double>(us) / us_per_s; };
     const double age_s = seconds(oracle_.position_age_us());
-    return worst_paths_told(d_.limits,
-                            {robot, wall.normal, -age_s, age_s + seconds(horizon_us()),
-                             seconds(oracle_.velocity_age_us() - oracle_.position_age_us())},
-                            proposed(wall));
+    return worst_paths_told(
+        d_.limits,
+        {robot, wall.normal, -age_s, age_s + seconds(horizon_us()),
+         seconds(oracle_.velocity_age_us() - oracle_.position_age_us()), d_.period_us},
+        proposed(wall));
   }
   // The least margin along a motion of the first robot, and of the one that it meets. An agent
   // comes against the normal, from as near as it may have been, until the robot stands.
@@ -345,7 +346,7 @@ class Search {
       const double time_s = begin_s + (end_s - begin_s) * k / looks;
       places.front() = path.at(time_s);
       if (others != nullptr) places[met()] = others->at(time_s);
-      if (agent_ >= 0) come(seen, normal, time_s);
+      if (agent_ >= 0) come(seen, normal, std::min(time_s, path.still_s));
       least = std::min(least, margin_m(places));
     }
     agents_ = seen;

@@ -43,13 +43,28 @@ Track::Track(const Frame& frame, const ReachProblem& problem, const WorstCase& m
   end_s_ = begin_s_ + brake_s_ + norm(velocities_.back()) / brake_mps2_;
 }
 
+std::pair<std::size_t, double> Track::since_knot(double time_s) const {
+  const double t = std::min(time_s - begin_s_, brake_s_);
+  if (t <= 0 || places_.size() < 2) return {0, std::min(t, 0.0)};
+  const auto k = std::min(places_.size() - 2, static_cast<std::size_t>(t / step_s_));
+  return {k, t - step_s_ * static_cast<double>(k)};
+}
+
+Vec3 Track::free_place(double time_s) const {
+  const auto [k, s] = since_knot(time_s);
+  const double pushed_s = std::max(s, 0.0);
+  return frame_.at(places_[k] + s * velocities_[k] + (pushed_s * pushed_s / 2) * pushes_[k]);
+}
+
+Vec3 Track::free_velocity(double time_s) const {
+  const auto [k, s] = since_knot(time_s);
+  const Vec2 v = velocities_[k] + std::max(s, 0.0) * pushes_[k];
+  return v.x * frame_.across + v.y * frame_.aside;
+}
+
 Vec3 Track::at(double time_s) const {
   const double t = std::max(0.0, time_s - begin_s_);
-  if (t < brake_s_) {
-    const auto k = std::min(places_.size() - 2, static_cast<std::size_t>(t / step_s_));
-    const double s = t - step_s_ * static_cast<double>(k);
-    return frame_.at(places_[k] + s * (velocities_[k] + (s / 2) * pushes_[k]));
-  }
+  if (t < brake_s_) return free_place(std::max(time_s, begin_s_));
   const Vec2 v = velocities_.back();
   const double speed = norm(v);
   if (speed <= 0) return frame_.at(places_.back());

@@ -1,6 +1,8 @@
 // Where a robot is in the course of a motion that was searched for.
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "rtac/optimize/worst_case.h"
@@ -23,9 +25,16 @@ class Track {
   // `begin_s`: on the clock of who asks.
   Track(const Frame& frame, const ReachProblem& problem, const WorstCase& motion, double begin_s);
   [[nodiscard]] Vec3 at(double time_s) const;
+  // Up to when the brake acts; before it begins it has come straight.
+  [[nodiscard]] Vec3 free_place(double time_s) const;
+  [[nodiscard]] Vec3 free_velocity(double time_s) const;
   [[nodiscard]] double end_s() const { return end_s_; }
+  [[nodiscard]] double brake_s() const { return begin_s_ + brake_s_; }
 
  private:
+  // The knot before, and the time since it, in s.
+  [[nodiscard]] std::pair<std::size_t, double> since_knot(double time_s) const;
+
   Frame frame_;
   std::vector<Vec2> places_, velocities_, pushes_;
   double step_s_, begin_s_, brake_mps2_, brake_s_, end_s_;

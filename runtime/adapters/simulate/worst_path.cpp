@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "rtac/optimize/worst_case.h"
 #include "rtac/optimize/worst_unicycle.h"
+#include "sampled_stop.h"
 #include "track.h"
 
 namespace rtac::simulate {
@@ -14,9 +17,15 @@ namespace {
 
 constexpr int restarts = 60, starts = 3;
 
-WorstPath path_of(Track track, const char* by) {
+// Stopped by an ideal brake, and by its pilot.
+void add(WorstPaths& to, const RobotLimits& limits, const Push& push, Track track, const char* by) {
+  const FreeMotion free{[track](double time_s) { return track.free_place(time_s); },
+                        [track](double time_s) { return track.free_velocity(time_s); },
+                        track.brake_s()};
+  to.paths.push_back(sampled_stop(limits, push.period_us, free, push.normal, by));
   const double end_s = track.end_s();
-  return {[track = std::move(track)](double time_s) { return track.at(time_s); }, end_s, by};
+  to.paths.push_back(
+      {[track = std::move(track)](double time_s) { return track.at(time_s); }, end_s, end_s, by});
 }
 
 // Every stretch is straight between two places: no farther than the motion itself.
@@ -30,7 +39,7 @@ WorstPath path_of(UnicycleMotion motion, double begin_s, const char* by) {
     const Vec2 p = a + (s - static_cast<double>(k)) * (b - a);
     return Vec3{p.x, p.y, 0};
   };
-  return {at, end_s, by};
+  return {at, end_s, end_s, by};
 }
 
 WorstPaths of_unicycle(const RobotLimits& l, const Push& push) {
@@ -90,16 +99,55 @@ WorstPaths of_point(const RobotLimits& l, const Push& push) {
   found.searches = starts;
   const WorstCase searched = worst_case(q);
   if (searched.status == SearchStatus::converged) {
-    found.paths.push_back(path_of({frame, q, searched, push.begin_s}, "Ipopt"));
+    add(found, l, push, {frame, q, searched, push.begin_s}, "Ipopt");
   } else {
     found.failures = starts;
   }
   const WorstCase drawn = worst_case_by_restarts(q, restarts);
   if (!drawn.positions_m.empty()) {
-    found.paths.push_back(path_of({frame, q, drawn, push.begin_s}, "restarts"));
+    add(found, l, push, {frame, q, drawn, push.begin_s}, "restarts");
   }
   return found;
 }
+
+// What a point mass does that is told so, and pushed along the normal by all errors. A speed that
+// saturates is projected onto what is allowed. Each piece is straight, at the mean of its
+// velocities, so that no more than the acceleration changes them.
+class ToldCourse {
+ public:
+  ToldCourse(const RobotLimits& l, const Push& push, Vec3 command_mps2)
+      : begin_s_(push.begin_s), step_s_(push.free_s / pieces) {
+    const auto capped = [&](Vec3 v) {
+      const double size = norm(v);
+      return size > l.speed_mps ? (l.speed_mps / size) * v : v;
+    };
+    const Vec3 error = l.disturbance_mps2 * push.normal;
+    places_.push_back(push.robot.position + l.position_error_m * push.normal);
+    velocities_.push_back(
+        capped(push.robot.velocity + l.velocity_error_mps * push.normal + push.apart_s * error));
+    for (int k = 0; k < pieces; ++k) {
+      const bool told = begin_s_ + k * step_s_ >= 0;
+      const Vec3 v = velocities_.back();
+      const Vec3 next = capped(v + step_s_ * (told ? command_mps2 + error : error));
+      places_.push_back(places_.back() + (step_s_ / 2) * (v + next));
+      velocities_.push_back(next);
+    }
+  }
+  [[nodiscard]] Vec3 place(double time_s) const { return between(places_, time_s); }
+  [[nodiscard]] Vec3 velocity(double time_s) const { return between(velocities_, time_s); }
+
+ private:
+  static constexpr int pieces = 1000;
+
+  [[nodiscard]] Vec3 between(const std::vector<Vec3>& all, double time_s) const {
+    const double at = std::clamp((time_s - begin_s_) / step_s_, 0.0, double{pieces});
+    const auto k = std::min(static_cast<std::size_t>(at), all.size() - 2);
+    return all[k] + (at - static_cast<double>(k)) * (all[k + 1] - all[k]);
+  }
+
+  double begin_s_, step_s_;
+  std::vector<Vec3> places_, velocities_;
+};
 
 }  // namespace
 
@@ -113,40 +161,22 @@ WorstPaths worst_paths(const RobotLimits& limits, const Push& push) {
   return limits.unicycle ? of_unicycle(limits, push) : of_point(limits, push);
 }
 
-// A speed that saturates is projected onto what is allowed. Each piece is straight, at the mean of
-// its velocities, so that no more than the acceleration changes them.
 WorstPaths worst_paths_told(const RobotLimits& l, const Push& push, Vec3 command_mps2) {
-  constexpr int pieces = 1000;
-  const auto capped = [&](Vec3 v) {
-    const double size = norm(v);
-    return size > l.speed_mps ? (l.speed_mps / size) * v : v;
-  };
-  const Vec3 error = l.disturbance_mps2 * push.normal;
-  const double step_s = push.free_s / pieces, brake_mps2 = l.brake_mps2 - l.disturbance_mps2;
-  std::vector<Vec3> places{push.robot.position + l.position_error_m * push.normal};
-  Vec3 v = capped(push.robot.velocity + l.velocity_error_mps * push.normal + push.apart_s * error);
-  for (int k = 0; k < pieces; ++k) {
-    const bool told = push.begin_s + k * step_s >= 0;
-    const Vec3 next = capped(v + step_s * (told ? command_mps2 + error : error));
-    places.push_back(places.back() + (step_s / 2) * (v + next));
-    v = next;
-  }
-  const double begin_s = push.begin_s, brake_s = begin_s + push.free_s;
-  const double speed = norm(v), stop_s = speed / brake_mps2;
-  WorstPath path;
-  path.end_s = brake_s + stop_s;
-  path.by = "errors along the normal";
-  path.at = [places = std::move(places), v, begin_s, brake_s, step_s, stop_s](double time_s) {
-    if (time_s >= brake_s) {
-      const double s = std::min(time_s - brake_s, stop_s);
-      return stop_s > 0 ? places.back() + s * (1 - s / (2 * stop_s)) * v : places.back();
-    }
-    const double at = std::max(0.0, time_s - begin_s) / step_s;
-    const auto k = std::min(static_cast<std::size_t>(at), places.size() - 2);
-    return places[k] + (at - static_cast<double>(k)) * (places[k + 1] - places[k]);
+  const auto course = std::make_shared<const ToldCourse>(l, push, command_mps2);
+  const double brake_s = push.begin_s + push.free_s;
+  const FreeMotion free{[course](double time_s) { return course->place(time_s); },
+                        [course](double time_s) { return course->velocity(time_s); }, brake_s};
+  constexpr const char* by = "errors along the normal";
+  const Vec3 from = free.place(brake_s), v = free.velocity(brake_s);
+  const double stop_s = norm(v) / (l.brake_mps2 - l.disturbance_mps2);
+  const auto ideal = [free, from, v, brake_s, stop_s](double time_s) {
+    if (time_s < brake_s) return free.place(time_s);
+    const double s = std::min(time_s - brake_s, stop_s);
+    return stop_s > 0 ? from + s * (1 - s / (2 * stop_s)) * v : from;
   };
   WorstPaths found;
-  found.paths.push_back(std::move(path));
+  found.paths.push_back({ideal, brake_s + stop_s, brake_s + stop_s, by});
+  found.paths.push_back(sampled_stop(l, push.period_us, free, push.normal, by));
   return found;
 }
 

@@ -1,4 +1,5 @@
-// The worst that one robot can do: any control for a while, then its brake.
+// The worst that one robot can do: any control for a while, then its brake, the ideal one as well
+// as that of a pilot which is misled.
 #pragma once
 
 #include <functional>
@@ -12,17 +13,19 @@ namespace rtac::simulate {
 
 // As far along `normal` as it comes.
 struct Push {
-  Moving robot;    // as it was measured
-  Vec3 normal;     // unit vector
-  double begin_s;  // of its position, on the clock of who asks
-  double free_s;   // from then on any control acts, until the brake does
-  double apart_s;  // its velocity was measured so much earlier
+  Moving robot;      // as it was measured
+  Vec3 normal;       // unit vector
+  double begin_s;    // of its position, on the clock of who asks
+  double free_s;     // from then on any control acts, until the brake does
+  double apart_s;    // its velocity was measured so much earlier
+  TimeUs period_us;  // of its decision
 };
 
-// An admissible motion; it stands before it begins and after its end.
+// An admissible motion; it stands before it begins, and comes no farther after its end.
 struct WorstPath {
   std::function<Vec3(double time_s)> at;
   double end_s = 0;
+  double still_s = 0;   // from then on it counts as standing
   const char* by = "";  // "Ipopt", "restarts" or "errors along the normal"
 };
 

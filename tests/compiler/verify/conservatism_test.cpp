@@ -1,6 +1,7 @@
 // `rtac verify --conservatism`: how much of what monitors keep free is needed. The targets are
 // those that a look-ahead has to meet to be worth something; more than all of it is a refutation.
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -76,7 +77,7 @@ TEST_F(ConservatismTest, OfAPointMassInSpace) {
 
 // A measure that cannot refute would say nothing.
 TEST_F(ConservatismTest, UnsoundVariantsAreRefuted) {
-  for (const char* mutant : {"no-radius"}) {
+  for (const char* mutant : {"no-radius", "no-stopping-distance"}) {
     const Outcome o = measured(drone_in_a_room, {"--mutate", mutant});
     EXPECT_EQ(o.status, exit_violation) << mutant << o.out << o.err;
     EXPECT_GT(share(o), 1) << mutant << o.out;
@@ -105,15 +106,18 @@ TEST_F(ConservatismTest, WithoutASimulatorItIsNotMeasured) {
 // Turning, another robot that comes to meet it, agents, and robots that do what they are told; both
 // studies' kind of robot.
 class ConservatismOf : public ConservatismTest, public testing::WithParamInterface<const char*> {};
-INSTANTIATE_TEST_SUITE_P(All, ConservatismOf,
-                         testing::Values("tests/campaign/specs/templates/brake_unicycle.rta",
-                                         "tests/campaign/specs/templates/pair_space.rta",
-                                         "tests/campaign/specs/pair.rta",
-                                         "tests/campaign/specs/templates/agents_space.rta",
-                                         "tests/kernel/agents/strollers.rta",
-                                         "tests/golden/ahead_command/spec.rta",
-                                         "tests/golden/space_command/spec.rta",
-                                         "specs/robot_delivery/robot_delivery.rta"));
+INSTANTIATE_TEST_SUITE_P(
+    All, ConservatismOf,
+    testing::Values("tests/campaign/specs/templates/brake_unicycle.rta",
+                    "tests/campaign/specs/templates/retreat_late.rta",
+                    "tests/campaign/specs/templates/command_space.rta", "examples/gate/gate.rta",
+                    "examples/one_robot/one_robot.rta", "specs/park_survey/park_survey.rta",
+                    "tests/campaign/specs/templates/pair_space.rta",
+                    "tests/campaign/specs/pair.rta",
+                    "tests/campaign/specs/templates/agents_space.rta",
+                    "tests/kernel/agents/strollers.rta", "tests/golden/ahead_command/spec.rta",
+                    "tests/golden/space_command/spec.rta",
+                    "specs/robot_delivery/robot_delivery.rta"));
 TEST_P(ConservatismOf, EveryMonitorThatSpeaksOfLengths) {
   const std::string path = std::string(RTAC_SOURCE_DIR) + "/" + GetParam();
   const Outcome o = rtac({"verify", path, "--conservatism", "--format", "json"});
@@ -138,6 +142,32 @@ TEST_F(ConservatismTest, UnsoundVariantsOfUnicyclesAndPairsAreRefuted) {
   const Json all = Json::parse(o.out)["decisions"][0]["conservatism"];
   EXPECT_GT(all[0]["share"].get<double>(), 1) << all;
   EXPECT_GT(all[1]["share"].get<double>(), 1) << all;
+}
+
+// The pilot that brakes by samples that mislead it comes out of the ideal stop, and of a bound that
+// forgets its tube.
+TEST_F(ConservatismTest, ATubeThatIsForgottenIsRefuted) {
+  const std::string path =
+      std::string(RTAC_SOURCE_DIR) + "/tests/campaign/specs/templates/retreat_point.rta";
+  const Outcome o =
+      rtac({"verify", path, "--conservatism", "--mutate", "no-tube", "--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_GT(share(o), 1) << o.out;
+}
+
+// What the documentation tells of the gate.
+TEST_F(ConservatismTest, OfTheGateIsAsDocumented) {
+  const std::string path = std::string(RTAC_SOURCE_DIR) + "/examples/gate/gate.rta";
+  const Outcome o = rtac({"verify", path, "--conservatism", "--format", "json"});
+  const Json of = Json::parse(o.out)["decisions"][0]["conservatism"][0];
+  std::array<char, 120> line{};
+  std::snprintf(line.data(), line.size(),
+                "conservatism fence  worst found %.3f m of %.3f m (%.2f): %s at %.2f m/s, %.2f s",
+                of["found_m"].get<double>(), of["bound_m"].get<double>(), of["share"].get<double>(),
+                of["by"].get<std::string>().c_str(), of["speed_mps"].get<double>(),
+                of["ahead_s"].get<double>());
+  EXPECT_NE(spec_text("compiler/docs/verification.md").find(line.data()), std::string::npos)
+      << line.data();
 }
 
 // Agents that were thought to stand, and commands whose brake was forgotten.

@@ -313,10 +313,10 @@ TEST_F(Verify, AClaimKeepsWhatEachOfItsPlacesKeeps) {
 
 // What is proved of one obligation does not stand for another one.
 TEST_F(Recheck, ClaimsOfAnotherKindAreNoProof) {
-  const auto with_claims_of = [&](const std::string& kind, const std::string& other) {
+  const auto with_claims_of = [&](const std::string& kind, const std::string& elsewhere) {
     Json report = report_, claims;
     for (const Json& o : report["decisions"][0]["obligations"]) {
-      if (o["obligation"] == other) claims = o["claims"];
+      if (o["obligation"] == elsewhere) claims = o["claims"];
     }
     for (Json& o : report["decisions"][0]["obligations"]) {
       if (o["obligation"] == kind) o["claims"] = claims;
@@ -480,8 +480,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "golden/waypoints_only/spec", "golden/bad_5001_too_short/spec",
                       "golden/bad_5034_landing/spec", "campaign/specs/legs", "campaign/specs/fuel",
                       "campaign/specs/attic"),
-    [](const auto& info) {
-      std::string name = info.param;
+    [](const auto& of) {
+      std::string name = of.param;
       std::replace_if(
           name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
       return name;
