@@ -230,6 +230,8 @@ class Search {
   bool they_part(Robot one, Robot other, int halvings) {
     const Box here = box_of(one.patch.spot), there = box_of(other.patch.spot);
     if (farthest_squared(here, there) < squared(query_.nearest_mm)) return true;
+    const Box both{there.middle, here.half + there.half};
+    if (is_beyond(here.middle, both, query_.apart_mm)) return true;
     if (leaves(one, other, 0) || leaves(other, one, 0)) return true;  // mostly
     if (leaves(one, other, halvings_max) || leaves(other, one, halvings_max)) return true;
     const std::vector<Octant> off = octants(here, there);
@@ -388,9 +390,11 @@ class Search {
         // backwards: the step leads on from there, and recedes from all of the box
         const auto [columns, rows] = steps[i];
         const Vec step{-columns * size_, -rows * size_};
-        const double along =
-            step.x * (end.x - step.x - other.middle.x) + step.y * (end.y - step.y - other.middle.y);
-        if (along < other.half * (std::abs(step.x) + std::abs(step.y)) + slack_mm2) continue;
+        const Vec off{end.x - step.x - other.middle.x, end.y - step.y - other.middle.y};
+        if (!recedes(step.x * off.x - other.half * std::abs(step.x),
+                     step.y * off.y - other.half * std::abs(step.y))) {
+          continue;
+        }
         const int from = to + rows * cells_.columns + columns;
         if (mark(from)) open.push_back(from);
       }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "compiler/recheck/grid.h"
@@ -31,14 +32,44 @@ double nearest(const Box& a, const Box& b) {
                 std::max({a.y - b.top, b.y - a.top, 0.0}));
 }
 // On the way from p to c the distance from q does not fall, for all p and q: (c - p) (p - q) is
-// concave in p and linear in q, so that corners are the worst.
+// concave in p and linear in q, so that corners are the worst. Signs are exact in doubles, and so
+// is what is negative on neither axis.
 bool recedes(Place c, const Box& from, const Box& other) {
+  double least = 1e300, on_x = 1e300, on_y = 1e300;
   for (const Place p : corners(from)) {
     for (const Place q : corners(other)) {
-      if (inner(c - p, p - q) < slack_square) return false;
+      on_x = std::min(on_x, (c.x - p.x) * (p.x - q.x));
+      on_y = std::min(on_y, (c.y - p.y) * (p.y - q.y));
+      least = std::min(least, inner(c - p, p - q));
     }
   }
-  return true;
+  return least >= slack_square || (on_x >= 0 && on_y >= 0);
+}
+// Which side of the other robot one is on, on either axis: -1 or 1.
+struct Side {
+  int x, y;
+};
+struct Off {
+  double least, most;  // of the difference of two coordinates
+};
+std::optional<Off> off_on(int sign, double low, double high, double other_low, double other_high) {
+  Off off{low - other_high, high - other_low};
+  if (sign > 0) off.least = std::max(off.least, 0.0);
+  if (sign < 0) off.most = std::min(off.most, 0.0);
+  return off.least <= off.most ? std::optional(off) : std::nullopt;
+}
+// As above where p is on that side of q, also if it is on none: then it is nowhere there.
+bool recedes(Place c, const Box& from, const Box& other, Side side) {
+  const auto off_x = off_on(side.x, from.x, from.right, other.x, other.right);
+  const auto off_y = off_on(side.y, from.y, from.top, other.y, other.top);
+  if (!off_x || !off_y) return true;
+  const auto least = [](double to, double low, double high, const Off& off) {
+    return std::min({(to - low) * off.least, (to - low) * off.most, (to - high) * off.least,
+                     (to - high) * off.most});
+  };
+  const double on_x = least(c.x, from.x, from.right, *off_x);
+  const double on_y = least(c.y, from.y, from.top, *off_y);
+  return on_x + on_y >= slack_square || (on_x >= 0 && on_y >= 0);
 }
 // It falls, for all of them: of one axis the product is the largest halfway between c and q.
 bool comes_nearer(Place c, const Box& from, const Box& other) {
@@ -193,9 +224,17 @@ class Partings {
   }
   bool part(int one, const Box& here, int other, const Box& there, int times) {
     if (farthest(here, there) < limits_.nearest) return true;
+    if (nearest(here, there) >= limits_.apart) return true;
     if (leaves(one, here, other, there, 0) || leaves(other, there, one, here, 0)) return true;
     if (leaves(one, here, other, there, quarters_max)) return true;
     if (leaves(other, there, one, here, quarters_max)) return true;
+    // or else the one does where it is on one side, and the other one elsewhere
+    constexpr std::array<Side, 4> sides{{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
+    const bool either = std::ranges::all_of(sides, [&](Side side) {
+      return joins_well(one, here, other, there, side) ||
+             joins_well(other, there, one, here, Side{-side.x, -side.y});
+    });
+    if (either) return true;
     if (times == 0 || steps_ > steps_max) return false;
     for (const Box& a : quarters(here)) {
       if (holds_nobody(site(one), a)) continue;
@@ -216,7 +255,8 @@ class Partings {
   }
   // The search begins with its own cell alone, where that is clear and the way to its middle
   // recedes; else with all that are near, or else with the nearest one that it can join to.
-  bool joins_well(int one, const Box& here, int other, const Box& there) {
+  bool joins_well(int one, const Box& here, int other, const Box& there,
+                  std::optional<Side> side = {}) {
     const Site& s = site(one);
     const auto harmless = [&](int cell) {
       return leads(cell, other, there) || comes_nearer(middle(box(cell)), here, there);
@@ -225,7 +265,8 @@ class Partings {
     const auto joins = [&](int cell) {
       ++steps_;
       const Place c = middle(box(cell));
-      return recedes(c, here, there) && leads(cell, other, there) && keeps(s, here, c);
+      const bool away = side ? recedes(c, here, there, *side) : recedes(c, here, there);
+      return away && leads(cell, other, there) && keeps(s, here, c);
     };
     if (std::ranges::any_of(s.joined, joins)) return true;
     if (!by_far_cells_) return false;

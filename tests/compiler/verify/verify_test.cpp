@@ -207,6 +207,16 @@ TEST_F(MakingRoom, OfTwoRobotsOneFindsAWay) {
                          " | rectangle (8 m, 3 m) to (12 m, 5 m)"));
   EXPECT_NE(gate.find("robots that hold near (8."), std::string::npos) << gate;
 }
+// Between a wall and a pillar they may stand square to the lane, where neither can come any nearer
+// to its side of it: then one of the two leaves along it, whichever way it is off the other.
+TEST_F(MakingRoom, OfTwoRobotsBesideAPillarOneFindsAWay) {
+  const Json found =
+      room(halls_with("rectangle (0 m, 0 m) to (7.4 m, 7.4 m)"
+                      " - rectangle (3.2 m, 3.2 m) to (4.2 m, 4.2 m)"));
+  EXPECT_EQ(found["status"], "proved") << found;
+  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
 // A fence that ranks higher leads back from a wall, towards the other robot, and tells nobody that
 // it cannot pass.
 TEST_F(MakingRoom, WhereAnotherRecoveryMayDriveNothingIsShown) {
