@@ -55,7 +55,10 @@ class Checker {
   [[nodiscard]] std::string build() const {
     std::ofstream(path("m.pml"), std::ios::binary) << model_.text();
     const ProgramResult made = shell("spin -a m.pml");
-    if (!made.started) return "`spin` is not installed (`apt-get install spin`)";
+    if (!made.started) {
+      return made.problem == no_timeout ? made.problem
+                                        : "`spin` is not installed (`apt-get install spin`)";
+    }
     if (made.timed_out) return not_ended("spin", seconds_max);
     if (made.status != 0) return "spin does not read the model: " + said();
     const ProgramResult compiled = shell("${CC:-cc} -w -DMEMLIM=" + std::string(memory_mb_max) +

@@ -8,6 +8,7 @@
 
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -106,14 +107,22 @@ ProgramResult run_program(const std::vector<std::string>& words, const std::stri
 }
 
 ProgramResult run_within(int seconds, std::vector<std::string> words, const std::string& log) {
+  using std::chrono::steady_clock;
   constexpr int no_such_program = 127, too_long = 124, killed = 128 + SIGKILL;  // of coreutils
   const std::string program = words.front();
   words.insert(words.begin(), {"timeout", "--kill-after=2", std::to_string(seconds)});
+  const auto deadline = steady_clock::now() + std::chrono::seconds(seconds);
   ProgramResult result = run_program(words, log);
-  result.timed_out = result.started && (result.status == too_long || result.status == killed);
-  if (result.started && result.status == no_such_program) {
+  if (!result.started) {
+    result.problem = no_timeout;
+    return result;
+  }
+  if (result.status == no_such_program) {
     return {false, false, 0, "no program is called `" + program + "`"};
   }
+  // else somebody else has killed it, for want of memory for example
+  const bool by_timeout = result.status == killed && steady_clock::now() >= deadline;
+  result.timed_out = result.status == too_long || by_timeout;
   return result;
 }
 

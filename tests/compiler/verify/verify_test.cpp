@@ -403,8 +403,9 @@ TEST_F(Verify, WithoutAModelCheckerNothingIsSaidOfSwitching) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
+  EXPECT_NE(o.out.find("`timeout` is not installed"), std::string::npos) << o.out;
 }
-// Programs of that name which never end stand before those that do.
+// Programs of that name which never end, or are not there, stand before those that do.
 class Hanging : public Verify {
  protected:
   void SetUp() override {
@@ -415,9 +416,10 @@ class Hanging : public Verify {
     ::setenv("PATH", path_.c_str(), 1);
     Verify::TearDown();
   }
-  void hangs(const std::string& program) const {
+  void hangs(const std::string& program) const { stands_in(program, "sleep 3600"); }
+  void stands_in(const std::string& program, const std::string& does) const {
     fs::create_directory("bin");
-    write("bin/" + program, "#!/bin/sh\nsleep 3600\n");
+    write("bin/" + program, "#!/bin/sh\n" + does + "\n");
     fs::permissions("bin/" + program, fs::perms::owner_all);
     ::setenv("PATH", (fs::absolute("bin").string() + ":" + path_).c_str(), 1);
   }
@@ -431,6 +433,19 @@ TEST_F(Hanging, AModelCheckerLeavesItUnknown) {
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
   EXPECT_NE(o.out.find("spin has not ended within 20 s"), std::string::npos) << o.out;
+}
+TEST_F(Hanging, AMissingModelCheckerIsNamed) {
+  stands_in("spin", "exit 127");  // as a shell ends that finds none
+  const Outcome o = verified(drone_spec(), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_NE(o.out.find("`spin` is not installed"), std::string::npos) << o.out;
+}
+// For want of memory, say: that is no time which was up.
+TEST_F(Hanging, AModelCheckerThatIsKilledHasNotTakenTooLong) {
+  stands_in("spin", "kill -KILL $$");
+  const Outcome o = verified(drone_spec(), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_EQ(o.out.find("has not ended"), std::string::npos) << o.out;
 }
 TEST_F(Hanging, ASolverLeavesItUnknownAndIsAskedOnce) {
   ASSERT_EQ(verified(drone_spec(), {"-o", "certificates"}).status, exit_clean);
