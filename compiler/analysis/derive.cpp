@@ -81,10 +81,10 @@ class Deriver {
     fill_costs();
     fill_windows();
     if (!could_be_built()) finding = Finding::refuses;
-    check_well_formed(spec_, out_.module, out_.tables, lies_, diagnostics_);
     const ExactZone exact = [this](ir::ZoneIndex zone) -> const geometry::Region& {
       return zone_of(zone).exact;
     };
+    check_well_formed(spec_, out_.module, out_.tables, exact, lies_, diagnostics_);
     const ExactSolid solid = [this](ir::ZoneIndex zone) {
       const EvaluatedZone& of = zone_of(zone);
       return of.solid ? of.solid->exact : without_end(of.exact);

@@ -7,6 +7,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/return_set.h"
 #include "compiler/analysis/site_room.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/ir/linear.h"
@@ -246,14 +247,19 @@ class Judge {
   Finding clearance(ir::ZoneIndex zone, std::int64_t least, std::int64_t strict,
                     const SourceRange& source) const {
     const ir::ZoneTable& table = module_[zone];
-    const std::int64_t best = table.widest_mm - shown_clearance_mm(decision_, motion_, 0);
-    if (least <= best) return std::nullopt;
+    const std::int64_t taken = shown_clearance_mm(decision_, motion_, 0);
+    if (least <= table.widest_mm - taken) return std::nullopt;
+    const ir::Recovery& last = ir::last_step(monitor_.recovery);
+    const std::int64_t room = last.zone == zone ? room_mm(decision_, last, table) : table.widest_mm;
+    const std::int64_t best = room - taken;
     diag::Diagnostic d = finding(source);
     d.label = "holds nowhere in `" + table.name + "`";
-    d.notes.push_back({std::nullopt, "in the widest place, at " + ir::widest_place(table) +
-                                         ", the centre has " + metres(table.widest_mm) +
-                                         "; body, errors and the age of a sample take " +
-                                         metres(table.widest_mm - best)});
+    d.notes.push_back(
+        {std::nullopt,
+         "in the widest place, at " + ir::widest_place(table) + ", the centre has " +
+             metres(table.widest_mm) +
+             (room < table.widest_mm ? ", and in no whole cell more than " + metres(room) : "") +
+             "; body, errors and the age of a sample take " + metres(taken)});
     d.help = best - strict >= 0 ? "a clearance of " + metres(best - strict) + " works"
                                 : "no clearance works: widen the zone";
     return d;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/ir/linear.h"
 #include "compiler/sema/templates.h"
 
@@ -153,7 +154,7 @@ class Met {
     const auto deep = within(exact_(zone), need_mm + parked_mm);
     const auto& places = module_[last_.site].places;
     return deep && std::all_of(places.begin(), places.end(), [&](const ir::SiteTable::Place& p) {
-             return deep->contains({Rational(p.x_mm, 1000), Rational(p.y_mm, 1000)});
+             return deep->contains({metres_of(p.x_mm), metres_of(p.y_mm)});
            });
   }
   // The places outside that the recovery leads nowhere from, as they are clear enough already.

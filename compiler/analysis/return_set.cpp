@@ -7,6 +7,7 @@
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/timing.h"
+#include "compiler/analysis/widening.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
@@ -17,6 +18,14 @@ namespace {
 
 // No zone gets so much wider.
 constexpr std::int64_t wider_most_mm = 1'000'000;
+
+std::int64_t clearest_mm(const ir::Cells& cells) {
+  const auto& all = cells.clearance_mm_lo;
+  return all.empty() ? -1 : *std::max_element(all.begin(), all.end());
+}
+bool returns_over_cells(const ir::Decision& decision, const ir::Recovery& last) {
+  return ir::goes_back(last.kind) && !decision.body.in_space;
+}
 
 // Where a monitor hands back: in the zone that its recovery retreats in, or else in the narrowest
 // one that its property keeps the robot in. none: its property does not speak of places.
@@ -38,8 +47,12 @@ std::optional<ir::ZoneIndex> place_of(const ir::Module& module, const ir::Decisi
 // longest look-ahead and the standoffs that count in its zone, whosever they are.
 class ReturnSet {
  public:
-  explicit ReturnSet(const Decided& of)
-      : of_(of), module_(of.module), decision_(of.decision), now_(trial_of(of.spec, of.written)) {
+  ReturnSet(const Decided& of, const ExactZone& exact)
+      : of_(of),
+        exact_(exact),
+        module_(of.module),
+        decision_(of.decision),
+        now_(trial_of(of.spec, of.written)) {
     for (const ir::Monitor& m : decision_.monitors) {
       if (!returns(m)) continue;
       // what works where most is missing works in all of their zones
@@ -53,7 +66,7 @@ class ReturnSet {
     std::vector<diag::Diagnostic> all;
     for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
       const ir::Monitor& m = decision_.monitors[k];
-      if (returns(m) && m.recovery.return_clearance_mm > widest_mm(m)) all.push_back(asked(m, k));
+      if (returns(m) && m.recovery.return_clearance_mm > most_mm(m)) all.push_back(asked(m, k));
     }
     return all;
   }
@@ -63,7 +76,14 @@ class ReturnSet {
   const ir::ZoneTable& zone_of(const ir::Monitor& m) const {
     return module_[*place_of(module_, decision_, m)];
   }
-  std::int64_t widest_mm(const ir::Monitor& m) const { return zone_of(m).widest_mm; }
+  std::int64_t room_mm(const ir::Monitor& m) const {
+    return analysis::room_mm(decision_, ir::last_step(m.recovery), zone_of(m));
+  }
+  // Of cells that are too coarse for that something else is said (4012).
+  std::int64_t most_mm(const ir::Monitor& m) const {
+    const ir::ZoneTable& zone = zone_of(m);
+    return zone.cells.cell_mm > cell_mm_least ? zone.widest_mm : room_mm(m);
+  }
   std::int64_t standoff_mm(const ir::Monitor& m) const {
     return standoff_in(decision_, m, *place_of(module_, decision_, m), of_.lies);
   }
@@ -71,7 +91,7 @@ class ReturnSet {
     return return_clearance_mm(trial.decision, trial.lookahead_us) + standoff_mm;
   }
   std::int64_t missing_mm(const ir::Monitor& m) const {
-    return need_mm(now_, standoff_mm(m)) - widest_mm(m);
+    return need_mm(now_, standoff_mm(m)) - most_mm(m);
   }
   // What the property of a monitor adds where most is missing.
   std::int64_t added_mm(const ir::Monitor& m) const {
@@ -126,13 +146,13 @@ class ReturnSet {
 
   // Shorter look-aheads work, or smaller standoffs, or neither does alone.
   std::vector<diag::Diagnostic> of_all_monitors() const {
-    const std::int64_t widest = widest_mm(*retreat_), standoff = standoff_mm(*retreat_);
+    const std::int64_t room = room_mm(*retreat_), standoff = standoff_mm(*retreat_);
     // with a look-ahead that covers the latency, too
     const Fits fits = [&](const Trial& t) {
-      return return_clearance_mm(t.decision, covering_us(t)) + standoff <= widest;
+      return return_clearance_mm(t.decision, covering_us(t)) + standoff <= room;
     };
     const std::optional<std::int64_t> ahead_us = shorter_us(fits);
-    const std::int64_t spare_mm = widest - need_mm(now_, 0);
+    const std::int64_t spare_mm = room - need_mm(now_, 0);
     std::vector<diag::Diagnostic> all;
     for (const ir::Monitor& m : decision_.monitors) {
       const std::int64_t own_mm = added_mm(m);
@@ -153,44 +173,30 @@ class ReturnSet {
     }
     return all;
   }
-  // On both sides of the widest place. A large zone has wide cells, of which all of one has to be
-  // clear: as much more as its diagonal (well_formed.cpp, cells).
-  std::int64_t wider_mm() const {
+  // "": a zone would have to be much larger, or to try that takes long.
+  std::string wider_zone() const {
     const ir::ZoneTable& zone = zone_of(*retreat_);
-    const std::int64_t least_mm = 2 * missing_mm(*retreat_);
-    if (zone.edges.empty() || !ir::moves(ir::last_step(retreat_->recovery).kind)) return least_mm;
-    const auto extent = [&](auto of) {
-      const auto [low, high] =
-          std::minmax_element(zone.edges.begin(), zone.edges.end(),
-                              [&](const ir::Edge& a, const ir::Edge& b) { return of(a) < of(b); });
-      return std::int64_t{of(*high)} - of(*low);
-    };
-    const std::int64_t width_mm = extent([](const ir::Edge& e) { return e.ax; });
-    const std::int64_t height_mm = extent([](const ir::Edge& e) { return e.ay; });
-    std::int64_t by_mm = least_mm;
-    for (std::int64_t cell_mm = 0;;) {
-      const std::int64_t now_mm = cell_mm_for(width_mm + by_mm, height_mm + by_mm);
-      if (now_mm <= cell_mm || now_mm <= cell_mm_least) return by_mm;
-      cell_mm = now_mm;
-      by_mm = least_mm + 2 * (cell_mm * 14'143 / 10'000 + 1);
+    if (zone.has_height()) return "the zone has to be wider and higher";
+    const std::int64_t least_mm = missing_mm(*retreat_);
+    if (!returns_over_cells(decision_, ir::last_step(retreat_->recovery))) {
+      return 2 * least_mm > wider_most_mm ? "" : "widen the zone by " + metres(2 * least_mm);
     }
+    const std::int64_t need_mm = most_mm(*retreat_) + least_mm;
+    const auto fits = [&](const ir::Cells& cells) { return clearest_mm(cells) >= need_mm; };
+    const ir::ZoneIndex place = *place_of(module_, decision_, *retreat_);
+    const auto by_mm = widening_mm(exact_(place), wider_most_mm / 2, fits);
+    return by_mm ? "`grow(" + zone.name + ", " + metres(*by_mm) + ")` in its place works" : "";
   }
   // Or one other number.
   std::string wider(const Fits& fits) const {
     const auto others = repairs(of_.spec, of_.written, fits);
-    const std::int64_t by_mm = wider_mm();
-    const std::string one = others.empty() ? "" : joined(others) + " works";
-    if (by_mm > wider_most_mm) {
-      return one.empty() ? ", nor any one other number: several have to change" : ": " + one;
-    }
-    const std::string zone = zone_of(*retreat_).has_height() ? "the zone has to be wider and higher"
-                                                             : "widen the zone by " + metres(by_mm);
-    return ": " + zone + (one.empty() ? "" : "; or " + one);
+    const std::string zone = wider_zone(), one = others.empty() ? "" : joined(others) + " works";
+    if (!zone.empty()) return ": " + zone + (one.empty() ? "" : "; or " + one);
+    return one.empty() ? ", nor any one other number: several have to change" : ": " + one;
   }
 
   // The return condition of the monitor itself asks for more, in another zone than it retreats in.
   diag::Diagnostic asked(const ir::Monitor& m, std::size_t k) const {
-    const std::int64_t widest = widest_mm(m);
     const ir::Block& when = *m.return_when;
     const ir::ZoneIndex place = *place_of(module_, decision_, m);
     const std::int64_t asked_mm = asked_clearance_mm(module_, decision_, k, place, of_.lies);
@@ -199,7 +205,7 @@ class ReturnSet {
     const std::int64_t deeper_mm =
         asked_clearance_mm(module_, decision_, k, place, beside) - asked_mm;
     const std::int64_t least =
-        widest + deeper_mm - shown_clearance_mm(decision_, decision_.motions[k + 1], 0);
+        room_mm(m) + deeper_mm - shown_clearance_mm(decision_, decision_.motions[k + 1], 0);
     diag::Diagnostic d = finding(m, asked_mm);
     d.range = when[when.result].source;
     d.notes = {note(m)};
@@ -227,8 +233,12 @@ class ReturnSet {
   }
   diag::Note note(const ir::Monitor& retreat) const {
     const ir::ZoneTable& zone = zone_of(retreat);
+    const bool cells = most_mm(retreat) < zone.widest_mm;
     return {std::nullopt, "the widest place of `" + zone.name + "` has a clearance of " +
-                              metres(zone.widest_mm) + ", at " + ir::widest_place(zone)};
+                              metres(zone.widest_mm) + ", at " + ir::widest_place(zone) +
+                              (cells ? ", and no whole cell of " + metres(zone.cells.cell_mm) +
+                                           " has more than " + metres(room_mm(retreat))
+                                     : "")};
   }
 
   // Of the comparison that asks for so much.
@@ -246,6 +256,7 @@ class ReturnSet {
   }
 
   const Decided& of_;
+  const ExactZone& exact_;
   const ir::Module& module_;
   const ir::Decision& decision_;
   const Trial now_;
@@ -254,14 +265,20 @@ class ReturnSet {
 
 }  // namespace
 
-std::vector<diag::Diagnostic> empty_return_sets(const Decided& of) {
-  return ReturnSet(of).findings();
+std::int64_t room_mm(const ir::Decision& decision, const ir::Recovery& last,
+                     const ir::ZoneTable& zone) {
+  const bool has_cells = !zone.cells.clearance_mm_lo.empty();
+  return has_cells && returns_over_cells(decision, last) ? clearest_mm(zone.cells) : zone.widest_mm;
 }
 
-std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,
+std::vector<diag::Diagnostic> empty_return_sets(const Decided& of, const ExactZone& exact) {
+  return ReturnSet(of, exact).findings();
+}
+
+std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t room_mm,
                               std::int64_t standoff_mm) {
   const auto fits = [&](std::int64_t ms) {
-    return return_clearance_mm(decision, 1000 * ms) + standoff_mm <= widest_mm;
+    return return_clearance_mm(decision, 1000 * ms) + standoff_mm <= room_mm;
   };
   if (!fits(0)) return 0;
   std::int64_t low = 0, high = 60'000;  // no robot looks further ahead than a minute

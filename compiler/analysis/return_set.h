@@ -4,17 +4,23 @@
 #include <vector>
 
 #include "compiler/analysis/decided.h"
+#include "compiler/analysis/recovery_places.h"
 #include "compiler/diagnostics/engine.h"
 
 namespace rtac::analysis {
 
+// The greatest clearance of the zone at which the last step of a recovery can hand back, in mm: a
+// retreat of the plane finds its ways over cells, of which one has to be so clear as a whole.
+std::int64_t room_mm(const ir::Decision& decision, const ir::Recovery& last,
+                     const ir::ZoneTable& zone);
+
 // 5007: a zone that a monitor retreats within has the clearance nowhere at which all monitors of
 // the decision hand back. Named is the monitor that asks for it, which need not be the one that
 // retreats, with the longest look-ahead, the largest standoff or the width that works.
-std::vector<diag::Diagnostic> empty_return_sets(const Decided& of);
+std::vector<diag::Diagnostic> empty_return_sets(const Decided& of, const ExactZone& exact);
 
-// Longest look-ahead (us, whole ms) whose return clearance fits into `widest_mm`; 0: none.
-std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t widest_mm,
+// Longest look-ahead (us, whole ms) whose return clearance fits into `room_mm`; 0: none.
+std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t room_mm,
                               std::int64_t standoff_mm);
 
 }  // namespace rtac::analysis

@@ -39,15 +39,20 @@ std::optional<std::size_t> cell_at(const ir::Cells& cells, std::int64_t x_mm, st
 class WellFormed {
  public:
   WellFormed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-             const HowItLies& lies, diag::Engine& diagnostics)
-      : spec_(spec), module_(module), tables_(tables), lies_(lies), diagnostics_(diagnostics) {}
+             const ExactZone& exact, const HowItLies& lies, diag::Engine& diagnostics)
+      : spec_(spec),
+        module_(module),
+        tables_(tables),
+        exact_(exact),
+        lies_(lies),
+        diagnostics_(diagnostics) {}
 
   void run() {
     for (std::size_t i = 0; i < module_.decisions.size(); ++i) {
       const ir::Decision& decision = module_.decisions[i];
       if (decision.on_plan) continue;
       const Decided decided{spec_, spec_.decisions[i], module_, decision, lies_};
-      for (diag::Diagnostic& found : empty_return_sets(decided)) {
+      for (diag::Diagnostic& found : empty_return_sets(decided, exact_)) {
         diagnostics_.report(std::move(found));
       }
       for (diag::Diagnostic& found : unkept_speed_limits(decided)) {
@@ -358,6 +363,7 @@ class WellFormed {
   const sema::Spec& spec_;
   const ir::Module& module_;
   const ir::TableMap& tables_;
+  const ExactZone& exact_;
   const HowItLies& lies_;
   diag::Engine& diagnostics_;
 };
@@ -365,8 +371,8 @@ class WellFormed {
 }  // namespace
 
 void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-                       const HowItLies& lies, diag::Engine& diagnostics) {
-  WellFormed(spec, module, tables, lies, diagnostics).run();
+                       const ExactZone& exact, const HowItLies& lies, diag::Engine& diagnostics) {
+  WellFormed(spec, module, tables, exact, lies, diagnostics).run();
 }
 
 std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision) {
@@ -390,8 +396,8 @@ std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decisi
       }
       const ir::Recovery& last = ir::last_step(m.recovery);
       if (ir::goes_back(last.kind)) {
-        s.lookahead_max_us =
-            lookahead_max_us(decision, module[last.zone].widest_mm, standoff_mm(decision, last));
+        s.lookahead_max_us = lookahead_max_us(decision, room_mm(decision, last, module[last.zone]),
+                                              standoff_mm(decision, last));
       }
     }
     all.push_back(std::move(s));

@@ -1,6 +1,7 @@
 // Checks that the derived numbers work out, and computes what would work when they do not.
 #pragma once
 
+#include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
@@ -12,6 +13,6 @@ namespace rtac::analysis {
 // Every fence leaves a place where control can be given back; every site lies in its zone, can be
 // reached along the cells of its route, and is a place where control can be given back.
 void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-                       const HowItLies& lies, diag::Engine& diagnostics);
+                       const ExactZone& exact, const HowItLies& lies, diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

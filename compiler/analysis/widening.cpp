@@ -8,7 +8,7 @@ namespace rtac::analysis {
 namespace {
 
 // About 10 ms a trial.
-constexpr std::size_t vertices_most = 200, cells_tried_most = 12'000;
+constexpr std::size_t vertices_most = 200, cells_tried_most = 20'000;
 
 std::optional<ir::Cells> cells_of(const geometry::Region& zone, std::int64_t by_mm) {
   // zones to stay in grow less than they are told (zones.cpp, offsets)

@@ -132,7 +132,16 @@ Region Region::subtract(const Region& other) const {
   return Region(overlay(impl_->rings(), other.impl_->rings(), Combine::subtract));
 }
 
-Region Region::shrink(const Rational& distance, std::size_t nested) const {
+namespace {
+// GMP takes 230/200 and 23/20 for different numbers, and what meets in one place is torn apart.
+Rational lowest_terms(Rational value) {
+  value.canonicalize();
+  return value;
+}
+}  // namespace
+
+Region Region::shrink(const Rational& by, std::size_t nested) const {
+  const Rational distance = lowest_terms(by);
   if (distance <= 0) return *this;
   if (impl_->vanishes(distance)) return {};
   const Rational excess = offset_excess_m(nested);
@@ -144,7 +153,8 @@ Region Region::shrink(const Rational& distance, std::size_t nested) const {
                              Combine::subtract));
 }
 
-Region Region::grow(const Rational& distance, std::size_t nested) const {
+Region Region::grow(const Rational& by, std::size_t nested) const {
+  const Rational distance = lowest_terms(by);
   if (distance <= 0) return *this;
   const Rational excess = offset_excess_m(nested);
   if (auto moved = impl_->moved(distance, excess, BandSide::exterior)) {
@@ -155,7 +165,8 @@ Region Region::grow(const Rational& distance, std::size_t nested) const {
                              Combine::unite));
 }
 
-std::optional<Region> Region::offset(const Rational& distance, std::size_t nested) const {
+std::optional<Region> Region::offset(const Rational& by, std::size_t nested) const {
+  const Rational distance = lowest_terms(by);
   const bool grows = distance > 0;
   if (vertices() > offset_vertices_max && distance != 0) {
     auto moved = impl_->moved(abs(distance), offset_excess_m(nested),
@@ -167,7 +178,7 @@ std::optional<Region> Region::offset(const Rational& distance, std::size_t neste
 
 std::optional<Region> Region::widened(const Rational& error) const {
   if (error == 0) return *this;
-  const Rational distance = abs(error);
+  const Rational distance = lowest_terms(abs(error));
   if (error < 0 && impl_->vanishes(distance)) return Region();
   const BandSide side = error > 0 ? BandSide::exterior : BandSide::interior;
   const Rational excess = std::max(offset_excess_m(), distance);

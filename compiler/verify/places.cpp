@@ -6,6 +6,7 @@
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/return_condition.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/support/words.h"
@@ -27,11 +28,12 @@ std::optional<geometry::Point> common_place(const Subject& s, const std::vector<
   const auto clear = [&](const geometry::Point& p) {
     return std::all_of(all.begin(), all.end(), [&](const Need& need) {
       const geometry::Region& region = s.exact(need.zone);
-      const Rational metres(need.clearance_mm, 1000);
+      const Rational metres = analysis::metres_of(need.clearance_mm);
       return region.contains(p) && square_to(region.rings(), p) >= metres * metres;
     });
   };
-  const geometry::Point widest{Rational(zone.widest_x_mm, 1000), Rational(zone.widest_y_mm, 1000)};
+  const geometry::Point widest{analysis::metres_of(zone.widest_x_mm),
+                               analysis::metres_of(zone.widest_y_mm)};
   if (clear(widest)) return widest;
   const ir::Cells& cells = zone.cells;
   for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
@@ -39,8 +41,8 @@ std::optional<geometry::Point> common_place(const Subject& s, const std::vector<
     const auto columns = static_cast<std::size_t>(cells.columns);
     const std::int64_t half = cells.cell_mm / 2;
     const geometry::Point centre{
-        Rational(cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half, 1000),
-        Rational(cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half, 1000)};
+        analysis::metres_of(cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half),
+        analysis::metres_of(cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half)};
     if (clear(centre)) return centre;
   }
   return std::nullopt;
@@ -71,7 +73,7 @@ geometry::Point shown_place(const Subject& s, const Need& need) {
       if (at) return *at;
     }
   }
-  return {Rational(table.widest_x_mm, 1000), Rational(table.widest_y_mm, 1000)};
+  return {analysis::metres_of(table.widest_x_mm), analysis::metres_of(table.widest_y_mm)};
 }
 
 }  // namespace
@@ -276,7 +278,8 @@ Obligation returns_together(const Subject& s) {
   // `shrink` takes up to 1 mm more than it is asked for
   geometry::Region common = geometry::Region::everywhere();
   for (const Need& need : all) {
-    common = common.intersect(s.exact(need.zone).shrink(Rational(need.clearance_mm - 3, 1000)));
+    common =
+        common.intersect(s.exact(need.zone).shrink(analysis::metres_of(need.clearance_mm - 3)));
   }
   if (common.empty() && !needs.one_of_several) {
     o.status = Status::refuted;

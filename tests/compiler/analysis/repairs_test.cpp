@@ -66,12 +66,17 @@ TEST(Repairs, TheWideningOf5007Works) {
   const std::string narrow = edited(drone_spec(), "to (5 m, 5 m)", "to (5 m, 400 mm)");
   const auto c = compiled(narrow);
   ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
-  const std::string by = number_in_help(*c, Code::return_set_empty, "widen the zone by ", "m");
-  const long mm = 400 + std::lround(1000 * std::stod(by));
-  const auto good = compiled(edited(narrow, "400 mm", std::to_string(mm) + " mm"));
+  const std::string by = number_in_help(*c, Code::return_set_empty, "`grow(room, ", "m)`");
+  const long mm = std::lround(1000 * std::stod(by));
+  const auto grown = [&](long by_mm) {
+    return compiled(
+        edited(narrow, "rectangle (0 m, 0 m) to (5 m, 400 mm)",
+               "grow(rectangle (0 m, 0 m) to (5 m, 400 mm), " + std::to_string(by_mm) + " mm)"));
+  };
+  const auto good = grown(mm);
   EXPECT_TRUE(good->module) << reports(*good);
-  EXPECT_TRUE(has(*compiled(edited(narrow, "400 mm", std::to_string(mm - 8) + " mm")),
-                  Code::return_set_empty));
+  EXPECT_FALSE(has(*good, Code::no_way_back)) << reports(*good);
+  EXPECT_TRUE(has(*grown(mm - 1), Code::return_set_empty));
 }
 
 // Too little of the brake is left to hold a place with; the error of the output counts, too.
