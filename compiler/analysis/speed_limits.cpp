@@ -182,6 +182,9 @@ class Limits {
                monitor_.name + "` allows " + speed_text(limit.most_mmps) +
                (of_a_choice ? " where nothing else of the `or` holds" : ""),
            works + " works; or `acknowledge " + name + " may break " + monitor_.name + " \"why\"`");
+    if (name == monitor_.recovery.name) return;
+    found_.back().monitor = monitor_.name;
+    found_.back().recovery = name;
   }
   // What a recovery may mean to drive at so that it is never faster than that.
   [[nodiscard]] std::int64_t slower_for(std::int64_t most_mmps) const {
@@ -254,6 +257,10 @@ bool asks_for_no_more_than(std::int64_t mmps, const ir::Block& block, ir::ValueI
   }
   if (const auto* v = std::get_if<ir::Or>(&op)) {
     return asks_for_no_more_than(mmps, block, v->a) || asks_for_no_more_than(mmps, block, v->b);
+  }
+  // what it says of its own speed, whichever the other one is
+  if (const auto* each = std::get_if<ir::ForOthers>(&op)) {
+    return each->universal && asks_for_no_more_than(mmps, *each->body, each->body->result);
   }
   const auto* compare = std::get_if<ir::AtLeast>(&op);
   const auto most = compare ? ir::upper_bound(block, *compare) : std::nullopt;

@@ -225,15 +225,15 @@ class WellFormed {
       const std::int64_t route = way.route_clearance_mm;
       const std::int64_t give_back = way.return_clearance_mm;
       if (clearance < 0) {
-        report(Code::site_outside_zone, range, what + " lies outside `" + zone.name + "`",
+        report(monitor, Code::site_outside_zone, range, what + " lies outside `" + zone.name + "`",
                nearest_place(of, way, place));
       } else if (clearance < route) {
-        report(Code::site_unreachable, range,
+        report(monitor, Code::site_unreachable, range,
                what + " has a clearance of about " + clearance_text(zone.cells, clearance) + ", `" +
                    monitor.recovery.name + "` keeps " + metres(route),
                nearest_place(of, way, place));
       } else if (clearance < give_back) {
-        report(Code::site_not_returnable, range,
+        report(monitor, Code::site_not_returnable, range,
                "control cannot be handed back at " + what + ": its clearance is about " +
                    clearance_text(zone.cells, clearance) + ", " + metres(give_back) + " is needed",
                nearest_place(of, way, place));
@@ -309,7 +309,7 @@ class WellFormed {
     const std::string other = "a faster `" + monitor.recovery.name + "` or a nearer site";
     const std::string drive = drive_that_works(kind, Rational(monitor.recovery.speed_mmps, 1000),
                                                decision.period_us, cell_mm, most, full);
-    report(Code::site_unreachable, range,
+    report(monitor, Code::site_unreachable, range,
            "the way to " + what + " takes up to " +
                to_decimal(Rational(most + decision.hold_reserve_ppm, 10'000)) +
                " % of a full battery, `held` and `detour` included",
@@ -336,8 +336,10 @@ class WellFormed {
     return hundredths > 0 ? to_decimal(Rational(hundredths, 100)) : "";
   }
 
-  void report(Code code, const SourceRange& range, std::string message, std::string help) {
-    diagnostics_.report({code, range, std::move(message), "", {}, std::move(help), {}});
+  void report(const ir::Monitor& monitor, Code code, const SourceRange& range, std::string message,
+              std::string help) {
+    diagnostics_.report(
+        {code, range, std::move(message), "", {}, std::move(help), {}, monitor.name, {}});
   }
 
   SourceRange source_of(ir::ZoneIndex index) const {

@@ -51,6 +51,8 @@ struct Diagnostic {
   std::vector<Note> notes;
   std::string help;
   std::vector<FixIt> fixits;
+  // Of a monitor that the range does not lie in, and of another one's recovery that breaks it.
+  std::string monitor{}, recovery{};
 };
 
 class Engine {

@@ -5,12 +5,15 @@
 #include <optional>
 #include <ostream>
 #include <set>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
 #include "compiler/driver/model_checker.h"
 #include "compiler/driver/process.h"
+#include "compiler/driver/seals.h"
 #include "compiler/recheck/recheck.h"
 #include "compiler/verify/report.h"
 
@@ -146,6 +149,11 @@ std::string write_certificates(const Compilation& c, const verify::Report& repor
   }
   files.push_back({folder + "/specification", place(c.dependencies.front()) + "\n"});
   files.push_back({folder + "/verification.json", verify::to_json(report, false)});
+  std::vector<std::pair<std::string, std::string_view>> to_seal;
+  for (const OutputFile& file : files) {
+    to_seal.emplace_back(file.path.substr(folder.size() + 1), file.text);
+  }
+  files.push_back({folder + "/" + seals_name, seals_of(std::move(to_seal))});
   return write_all(files);
 }
 
@@ -171,11 +179,16 @@ int recheck_certificates(const Options& options, Compilation& c, std::ostream& o
       [&](const std::string& lemma) { return prove(lemma, folder, scratch.path(), hangs); },
       [&](const protocol::Model& model) { return prove_model(model, folder); }};
   const recheck::Outcome outcome = recheck::recheck(*c.spec, c.sources, *report, provers);
+  const std::vector<std::string> broken = broken_seals(folder);
+  for (const std::string& file : broken) {
+    out << "not proved: `" << file << "` is not what was written: its seal is broken\n";
+  }
   for (const std::string& failed : outcome.failed) out << "not proved: " << failed << "\n";
   for (const std::string& open : outcome.open) out << "unknown: " << open << "\n";
   out << outcome.obligations << " obligations, " << outcome.claims << " claims, "
-      << outcome.failed.size() << " not proved, " << outcome.open.size() << " unknown\n";
-  if (!outcome.failed.empty()) return exit_violation;
+      << outcome.failed.size() + broken.size() << " not proved, " << outcome.open.size()
+      << " unknown\n";
+  if (!outcome.failed.empty() || !broken.empty()) return exit_violation;
   return outcome.open.empty() ? exit_clean : exit_inconclusive;
 }
 

@@ -140,6 +140,27 @@ std::optional<Doubt> ends(const sema::Spec& spec, const sema::Decision& d, Claim
 
 }  // namespace
 
+bool speaks_of_charge(const sema::Expr& property) {
+  bool speaks = false;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    speaks = speaks || (signal != nullptr && signal->signal == sema::Signal::battery);
+  });
+  return speaks;
+}
+
+bool waits_for_others(const sema::Spec& spec, const sema::Decision& decision) {
+  const auto robots = std::ranges::count(spec.robots, decision.kind, &sema::Robot::kind);
+  if (robots < 2 && !spec[decision.kind].open_fleet) return false;
+  return std::ranges::any_of(decision.priority, [&](sema::MonitorId id) {
+    bool apart = false;
+    sema::for_each_expr(*spec[id].always, [&](const sema::Expr& e) {
+      apart = apart || std::holds_alternative<sema::Distance>(e.node);
+    });
+    return apart;
+  });
+}
+
 bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
                    const sema::Monitor& driving, const sema::Expr& property) {
   if (!spec[decision.kind].energy) return false;
@@ -149,12 +170,7 @@ bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claim
       return spends_charge(spec, decision, claims, driving, *each);
     });
   }
-  bool speaks = false;
-  sema::for_each_expr(property, [&](const sema::Expr& e) {
-    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-    speaks = speaks || (signal != nullptr && signal->signal == sema::Signal::battery);
-  });
-  return speaks &&
+  return speaks_of_charge(property) &&
          !Sides(spec, decision, claims).keeping(spec[*driving.recover], property).by_sides;
 }
 

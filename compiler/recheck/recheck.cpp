@@ -11,6 +11,7 @@
 #include "compiler/recheck/lasting.h"
 #include "compiler/recheck/lemmas.h"
 #include "compiler/recheck/return_when.h"
+#include "compiler/recheck/seen.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/recheck/turns.h"
@@ -192,6 +193,25 @@ class Check {
     if (zones.empty() && !has(e, "seen", {{"decision", d.name}, {"monitor", m.name}})) {
       need(d, e, "limits");
     }
+    if (d.on_plan) return;
+    one_place(d, e, m);
+    if (const std::string limit = limit_unseen(spec_, d, *m.always); !limit.empty()) {
+      fail(whom(d, e) + ": " + limit);
+    }
+  }
+  // Zones that the robot has to be in at once are seen at one place.
+  void one_place(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    std::set<std::string> places, heights;
+    for (const sema::ZoneId zone : zones_at_once(spec_, *m.always)) {
+      for (const Claim& c : e.claims) {
+        if (c.what != "seen" || text(c.values, "zone") != claims_.zones().name(zone)) continue;
+        places.insert(text(c.values, "x_mm") + " " + text(c.values, "y_mm"));
+        if (c.values.count("z_mm") != 0) heights.insert(text(c.values, "z_mm"));
+      }
+    }
+    if (places.size() > 1 || heights.size() > 1) {
+      fail(whom(d, e) + ": it is not one place that is seen to be in all of its zones");
+    }
   }
   const sema::Monitor* monitor(const sema::Decision& d, const std::string& name) const {
     for (const sema::MonitorId id : d.priority) {
@@ -302,12 +322,22 @@ class Check {
     if (Sides(spec_, d, claims_).keeps_limits(recovery, *m.always)) return;
     fail(whom(d, e) + ": `" + recovery.name + "` drives faster than `" + m.name + "` allows");
   }
+  // Among others that it keeps a distance from, nothing bounds for how long it waits, and what
+  // that takes of its charge.
+  void moves_on(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
+                const sema::Monitor& m) {
+    const sema::Controller& recovery = spec_[*driving.recover];
+    if (!speaks_of_charge(*m.always) || !waits_for_others(spec_, d)) return;
+    if (moves_within(recovery).empty()) return;
+    fail(whom(d, e) + ": `" + recovery.name + "` may wait for others, which spends charge");
+  }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     need(d, e, "limits");
     need(d, e, "recovery", {{"monitor", m.name}});
     if (m.recover) {
       within(d, e, m, m);
       as_slow(d, e, spec_[*m.recover], m);
+      moves_on(d, e, m, m);
     }
     if (!kept_together(spec_, d, *m.always)) {
       fail(whom(d, e) + ": others may break it, whatever the recovery does");
@@ -408,6 +438,7 @@ class Check {
       }
       within(d, e, driving, m);
       as_slow(d, e, spec_[*driving.recover], m);
+      moves_on(d, e, driving, m);
       if (driving.recover != m.recover && spends_charge(spec_, d, claims_, driving, *m.always)) {
         need(d, e, "lasts", {{"monitor", driving.name}});
       }

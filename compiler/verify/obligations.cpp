@@ -193,6 +193,27 @@ void doubt_return(const sema::Spec& spec, const Obligation& elsewhere,
   back->claims.clear();
 }
 
+bool is_about(const diag::Diagnostic& d, const sema::Monitor& m) {
+  if (!d.monitor.empty()) return d.monitor == m.name;
+  return d.range && d.range->file == m.range.file && d.range->begin >= m.range.begin &&
+         d.range->begin <= m.range.end;
+}
+
+// What breaks the monitor is the recovery of another one: that is said of the pair.
+void refute_pair(Obligation refuted, const std::string& recovery, std::vector<Obligation>& all) {
+  refuted.kind = Kind::keeps;
+  refuted.recovery = recovery;
+  const auto pair = std::ranges::find_if(all, [&](const Obligation& o) {
+    return o.kind == Kind::keeps && o.monitor == refuted.monitor && o.recovery == recovery;
+  });
+  if (pair == all.end()) {
+    all.push_back(std::move(refuted));
+  } else if (pair->status != Status::acknowledged) {
+    refuted.starts = std::move(pair->starts);
+    *pair = std::move(refuted);
+  }
+}
+
 // By the place of the report: the monitor or the decision around it.
 void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, Report& report) {
   Obligation o;
@@ -205,8 +226,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   const bool of_decision = kind == Kind::joint_return;
   std::size_t at = 0;
   for (const sema::Monitor& m : spec.monitors) {
-    if (!d.range || d.range->file != m.range.file) continue;
-    if (d.range->begin < m.range.begin || d.range->begin > m.range.end) continue;
+    if (!is_about(d, m)) continue;
     if (!of_decision) o.monitor = m.name;
     for (std::size_t n = 0; n < spec.decisions.size(); ++n) {
       for (const sema::MonitorId id : spec.decisions[n].priority) {
@@ -215,10 +235,16 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
     }
   }
   if (at >= report.decisions.size()) return;
+  // of a look-ahead that leaves no place to return to
+  if (d.code == Code::limit_contradictory && !o.monitor.empty()) o.kind = Kind::p2b;
+  if (!d.recovery.empty()) {
+    refute_pair(std::move(o), d.recovery, report.decisions[at].obligations);
+    return;
+  }
   // What was shown of the rest of it is no proof any more.
   auto& all = report.decisions[at].obligations;
   const auto same = std::find_if(all.begin(), all.end(), [&](const Obligation& other) {
-    return other.kind == kind && other.monitor == o.monitor;
+    return other.kind == o.kind && other.monitor == o.monitor;
   });
   if (d.code == Code::recovery_elsewhere) doubt_return(spec, o, all);
   if (same != all.end()) {

@@ -151,6 +151,95 @@ std::vector<Need> needs_of(const Subject& s) {
   return all;
 }
 
+namespace {
+
+// `shrink`, tables and the grid: a zone may be so much wider than it is found to be.
+constexpr std::int64_t rounded_mm = 10;
+
+struct Witness {
+  std::int64_t x_mm = 0, y_mm = 0, z_mm = 0;
+};
+
+// How clear of each zone that it names a robot at rest has to be to be seen to have what the
+// property asks for.
+std::vector<Need> seen_needs(const Subject& s, const ir::Monitor& m) {
+  const auto asked = analysis::fence_standoffs(m.property, s.decision.facts.params);
+  std::vector<Need> needs;
+  for (const ir::ZoneIndex zone : places_of(s, m)) {
+    std::int64_t own_mm = 0;
+    for (const analysis::Standoff& each : asked) {
+      if (each.zone == zone) own_mm = std::max(own_mm, each.mm);
+    }
+    const std::int64_t need_mm =
+        s.decision.on_plan
+            ? 0
+            : analysis::shown_clearance_mm(s.decision, s.decision.motions.front(), own_mm);
+    needs.push_back({zone, need_mm});
+  }
+  return needs;
+}
+// Of these, the zones that the robot has to be in at once; of an `or` one will do.
+std::vector<Need> held_together(const Subject& s, const ir::Monitor& m,
+                                const std::vector<Need>& needs) {
+  if (s.decision.on_plan) return {};
+  const auto sure = analysis::sure_fences(m.property, s.decision.facts.params);
+  std::vector<Need> together;
+  std::ranges::copy_if(needs, std::back_inserter(together), [&](const Need& need) {
+    return std::ranges::find(sure, need.zone) != sure.end();
+  });
+  return together;
+}
+Witness alone(const Subject& s, const Need& need) {
+  const geometry::Point at = shown_place(s, need);
+  return {in_mm(at.x), in_mm(at.y), s.module[need.zone].widest_z_mm};
+}
+// In space, the widest place of one of the zones that is clear enough of the others as well.
+std::optional<Witness> common_witness(const Subject& s, const std::vector<Need>& needs) {
+  const bool flat = std::ranges::none_of(
+      needs, [&](const Need& need) { return s.module[need.zone].has_height(); });
+  if (flat) {
+    const auto at = common_place(s, needs);
+    return at ? std::optional(Witness{in_mm(at->x), in_mm(at->y), 0}) : std::nullopt;
+  }
+  const analysis::ExactSolid solid = any_solid(s);
+  for (const Need& widest : needs) {
+    const ir::ZoneTable& table = s.module[widest.zone];
+    if (!table.has_height()) continue;
+    const Witness at{table.widest_x_mm, table.widest_y_mm, table.widest_z_mm};
+    const bool clear = std::ranges::all_of(needs, [&](const Need& need) {
+      const Rational by = analysis::metres_of(need.clearance_mm);
+      const Rational upright = s.module[need.zone].has_height() ? by : Rational(0);
+      return solid(need.zone)
+          .shrink(by, upright)
+          .contains({analysis::metres_of(at.x_mm), analysis::metres_of(at.y_mm)},
+                    analysis::metres_of(at.z_mm));
+    });
+    if (clear) return at;
+  }
+  return std::nullopt;
+}
+bool share_nothing(const Subject& s, const std::vector<Need>& needs) {
+  const analysis::ExactSolid solid = any_solid(s);
+  geometry::Solid common = geometry::Solid::everywhere();
+  for (const Need& need : needs) {
+    const Rational by =
+        analysis::metres_of(std::max<std::int64_t>(need.clearance_mm - rounded_mm, 0));
+    const Rational upright = s.module[need.zone].has_height() ? by : Rational(0);
+    common = common.intersect(solid(need.zone).shrink(by, upright));
+  }
+  return common.empty();
+}
+Obligation nowhere_seen(Obligation o, bool never, std::string why, std::string repair) {
+  o.status = never ? Status::refuted : Status::unknown;
+  o.method = never ? "geometry" : "no proof";
+  o.because = std::move(why);
+  o.repair = std::move(repair);
+  o.claims.clear();
+  return o;
+}
+
+}  // namespace
+
 Obligation can_hold(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   Obligation o;
@@ -168,35 +257,44 @@ Obligation can_hold(const Subject& s, std::size_t k) {
     o.because = "what zone will be received is not known";
     return o;
   }
+  if (auto unseen = limits_unseen(s, m, o)) return std::move(*unseen);
   o.status = Status::proved;
   o.method = "witness";
-  analysis::Standoffs own;
-  analysis::ask_for_standoffs(m.property, s.decision.facts.params, own);
-  const std::int64_t need =
-      s.decision.on_plan
-          ? 0
-          : analysis::shown_clearance_mm(s.decision, s.decision.motions.front(), own.fence_mm);
-  for (const ir::ZoneIndex zone : places_of(s, m)) {
-    const ir::ZoneTable& table = s.module[zone];
-    if (table.widest_mm < need) {
-      o.status = Status::unknown;
-      o.method = "no proof";
-      o.because = "the widest place of " + quoted(table.name) + " is " + metres(table.widest_mm) +
-                  " from its boundary, and " + metres(need) + " are sure to be seen";
-      o.claims.clear();
-      return o;
-    }
-    const geometry::Point at = shown_place(s, {zone, need});
-    const std::int64_t x_mm = in_mm(at.x), y_mm = in_mm(at.y);
-    const std::string height = table.has_height() ? ", " + metres(table.widest_z_mm) : "";
+  const std::vector<Need> needs = seen_needs(s, m);
+  for (const Need& need : needs) {
+    const ir::ZoneTable& table = s.module[need.zone];
+    if (table.widest_mm >= need.clearance_mm) continue;
+    const bool never = table.widest_mm + rounded_mm < need.clearance_mm;
+    return nowhere_seen(std::move(o), never,
+                        "the widest place of " + quoted(table.name) + " is " +
+                            metres(table.widest_mm) + " from its boundary, and " +
+                            metres(need.clearance_mm) + " are sure to be seen",
+                        "a place " + metres(need.clearance_mm) + " from the boundary works");
+  }
+  const std::vector<Need> together = held_together(s, m, needs);
+  const std::optional<Witness> common =
+      together.size() > 1 ? common_witness(s, together) : std::nullopt;
+  if (together.size() > 1 && !common) {
+    return nowhere_seen(std::move(o), share_nothing(s, together),
+                        "no place is so clear of the boundaries of all of its zones that this is "
+                        "seen, whatever the errors",
+                        "zones that share more room work");
+  }
+  for (const Need& need : needs) {
+    const ir::ZoneTable& table = s.module[need.zone];
+    const bool shared = common && std::ranges::any_of(together, [&](const Need& each) {
+                          return each.zone == need.zone;
+                        });
+    const Witness at = shared ? *common : alone(s, need);
+    const std::string height = table.has_height() ? ", " + metres(at.z_mm) : "";
     o.because = std::string(s.decision.on_plan ? "a plan to (" : "a robot at rest at (") +
-                metres(x_mm) + ", " + metres(y_mm) + height + ") is seen to be in " +
+                metres(at.x_mm) + ", " + metres(at.y_mm) + height + ") is seen to be in " +
                 quoted(table.name) + ", whatever the errors";
-    Claim claim = place_claim(s, zone, x_mm, y_mm, need);
+    Claim claim = place_claim(s, need.zone, at.x_mm, at.y_mm, need.clearance_mm);
     claim.what = "seen";
     claim.values.erase("extra_us");
     claim.values["monitor"] = m.name;
-    if (table.has_height()) claim.values["z_mm"] = std::to_string(table.widest_z_mm);
+    if (table.has_height()) claim.values["z_mm"] = std::to_string(at.z_mm);
     o.claims.push_back(std::move(claim));
   }
   if (o.because.empty() && !s.decision.on_plan) {

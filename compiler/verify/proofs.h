@@ -106,6 +106,11 @@ Obligation legs_back(const Subject& s, std::size_t k);
 bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t gap_mm,
                      const ir::Block& block, const ir::AtLeast& limit);
 
+// Of `o`, that the property can be seen to hold: what keeps a limit of speed, height or charge from
+// being seen to be kept in any state. none: nothing does.
+std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
+                                        const Obligation& o);
+
 // Of a decision on a plan.
 std::vector<Obligation> plan_obligations(const Subject& s);
 

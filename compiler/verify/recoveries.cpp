@@ -106,6 +106,17 @@ std::string falls_behind(const Subject& s, const ir::Recovery& recovery) {
   return "";
 }
 
+// What moves is gated by distances to others: it waits for them, for longer than any reserve lasts.
+// "": nobody is there, or nothing asks for a distance.
+std::string waits_for_others(const Subject& s, const ir::Recovery& recovery) {
+  const ir::Decision& d = s.decision;
+  const bool gated = std::ranges::any_of(
+      d.monitors, [](const ir::Monitor& m) { return atoms_of(m.property).distance; });
+  if (!gated || (d.robots == 1 && !d.open_fleet)) return "";
+  return quoted(recovery.name) + " may wait for other robots, for how long is not bounded, and " +
+         "that spends charge";
+}
+
 // Of zones that come and go; each of the monitors that a recovery drives for leads out as well.
 std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t judged) {
   const ir::Monitor& m = s.decision.monitors[judged];
@@ -126,6 +137,7 @@ std::string doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
   const Atoms atoms = atoms_of(property);
   if (atoms.charge || atoms.energy) {
     if (std::string off = off_its_dock(s, ir::last_step(recovery)); !off.empty()) return off;
+    if (std::string waits = waits_for_others(s, recovery); !waits.empty()) return waits;
   }
   return doubt_of_zones(s, k, judged);
 }
@@ -135,6 +147,9 @@ void claim_windows(const Subject& s, std::size_t judged, Obligation& o) {
   o.because += ", and leads out before a zone comes or goes, within " +
                seconds(Rational(static_cast<long>(m.recovery.leave_us), 1'000'000));
   o.claims.push_back(leaves_claim(s, judged));
+}
+std::string acknowledging(const std::string& recovery, const std::string& monitor) {
+  return "`acknowledge " + recovery + " may break " + monitor + " \"why\"` accepts that";
 }
 Obligation doubted(Obligation o, std::string why) {
   o.status = Status::unknown;
@@ -222,6 +237,9 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
     }
   }
   if (std::string doubt = doubt_about(s, k, k); !doubt.empty()) {
+    if (doubt == waits_for_others(s, m.recovery)) {
+      o.repair = acknowledging(m.recovery.name, m.name);
+    }
     return doubted(std::move(o), std::move(doubt));
   }
   o.claims.push_back(limits_claim(s));
@@ -402,7 +420,7 @@ Obligation among_others(const Subject& s, std::size_t driving, std::size_t judge
     return o;
   }
   o = doubted(std::move(o), itself);
-  o.repair = "`acknowledge " + i.recovery.name + " may break " + j.name + " \"why\"` accepts that";
+  o.repair = acknowledging(i.recovery.name, j.name);
   return o;
 }
 

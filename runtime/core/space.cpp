@@ -347,14 +347,15 @@ void Land::look(TimeUs /*now_us*/, Vec3 from, Legs& legs) {
 
 void RetreatInSpace::look(TimeUs /*now_us*/, Vec3 from, Legs& legs) {
   const double now_m = Sight(setting_).clearance_m(from);
-  if (now_m >= setting_.return_clearance_m) return;
+  // it may rest as far from where it is held as its hold sways: deeper is better, and nearer to the
+  // boundary than that errors that last may keep it from being given back for ever
+  const double slack_m = sway_m();
+  if (now_m >= setting_.return_clearance_m + slack_m - rounding_m) return;
   const bool outside = now_m < setting_.limits.radius_m;
   const double least_m = (outside ? now_m : std::min(now_m, setting_.route_clearance_m)) - loss_m;
-  // it may rest as far from its aim as its hold sways: deeper is better
-  const double slack_m = sway_m();
   FixedList<double, 4> wishes;
   (void)wishes.push(setting_.return_clearance_m + slack_m);
-  (void)wishes.push(setting_.return_clearance_m);
+  if (now_m < setting_.return_clearance_m) (void)wishes.push(setting_.return_clearance_m);
   if (outside) {
     (void)wishes.push(setting_.route_clearance_m);
     (void)wishes.push(setting_.limits.radius_m + slack_m);

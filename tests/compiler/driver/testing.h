@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "compiler/driver/driver.h"
+#include "compiler/driver/seals.h"
 
 namespace rtac::driver::test {
 
@@ -37,6 +38,12 @@ inline std::string read(const fs::path& path) {
 inline void write(const fs::path& path, const std::string& text) {
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
   std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
+}
+
+// What certificates claim is looked at by itself: whatever a test has changed is sealed once more.
+inline Outcome recheck_sealed_anew(const std::string& folder = "certificates") {
+  write(folder + "/" + seals_name, sealed_anew(folder));
+  return rtac({"verify", "--recheck", folder});
 }
 
 inline std::string spec_text(const std::string& path) {

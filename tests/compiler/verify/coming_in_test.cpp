@@ -76,7 +76,7 @@ class ComingIn : public Verify {
   }
   static Outcome rechecked(const Json& report) {
     write("certificates/verification.json", report.dump());
-    return rtac({"verify", "--recheck", "certificates"});
+    return recheck_sealed_anew();
   }
   static void expect_denied(const Json& report, const std::string& why) {
     const Outcome o = rechecked(report);

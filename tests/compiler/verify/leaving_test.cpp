@@ -69,7 +69,7 @@ class Leaving : public Verify {
     const Outcome again = rechecked();
     ASSERT_EQ(again.status, exit_clean) << again.out << again.err;
   }
-  static Outcome rechecked() { return rtac({"verify", "--recheck", "certificates"}); }
+  static Outcome rechecked() { return recheck_sealed_anew(); }
   static void expect_denied(const std::string& why) {
     const Outcome o = rechecked();
     EXPECT_EQ(o.status, exit_violation) << why << "\n" << o.out << o.err;

@@ -43,7 +43,7 @@ class Others : public Verify {
     const Statuses all = statuses(o.out, "C", "others");
     return all.size() == 1 ? all.front() : "";
   }
-  static Outcome recheck() { return rtac({"verify", "--recheck", "certificates"}); }
+  static Outcome recheck() { return recheck_sealed_anew(); }
   // What `verify` has written of a pair that is proved, with the text and the claims of another
   // specification.
   static Outcome rechecked_as_proved(const std::string& kind, const Json& claims) {

@@ -19,7 +19,7 @@ class Recheck : public Verify {
     ASSERT_EQ(verified(text, {"-o", "certificates"}).status, exit_clean);
     report_ = Json::parse(read("certificates/verification.json"));
   }
-  static Outcome rechecked() { return rtac({"verify", "--recheck", "certificates"}); }
+  static Outcome rechecked() { return recheck_sealed_anew(); }
   Outcome rechecked_with(const Json& report) {
     write("certificates/verification.json", report.dump(2));
     return rechecked();
@@ -40,6 +40,27 @@ class Recheck : public Verify {
   }
   Json report_;
 };
+
+// Each file as it was written, whatever in it a claim speaks of.
+TEST_F(Recheck, ABrokenSealIsNoticed) {
+  const std::vector<std::string> words = {"verify", "--recheck", "certificates"};
+  ASSERT_EQ(rtac(words).status, exit_clean);
+  const std::string seals = read("certificates/seals");
+  for (const std::string file :
+       {"verification.json", "sources/spec.rta", "lemmas/capsule.smt2", "specification"}) {
+    const std::string before = read("certificates/" + file);
+    ASSERT_FALSE(before.empty()) << file;
+    write("certificates/" + file, before + "\n");
+    const Outcome o = rtac(words);
+    EXPECT_EQ(o.status, exit_violation) << file << o.out << o.err;
+    EXPECT_NE(o.out.find("`" + file + "` is not what was written"), std::string::npos) << o.out;
+    write("certificates/" + file, before);
+  }
+  write("certificates/seals", "");
+  EXPECT_EQ(rtac(words).status, exit_violation);
+  write("certificates/seals", seals);
+  EXPECT_EQ(rtac(words).status, exit_clean);
+}
 
 TEST_F(Recheck, WhatIsProvedIsFoundOnceMore) {
   const Outcome o = rechecked();
@@ -282,12 +303,12 @@ TEST_F(Verify, AClaimKeepsWhatEachOfItsPlacesKeeps) {
       edited(claimed, "recover back_off;", "recover back_off; hold when violated \"staff\";");
   const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
   EXPECT_EQ(statuses(o.out, "P2a", "walls"), Statuses{"proved"}) << o.out << o.err;
-  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  const Outcome again = recheck_sealed_anew();
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
   for (const auto& [to, why] : {std::pair{"shrink(room, 9 cm)", "it is not contained"},
                                 {"room & room", "it is not contained"}}) {
     write("certificates/sources/spec.rta", edited(text, "shrink(room, 10 cm)", to));
-    const Outcome forged = rtac({"verify", "--recheck", "certificates"});
+    const Outcome forged = recheck_sealed_anew();
     EXPECT_EQ(forged.status, exit_violation) << to;
     EXPECT_NE((forged.out + forged.err).find(why), std::string::npos) << forged.out << forged.err;
   }
@@ -299,13 +320,13 @@ TEST_F(Verify, AClaimKeepsWhatEachOfItsPlacesKeeps) {
     const std::string named =
         edited(text, "zone inner", "param most : length in 0 m .. 11 cm = 0 m;\nzone inner");
     write("certificates/sources/spec.rta", edited(named, asked, more));
-    const Outcome forged = rtac({"verify", "--recheck", "certificates"});
+    const Outcome forged = recheck_sealed_anew();
     EXPECT_EQ(forged.status, exit_violation) << more;
     EXPECT_NE((forged.out + forged.err).find("keeps so far from `room`"), std::string::npos)
         << more << forged.out << forged.err;
   }
   write("certificates/sources/spec.rta", edited(text, "inside inner", "inside room"));
-  const Outcome own = rtac({"verify", "--recheck", "certificates"});
+  const Outcome own = recheck_sealed_anew();
   EXPECT_NE((own.out + own.err).find("nothing says that `back_off` keeps so far from `room`"),
             std::string::npos)
       << own.out << own.err;
@@ -467,7 +488,7 @@ TEST_P(RecheckCases, WhatIsProvedIsFoundOnceMore) {
   const std::string spec = std::string(RTAC_SOURCE_DIR) + "/tests/" + GetParam() + ".rta";
   const Outcome o = rtac({"verify", spec, "-o", "certificates"});
   ASSERT_NE(o.out.find(" proved, "), std::string::npos) << o.out << o.err;
-  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  const Outcome again = recheck_sealed_anew();
   EXPECT_NE(again.out.find(" 0 not proved"), std::string::npos) << again.out << again.err;
 }
 INSTANTIATE_TEST_SUITE_P(

@@ -72,7 +72,7 @@ class ReturnWhen : public Verify {
     write("certificates/verification.json", report.dump());
     return rechecked();
   }
-  static Outcome rechecked() { return rtac({"verify", "--recheck", "certificates"}); }
+  static Outcome rechecked() { return recheck_sealed_anew(); }
 };
 
 // The recovery leads away from walls, and nowhere else: a place in the west is clear enough.

@@ -38,7 +38,7 @@ class Sides : public Verify {
   static void expect_proved(const std::string& text) {
     const Outcome o = verified(text, {"-o", "certificates"});
     EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
-    const Outcome again = rtac({"verify", "--recheck", "certificates"});
+    const Outcome again = recheck_sealed_anew();
     EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
   }
   static std::string status(const std::string& text, const std::string& kind) {
@@ -55,7 +55,7 @@ class Sides : public Verify {
       o["claims"] = claims;
     }
     write("certificates/verification.json", report.dump());
-    return rtac({"verify", "--recheck", "certificates"});
+    return recheck_sealed_anew();
   }
   static Json claims_of(const std::string& kind) {
     const Json report = Json::parse(read("certificates/verification.json"));

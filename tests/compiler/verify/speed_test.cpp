@@ -36,7 +36,7 @@ using FastRecovery = Verify;
 TEST_F(FastRecovery, OneThatIsSlowEnoughIsProved) {
   const Outcome o = verified(cart("0.5 m/s", "fence > calm", ""), {"-o", "certificates"});
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
-  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  const Outcome again = recheck_sealed_anew();
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 
@@ -69,7 +69,7 @@ TEST_F(FastRecovery, TheRecheckDeniesAProof) {
     if (o["obligation"] == "C" && o["monitor"] == "calm") o["status"] = "proved";
   }
   write("certificates/verification.json", report.dump());
-  const Outcome o = rtac({"verify", "--recheck", "certificates"});
+  const Outcome o = recheck_sealed_anew();
   EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
   EXPECT_NE((o.out + o.err).find("`back` drives faster than `calm` allows"), std::string::npos)
       << o.out << o.err;

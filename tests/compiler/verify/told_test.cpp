@@ -39,7 +39,7 @@ class Told : public Verify {
   static void expect_proved(const std::string& text) {
     const Outcome o = verified(text, {"-o", "certificates"});
     EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
-    const Outcome again = rtac({"verify", "--recheck", "certificates"});
+    const Outcome again = recheck_sealed_anew();
     EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
   }
 };

@@ -196,7 +196,7 @@ TEST_F(MakingRoom, OfTwoRobotsOneFindsAWay) {
   for (const char* property : {"distance(r, q) >= 20 cm", "2 * distance(r, q) - 10 cm >= 30 cm"}) {
     const Json found = room(halls_with(hall, "a, b", property));
     EXPECT_EQ(found["status"], "proved") << found;
-    const Outcome again = rtac({"verify", "--recheck", "certificates"});
+    const Outcome again = recheck_sealed_anew();
     EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
   }
   const std::string aisle = because(halls_with("rectangle (0 m, 0 m) to (20 m, 2.5 m)"));
@@ -214,7 +214,7 @@ TEST_F(MakingRoom, OfTwoRobotsBesideAPillarOneFindsAWay) {
       room(halls_with("rectangle (0 m, 0 m) to (7.4 m, 7.4 m)"
                       " - rectangle (3.2 m, 3.2 m) to (4.2 m, 4.2 m)"));
   EXPECT_EQ(found["status"], "proved") << found;
-  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  const Outcome again = recheck_sealed_anew();
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 // A fence that ranks higher leads back from a wall, towards the other robot, and tells nobody that
@@ -229,7 +229,7 @@ TEST_F(MakingRoom, WhereAnotherRecoveryMayDriveNothingIsShown) {
     // nor is a certificate of the first order believed of the other one
     ASSERT_EQ(room(hall)["status"], "proved");
     write("certificates/sources/spec.rta", other);
-    const Outcome again = rtac({"verify", "--recheck", "certificates"});
+    const Outcome again = recheck_sealed_anew();
     EXPECT_NE((again.out + again.err).find("another recovery may drive instead"), std::string::npos)
         << again.out << again.err;
   }
@@ -266,7 +266,7 @@ TEST_F(MakingRoom, AMutatedCertificateIsNoticed) {
     }
     EXPECT_EQ(found, 1);
     write("certificates/verification.json", changed.dump(2));
-    EXPECT_EQ(rtac({"verify", "--recheck", "certificates"}).status, exit_violation) << key << by;
+    EXPECT_EQ(recheck_sealed_anew().status, exit_violation) << key << by;
   }
 }
 // Of more robots nothing is shown: the gate is named, with its width and what would do.
@@ -394,7 +394,7 @@ decision fly for Drone { advanced pilot; period 50 ms; priority lost > walls > i
 )",
                              {"--format", "json", "-o", "certificates"});
   EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"proved"}) << o.out << o.err;
-  EXPECT_EQ(rtac({"verify", "--recheck", "certificates"}).status, exit_clean);
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
 }
 TEST_F(Verify, WithoutAModelCheckerNothingIsSaidOfSwitching) {
   const std::string path = std::getenv("PATH");
@@ -450,7 +450,7 @@ TEST_F(Hanging, AModelCheckerThatIsKilledHasNotTakenTooLong) {
 TEST_F(Hanging, ASolverLeavesItUnknownAndIsAskedOnce) {
   ASSERT_EQ(verified(drone_spec(), {"-o", "certificates"}).status, exit_clean);
   hangs("z3");
-  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  const Outcome again = recheck_sealed_anew();
   EXPECT_EQ(again.status, exit_inconclusive) << again.out << again.err;
   EXPECT_NE(again.out.find("z3 has not ended within 20 s"), std::string::npos) << again.out;
   EXPECT_NE(again.out.find("z3 is not asked, since it has not ended before"), std::string::npos)
@@ -525,7 +525,7 @@ decision gate for Cart { advanced policy; period 50 ms; priority told > slow > f
   const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "C", "fence"), Statuses{"proved"}) << o.out;
-  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  const Outcome again = recheck_sealed_anew();
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 

@@ -1,0 +1,84 @@
+#include "compiler/recheck/seen.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "compiler/recheck/sums.h"
+
+namespace rtac::recheck {
+namespace {
+
+// Each part that has to hold.
+template <class Visit>
+void for_each_conjunct(const sema::Expr& e, const Visit& visit) {
+  const auto* logic = std::get_if<sema::Logic>(&e.node);
+  if (logic == nullptr || logic->op != sema::LogicOp::logical_and) {
+    visit(e);
+    return;
+  }
+  for (const sema::ExprPtr& each : logic->operands) for_each_conjunct(*each, visit);
+}
+
+struct Limits {
+  std::optional<Rational> speed, charge, low, high;
+};
+void tighten(std::optional<Rational>& limit, const Rational& to, bool from_above) {
+  const bool stricter = !limit || (from_above ? to < *limit : to > *limit);
+  if (stricter) limit = to;
+}
+Limits limits_of(const sema::Spec& spec, const sema::Expr& property) {
+  Limits all;
+  for_each_conjunct(property, [&](const sema::Expr& e) {
+    const auto* compare = std::get_if<sema::Compare>(&e.node);
+    if (compare == nullptr) return;
+    using Op = sema::CompareOp;
+    const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
+    if (!above && compare->op != Op::less && compare->op != Op::less_equal) return;
+    const auto sum = above ? difference(spec, *compare->left, *compare->right)
+                           : difference(spec, *compare->right, *compare->left);
+    if (!sum || sum->terms.size() != 1) return;
+    const auto& [of, times] = *sum->terms.begin();
+    const Rational limit = -sum->least / times;
+    using Kind = Measured::Kind;
+    if (of.kind == Kind::speed && times < 0) tighten(all.speed, limit, true);
+    if (of.kind == Kind::battery && times > 0) tighten(all.charge, limit, false);
+    if (of.kind == Kind::altitude) tighten(times > 0 ? all.low : all.high, limit, times < 0);
+  });
+  return all;
+}
+
+}  // namespace
+
+std::vector<sema::ZoneId> zones_at_once(const sema::Spec& spec, const sema::Expr& property) {
+  std::vector<sema::ZoneId> all;
+  const auto add = [&](sema::ZoneId zone) {
+    if (std::ranges::find(all, zone) == all.end()) all.push_back(zone);
+  };
+  for_each_conjunct(property, [&](const sema::Expr& e) {
+    const auto* inside = std::get_if<sema::InsideZone>(&e.node);
+    if (inside != nullptr) add(inside->zone);
+    const auto floor = floor_of(spec, e);
+    if (floor && floor->laxest >= 0) add(floor->zone);
+  });
+  return all;
+}
+
+// A measurement may be off by its error to either side, and what it shows is as far off again.
+std::string limit_unseen(const sema::Spec& spec, const sema::Decision& decision,
+                         const sema::Expr& property) {
+  const sema::RobotKind& kind = spec[decision.kind];
+  const auto error_of = [](const auto& sense) { return sense ? sense->error.value : Rational(0); };
+  const Limits limits = limits_of(spec, property);
+  if (limits.speed && *limits.speed < 2 * error_of(kind.velocity)) {
+    return "no speed is seen to be so low";
+  }
+  if (limits.charge && *limits.charge > 1 - 2 * error_of(kind.battery)) {
+    return "no charge is seen to be so high";
+  }
+  if (limits.low && limits.high && *limits.high - *limits.low < 2 * error_of(kind.position)) {
+    return "no height is seen to be within its limits";
+  }
+  return "";
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,19 @@
+// Whether a property can be seen to hold at all, whatever the errors of the sensors: what has to
+// hold of it at once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/sema/spec.h"
+
+namespace rtac::recheck {
+
+// The zones that a robot is in wherever the property holds, each once; not those of an `or`.
+std::vector<sema::ZoneId> zones_at_once(const sema::Spec& spec, const sema::Expr& property);
+
+// A limit of speed, height or charge that errors hide in every state; "": there is none.
+std::string limit_unseen(const sema::Spec& spec, const sema::Decision& decision,
+                         const sema::Expr& property);
+
+}  // namespace rtac::recheck
