@@ -224,11 +224,23 @@ class InSpace {
                        lowest_mm);
       }
     }
-    for (const ir::ZoneIndex fence : fences()) {
-      if (!module_[fence].has_height()) continue;
-      if (Found found = column(step, module_[fence].name, exact_(fence))) return found;
+    for (const ir::ZoneIndex zone : zones_named()) {
+      if (!module_[zone].has_height()) continue;
+      if (Found found = column(step, module_[zone].name, exact_(zone))) return found;
     }
     return std::nullopt;
+  }
+  // Of an `or`, each side: the robot may be in that one alone.
+  [[nodiscard]] std::vector<ir::ZoneIndex> zones_named() const {
+    std::vector<ir::ZoneIndex> all;
+    ir::for_each_comparison(monitor_.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+      for (const auto& [leaf, coefficient] : ir::linear_form(block, c).terms) {
+        const ir::ZoneIndex zone{leaf.table};
+        if (leaf.kind != ir::Leaf::Kind::clearance) continue;
+        if (std::ranges::find(all, zone) == all.end()) all.push_back(zone);
+      }
+    });
+    return all;
   }
   // Every place above has all of the way down below it.
   Found column(const ir::Recovery& step, const std::string& zone,

@@ -199,18 +199,26 @@ class Check {
       fail(whom(d, e) + ": " + limit);
     }
   }
-  // Zones that the robot has to be in at once are seen at one place.
+  // All zones are seen at one place, and of each `or` one side.
   void one_place(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
-    std::set<std::string> places, heights;
-    for (const sema::ZoneId zone : zones_at_once(spec_, *m.always)) {
-      for (const Claim& c : e.claims) {
-        if (c.what != "seen" || text(c.values, "zone") != claims_.zones().name(zone)) continue;
-        places.insert(text(c.values, "x_mm") + " " + text(c.values, "y_mm"));
-        if (c.values.count("z_mm") != 0) heights.insert(text(c.values, "z_mm"));
-      }
+    std::set<std::string> places, heights, zones;
+    for (const Claim& c : e.claims) {
+      if (c.what != "seen" || text(c.values, "decision") != d.name) continue;
+      places.insert(text(c.values, "x_mm") + " " + text(c.values, "y_mm"));
+      if (c.values.count("z_mm") != 0) heights.insert(text(c.values, "z_mm"));
+      zones.insert(text(c.values, "zone"));
     }
     if (places.size() > 1 || heights.size() > 1) {
       fail(whom(d, e) + ": it is not one place that is seen to be in all of its zones");
+    }
+    one_side_each(d, e, m, zones);
+  }
+  void one_side_each(const sema::Decision& d, const Entry& e, const sema::Monitor& m,
+                     const std::set<std::string>& zones) {
+    for (const auto& sides : sides_at_once(*m.always)) {
+      const bool some = std::ranges::any_of(
+          sides, [&](sema::ZoneId zone) { return zones.count(claims_.zones().name(zone)) != 0; });
+      if (!some) fail(whom(d, e) + ": nothing is said of any side of an `or`");
     }
   }
   const sema::Monitor* monitor(const sema::Decision& d, const std::string& name) const {
@@ -221,8 +229,13 @@ class Check {
   }
 
   void joint(const sema::Decision& d, const Entry& e) {
-    if (has(e, "no_fences", {{"decision", d.name}})) return;
-    std::set<std::string> zones, places;
+    if (has(e, "no_fences", {{"decision", d.name}})) {
+      for (const sema::MonitorId id : d.priority) {
+        if (!spec_[id].ahead.waypoints_only) one_side_each(d, e, spec_[id], {});
+      }
+      return;
+    }
+    std::set<std::string> zones, places, named;
     for (const sema::MonitorId id : d.priority) {
       if (spec_[id].ahead.waypoints_only) continue;
       for (const sema::ZoneId zone : asked_in(spec_, *spec_[id].always)) {
@@ -236,6 +249,10 @@ class Check {
                         ? c.values.at("x_mm") + " " + c.values.at("y_mm")
                         : "");
       zones.erase(c.values.count("zone") != 0 ? c.values.at("zone") : "");
+      named.insert(text(c.values, "zone"));
+    }
+    for (const sema::MonitorId id : d.priority) {
+      if (!spec_[id].ahead.waypoints_only) one_side_each(d, e, spec_[id], named);
     }
     if (places.empty()) need(d, e, "no_fences");
     const bool asked = std::any_of(d.priority.begin(), d.priority.end(), [&](sema::MonitorId id) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "compiler/recheck/claims.h"
 #include "compiler/recheck/sums.h"
 
 namespace rtac::recheck {
@@ -49,16 +50,18 @@ Limits limits_of(const sema::Spec& spec, const sema::Expr& property) {
 
 }  // namespace
 
-std::vector<sema::ZoneId> zones_at_once(const sema::Spec& spec, const sema::Expr& property) {
-  std::vector<sema::ZoneId> all;
-  const auto add = [&](sema::ZoneId zone) {
-    if (std::ranges::find(all, zone) == all.end()) all.push_back(zone);
-  };
+std::vector<std::vector<sema::ZoneId>> sides_at_once(const sema::Expr& property) {
+  std::vector<std::vector<sema::ZoneId>> all;
   for_each_conjunct(property, [&](const sema::Expr& e) {
-    const auto* inside = std::get_if<sema::InsideZone>(&e.node);
-    if (inside != nullptr) add(inside->zone);
-    const auto floor = floor_of(spec, e);
-    if (floor && floor->laxest >= 0) add(floor->zone);
+    const auto* logic = std::get_if<sema::Logic>(&e.node);
+    if (logic == nullptr || logic->op != sema::LogicOp::logical_or) return;
+    std::vector<sema::ZoneId> zones;
+    for (const sema::ExprPtr& side : logic->operands) {
+      const auto of_side = all_zones(*side);
+      if (of_side.empty()) return;
+      zones.insert(zones.end(), of_side.begin(), of_side.end());
+    }
+    all.push_back(std::move(zones));
   });
   return all;
 }

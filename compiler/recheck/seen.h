@@ -9,8 +9,8 @@
 
 namespace rtac::recheck {
 
-// The zones that a robot is in wherever the property holds, each once; not those of an `or`.
-std::vector<sema::ZoneId> zones_at_once(const sema::Spec& spec, const sema::Expr& property);
+// Of each `or` that has a zone on every side, those zones.
+std::vector<std::vector<sema::ZoneId>> sides_at_once(const sema::Expr& property);
 
 // A limit of speed, height or charge that errors hide in every state; "": there is none.
 std::string limit_unseen(const sema::Spec& spec, const sema::Decision& decision,

@@ -151,6 +151,35 @@ JointNeeds joint_needs_of(const Subject& s) {
   return all;
 }
 
+std::vector<Sides> ways_to_choose(
+    const Subject& s, const std::vector<const ir::Monitor*>& monitors,
+    const std::function<std::int64_t(const ir::Monitor&, std::int64_t)>& ask) {
+  constexpr std::size_t ways_most = 64;
+  const auto& params = s.decision.facts.params;
+  std::vector<Sides> all(1);
+  for (const ir::Monitor* m : monitors) {
+    std::map<ir::ZoneIndex, std::int64_t> asked;
+    ir::for_each_comparison(m->property, [&](const ir::Block& block, const ir::AtLeast& c) {
+      const auto bound = ir::lower_bound(block, c, params);
+      if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return;
+      std::int64_t& mm = asked[ir::ZoneIndex{bound->leaf.table}];
+      mm = std::max(mm, bound->need.strictest);
+    });
+    for (const analysis::Choice& choice : analysis::choices_of(m->property, params)) {
+      std::vector<Sides> more;
+      for (const Sides& before : all) {
+        for (const ir::ZoneIndex zone : choice) {
+          if (more.size() == ways_most) break;
+          more.push_back(before);
+          add(more.back(), {zone, ask(*m, asked[zone])});
+        }
+      }
+      all = std::move(more);
+    }
+  }
+  return all;
+}
+
 std::vector<Need> all_of(const JointNeeds& needs) {
   std::vector<Need> all = needs.zones;
   for (const Need& need : needs.returned) add(all, need);

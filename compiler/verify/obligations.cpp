@@ -248,6 +248,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   });
   if (d.code == Code::recovery_elsewhere) doubt_return(spec, o, all);
   if (same != all.end()) {
+    if (!o.place_mm) o.place_mm = same->place_mm;  // a robot is stuck there all the same
     *same = std::move(o);
   } else {
     all.push_back(std::move(o));
@@ -313,11 +314,14 @@ void add_starts(const Subject& s, Decision& decision) {
   const auto& monitors = s.decision.monitors;
   if (s.decision.on_plan) return;
   for (Obligation& o : decision.obligations) {
-    if (o.status != Status::refuted || o.kind != Kind::p2a) continue;
+    if (o.status != Status::refuted) continue;
+    const bool pair = o.kind == Kind::keeps && o.starts.empty();
+    if (o.kind != Kind::p2a && !pair) continue;
     for (std::size_t judged = 0; judged < monitors.size(); ++judged) {
       if (monitors[judged].name != o.monitor) continue;
       for (std::size_t driving = 0; driving < monitors.size(); ++driving) {
-        if (monitors[driving].recovery.name != monitors[judged].recovery.name) continue;
+        const std::string& leads = pair ? o.recovery : monitors[judged].recovery.name;
+        if (monitors[driving].recovery.name != leads) continue;
         for (Start& start : starts_of_damage(s, driving, judged)) {
           o.starts.push_back(std::move(start));
         }

@@ -178,16 +178,28 @@ std::vector<Need> seen_needs(const Subject& s, const ir::Monitor& m) {
   }
   return needs;
 }
-// Of these, the zones that the robot has to be in at once; of an `or` one will do.
+// Of these, the zones that the robot has to be in at once.
 std::vector<Need> held_together(const Subject& s, const ir::Monitor& m,
                                 const std::vector<Need>& needs) {
   if (s.decision.on_plan) return {};
-  const auto sure = analysis::sure_fences(m.property, s.decision.facts.params);
+  const auto sure = analysis::fences_of(m.property, s.decision.facts.params);
   std::vector<Need> together;
   std::ranges::copy_if(needs, std::back_inserter(together), [&](const Need& need) {
     return std::ranges::find(sure, need.zone) != sure.end();
   });
   return together;
+}
+// Of an `or` one side will do.
+std::vector<Sides> sides_seen(const Subject& s, const ir::Monitor& m) {
+  if (s.decision.on_plan) return {{}};
+  return ways_to_choose(s, {&m}, [&](const ir::Monitor&, std::int64_t own_mm) {
+    return analysis::shown_clearance_mm(s.decision, s.decision.motions.front(), own_mm);
+  });
+}
+void add_need(std::vector<Need>& all, const Need& need) {
+  const bool known =
+      std::ranges::any_of(all, [&](const Need& each) { return each.zone == need.zone; });
+  if (!known) all.push_back(need);
 }
 Witness alone(const Subject& s, const Need& need) {
   const geometry::Point at = shown_place(s, need);
@@ -260,7 +272,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   if (auto unseen = limits_unseen(s, m, o)) return std::move(*unseen);
   o.status = Status::proved;
   o.method = "witness";
-  const std::vector<Need> needs = seen_needs(s, m);
+  std::vector<Need> needs = seen_needs(s, m);
   for (const Need& need : needs) {
     const ir::ZoneTable& table = s.module[need.zone];
     if (table.widest_mm >= need.clearance_mm) continue;
@@ -271,14 +283,24 @@ Obligation can_hold(const Subject& s, std::size_t k) {
                             metres(need.clearance_mm) + " are sure to be seen",
                         "a place " + metres(need.clearance_mm) + " from the boundary works");
   }
-  const std::vector<Need> together = held_together(s, m, needs);
-  const std::optional<Witness> common =
-      together.size() > 1 ? common_witness(s, together) : std::nullopt;
-  if (together.size() > 1 && !common) {
-    return nowhere_seen(std::move(o), share_nothing(s, together),
+  std::optional<Witness> common;
+  std::vector<Need> together;
+  const std::vector<Sides> ways = sides_seen(s, m);
+  for (const Sides& sides : ways) {
+    together = held_together(s, m, needs);
+    together.insert(together.end(), sides.begin(), sides.end());
+    common = together.size() > 1 || !sides.empty() ? common_witness(s, together) : std::nullopt;
+    if (common) break;
+  }
+  const bool chosen = !ways.front().empty();
+  if ((together.size() > 1 || chosen) && !common) {
+    return nowhere_seen(std::move(o), !chosen && share_nothing(s, together),
                         "no place is so clear of the boundaries of all of its zones that this is "
                         "seen, whatever the errors",
                         "zones that share more room work");
+  }
+  if (chosen) {
+    for (const Need& need : together) add_need(needs, need);
   }
   for (const Need& need : needs) {
     const ir::ZoneTable& table = s.module[need.zone];
@@ -335,17 +357,11 @@ Obligation can_fail(const Subject& s, std::size_t k) {
   return o;
 }
 
-Obligation returns_together(const Subject& s) {
+namespace {
+
+Obligation together(const Subject& s, const JointNeeds& needs) {
   Obligation o;
   o.kind = Kind::joint_return;
-  const auto& monitors = s.decision.monitors;
-  if (std::any_of(monitors.begin(), monitors.end(),
-                  [](const ir::Monitor& m) { return atoms_of(m.property).received; })) {
-    o.method = "no proof";
-    o.because = "what zone will be received is not known, and so no place that it leaves free";
-    return o;
-  }
-  const JointNeeds needs = joint_needs_of(s);
   const std::vector<Need> all = all_of(needs);
   o.method = "witness";
   if (all.empty()) {
@@ -355,7 +371,7 @@ Obligation returns_together(const Subject& s) {
     o.claims.push_back({"no_fences", {{"decision", s.decision.name}}});
     return o;
   }
-  if (s.decision.body.in_space) return returns_together_in_space(s);
+  if (s.decision.body.in_space) return returns_together_in_space(s, needs);
   if (const auto at = common_place(s, all)) {
     if (!needs.open.empty()) return returns_open(needs, std::move(o));
     const std::int64_t x_mm = in_mm(at->x), y_mm = in_mm(at->y);
@@ -388,6 +404,51 @@ Obligation returns_together(const Subject& s) {
     o.status = Status::unknown;
     o.because = "a place where all monitors give control back was not found among the cells";
   }
+  return o;
+}
+
+}  // namespace
+
+Obligation returns_together(const Subject& s) {
+  Obligation o;
+  o.kind = Kind::joint_return;
+  const auto& monitors = s.decision.monitors;
+  if (std::any_of(monitors.begin(), monitors.end(),
+                  [](const ir::Monitor& m) { return atoms_of(m.property).received; })) {
+    o.method = "no proof";
+    o.because = "what zone will be received is not known, and so no place that it leaves free";
+    return o;
+  }
+  std::vector<const ir::Monitor*> looking;
+  for (const ir::Monitor& m : monitors) {
+    if (m.lookahead.duration) looking.push_back(&m);
+  }
+  const std::vector<Sides> ways =
+      ways_to_choose(s, looking, [&](const ir::Monitor& m, std::int64_t own_mm) {
+        return analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own_mm;
+      });
+  const JointNeeds needs = joint_needs_of(s);
+  if (ways.front().empty()) return together(s, needs);
+  for (const Sides& sides : ways) {
+    JointNeeds with = needs;
+    for (const Need& side : sides) {
+      const auto known = std::ranges::find(with.zones, side.zone, &Need::zone);
+      if (known == with.zones.end()) {
+        with.zones.push_back(side);
+      } else {
+        known->clearance_mm = std::max(known->clearance_mm, side.clearance_mm);
+      }
+    }
+    o = together(s, with);
+    if (o.status == Status::proved) return o;
+  }
+  o.status = Status::unknown;
+  o.method = "no proof";
+  o.because =
+      "a place on one side of each `or`, where all monitors give control back, was not found";
+  o.repair.clear();
+  o.claims.clear();
+  o.place_mm = {};
   return o;
 }
 

@@ -192,8 +192,7 @@ bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer) {
   });
 }
 
-Obligation returns_together_in_space(const Subject& s) {
-  const JointNeeds needs = joint_needs_of(s);
+Obligation returns_together_in_space(const Subject& s, const JointNeeds& needs) {
   Obligation o = Together(s, needs).run();
   if (o.status == Status::proved && !needs.open.empty()) {
     o.claims.clear();

@@ -78,6 +78,12 @@ struct JointNeeds {
   std::vector<std::string> open;  // monitors whose `return when` asks for something else besides
 };
 JointNeeds joint_needs_of(const Subject& s);
+// Of each `or` of zones one side, in all ways, at most 64 of them; `ask` tells how clear of its
+// zone a side that asks for so many mm has to be. One way without a side: there is no such `or`.
+using Sides = std::vector<Need>;
+std::vector<Sides> ways_to_choose(
+    const Subject& s, const std::vector<const ir::Monitor*>& monitors,
+    const std::function<std::int64_t(const ir::Monitor&, std::int64_t)>& ask);
 // Of both.
 std::vector<Need> all_of(const JointNeeds& needs);
 // That the return conditions hold at a place; of decisions without any, none.
@@ -99,7 +105,7 @@ analysis::ExactSolid any_solid(const Subject& s);
 // Whether one zone lies in another, in the plane or in space.
 bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer);
 // In space: a place, and whether a straight leg leads to one as clear from everywhere in a zone.
-Obligation returns_together_in_space(const Subject& s);
+Obligation returns_together_in_space(const Subject& s, const JointNeeds& needs);
 Obligation legs_back(const Subject& s, std::size_t k);
 // Whether a limit of height is kept, with `gap_mm` to spare, where a recovery comes to rest as
 // clear of its zone as control returns at.

@@ -493,6 +493,9 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
             quoted(j.name) + " allows less";
   }
   if (!doubt.empty()) {
+    if (doubt == waits_for_others(s, i.recovery)) {
+      o.repair = acknowledging(i.recovery.name, j.name);
+    }
     return why.empty() ? doubted(std::move(o), std::move(doubt)) : acknowledged(std::move(o), why);
   }
   o.method = "geometry and bounds";

@@ -58,7 +58,7 @@ TEST_F(FastRecovery, WhoIsStoppedForEverIsNoProofOfAnEnd) {
 TEST_F(FastRecovery, WhatIsRefusedIsNotProvedEither) {
   const Outcome o = verified(cart("0.9 m/s", "fence > calm", ""), {"--format", "json"});
   EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
-  EXPECT_EQ(statuses(o.out, "C", "calm"), Statuses{"unknown"}) << o.out;
+  EXPECT_EQ(statuses(o.out, "C", "calm"), Statuses{"refuted"}) << o.out;
 }
 
 TEST_F(FastRecovery, TheRecheckDeniesAProof) {
