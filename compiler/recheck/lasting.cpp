@@ -140,6 +140,8 @@ std::optional<Doubt> ends(const sema::Spec& spec, const sema::Decision& d, Claim
 
 }  // namespace
 
+namespace {
+
 bool speaks_of_charge(const sema::Expr& property) {
   bool speaks = false;
   sema::for_each_expr(property, [&](const sema::Expr& e) {
@@ -149,17 +151,7 @@ bool speaks_of_charge(const sema::Expr& property) {
   return speaks;
 }
 
-bool waits_for_others(const sema::Spec& spec, const sema::Decision& decision) {
-  const auto robots = std::ranges::count(spec.robots, decision.kind, &sema::Robot::kind);
-  if (robots < 2 && !spec[decision.kind].open_fleet) return false;
-  return std::ranges::any_of(decision.priority, [&](sema::MonitorId id) {
-    bool apart = false;
-    sema::for_each_expr(*spec[id].always, [&](const sema::Expr& e) {
-      apart = apart || std::holds_alternative<sema::Distance>(e.node);
-    });
-    return apart;
-  });
-}
+}  // namespace
 
 bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
                    const sema::Monitor& driving, const sema::Expr& property) {

@@ -6,9 +6,6 @@
 
 namespace rtac::recheck {
 
-bool speaks_of_charge(const sema::Expr& property);
-// Several robots of the kind keep a distance, so that what moves may wait for others.
-bool waits_for_others(const sema::Spec& spec, const sema::Decision& decision);
 // Whether a property speaks of charge, so that who drives for `driving` has to come to an end; not
 // where it stays on one side of an `or`.
 bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,

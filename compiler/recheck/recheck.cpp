@@ -339,22 +339,12 @@ class Check {
     if (Sides(spec_, d, claims_).keeps_limits(recovery, *m.always)) return;
     fail(whom(d, e) + ": `" + recovery.name + "` drives faster than `" + m.name + "` allows");
   }
-  // Among others that it keeps a distance from, nothing bounds for how long it waits, and what
-  // that takes of its charge.
-  void moves_on(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
-                const sema::Monitor& m) {
-    const sema::Controller& recovery = spec_[*driving.recover];
-    if (!speaks_of_charge(*m.always) || !waits_for_others(spec_, d)) return;
-    if (moves_within(recovery).empty()) return;
-    fail(whom(d, e) + ": `" + recovery.name + "` may wait for others, which spends charge");
-  }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     need(d, e, "limits");
     need(d, e, "recovery", {{"monitor", m.name}});
     if (m.recover) {
       within(d, e, m, m);
       as_slow(d, e, spec_[*m.recover], m);
-      moves_on(d, e, m, m);
     }
     if (!kept_together(spec_, d, *m.always)) {
       fail(whom(d, e) + ": others may break it, whatever the recovery does");
@@ -455,7 +445,6 @@ class Check {
       }
       within(d, e, driving, m);
       as_slow(d, e, spec_[*driving.recover], m);
-      moves_on(d, e, driving, m);
       if (driving.recover != m.recover && spends_charge(spec_, d, claims_, driving, *m.always)) {
         need(d, e, "lasts", {{"monitor", driving.name}});
       }

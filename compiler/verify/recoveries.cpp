@@ -106,15 +106,19 @@ std::string falls_behind(const Subject& s, const ir::Recovery& recovery) {
   return "";
 }
 
-// What moves is gated by distances to others: it waits for them, for longer than any reserve lasts.
-// "": nobody is there, or nothing asks for a distance.
-std::string waits_for_others(const Subject& s, const ir::Recovery& recovery) {
+// What moves is gated by distances to others. How long it waits for them nothing bounds but what is
+// declared (language rule 6.7), as a limit like any other. "": nobody is there to wait for, or
+// nothing is said of charge.
+std::string as_long_as_declared(const Subject& s, const ir::Recovery& recovery,
+                                const Atoms& atoms) {
   const ir::Decision& d = s.decision;
   const bool gated = std::ranges::any_of(
       d.monitors, [](const ir::Monitor& m) { return atoms_of(m.property).distance; });
-  if (!gated || (d.robots == 1 && !d.open_fleet)) return "";
-  return quoted(recovery.name) + " may wait for other robots, for how long is not bounded, and " +
-         "that spends charge";
+  const bool alone = d.robots == 1 && !d.open_fleet;
+  if (!gated || alone || !s.kind.energy || !(atoms.charge || atoms.energy)) return "";
+  if (!moves_within_zones(recovery)) return "";
+  return ", as long as others keep it waiting within `held`, " +
+         seconds(s.kind.energy->held.value) + " in all";
 }
 
 // Of zones that come and go; each of the monitors that a recovery drives for leads out as well.
@@ -137,7 +141,6 @@ std::string doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
   const Atoms atoms = atoms_of(property);
   if (atoms.charge || atoms.energy) {
     if (std::string off = off_its_dock(s, ir::last_step(recovery)); !off.empty()) return off;
-    if (std::string waits = waits_for_others(s, recovery); !waits.empty()) return waits;
   }
   return doubt_of_zones(s, k, judged);
 }
@@ -237,11 +240,9 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
     }
   }
   if (std::string doubt = doubt_about(s, k, k); !doubt.empty()) {
-    if (doubt == waits_for_others(s, m.recovery)) {
-      o.repair = acknowledging(m.recovery.name, m.name);
-    }
     return doubted(std::move(o), std::move(doubt));
   }
+  o.because += as_long_as_declared(s, m.recovery, atoms);
   o.claims.push_back(limits_claim(s));
   o.claims.push_back(recovery_claim(s, k));
   claim_zones(s, k, m, o.claims);
@@ -493,13 +494,11 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
             quoted(j.name) + " allows less";
   }
   if (!doubt.empty()) {
-    if (doubt == waits_for_others(s, i.recovery)) {
-      o.repair = acknowledging(i.recovery.name, j.name);
-    }
     return why.empty() ? doubted(std::move(o), std::move(doubt)) : acknowledged(std::move(o), why);
   }
   o.method = "geometry and bounds";
-  o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);
+  o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name) +
+              as_long_as_declared(s, i.recovery, atoms_of(j.property));
   claim_zones(s, driving, j, o.claims);
   claim_windows(s, judged, o);
   if (atoms_of(j.property).charge && i.recovery.name != j.recovery.name) {
