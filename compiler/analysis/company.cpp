@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 
@@ -142,6 +143,8 @@ std::vector<diag::Diagnostic> unkept_agents(const Decision& decision) {
     const Value* const first = first_agent(monitor);
     const std::string& recovery = monitor.recovery.name;
     if (first == nullptr || acknowledged(decision, recovery, monitor.name)) continue;
+    // who comes near a robot that stands finds it slow enough
+    if (monitor.recovery.kind == RecoveryKind::brake && holds_at_rest(decision, monitor)) continue;
     const std::string& agent = decision[std::get<AgentDistance>(first->op).agent].name;
     all.push_back({diag::Code::agent_unkept,
                    first->source,

@@ -78,6 +78,13 @@ Sides::Split Sides::split(const Part& part) {
   return out;
 }
 
+// What is said of each of the others.
+std::optional<Sides::Part> Sides::of_each(const Part& part) {
+  const auto* each = std::get_if<sema::ForOthers>(&part.expr->node);
+  if (each == nullptr || !each->universal || !part.value) return std::nullopt;
+  return plain({each->body.get(), true});
+}
+
 bool Sides::speaks_of_inputs(const Part& part) {
   const Split parts = split(part);
   if (!parts.all && !parts.any) return !sema::speaks_of_robot(*part.expr);
@@ -92,6 +99,7 @@ Keeping Sides::keeping(const sema::Controller& recovery, const sema::Expr& prope
 
 void Sides::collect(const sema::Controller& recovery, const Part& part, bool either,
                     Keeping& asked) {
+  if (const auto body = of_each(part)) return collect(recovery, *body, either, asked);
   const Split parts = split(part);
   if (!parts.all && speaks_of_windows(*part.expr)) {
     asked.windows = true;
@@ -214,6 +222,7 @@ bool Sides::slow(const Part& part, const Rational& speed) {
 
 // All of it, or one side of an `or`, asks for no more than to be slow.
 bool Sides::slow_side(const Part& part, const Rational& speed) {
+  if (const auto body = of_each(part)) return slow_side(*body, speed);
   const Split parts = split(part);
   const auto is = [&](const Part& each) { return slow_side(each, speed); };
   if (parts.all) return std::all_of(parts.parts.begin(), parts.parts.end(), is);

@@ -50,6 +50,7 @@ class Sides {
   };
   static Part plain(Part part);
   static Split split(const Part& part);
+  static std::optional<Part> of_each(const Part& part);
   static bool speaks_of_inputs(const Part& part);
   void collect(const sema::Controller& recovery, const Part& part, bool either, Keeping& asked);
   bool is_slow(const sema::Controller& recovery, const Split& parts);

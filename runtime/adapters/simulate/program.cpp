@@ -212,7 +212,7 @@ class Program {
         if (enough) break;
         summary.add(a.setup, a.outcome);
         ++done;
-        if (found != nullptr || !shown(a.setup, a.outcome)) continue;
+        if (found != nullptr || !counts(a.setup, a.outcome)) continue;
         first = a.setup;
         found = &first;
         enough = flags_.count("--until") != 0;
@@ -227,6 +227,12 @@ class Program {
     if (found == nullptr) return {};
     status = exit_violation;
     return record(index, first);
+  }
+
+  // Whoever asks for one finding gets that one; a property that is violated is one for all others.
+  [[nodiscard]] bool counts(const Setup& setup, const Outcome& outcome) const {
+    const bool violated = flags_.count("--until") == 0 && outcome.violation.time_us != never_us;
+    return violated || shown(setup, outcome);
   }
 
   Problem tell_share(const DecisionCase& decision, const Summary& summary, int& status) {
@@ -322,7 +328,7 @@ class Program {
       return unwritten(flags_["--trace"]);
     }
     if (again != text) return differs(text, again);
-    status = shown(trace.setup, outcome) ? exit_violation : exit_clean;
+    status = counts(trace.setup, outcome) ? exit_violation : exit_clean;
     out_ << "the run was played again, the same to the last bit\n";
     return {};
   }
