@@ -162,6 +162,19 @@ Obligation doubted(Obligation o, std::string why) {
   return o;
 }
 
+// An `or` may hold nearer to a boundary than one of its sides asks for: a route finds its first
+// place as far as it looks for one, and from so near that may be too far. "": none does.
+std::string nearer_by_another_side(const Subject& s, std::size_t k, const ir::Recovery& last) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  const bool either = std::ranges::any_of(
+      m.property.values, [](const ir::Value& v) { return std::holds_alternative<ir::Or>(v.op); });
+  const std::int64_t asks_mm = analysis::standoff_mm(s.decision, last);
+  if (!either || asks_mm <= 0 || last.kind != ir::RecoveryKind::route) return "";
+  return "by another side of its `or` a robot may be nearer than " + metres(asks_mm) +
+         " to the boundary of " + quoted(s.module[last.zone].name) +
+         ", and that a way begins there is not shown";
+}
+
 // A way from everywhere in the zone to where control is given back, as `liveness` finds them.
 Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
@@ -177,14 +190,19 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.place_mm = {part.x_mm, part.y_mm};
     o.because = "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " +
                 quoted(zone.name) + " no way over its cells leads to where control is given back";
-    o.repair = "a width of " + metres(2 * (last.return_clearance_mm + zone.cells.cell_mm)) +
-               " there works; it has about " + metres(2 * part.clearance_mm) + ", as cells of " +
-               metres(zone.cells.cell_mm) + " tell";
+    // the part may be wide itself, and what leads out of it narrow
+    const std::int64_t wide_mm = 2 * (last.return_clearance_mm + zone.cells.cell_mm);
+    if (2 * part.clearance_mm < wide_mm) {
+      o.repair = "a width of " + metres(wide_mm) + " there works; it has about " +
+                 metres(2 * part.clearance_mm) + ", as cells of " + metres(zone.cells.cell_mm) +
+                 " tell";
+    }
     return o;
   }
-  if (const std::string off = off_its_dock(s, last); !off.empty()) {
+  for (const std::string& doubt : {nearer_by_another_side(s, k, last), off_its_dock(s, last)}) {
+    if (doubt.empty()) continue;
     o.status = Status::unknown;
-    o.because = off;
+    o.because = doubt;
     return o;
   }
   if (const std::string off = rests_beside_site(s, last); !off.empty()) {
@@ -197,7 +215,10 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   o.status = Status::proved;
   o.because = "from everywhere in " + quoted(zone.name) + " a way leads to a clearance of " +
               metres(back_mm(s, last)) +
-              (bound ? ", within " + seconds(*bound) + " in all"
+              (bound ? ", within " + seconds(*bound) +
+                           (atoms_of(s.decision.monitors[k].property).energy
+                                ? ", and what it takes to charge"
+                                : " in all")
                      : ", along cells that it enters once each");
   o.claims.push_back(with_cells({"ways",
                                  {{"decision", s.decision.name},

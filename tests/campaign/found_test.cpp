@@ -22,7 +22,7 @@ TEST_P(Found, HoldsNow) {
 INSTANTIATE_TEST_SUITE_P(All, Found,
                          ::testing::Values("weak_steering", "noisy_hold", "mixed_pair",
                                            "poor_actuator", "two_recoveries", "stopped_climb",
-                                           "stopped_pair", "hard_brake"),
+                                           "stopped_pair", "hard_brake", "short_of_room"),
                          [](const auto& each) { return each.param; });
 
 }  // namespace

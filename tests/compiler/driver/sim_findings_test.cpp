@@ -38,6 +38,16 @@ TEST_F(Findings, WhatOnlyStandsIsNotGivenBack) {
   EXPECT_NE(again.out.find("not given back: "), std::string::npos) << again.out;
 }
 
+// What the run is about is one thing, and a property that is violated another: both are findings.
+TEST_F(Findings, AViolationIsOneWhateverElseIsLookedFor) {
+  write("spec.rta", drone_spec());
+  write("s.json", R"({"runs": 20, "duration_s": 30, "return_within_s": 29})");
+  const Outcome o = rtac({"sim", "spec.rta", "--scenario", "s.json", "--mutate",
+                          "no-stopping-distance", "--trace", "found.trace"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_NE(o.out.find("violated: walls"), std::string::npos) << o.out;
+}
+
 TEST_F(Findings, WhatRetreatsIsGivenBack) {
   const Outcome o = simulated("", ten_seconds);
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;

@@ -13,6 +13,18 @@ TEST(Shrink, ConvexAxisParallelIsExact) {
   EXPECT_EQ(box(0, 0, 5000, 5000).shrink(q(2499, 1000)).area(), q(4, 1000000));
 }
 
+// However a number is written, as `by_m` of some callers: 150/1000 is 3/20.
+TEST(Shrink, TakesDistancesThatAreNotInLowestTerms) {
+  const Region around = Region::everywhere().subtract(box(0, 0, 12000, 5000));
+  for (const long mm : {150L, 160L, 300L, 1150L}) {
+    Rational lowest(mm, 1000);
+    lowest.canonicalize();
+    const Rational as_written(mm, 1000);
+    EXPECT_EQ(text(around.shrink(as_written)), text(around.shrink(lowest))) << mm;
+    EXPECT_EQ(text(around.grow(as_written)), text(around.grow(lowest))) << mm;
+  }
+}
+
 TEST(Shrink, ZeroOrNegativeChangesNothing) {
   const Region region = delivery_free();
   EXPECT_EQ(text(region.shrink(q(0))), text(region));
