@@ -1,6 +1,7 @@
 // Whether properties can be seen to hold, can be false, and whether there is a place where all
 // monitors of a decision give control back.
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
@@ -250,6 +251,22 @@ Obligation nowhere_seen(Obligation o, bool never, std::string why, std::string r
   return o;
 }
 
+// What one of its zones has nowhere.
+std::optional<Obligation> too_narrow_to_see(const Subject& s, const std::vector<Need>& needs,
+                                            const Obligation& o) {
+  for (const Need& need : needs) {
+    const ir::ZoneTable& table = s.module[need.zone];
+    if (table.widest_mm >= need.clearance_mm) continue;
+    const bool never = table.widest_mm + rounded_mm < need.clearance_mm;
+    return nowhere_seen(o, never,
+                        "the widest place of " + quoted(table.name) + " is " +
+                            metres(table.widest_mm) + " from its boundary, and " +
+                            metres(need.clearance_mm) + " are sure to be seen",
+                        "a place " + metres(need.clearance_mm) + " from the boundary works");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Obligation can_hold(const Subject& s, std::size_t k) {
@@ -273,16 +290,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   o.status = Status::proved;
   o.method = "witness";
   std::vector<Need> needs = seen_needs(s, m);
-  for (const Need& need : needs) {
-    const ir::ZoneTable& table = s.module[need.zone];
-    if (table.widest_mm >= need.clearance_mm) continue;
-    const bool never = table.widest_mm + rounded_mm < need.clearance_mm;
-    return nowhere_seen(std::move(o), never,
-                        "the widest place of " + quoted(table.name) + " is " +
-                            metres(table.widest_mm) + " from its boundary, and " +
-                            metres(need.clearance_mm) + " are sure to be seen",
-                        "a place " + metres(need.clearance_mm) + " from the boundary works");
-  }
+  if (auto narrow = too_narrow_to_see(s, needs, o)) return std::move(*narrow);
   std::optional<Witness> common;
   std::vector<Need> together;
   const std::vector<Sides> ways = sides_seen(s, m);
@@ -359,6 +367,14 @@ Obligation can_fail(const Subject& s, std::size_t k) {
 
 namespace {
 
+// Whether there is room for all robots at once is not looked at.
+std::string where_others_are_far(const Subject& s) {
+  const bool apart = std::ranges::any_of(
+      s.decision.monitors, [](const ir::Monitor& m) { return atoms_of(m.property).distance; });
+  return apart && (s.decision.robots > 1 || s.decision.open_fleet) ? ", as long as others are far"
+                                                                   : "";
+}
+
 Obligation together(const Subject& s, const JointNeeds& needs) {
   Obligation o;
   o.kind = Kind::joint_return;
@@ -381,6 +397,7 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
       o.because += ", " + metres(need.clearance_mm) + " from the boundary of " +
                    quoted(s.module[need.zone].name);
     }
+    o.because += where_others_are_far(s);
     for (const Need& need : needs.zones) {
       o.claims.push_back(place_claim(s, need.zone, x_mm, y_mm, need.clearance_mm));
     }
@@ -407,11 +424,55 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
   return o;
 }
 
+// Corner to corner of the box around a zone of the plane, so far inside of it, in mm.
+std::int64_t across_mm(const ir::ZoneTable& zone, std::int64_t inside_mm) {
+  const auto extent = [&](auto of) {
+    const auto [low, high] =
+        std::minmax_element(zone.edges.begin(), zone.edges.end(),
+                            [&](const ir::Edge& a, const ir::Edge& b) { return of(a) < of(b); });
+    return std::max<std::int64_t>(std::int64_t{of(*high)} - of(*low) - 2 * inside_mm, 0);
+  };
+  return std::llround(std::ceil(std::hypot(extent([](const ir::Edge& e) { return e.ax; }),
+                                           extent([](const ir::Edge& e) { return e.ay; }))));
+}
+// That no two robots of the decision are ever as far apart as one of its properties asks for, in a
+// zone that another one holds all of them in; "": that is not known.
+std::string never_so_far_apart(const Subject& s) {
+  const ir::Decision& d = s.decision;
+  if (d.robots < 2 && !d.open_fleet) return "";
+  for (const ir::Monitor& m : d.monitors) {
+    if (!m.lookahead.duration) continue;
+    analysis::Standoffs own;
+    analysis::ask_for_standoffs(m.property, d.facts.params, own);
+    for (const ir::Monitor& other : d.monitors) {
+      for (const ir::ZoneIndex fence : analysis::sure_fences(other.property, d.facts.params)) {
+        const ir::ZoneTable& zone = s.module[fence];
+        if (zone.has_height() || zone.edges.empty()) continue;
+        const std::int64_t back_mm = analysis::return_clearance_mm(d, other.lookahead.duration_us);
+        const std::int64_t most_mm =
+            std::max<std::int64_t>(across_mm(zone, back_mm) - 2 * d.body.radius_mm, 0);
+        if (!other.lookahead.duration || own.separation_mm <= most_mm) continue;
+        return quoted(m.name) + " asks for a distance of " + metres(own.separation_mm) +
+               ", and no two robots are more than " + metres(most_mm) +
+               " apart where both are given back in " + quoted(zone.name);
+      }
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 Obligation returns_together(const Subject& s) {
   Obligation o;
   o.kind = Kind::joint_return;
+  if (const std::string never = never_so_far_apart(s); !never.empty()) {
+    o.status = Status::refuted;
+    o.method = "geometry";
+    o.because = never;
+    o.repair = "a wider zone works, or a smaller distance";
+    return o;
+  }
   const auto& monitors = s.decision.monitors;
   if (std::any_of(monitors.begin(), monitors.end(),
                   [](const ir::Monitor& m) { return atoms_of(m.property).received; })) {

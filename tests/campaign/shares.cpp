@@ -52,8 +52,7 @@ double number_behind(const std::string& text, const std::string& from, const std
 }  // namespace
 
 const std::vector<TheoryRow>& theory_shares() {
-  static const std::vector<TheoryRow> all = {
-      {50, 7.5, 70.6, 0.03},
+  static const std::vector<TheoryRow> all = {{50, 7.5, 70.6, 0.03},
                                              {100, 2.4, 64.8, 0.06},
                                              {200, 2.6, 55.5, 0.20},
                                              {400, 1.9, 39.4, 0.67},
