@@ -389,7 +389,7 @@ class Check {
       if (lets_go(spec_, d, claims_, m, 0)) return;
       return fail(whom(d, e) + ": its `return when` may not hold where the robots have parted");
     }
-    if (m.recover && routes_from_too_near(spec_[*m.recover], m)) {
+    if (m.recover && routes_from_too_near(spec_[*m.recover], m, looks_for(e))) {
       return fail(whom(d, e) +
                   ": by another side of its `or` a robot may be too near to a boundary");
     }
@@ -403,8 +403,16 @@ class Check {
     if (Sides(spec_, d, claims_).gives_back(m, return_extra(spec_, d))) return;
     fail(whom(d, e) + ": where the recovery has led to, nothing gives control back");
   }
+  // How far off the search of a route surely finds its first cell.
+  static Rational looks_for(const Entry& e) {
+    constexpr std::int64_t cells_surely = 18;
+    const Claim* const ways = claim_of(e, "ways");
+    const auto cell_mm = ways != nullptr ? number(ways->values, "cell_mm") : std::nullopt;
+    return Rational(static_cast<long>(cells_surely * cell_mm.value_or(0))) / 1000;
+  }
   // A route, of what asks for a distance from a boundary on one side of an `or` alone.
-  bool routes_from_too_near(const sema::Controller& recovery, const sema::Monitor& m) const {
+  bool routes_from_too_near(const sema::Controller& recovery, const sema::Monitor& m,
+                            const Rational& looks_for_m) const {
     const std::vector<sema::Template> steps = sema::templates_of(recovery);
     if (steps.empty() || !std::holds_alternative<sema::Route>(steps.back())) return false;
     bool near = false;
@@ -414,7 +422,7 @@ class Check {
       for (const sema::ExprPtr& side : logic->operands) {
         sema::for_each_expr(*side, [&](const sema::Expr& part) {
           const auto floor = floor_of(spec_, part);
-          near = near || (floor && floor->strictest > 0);
+          near = near || (floor && floor->strictest > looks_for_m);
         });
       }
     });

@@ -169,7 +169,11 @@ std::string nearer_by_another_side(const Subject& s, std::size_t k, const ir::Re
   const bool either = std::ranges::any_of(
       m.property.values, [](const ir::Value& v) { return std::holds_alternative<ir::Or>(v.op); });
   const std::int64_t asks_mm = analysis::standoff_mm(s.decision, last);
-  if (!either || asks_mm <= 0 || last.kind != ir::RecoveryKind::route) return "";
+  // it tries 2,000 cells, ring by ring: all that are so many cells off, and what is asked for
+  // beside
+  constexpr std::int64_t cells_surely = 18;
+  const bool near = asks_mm <= cells_surely * s.module[last.zone].cells.cell_mm;
+  if (!either || near || last.kind != ir::RecoveryKind::route) return "";
   return "by another side of its `or` a robot may be nearer than " + metres(asks_mm) +
          " to the boundary of " + quoted(s.module[last.zone].name) +
          ", and that a way begins there is not shown";
