@@ -138,10 +138,6 @@ std::optional<Doubt> ends(const sema::Spec& spec, const sema::Decision& d, Claim
   return std::nullopt;
 }
 
-}  // namespace
-
-namespace {
-
 bool speaks_of_charge(const sema::Expr& property) {
   bool speaks = false;
   sema::for_each_expr(property, [&](const sema::Expr& e) {

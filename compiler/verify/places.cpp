@@ -9,6 +9,7 @@
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/tables.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
@@ -242,15 +243,6 @@ bool share_nothing(const Subject& s, const std::vector<Need>& needs) {
   }
   return common.empty();
 }
-Obligation nowhere_seen(Obligation o, bool never, std::string why, std::string repair) {
-  o.status = never ? Status::refuted : Status::unknown;
-  o.method = never ? "geometry" : "no proof";
-  o.because = std::move(why);
-  o.repair = std::move(repair);
-  o.claims.clear();
-  return o;
-}
-
 // What one of its zones has nowhere.
 std::optional<Obligation> too_narrow_to_see(const Subject& s, const std::vector<Need>& needs,
                                             const Obligation& o) {
@@ -258,11 +250,11 @@ std::optional<Obligation> too_narrow_to_see(const Subject& s, const std::vector<
     const ir::ZoneTable& table = s.module[need.zone];
     if (table.widest_mm >= need.clearance_mm) continue;
     const bool never = table.widest_mm + rounded_mm < need.clearance_mm;
-    return nowhere_seen(o, never,
-                        "the widest place of " + quoted(table.name) + " is " +
-                            metres(table.widest_mm) + " from its boundary, and " +
-                            metres(need.clearance_mm) + " are sure to be seen",
-                        "a place " + metres(need.clearance_mm) + " from the boundary works");
+    return not_seen(o, never, "geometry",
+                    "the widest place of " + quoted(table.name) + " is " + metres(table.widest_mm) +
+                        " from its boundary, and " + metres(need.clearance_mm) +
+                        " are sure to be seen",
+                    "a place " + metres(need.clearance_mm) + " from the boundary works");
   }
   return std::nullopt;
 }
@@ -302,10 +294,10 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   }
   const bool chosen = !ways.front().empty();
   if ((together.size() > 1 || chosen) && !common) {
-    return nowhere_seen(std::move(o), !chosen && share_nothing(s, together),
-                        "no place is so clear of the boundaries of all of its zones that this is "
-                        "seen, whatever the errors",
-                        "zones that share more room work");
+    return not_seen(std::move(o), !chosen && share_nothing(s, together), "geometry",
+                    "no place is so clear of the boundaries of all of its zones that this is "
+                    "seen, whatever the errors",
+                    "zones that share more room work");
   }
   if (chosen) {
     for (const Need& need : together) add_need(needs, need);
@@ -424,17 +416,6 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
   return o;
 }
 
-// Corner to corner of the box around a zone of the plane, so far inside of it, in mm.
-std::int64_t across_mm(const ir::ZoneTable& zone, std::int64_t inside_mm) {
-  const auto extent = [&](auto of) {
-    const auto [low, high] =
-        std::minmax_element(zone.edges.begin(), zone.edges.end(),
-                            [&](const ir::Edge& a, const ir::Edge& b) { return of(a) < of(b); });
-    return std::max<std::int64_t>(std::int64_t{of(*high)} - of(*low) - 2 * inside_mm, 0);
-  };
-  return std::llround(std::ceil(std::hypot(extent([](const ir::Edge& e) { return e.ax; }),
-                                           extent([](const ir::Edge& e) { return e.ay; }))));
-}
 // That no two robots of the decision are ever as far apart as one of its properties asks for, in a
 // zone that another one holds all of them in; "": that is not known.
 std::string never_so_far_apart(const Subject& s) {
@@ -449,8 +430,12 @@ std::string never_so_far_apart(const Subject& s) {
         const ir::ZoneTable& zone = s.module[fence];
         if (zone.has_height() || zone.edges.empty()) continue;
         const std::int64_t back_mm = analysis::return_clearance_mm(d, other.lookahead.duration_us);
-        const std::int64_t most_mm =
-            std::max<std::int64_t>(across_mm(zone, back_mm) - 2 * d.body.radius_mm, 0);
+        const auto [dx, dy, up] = analysis::extent_of(s.module, zone);
+        const auto left = [&](std::int64_t mm) {
+          return static_cast<double>(std::max<std::int64_t>(mm - 2 * back_mm, 0));
+        };
+        const std::int64_t across_mm = std::llround(std::ceil(std::hypot(left(dx), left(dy))));
+        const std::int64_t most_mm = std::max<std::int64_t>(across_mm - 2 * d.body.radius_mm, 0);
         if (!other.lookahead.duration || own.separation_mm <= most_mm) continue;
         return quoted(m.name) + " asks for a distance of " + metres(own.separation_mm) +
                ", and no two robots are more than " + metres(most_mm) +

@@ -12,6 +12,8 @@
 namespace rtac::verify {
 namespace {
 
+constexpr const char* by_errors = "sensing errors";
+
 // What all have to hold of, each as strict as it gets.
 struct Limits {
   std::optional<std::int64_t> most_mmps, least_ppm;
@@ -44,16 +46,17 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
   }
 }
 
-Obligation not_seen(Obligation o, bool never, std::string why, std::string repair) {
+}  // namespace
+
+Obligation not_seen(Obligation o, bool never, const char* how, std::string why,
+                    std::string repair) {
   o.status = never ? Status::refuted : Status::unknown;
-  o.method = never ? "sensing errors" : "no proof";
+  o.method = never ? how : "no proof";
   o.because = std::move(why);
   o.repair = std::move(repair);
   o.claims.clear();
   return o;
 }
-
-}  // namespace
 
 std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
                                         const Obligation& o) {
@@ -66,7 +69,7 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
     const std::int64_t shown = analysis::shown_speed_mmps(s.decision, any);
     if (*limits.most_mmps < shown) {
       return not_seen(
-          o, *limits.most_mmps < body.velocity_error_mmps,
+          o, *limits.most_mmps < body.velocity_error_mmps, by_errors,
           "a robot at rest may be seen as fast as " +
               to_decimal(Rational(static_cast<long>(shown)) / 1000) + " m/s",
           "a limit of " + to_decimal(Rational(static_cast<long>(shown)) / 1000) + " m/s works");
@@ -76,7 +79,7 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
     const std::int64_t shown = analysis::shown_full_ppm(body);
     if (*limits.least_ppm > shown) {
       const std::string percent = to_decimal(Rational(static_cast<long>(shown)) / 10'000) + " %";
-      return not_seen(o, *limits.least_ppm > 1'000'000 - body.battery_error_ppm,
+      return not_seen(o, *limits.least_ppm > 1'000'000 - body.battery_error_ppm, by_errors,
                       "a full battery is sure to be seen with " + percent,
                       "a limit of " + percent + " works");
     }
@@ -85,7 +88,7 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
   const std::int64_t needs_mm =
       2 * (analysis::shown_clearance_mm(s.decision, any, 0) - body.radius_mm);
   if (room_mm < needs_mm) {
-    return not_seen(o, room_mm < 2 * body.position_error_mm,
+    return not_seen(o, room_mm < 2 * body.position_error_mm, by_errors,
                     "its limits of height leave " + metres(std::max<std::int64_t>(room_mm, 0)) +
                         ", and a height is seen within " + metres(needs_mm),
                     "limits that are " + metres(needs_mm) + " apart work");
