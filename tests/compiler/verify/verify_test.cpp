@@ -262,6 +262,17 @@ TEST_F(MakingRoom, TheOrderThatWorksIsOffered) {
   const std::string aisle = "rectangle (0 m, 0 m) to (20 m, 2.5 m)";
   EXPECT_EQ(repair(aisle, "priority fence > apart;").find(offered), std::string::npos);
 }
+// Corner to corner a hall of 12 m by 8 m is 14.4 m; where both are given back, they are nearer.
+TEST_F(MakingRoom, RobotsThatAreNeverSoFarApartAreNotGivenBackTogether) {
+  const auto joint = [](const std::string& distance) {
+    const Outcome o = verified(
+        halls_with("rectangle (0 m, 0 m) to (12 m, 8 m)", "a, b", "distance(r, q) >= " + distance),
+        {"--format", "json"});
+    return statuses(o.out, "joint return", "");
+  };
+  EXPECT_EQ(joint("1 m"), Statuses{"proved"});
+  EXPECT_EQ(joint("13 m"), Statuses{"refuted"});
+}
 // What a certificate says of it is held against the specification.
 TEST_F(MakingRoom, AMutatedCertificateIsNoticed) {
   ASSERT_EQ(room(halls_with("rectangle (0 m, 0 m) to (6 m, 4 m)"))["status"], "proved");
