@@ -97,9 +97,11 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
        fence_standoffs(at.decision.monitors[at.judged].property, at.decision.facts.params)) {
     if (asked.zone == fence) standoff_mm = std::max(standoff_mm, asked.mm);
   }
-  geometry::EntryQuery query{.clearance_mm = in_mm(body.radius_mm + standoff_mm),
-                             .body_mm = in_mm(body.radius_mm - body.position_error_mm),
-                             .least_mm = in_mm(body.radius_mm)};
+  geometry::EntryQuery query{
+      .clearance_mm = in_mm(body.radius_mm + standoff_mm),
+      .body_mm = in_mm(body.radius_mm - body.position_error_mm),
+      .least_mm = in_mm(body.radius_mm),
+      .tested_mm = ir::goes_back(step.kind) ? 0 : in_mm(step.route_clearance_mm)};
   // what a retreat loses (loss_m), and what ways over cells do (connector_loss_m)
   query.loss_mm = ir::goes_back(step.kind) ? 2 : 8;
   if (at.decision.robots == 1) {

@@ -69,7 +69,7 @@ class RuntimeWays {
     const double wanted = double(step_.return_clearance_mm) + reach + error;
     if (now >= double(step_.return_clearance_mm)) return all;
     if (const auto q = straight_in(p, wanted)) return {run_out({*q}, p)};
-    const auto cell = nearest_cell(p, [&](std::size_t at) {
+    const auto cell = nearest_cell(p, holds_body(), [&](std::size_t at) {
       return double(clear_mm(at)) >= wanted && zone_.keeps(p, centre(at), now - loss_mm);
     });
     if (cell && norm(centre(*cell) - p) <= 2 * wanted) return {run_out({centre(*cell)}, p)};
@@ -118,7 +118,7 @@ class RuntimeWays {
     for (const double wanted : wishes) {
       if (const auto q = straight_in(p, wanted)) all.push_back(*q);
       if (!all.empty() && decision_.robots < 2) return all;
-      const auto cell = nearest_cell(p, [&](std::size_t at) {
+      const auto cell = nearest_cell(p, holds_body(), [&](std::size_t at) {
         return clear_mm(at) >= wanted && zone_.keeps(p, centre(at), now - loss_mm);
       });
       if (cell) all.push_back(centre(*cell));
@@ -161,7 +161,7 @@ class RuntimeWays {
       }
     }
     if (!all.empty()) return all;
-    if (const auto nearest = nearest_cell(p, joins)) all.push_back(*nearest);
+    if (const auto nearest = nearest_cell(p, is_way(), joins)) all.push_back(*nearest);
     return all;
   }
   [[nodiscard]] std::optional<std::size_t> cell_at(int column, int row) const {
@@ -172,8 +172,15 @@ class RuntimeWays {
            static_cast<std::size_t>(column);
   }
 
-  // GridRoute::nearest_cell: ring by ring.
-  [[nodiscard]] std::optional<std::size_t> nearest_cell(P p, const Accept& accept) const {
+  [[nodiscard]] Accept holds_body() const {
+    return [this](std::size_t at) { return clear_mm(at) >= 0; };
+  }
+  [[nodiscard]] Accept is_way() const {
+    return [this](std::size_t at) { return on_way(at); };
+  }
+  // GridRoute::nearest_cell: ring by ring; `accept` is asked of so many cells that `may`.
+  [[nodiscard]] std::optional<std::size_t> nearest_cell(P p, const Accept& may,
+                                                        const Accept& accept) const {
     const double size = cells_.cell_mm;
     const auto clamped = [&](double x, double origin, int count) {
       return static_cast<int>(std::clamp(std::floor((x - origin) / size), 0.0, count - 1.0));
@@ -185,9 +192,9 @@ class RuntimeWays {
     int tests_left = cell_tests_most;
     const auto visit = [&](int x, int y) {
       const auto cell = cell_at(x, y);
-      if (!cell || tests_left == 0 || clear_mm(*cell) < 0) return;
+      if (!cell || tests_left == 0) return;
       const double away = norm(centre(*cell) - p);
-      if (away >= least) return;
+      if (away >= least || !may(*cell)) return;
       --tests_left;
       if (!accept(*cell)) return;
       least = away;
@@ -225,7 +232,7 @@ class RuntimeWays {
     return all;
   }
   [[nodiscard]] std::vector<double> ways_to(P goal) const {
-    const auto first = nearest_cell(goal, [&](std::size_t at) { return on_way(at); });
+    const auto first = nearest_cell(goal, is_way(), is_way());
     return ways_over([&](std::size_t at) { return at == first; });
   }
   [[nodiscard]] bool on_way(std::optional<std::size_t> at) const {
@@ -271,7 +278,7 @@ class RuntimeWays {
   // Downwards over lengths that `ways_over` has found.
   [[nodiscard]] std::vector<P> followed(const std::vector<double>& length, P first) const {
     std::vector<P> way{first};
-    const auto start = nearest_cell(first, [](std::size_t) { return true; });
+    const auto start = nearest_cell(first, holds_body(), [](std::size_t) { return true; });
     for (std::optional<std::size_t> at = start; at && length[*at] > 0;) {
       std::optional<std::size_t> next;
       for (const std::size_t to : beside(*at)) {

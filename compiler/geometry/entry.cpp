@@ -148,8 +148,7 @@ class Entering {
               grid.clearance_mm_lo[static_cast<std::size_t>(r) *
                                        static_cast<std::size_t>(grid.columns) +
                                    static_cast<std::size_t>(c)];
-          if (clearance < 0) continue;
-          ++tested;
+          if (clearance >= query_.tested_mm) ++tested;
           if (clearance < query_.least_mm) continue;
           found.push_back({{grid.origin.x_mm + (c + 0.5) * grid.cell_mm,
                             grid.origin.y_mm + (r + 0.5) * grid.cell_mm},

@@ -19,6 +19,7 @@ struct EntryQuery {
   std::int32_t clearance_mm = 0;  // to keep from the boundary of the fence, or what one has
   std::int32_t body_mm = 0;       // with less clearance in the fence a robot is nowhere
   std::int32_t least_mm = 0;      // clearance of the cells of the zone that ways lead to, at least
+  std::int32_t tested_mm = 0;     // and of those that count among the ones that it tries
   std::int32_t loss_mm = 0;       // how much farther from the zone a way may lead than it begins
   // Of a robot that no other one is in the way of: the clearance that it looks for first, and how
   // far off it considers all cells, whatever is nearest. none: of others anything may be.

@@ -163,10 +163,12 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   const double radius = kind.radius.value.get_d();
   const double body = std::max(0.0, Rational(kind.radius.value - error).get_d());
   const double clearance = radius + gap_of(spec, *judged.always, fence).get_d();
-  EnteringLimits limits{clearance, body, radius, over_cells ? 0.008 : 0.002};
+  const auto aim = number(v, "aim_mm");
+  if (over_cells && !aim) return false;
+  const double tested = over_cells ? std::max(radius, milli(*aim).get_d()) : 0;
+  EnteringLimits limits{clearance, body, radius, tested, over_cells ? 0.008 : 0.002};
   const auto robots = std::ranges::count_if(
       spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
-  const auto aim = number(v, "aim_mm");
   if (robots == 1 && aim && milli(*aim) >= kind.radius.value) {
     const double width = milli(*cell).get_d();
     const double reach = over_cells ? std::max(0.4, 2 * width) + width : 0;

@@ -98,7 +98,7 @@ class Entries {
         for (int c = std::max(0, column - off); c <= std::min(columns - 1, column + off); ++c) {
           if (std::max(std::abs(c - column), std::abs(r - row)) != off) continue;
           const double clearance = grid_.clearance[static_cast<std::size_t>(r * columns + c)];
-          if (clearance >= table_m) ++tested;  // surely one of the tables, too
+          if (clearance >= limits_.tested + table_m) ++tested;  // surely one of the tables, too
           if (clearance < limits_.least) continue;
           found.push_back(
               {middle(grid_.box(static_cast<std::size_t>(c), static_cast<std::size_t>(r), 1)),

@@ -13,6 +13,7 @@ struct EnteringLimits {
   double clearance;  // to keep from the boundary of the fence, or what one has
   double body;       // with less clearance in the fence a robot is nowhere
   double least;      // clearance of the cells that ways lead to, at least
+  double tested;     // and of those that count among the ones that are tried
   double loss;       // how much farther from the zone a way may lead than it begins
   // Of a robot that no other one is in the way of: the clearance that it looks for first, and how
   // far off it considers all cells.

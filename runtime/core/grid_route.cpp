@@ -24,6 +24,16 @@ double connector_reach_m(double cell_m) {
 constexpr int max_cell_tests = 2000;
 constexpr float unreached = std::numeric_limits<float>::infinity();
 
+// What a cell is asked. `may` reads a table, and is asked of every cell; `does` looks along a leg,
+// and is asked of `max_cell_tests` at most: of those alone that may.
+template <class May, class Does>
+struct CellTest {
+  May may;
+  Does does;
+};
+template <class May, class Does>
+CellTest(May, Does) -> CellTest<May, Does>;
+
 }  // namespace
 
 struct GridRoute::Goal {
@@ -115,9 +125,9 @@ bool GridRoute::straight(const RouteQuery& query, Vec2 a, Vec2 b) const {
   return leg_allowed(query, a, b);
 }
 
-// The nearest cell centre that `accept` allows, ring by ring around the cell of `p` (or around the
-// point of the grid nearest to it), so that the costly test is asked near cells first. -1: none
-// within the bounded number of tests.
+// The nearest cell centre that `accept` (a CellTest) allows, ring by ring around the cell of `p`
+// (or around the point of the grid nearest to it), so that the costly test is asked near cells
+// first. -1: none within the bounded number of tests.
 template <class Accept>
 int GridRoute::nearest_cell(Vec2 p, const Accept& accept) const {
   if (cost_.empty() || !is_finite(p)) return -1;
@@ -134,9 +144,9 @@ int GridRoute::nearest_cell(Vec2 p, const Accept& accept) const {
     if (x < 0 || y < 0 || x >= zone_.columns || y >= zone_.rows || tests_left == 0) return;
     const int cell = y * zone_.columns + x;
     const double distance_m = norm(centre(cell) - p);
-    if (distance_m >= best_m || zone_.clearance_mm_lo[cell] < 0) return;
+    if (distance_m >= best_m || !accept.may(cell)) return;
     --tests_left;
-    if (!accept(cell)) return;
+    if (!accept.does(cell)) return;
     best_m = distance_m;
     best = cell;
   };
@@ -165,7 +175,8 @@ bool GridRoute::joins(const RouteQuery& query, Vec2 p, int cell, bool leaving) c
 int GridRoute::landing(const RouteQuery& query, Vec2 goal) const {
   const int own = cell_of(goal);
   if (own >= 0 && joins(query, goal, own, false)) return own;
-  return nearest_cell(goal, [&](int cell) { return joins(query, goal, cell, false); });
+  return nearest_cell(goal, CellTest{[&](int cell) { return admissible(cell, query.clearance_m); },
+                                     [&](int cell) { return joins(query, goal, cell, false); }});
 }
 
 // Opens the cells at which a way may begin: the start's own, or all that join within reach, or else
@@ -193,7 +204,9 @@ void GridRoute::open_starts(const RouteQuery& query, const Goal& goal) {
     }
   }
   if (heap_size_ > 0) return;
-  const int nearest = nearest_cell(p, [&](int cell) { return joins(query, p, cell, true); });
+  const int nearest =
+      nearest_cell(p, CellTest{[&](int cell) { return admissible(cell, query.clearance_m); },
+                               [&](int cell) { return joins(query, p, cell, true); }});
   if (nearest >= 0) start_at(nearest);
 }
 
@@ -340,11 +353,13 @@ bool GridRoute::to_place(const RouteQuery& query, const PlaceTest& test, Path& w
 
 bool GridRoute::straight_to_place(const RouteQuery& query, const PlaceTest& test, double floor_m,
                                   Path& way) const {
-  const int cell = nearest_cell(query.start, [&](int at) {
+  const auto holds_body = [&](int at) { return zone_.clearance_mm_lo[at] >= 0; };
+  const auto in_sight = [&](int at) {
     const Vec2 c = centre(at);
     return test.accepts(c, zone_.clearance_mm_lo[at] * m_per_mm) &&
            leg_allowed(query, query.start, c) && keeps_clearance(zone_, query.start, c, floor_m);
-  });
+  };
+  const int cell = nearest_cell(query.start, CellTest{holds_body, in_sight});
   way.points.clear();
   way.index = 0;
   return cell >= 0 && way.points.push(centre(cell));

@@ -120,6 +120,18 @@ TEST(GridRoute, ConnectsAStartNearTheWall) {
   EXPECT_LT(norm(way.points[0] - start), 0.48);
 }
 
+// Cells of too little clearance cost no tests: a way begins however far from them the start is.
+TEST(GridRoute, ConnectsAStartDeepInAWideStandoff) {
+  const test::TestZone yard({{{0, 0}, {14000, 0}, {14000, 14000}, {0, 14000}}});
+  GridRoute route(yard.view());
+  Path way;
+  for (const Vec2 start : {Vec2{0.2, 7}, Vec2{0.3, 0.3}}) {
+    ASSERT_TRUE(route.to_point({4.0, start, {}, {}}, {9, 9}, way)) << start.x;
+    EXPECT_GE(way.points[0].x, 4.0);
+  }
+  ASSERT_TRUE(route.to_point({4.0, {9, 9}, {}, {}}, {0.2, 7}, way));  // as does a way to a goal
+}
+
 // Of the cells that a start near the wall may go to, it takes the one with the shortest way in all,
 // not the nearest one, which would lead back.
 TEST(GridRoute, JoinsTheGridWhereTheWayIsShortest) {
