@@ -1,6 +1,7 @@
 // The phases in order: text, tree, checked specification, tables and limits, IR, passes.
 #pragma once
 
+#include <chrono>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct Compilation {
   std::string internal_error;  // a bug of the compiler; empty otherwise
   bool unreadable = false;     // the specification could not be read (exit code 2)
   ir::TableMap tables;         // of `module`
+  std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 };
 
 // `path`: of the specification, or "-"; nullopt and a report when it cannot be read.

@@ -1,5 +1,6 @@
 #include "compiler/driver/verify.h"
 
+#include <chrono>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -92,6 +93,9 @@ int verify(const Options& options, Compilation& c, std::ostream& out) {
       return exit_usage;
     }
   }
+  report.micros = std::chrono::duration_cast<std::chrono::microseconds>(
+                      std::chrono::steady_clock::now() - c.started)
+                      .count();
   out << (options.format == Format::json ? verify::to_json(report, true) : verify::to_text(report));
   return exit_code(worst);
 }

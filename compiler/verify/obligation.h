@@ -92,7 +92,8 @@ struct Decision {
 struct Report {
   std::string spec;
   std::vector<Decision> decisions;
-  bool complete = true;  // false: no module could be built, so that nothing but errors is told
+  bool complete = true;     // false: no module could be built, so that nothing but errors is told
+  std::int64_t micros = 0;  // how long all of it took, reading and tables among it
 };
 
 // The worst of all: refuted, unknown, acknowledged, proved.

@@ -109,12 +109,10 @@ nlohmann::ordered_json json_of(const Obligation& o, bool with_times) {
 
 std::string to_text(const Report& report) {
   std::string out;
-  std::int64_t micros = 0;
   std::array<int, statuses.size()> counts{};
   for (const Decision& d : report.decisions) {
     add_decision(d, out);
     for (const Obligation& o : d.obligations) {
-      micros += o.micros;
       for (std::size_t i = 0; i < statuses.size(); ++i)
         counts[i] += o.status == statuses[i] ? 1 : 0;
     }
@@ -126,13 +124,14 @@ std::string to_text(const Report& report) {
   for (std::size_t i = 0; i < statuses.size(); ++i) {
     sums += (i == 0 ? "" : ", ") + std::to_string(counts[i]) + " " + name(statuses[i]);
   }
-  return out + sums + " in " + milliseconds(micros) + "\n";
+  return out + sums + " in " + milliseconds(report.micros) + "\n";
 }
 
 std::string to_json(const Report& report, bool with_times) {
   nlohmann::ordered_json j;
   j["spec"] = report.spec;
   j["complete"] = report.complete;
+  if (with_times) j["milliseconds"] = double(report.micros) / 1000;
   j["decisions"] = nlohmann::ordered_json::array();
   for (const Decision& d : report.decisions) {
     nlohmann::ordered_json of;

@@ -107,6 +107,22 @@ Scenario::Given input_values(const Json& j, const std::string& name) {
   return values;
 }
 
+// Of a key that is one, and has a value of another kind: what has the right one.
+[[noreturn]] void refuse(const std::string& key, const Json& value) {
+  constexpr std::pair<const char*, const char*> forms[] = {
+      {"starts", R"(`"starts": {"r1": {"at": [1, 2]}}` works, or `"starts": "tight"`)"},
+      {"inputs", R"(`"inputs": {"open": true}` works)"},
+      {"undecided", "`true` and `false` work"}};
+  for (const auto& [of, help] : forms) {
+    if (key == of) throw Unfit{"`" + key + "` of the scenario is " + value.dump(), help};
+  }
+  throw Unfit{
+      "the scenario has `" + key + "`: " + value.dump(),
+      "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `inputs`, `noise`, `ages`, "
+      "`fault_every_s`, `fault_ms`, `jitter_ms`, `about`, "
+      "`return_within_s`, `undecided` and `deaf_from_s`"};
+}
+
 void take(const std::string& key, const Json& value, Scenario& to) {
   if (key == "duration_s") {
     to.duration_us = time(value, key, us_per_s, duration_s_min);
@@ -147,11 +163,7 @@ void take(const std::string& key, const Json& value, Scenario& to) {
   } else if (key == "return_within_s") {
     to.return_within_us = time(value, key, us_per_s, duration_s_min);
   } else {
-    throw Unfit{
-        "the scenario has `" + key + "`: " + value.dump(),
-        "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `inputs`, `noise`, `ages`, "
-        "`fault_every_s`, `fault_ms`, `jitter_ms`, `about`, "
-        "`return_within_s`, `undecided` and `deaf_from_s`"};
+    refuse(key, value);
   }
 }
 
@@ -267,12 +279,29 @@ Problem read_scenario(const std::string& text, Scenario& to) {
 
 namespace {
 
-// A place in space has three numbers, and one of the plane two.
-Problem check_heights(const Scenario& scenario, const Case& all) {
+std::string there_are(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "`" : ", `") + name + "`";
+  return "there are " + list;
+}
+
+bool has_battery(const RobotLimits& l) {
+  const double most[] = {l.battery_error, l.drive_per_m, l.idle_per_s, l.drain_per_s};
+  return l.battery_age_us > 0 ||
+         std::any_of(std::begin(most), std::end(most), [](double value) { return value > 0; });
+}
+
+// A place in space has three numbers, and one of the plane two; not every robot has a battery.
+Problem check_starts(const Scenario& scenario, const Case& all) {
   for (const DecisionCase& d : all.decisions) {
     for (const auto& [robot, start] : scenario.starts) {
-      const bool of_it = std::find(d.robots.begin(), d.robots.end(), robot) != d.robots.end();
-      if (!of_it || !start.place || start.height_m.has_value() == d.limits.in_space) continue;
+      if (std::find(d.robots.begin(), d.robots.end(), robot) == d.robots.end()) continue;
+      if (start.battery && !has_battery(d.limits)) {
+        return {"the scenario says how full the battery of `" + robot + "` is, and `" + d.kind +
+                    "` declares none",
+                "leave it out, or declare `sense battery` or `energy` in the robot"};
+      }
+      if (!start.place || start.height_m.has_value() == d.limits.in_space) continue;
       return {"the scenario says where `" + robot + "` starts by " +
                   (d.limits.in_space ? "two numbers, and it is in space"
                                      : "three numbers, and it is in the plane"),
@@ -302,16 +331,26 @@ Problem check_names(const Scenario& scenario, const Case& all) {
                        [&](const MonitorCase& m) { return m.name == scenario.about; });
   };
   if (!scenario.about.empty() && std::none_of(all.decisions.begin(), all.decisions.end(), speaks)) {
-    return {"the scenario is about a monitor `" + scenario.about + "`, which does not exist", ""};
+    std::vector<std::string> there;
+    for (const DecisionCase& d : all.decisions) {
+      for (const MonitorCase& m : d.monitors) there.push_back(m.name);
+    }
+    return {"the scenario is about a monitor `" + scenario.about + "`, which does not exist",
+            there_are(there)};
   }
   for (const std::string& robot : robots) {
     const bool there =
         std::any_of(all.decisions.begin(), all.decisions.end(), [&](const DecisionCase& d) {
           return std::find(d.robots.begin(), d.robots.end(), robot) != d.robots.end();
         });
-    if (!there) return {"the scenario names a robot `" + robot + "`, which does not exist", ""};
+    if (there) continue;
+    std::vector<std::string> others;
+    for (const DecisionCase& d : all.decisions) {
+      others.insert(others.end(), d.robots.begin(), d.robots.end());
+    }
+    return {"the scenario names a robot `" + robot + "`, which does not exist", there_are(others)};
   }
-  return check_heights(scenario, all);
+  return check_starts(scenario, all);
 }
 
 }  // namespace rtac::simulate

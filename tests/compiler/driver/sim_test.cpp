@@ -328,6 +328,12 @@ TEST_F(Simulations, ScenariosAreRefusedWithWhatWouldWork) {
       {R"({"adversary": "nobody"})", "`chase-fence`"},
       {R"({"adversary": {"r3": "bang-bang"}})", "`r3`"},
       {R"({"starts": {"r1": {"at": 3}}})", "`heading_deg`"},
+      {R"({"starts": 3})", "or `\"starts\": \"tight\"`"},
+      {R"({"inputs": 3})", "`\"inputs\": {\"open\": true}` works"},
+      {R"({"undecided": 1})", "`true` and `false` work"},
+      {R"({"starts": {"nobody": {"at": [1, 2]}}})", "there are `r1`"},
+      {R"({"starts": {"r1": {"battery": 0.5}}})", "or declare `sense battery`"},
+      {R"({"about": "nothing"})", "which does not exist\nhelp: there are `"},
       {R"({"jitter_ms": 5.1})", "up to 5000 us works"},
       {R"({"runs": 0})", "a whole number from 1 to "},
       {R"({"runs": -1})", "a whole number from 1 to "}};
