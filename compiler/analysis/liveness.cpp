@@ -8,6 +8,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
+#include "compiler/geometry/joining.h"
 
 namespace rtac::analysis {
 namespace {
@@ -185,6 +186,26 @@ std::vector<bool> site_cells(const ir::Module& module, const ir::Recovery& route
   return goals;
 }
 
+// From where no way begins, though one leads on from every cell that is clear enough, it is
+// stranded, too.
+void add_joins(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+               const ir::Decision& decision, const ir::Recovery& recovery, Ways& ways) {
+  const auto mm = [](std::int64_t length) { return static_cast<std::int32_t>(length); };
+  const geometry::Joins found =
+      geometry::joins(edges, grid_of(cells),
+                      {.route_mm = mm(recovery.route_clearance_mm),
+                       .body_mm = mm(decision.body.radius_mm),
+                       .as_clear_as_here = recovery.kind != ir::RecoveryKind::route,
+                       .reach_mm = mm(joins_within_mm(cells) - cells.cell_mm / 5),
+                       .rest_mm = ways.rest_mm});
+  if (ways.longest_mm) {
+    ways.longest_mm = std::max(*ways.longest_mm, found.longest_mm - joins_within_mm(cells));
+  }
+  const Grid grid(cells, recovery.route_clearance_mm);
+  const std::vector<Stranded> apart = parts_of(grid, cells, found.apart);
+  ways.stranded.insert(ways.stranded.end(), apart.begin(), apart.end());
+}
+
 // The larger of two lengths; none: one of them has no bound.
 std::optional<std::int64_t> longer(std::optional<std::int64_t> a, std::optional<std::int64_t> b) {
   return a && b ? std::optional<std::int64_t>{std::max(*a, *b)} : std::nullopt;
@@ -192,17 +213,24 @@ std::optional<std::int64_t> longer(std::optional<std::int64_t> a, std::optional<
 
 }  // namespace
 
+std::int64_t joins_within_mm(const ir::Cells& cells) {
+  const std::int64_t cell_mm = cells.cell_mm;
+  return std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
+}
+
 Ways ways_to(const ir::Cells& cells, const std::vector<bool>& goals, std::int64_t body_mm,
              std::int64_t route_mm) {
   const Grid grid(cells, route_mm);
   const std::vector<std::int64_t> length = climbing_ways(grid, goals);
   const std::vector<bool> found = has_way(grid, goals);
   Ways ways;
+  ways.rest_mm.resize(grid.count(), 0);
   std::vector<bool> stranded(grid.count(), false);
   for (std::size_t at = 0; at < grid.count(); ++at) {
     if (grid.clearance(at) < body_mm) continue;
     stranded[at] = !found[at];
     if (!found[at]) continue;
+    if (length[at] != unreached) ways.rest_mm[at] = length[at];
     if (length[at] == unreached) {
       ways.longest_mm = std::nullopt;
     } else if (ways.longest_mm) {
@@ -266,14 +294,18 @@ std::vector<Stranded> passages(const ir::Cells& cells, std::int64_t body_mm, std
 }
 
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery) {
-  return ways_over(module[recovery.zone].cells, module, decision, recovery);
+  const ir::ZoneTable& zone = module[recovery.zone];
+  return ways_over(edges_of(zone), zone.cells, module, decision, recovery);
 }
-Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
+Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+               const ir::Module& module, const ir::Decision& decision,
                const ir::Recovery& recovery) {
   const std::int64_t body_mm = decision.body.radius_mm + standoff_mm(decision, recovery);
   const std::int64_t route_mm = recovery.route_clearance_mm;
   if (recovery.kind == ir::RecoveryKind::route) {
-    return ways_to(cells, site_cells(module, recovery, cells), body_mm, route_mm);
+    Ways ways = ways_to(cells, site_cells(module, recovery, cells), body_mm, route_mm);
+    add_joins(edges, cells, decision, recovery, ways);
+    return ways;
   }
   // A retreat aims a little deeper than it needs, as far as a way leads there.
   const std::int64_t needed_mm = recovery.return_clearance_mm;
@@ -282,11 +314,15 @@ Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decis
   Ways ways = ways_to(cells, clear_cells(cells, needed_mm), body_mm, route_mm);
   for (int i = recovery.kind == ir::RecoveryKind::loiter ? 2 : 1; i > 0; --i) {
     const Ways deeper = ways_to(cells, clear_cells(cells, wanted_mm), body_mm, route_mm);
+    for (std::size_t at = 0; at < ways.rest_mm.size(); ++at) {
+      ways.rest_mm[at] = std::max(ways.rest_mm[at], deeper.rest_mm[at]);
+    }
     ways.longest_mm = longer(ways.longest_mm, deeper.longest_mm);
     // the first leg in sight that is no longer than this is taken, whatever the search would find
     ways.longest_mm = longer(ways.longest_mm, 2 * wanted_mm);
     wanted_mm += loiter_room_mm;
   }
+  add_joins(edges, cells, decision, recovery, ways);
   return ways;
 }
 
@@ -303,16 +339,14 @@ std::optional<Rational> seconds_of_legs(const sema::RobotKind& kind, const ir::M
   return legs_seconds(kind, speed, decision.period_us, 2 * looks, looks * (dx + dy + up));
 }
 
-// Over cells; it begins where it stands, beside the centre of one (connector_reach_m of the
-// search).
+// Over cells; it begins where it stands, beside the centre of one.
 std::optional<Rational> seconds_over_cells(const sema::RobotKind& kind, const ir::Module& module,
                                            const ir::Decision& decision, const ir::Recovery& last) {
   const Ways ways = ways_of(module, decision, last);
   if (!ways.longest_mm || !ways.stranded.empty()) return std::nullopt;
   const std::int64_t cell_mm = module[last.zone].cells.cell_mm;
   const Rational speed(static_cast<long>(last.speed_mmps), 1000);
-  const std::int64_t joined_mm =
-      *ways.longest_mm + std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
+  const std::int64_t joined_mm = *ways.longest_mm + joins_within_mm(module[last.zone].cells);
   const auto cell = static_cast<std::int32_t>(cell_mm);
   if (decision.body.in_space) {
     return carried_seconds(kind, speed, decision.period_us, cell, joined_mm);

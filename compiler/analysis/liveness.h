@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/geometry/bake.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
 
@@ -18,9 +19,11 @@ struct Stranded {
   std::int64_t cells = 0;
 };
 struct Ways {
-  // The longest one, of those places that have one; none: no bound was found.
+  // The longest one, of those places that have one; none: no bound was found. The leg to where its
+  // cells begin is left out, up to `joins_within_mm`.
   std::optional<std::int64_t> longest_mm = 0;
-  std::vector<Stranded> stranded;  // the largest first
+  std::vector<std::int64_t> rest_mm;  // by cell, from its middle on
+  std::vector<Stranded> stranded;     // the largest first
 };
 // The ways that the search of a recovery finds (rtac/safe/grid_route.h): over cells as clear as
 // `route_mm`, or as the cell it starts from; from every cell as clear as `body_mm`.
@@ -36,10 +39,15 @@ std::vector<Stranded> narrow_parts(const ir::Cells& cells, std::int64_t body_mm,
 // least: the narrowest first.
 std::vector<Stranded> passages(const ir::Cells& cells, std::int64_t body_mm, std::int64_t need_mm);
 
+// How far off the cells of a way begin, mostly: of those within this, at the one with the shortest
+// way, and else at the nearest one (connector_reach_m of the search).
+std::int64_t joins_within_mm(const ir::Cells& cells);
+
 // Where a recovery leads and for how long; of one that stands nothing.
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery);
-// The same if its zone had these cells.
-Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
+// The same if its zone had these edges and cells.
+Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+               const ir::Module& module, const ir::Decision& decision,
                const ir::Recovery& recovery);
 
 // Upper bound of the time from taking over until control is given back, as long as no other robot

@@ -320,8 +320,9 @@ class Recoveries {
              (ways.stranded.size() > 1
                   ? ", and there are " + std::to_string(ways.stranded.size() - 1) + " more"
                   : "")});
-    const auto leads_back = [&](const ir::Cells& cells) {
-      const Ways of_it = ways_over(cells, module_, decision_, last);
+    const auto leads_back = [&](const std::vector<geometry::EdgeRow>& edges,
+                                const ir::Cells& cells) {
+      const Ways of_it = ways_over(edges, cells, module_, decision_, last);
       return of_it.stranded.empty() || of_it.stranded.front().cells < stranded_cells_least;
     };
     d.help = grown(last, leads_back).value_or("widen it") +
@@ -329,8 +330,7 @@ class Recoveries {
     diagnostics_.report(std::move(d));
   }
   // With how much more on every side `fits` holds.
-  std::optional<std::string> grown(const ir::Recovery& last,
-                                   const std::function<bool(const ir::Cells&)>& fits) const {
+  std::optional<std::string> grown(const ir::Recovery& last, const FitsZone& fits) const {
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t most_mm = 2 * last.return_clearance_mm + 4 * zone.cells.cell_mm;
     const auto by_mm = widening_mm(exact_(last.zone), most_mm, fits);
@@ -359,7 +359,7 @@ class Recoveries {
                                                place(parts.front().x_mm, parts.front().y_mm) +
                                                " in `" + zone.name + "`");
     d.label = "takes the robot out of there";
-    const auto wide = [&](const ir::Cells& cells) {
+    const auto wide = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
       const auto left = narrow_parts(cells, body_mm, last.return_clearance_mm);
       return left.empty() || left.front().cells < stranded_cells_least;
     };

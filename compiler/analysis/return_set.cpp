@@ -182,7 +182,9 @@ class ReturnSet {
       return 2 * least_mm > wider_most_mm ? "" : "widen the zone by " + metres(2 * least_mm);
     }
     const std::int64_t need_mm = most_mm(*retreat_) + least_mm;
-    const auto fits = [&](const ir::Cells& cells) { return clearest_mm(cells) >= need_mm; };
+    const auto fits = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
+      return clearest_mm(cells) >= need_mm;
+    };
     const ir::ZoneIndex place = *place_of(module_, decision_, *retreat_);
     const auto by_mm = widening_mm(exact_(place), wider_most_mm / 2, fits);
     return by_mm ? "`grow(" + zone.name + ", " + metres(*by_mm) + ")` in its place works" : "";

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/tables.h"
@@ -80,11 +81,6 @@ std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step) 
 
 namespace {
 
-// Connectors, and half a diagonal (connector_reach_m of the search).
-std::int64_t joins_within_mm(const ir::ZoneTable& zone) {
-  const std::int64_t cell_mm = zone.cells.cell_mm;
-  return std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
-}
 std::int32_t in_mm(std::int64_t length) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(length, 0, 1 << 29));
 }
@@ -105,8 +101,9 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
   // what a retreat loses (loss_m), and what ways over cells do (connector_loss_m)
   query.loss_mm = ir::goes_back(step.kind) ? 2 : 8;
   if (at.decision.robots == 1) {
-    query.alone = {in_mm(aims_at_mm(at.decision, step)),
-                   ir::goes_back(step.kind) ? 0 : in_mm(joins_within_mm(at.module[step.zone]))};
+    query.alone = {
+        in_mm(aims_at_mm(at.decision, step)),
+        ir::goes_back(step.kind) ? 0 : in_mm(joins_within_mm(at.module[step.zone].cells))};
   }
   const auto table_of = [&](ir::ZoneIndex zone) {
     return geometry::Table{edges_of(at.module[zone]), grid_of(at.module[zone])};

@@ -16,14 +16,16 @@ inline std::vector<geometry::EdgeRow> edges_of(const ir::ZoneTable& zone) {
   return edges;
 }
 // Without upper bounds of clearances.
-inline geometry::CellGrid grid_of(const ir::ZoneTable& zone) {
-  const ir::Cells& c = zone.cells;
+inline geometry::CellGrid grid_of(const ir::Cells& c) {
   return {.origin = {c.origin_x_mm, c.origin_y_mm},
           .cell_mm = c.cell_mm,
           .columns = c.columns,
           .rows = c.rows,
           .clearance_mm_lo = c.clearance_mm_lo,
           .clearance_mm_hi = {}};
+}
+inline geometry::CellGrid grid_of(const ir::ZoneTable& zone) {
+  return grid_of(zone.cells);
 }
 
 // How large the box around a zone is, in mm; of a zone of the plane without a height.

@@ -10,24 +10,25 @@ namespace {
 // About 10 ms a trial.
 constexpr std::size_t vertices_most = 200, cells_tried_most = 20'000;
 
-std::optional<ir::Cells> cells_of(const geometry::Region& zone, std::int64_t by_mm) {
+std::optional<geometry::BakedZone> grown(const geometry::Region& zone, std::int64_t by_mm) {
   // zones to stay in grow less than they are told (zones.cpp, offsets)
   const Rational by_m = Rational(static_cast<long>(by_mm)) / 1000 - geometry::offset_excess_m();
   const auto snapped = geometry::snap_inside(zone.grow(std::max(by_m, Rational(0))));
   if (!snapped) return std::nullopt;
-  const geometry::CellGrid cells = baked(*snapped).cells;
-  return ir::Cells{cells.origin.x_mm, cells.origin.y_mm, cells.cell_mm,
-                   cells.columns,     cells.rows,        cells.clearance_mm_lo};
+  return baked(*snapped);
 }
 
 }  // namespace
 
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
-                                        const std::function<bool(const ir::Cells&)>& fits) {
+                                        const FitsZone& fits) {
   if (zone.vertices() > vertices_most) return std::nullopt;
   const auto works = [&](std::int64_t by_mm) {
-    const auto cells = cells_of(zone, by_mm);
-    return cells && cells->clearance_mm_lo.size() <= cells_tried_most && fits(*cells);
+    const auto wider = grown(zone, by_mm);
+    if (!wider || wider->cells.clearance_mm_lo.size() > cells_tried_most) return false;
+    const geometry::CellGrid& c = wider->cells;
+    return fits(wider->edges,
+                {c.origin.x_mm, c.origin.y_mm, c.cell_mm, c.columns, c.rows, c.clearance_mm_lo});
   };
   std::int64_t low = 0, high = 1;
   while (high < most_mm && !works(high)) {

@@ -4,16 +4,22 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
+#include "compiler/geometry/bake.h"
 #include "compiler/geometry/region.h"
 #include "compiler/ir/module.h"
 
 namespace rtac::analysis {
 
-// The least growth on every side, in mm, with which `fits` holds of the cells of the zone, and of
+// Of a zone, whether it works.
+using FitsZone =
+    std::function<bool(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells)>;
+
+// The least growth on every side, in mm, with which `fits` holds of the zone, and of
 // no growth that is 1 mm less; at most `most_mm`. None: it does not help, or the zone is so large
 // that to try takes long.
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
-                                        const std::function<bool(const ir::Cells&)>& fits);
+                                        const FitsZone& fits);
 
 }  // namespace rtac::analysis

@@ -389,10 +389,6 @@ class Check {
       if (lets_go(spec_, d, claims_, m, 0)) return;
       return fail(whom(d, e) + ": its `return when` may not hold where the robots have parted");
     }
-    if (m.recover && routes_from_too_near(spec_[*m.recover], m, looks_for(e))) {
-      return fail(whom(d, e) +
-                  ": by another side of its `or` a robot may be too near to a boundary");
-    }
     const bool moves = m.recover && !moves_within(spec_[*m.recover]).empty();
     const bool legs = has(e, "legs", {{"decision", d.name}, {"monitor", m.name}});
     if (!legs && moves && !all_zones(*m.always).empty()) need(d, e, "ways", {{"monitor", m.name}});
@@ -402,31 +398,6 @@ class Check {
     }
     if (Sides(spec_, d, claims_).gives_back(m, return_extra(spec_, d))) return;
     fail(whom(d, e) + ": where the recovery has led to, nothing gives control back");
-  }
-  // How far off the search of a route surely finds its first cell.
-  static Rational looks_for(const Entry& e) {
-    constexpr std::int64_t cells_surely = 18;
-    const Claim* const ways = claim_of(e, "ways");
-    const auto cell_mm = ways != nullptr ? number(ways->values, "cell_mm") : std::nullopt;
-    return Rational(static_cast<long>(cells_surely * cell_mm.value_or(0))) / 1000;
-  }
-  // A route, of what asks for a distance from a boundary on one side of an `or` alone.
-  bool routes_from_too_near(const sema::Controller& recovery, const sema::Monitor& m,
-                            const Rational& looks_for_m) const {
-    const std::vector<sema::Template> steps = sema::templates_of(recovery);
-    if (steps.empty() || !std::holds_alternative<sema::Route>(steps.back())) return false;
-    bool near = false;
-    sema::for_each_expr(*m.always, [&](const sema::Expr& e) {
-      const auto* logic = std::get_if<sema::Logic>(&e.node);
-      if (logic == nullptr || logic->op == sema::LogicOp::logical_and) return;
-      for (const sema::ExprPtr& side : logic->operands) {
-        sema::for_each_expr(*side, [&](const sema::Expr& part) {
-          const auto floor = floor_of(spec_, part);
-          near = near || (floor && floor->strictest > looks_for_m);
-        });
-      }
-    });
-    return near;
   }
   static bool guards(const Entry& e, const sema::Decision& d, const sema::Monitor& judged,
                      const sema::Monitor& driving) {

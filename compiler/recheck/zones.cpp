@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/recheck/grid.h"
+#include "compiler/recheck/joining.h"
 
 namespace rtac::recheck {
 namespace {
@@ -157,6 +158,10 @@ void beside(const Grid& grid, std::size_t at, const Visit& visit) {
 double asks(const Grid& grid, std::size_t at, double route) {
   return std::min(route, grid.clearance[at]);
 }
+// Within this a way begins at the cell with the shortest one; what it adds is reckoned with.
+double reach_of(const Grid& grid) {
+  return std::max(0.4, 2 * grid.cell) + grid.cell;
+}
 std::vector<std::size_t> goals_of(const Grid& grid, double goal,
                                   const std::vector<geometry::Point>& sites) {
   std::vector<std::size_t> goals;
@@ -218,7 +223,8 @@ std::vector<std::int64_t> climbs(const Grid& grid, std::vector<std::size_t> open
 std::variant<std::monostate, geometry::Point, BadCells> without_way(
     const geometry::Region& zone, const Cells& cells, const Rational& body_m,
     const Rational& route_m, const Rational& goal_m, const std::vector<geometry::Point>& sites) {
-  const std::optional<Grid> grid = grid_of(segments_of(zone), cells);
+  const std::vector<Segment> edges = segments_of(zone);
+  const std::optional<Grid> grid = grid_of(edges, cells);
   if (!grid) return BadCells{};
   const double route = route_m.get_d(), body = body_m.get_d() + snap_m;
   const auto reached = best_ways(*grid, goals_of(*grid, goal_m.get_d() - snap_m, sites));
@@ -226,6 +232,9 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
     if (grid->clearance[at] < body || reached[at] >= asks(*grid, at, route) - snap_m) continue;
     return middle_of(*grid, at);
   }
+  const JoiningLimits limits{body_m.get_d(), route, sites.empty(), reach_of(*grid),
+                             std::vector<double>(reached.size(), 0)};
+  if (const auto from = joining(edges, *grid, limits).apart) return middle_of(*grid, *from);
   return std::monostate{};
 }
 
@@ -233,7 +242,8 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
                                     const Rational& body_m, const Rational& route_m,
                                     const Rational& goal_m,
                                     const std::vector<geometry::Point>& sites) {
-  const std::optional<Grid> grid = grid_of(segments_of(zone), cells);
+  const std::vector<Segment> edges = segments_of(zone);
+  const std::optional<Grid> grid = grid_of(edges, cells);
   if (!grid) return std::nullopt;
   const double route = route_m.get_d(), body = body_m.get_d() + table_m;
   const auto goals = goals_of(*grid, goal_m.get_d() - snap_m, sites);
@@ -246,7 +256,14 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
     if (steps[at] < 0 && leads) return std::nullopt;
     most = std::max(most, steps[at]);
   }
-  return Rational(static_cast<long>(most * cells.cell_mm)) / 1000;
+  const Rational over_cells = Rational(static_cast<long>(most * cells.cell_mm)) / 1000;
+  JoiningLimits limits{body_m.get_d(), route, sites.empty(), reach_of(*grid), {}};
+  for (const std::int64_t count : steps) {
+    limits.rest.push_back(grid->cell * static_cast<double>(std::max<std::int64_t>(count, 0)));
+  }
+  const Joining begins = joining(edges, *grid, limits);
+  if (begins.apart) return std::nullopt;
+  return std::max(over_cells, Rational(begins.longest - limits.reach));
 }
 
 }  // namespace rtac::recheck

@@ -162,23 +162,6 @@ Obligation doubted(Obligation o, std::string why) {
   return o;
 }
 
-// An `or` may hold nearer to a boundary than one of its sides asks for: a route finds its first
-// place as far as it looks for one, and from so near that may be too far. "": none does.
-std::string nearer_by_another_side(const Subject& s, std::size_t k, const ir::Recovery& last) {
-  const ir::Monitor& m = s.decision.monitors[k];
-  const bool either = std::ranges::any_of(
-      m.property.values, [](const ir::Value& v) { return std::holds_alternative<ir::Or>(v.op); });
-  const std::int64_t asks_mm = analysis::standoff_mm(s.decision, last);
-  // it tries 2,000 cells, ring by ring: all that are so many cells off, and what is asked for
-  // beside
-  constexpr std::int64_t cells_surely = 18;
-  const bool near = asks_mm <= cells_surely * s.module[last.zone].cells.cell_mm;
-  if (!either || near || last.kind != ir::RecoveryKind::route) return "";
-  return "by another side of its `or` a robot may be nearer than " + metres(asks_mm) +
-         " to the boundary of " + quoted(s.module[last.zone].name) +
-         ", and that a way begins there is not shown";
-}
-
 // A way from everywhere in the zone to where control is given back, as `liveness` finds them.
 Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
@@ -203,10 +186,9 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     }
     return o;
   }
-  for (const std::string& doubt : {nearer_by_another_side(s, k, last), off_its_dock(s, last)}) {
-    if (doubt.empty()) continue;
+  if (const std::string off = off_its_dock(s, last); !off.empty()) {
     o.status = Status::unknown;
-    o.because = doubt;
+    o.because = off;
     return o;
   }
   if (const std::string off = rests_beside_site(s, last); !off.empty()) {

@@ -1,0 +1,169 @@
+#include "compiler/recheck/joining.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/recheck/legs.h"
+
+namespace rtac::recheck {
+namespace {
+
+// A cell with a way on.
+struct Start {
+  Place place;
+  double clearance, rest;
+  bool tried;  // a leg straight to it is looked at, if that is where the way ends
+};
+
+class Joins {
+ public:
+  Joins(const std::vector<Segment>& zone, const Grid& grid, const JoiningLimits& limits)
+      : zone_(zone),
+        grid_(grid),
+        limits_(limits),
+        columns_(static_cast<int>(grid.columns)),
+        rows_(static_cast<int>(grid.rows)) {}
+
+  Joining run() {
+    Joining found;
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        if (clearance(column, row) >= limits_.route + table_m) continue;
+        const auto way = longest_from(column, row);
+        if (!way) {
+          found.apart = index(column, row);
+          return found;
+        }
+        found.longest = std::max(found.longest, *way);
+      }
+    }
+    return found;
+  }
+
+ private:
+  // The search tries so many cells, ring by ring.
+  static constexpr int tests_max = 2000, quarters_max = 7;
+  // It forgives 8 mm, of which one may be lost to the grid.
+  static constexpr double forgiven_m = 0.007;
+  // Straight to the end of a way it forgives 2 mm; all of the cells in so many rings are tried.
+  static constexpr double straight_forgiven_m = 0.0015;
+  static constexpr int rings_surely = 21;
+  static constexpr std::int64_t steps_max = 1'500'000'000;
+
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * grid_.columns + static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] double clearance(int column, int row) const {
+    return grid_.clearance[index(column, row)];
+  }
+  [[nodiscard]] Box box(int column, int row) const {
+    return grid_.box(static_cast<std::size_t>(column), static_cast<std::size_t>(row), 1);
+  }
+  static double apart(Place a, Place b) { return length(a.x - b.x, a.y - b.y); }
+
+  std::optional<double> longest_from(int column, int row) {
+    const Box here = box(column, row);
+    steps_ += static_cast<std::int64_t>(zone_.size());
+    const double around = 2 * grid_.cell + std::max(limits_.route, limits_.body) + snap_m;
+    if (Boundary(zone_, middle(here), around).holds_nobody(here, limits_.body)) return 0.0;
+    for (const std::size_t enough : {std::size_t{16}, std::size_t{80}, std::size_t{tests_max}}) {
+      const std::vector<Start> starts = starts_of(column, row, enough);
+      double far = 0;
+      for (const Start& s : starts) far = std::max(far, apart(s.place, middle(here)));
+      steps_ += static_cast<std::int64_t>(zone_.size());
+      const Boundary boundary(zone_, middle(here), far + around);
+      if (const auto way = way_from(boundary, here, starts, quarters_max)) return way;
+      if (starts.size() < enough || steps_ > steps_max) break;
+    }
+    return std::nullopt;
+  }
+  // The longest of the shortest ways, as far as they are found; nullopt: from some place none is.
+  std::optional<double> way_from(const Boundary& boundary, const Box& from,
+                                 const std::vector<Start>& starts, int times) {
+    if (boundary.holds_nobody(from, limits_.body)) return 0.0;
+    const double asked = boundary.asked_from(from, limits_.route, forgiven_m);
+    const double clear = limits_.as_clear_as_here ? asked + forgiven_m : limits_.route;
+    for (const Start& s : starts) {
+      if (s.clearance < clear + table_m) continue;
+      if (++steps_ > steps_max) return std::nullopt;
+      if (!boundary.keeps(from, s.place, asked)) continue;
+      const double leg = leg_to(from, s);
+      // of all in reach the best one is taken
+      if (leg <= limits_.reach - grid_.cell / 5) return leg + s.rest;
+      const double least = limits_.as_clear_as_here ? clear - 2 * radius(from) : clear;
+      return std::min(leg + rest_within(from, leg, least - table_m),
+                      straight(boundary, from, starts));
+    }
+    if (times == 0) return std::nullopt;
+    double longest = 0;
+    for (const Box& quarter : quarters(from)) {
+      const auto way = way_from(boundary, quarter, starts, times - 1);
+      if (!way) return std::nullopt;
+      longest = std::max(longest, *way);
+    }
+    return longest;
+  }
+  static double leg_to(const Box& from, const Start& s) {
+    return apart(s.place, middle(from)) + radius(from);
+  }
+  // To where a way ends, which is no site: no way that is taken is longer.
+  double straight(const Boundary& boundary, const Box& from, const std::vector<Start>& starts) {
+    const double asked = boundary.asked_from(from, limits_.route, straight_forgiven_m);
+    for (const Start& s : starts) {
+      if (!limits_.as_clear_as_here || !s.tried || s.rest > 0) continue;
+      ++steps_;
+      if (boundary.keeps(from, s.place, asked)) return leg_to(from, s);
+    }
+    return 1e300;
+  }
+  // Of all cells no farther off that may be clear enough.
+  [[nodiscard]] double rest_within(const Box& from, double leg, double least) const {
+    double most = 0;
+    for (int r = 0; r < rows_; ++r) {
+      const double y = middle(box(0, r)).y - middle(from).y;
+      if (std::abs(y) > leg + radius(from)) continue;
+      for (int c = 0; c < columns_; ++c) {
+        const double x = middle(box(c, r)).x - middle(from).x;
+        if (length(x, y) > leg + radius(from) || clearance(c, r) < least) continue;
+        most = std::max(most, limits_.rest[index(c, r)]);
+      }
+    }
+    return most;
+  }
+  // The cells that may be tried from somewhere in this one, ring by ring.
+  [[nodiscard]] std::vector<Start> starts_of(int column, int row, std::size_t enough) const {
+    const double least =
+        limits_.as_clear_as_here ? std::max(0.0, clearance(column, row)) : limits_.route;
+    std::vector<Start> found;
+    int tested = 0;
+    for (int off = 0; off <= std::max(columns_, rows_) && found.size() < enough; ++off) {
+      std::vector<Start> of_ring;
+      for (int r = std::max(0, row - off); r <= std::min(rows_ - 1, row + off); ++r) {
+        const bool side = std::abs(r - row) == off;
+        for (int c = column - off; c <= column + off; c += side || off == 0 ? 1 : 2 * off) {
+          if (c < 0 || c >= columns_ || clearance(c, r) < least - table_m) continue;
+          ++tested;
+          of_ring.push_back(
+              {middle(box(c, r)), clearance(c, r), limits_.rest[index(c, r)], off <= rings_surely});
+        }
+      }
+      if (tested > tests_max) break;
+      found.insert(found.end(), of_ring.begin(), of_ring.end());
+    }
+    return found;
+  }
+
+  const std::vector<Segment>& zone_;
+  const Grid& grid_;
+  const JoiningLimits& limits_;
+  const int columns_, rows_;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace
+
+Joining joining(const std::vector<Segment>& zone, const Grid& grid, const JoiningLimits& limits) {
+  return Joins(zone, grid, limits).run();
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,28 @@
+// Where ways over cells begin, found once more from exact outlines, in m.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "compiler/recheck/grid.h"
+
+namespace rtac::recheck {
+
+struct JoiningLimits {
+  double body;   // with less clearance a robot is nowhere
+  double route;  // clearance of the cells that ways lead over
+  // From where there is less than `route`, cells as clear as that place itself do, too.
+  bool as_clear_as_here;
+  double reach;              // within this of all cells the one with the shortest way is taken
+  std::vector<double> rest;  // by cell: how long the way on from its middle is
+};
+struct Joining {
+  std::optional<std::size_t> apart;  // a cell with a place from which none is known to begin
+  double longest = 0;                // of the ways with such a leg, the leg included
+};
+// Of every place where a body can be, whether a leg leads from there to a cell that is clear
+// enough, and loses no more of the clearance than a way may.
+Joining joining(const std::vector<Segment>& zone, const Grid& grid, const JoiningLimits& limits);
+
+}  // namespace rtac::recheck
