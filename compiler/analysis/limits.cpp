@@ -291,8 +291,11 @@ std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t look
   // theory, unequal stamps: the one sample may be new while the other is as old as it may be
   const std::int64_t apart_ms = div_up(std::max(b.position_age_us, b.velocity_age_us), 1000);
   const std::int64_t apart_mmps = div_up(b.accel_mmps2 * apart_ms, 1000);
+  // Who rests there is measured there, and the decision sees a measurement to a millimetre: without
+  // an error of its own a recovery would rest where it may never be given back.
+  constexpr std::int64_t seen_mm = 2;
   return disc_mm(b, decision.motions[0], b.velocity_error_mmps + apart_mmps, t_us) +
-         b.position_error_mm;
+         std::max(b.position_error_mm, seen_mm);
 }
 
 std::int64_t claim_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
