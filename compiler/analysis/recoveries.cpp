@@ -131,8 +131,9 @@ class Recoveries {
   }
   // It is slow enough there, and would not be as soon as it was given back.
   void waits_slow(bool yields) {
-    const std::string mmps =
-        to_decimal(Rational(fastest_from_rest(decision_, monitor_.lookahead.duration_us), 1000));
+    const std::int64_t from_rest_mmps =
+        fastest_from_rest(decision_, monitor_.lookahead.duration_us);
+    const std::string mmps = to_decimal(Rational(from_rest_mmps, 1000));
     diag::Diagnostic d = finding(
         Code::recovery_stands,
         "`" + controller_.name + "` " + (yields ? "makes way for robots alone" : "only stands") +
@@ -143,9 +144,14 @@ class Recoveries {
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
     const bool received = ir::asks_for_received(monitor_.property);
     const std::string leads =
-        received ? "" : ", or `retreat within Z speed " + speed_to_name() + "`";
-    d.help = "limits of at least " + mmps + " m/s work" + leads +
-             ", or `hold when violated \"why\";` in the monitor";
+        received ? ""
+                 : "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "`, or ";
+    // as fast as it may ever be no limit says anything
+    const std::string limits = from_rest_mmps < decision_.motions.front().speed_mmps
+                                   ? "limits of at least " + mmps + " m/s work, or "
+                                   : "";
+    d.help = limits + leads + "`hold when violated \"why\";` in the monitor" +
+             (limits.empty() ? " works" : "");
     diagnostics_.report(std::move(d));
   }
   // Outside of what it claims an external recovery is braked, in every tick.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/sides.h"
 #include "compiler/analysis/zones.h"
 
 namespace rtac::analysis {
@@ -16,6 +17,13 @@ std::optional<geometry::BakedZone> grown(const geometry::Region& zone, std::int6
   const auto snapped = geometry::snap_inside(zone.grow(std::max(by_m, Rational(0))));
   if (!snapped) return std::nullopt;
   return baked(*snapped);
+}
+
+// What is grown over, walls among it, is no longer kept out of: corners alone are no gap.
+bool closes_a_gap(const geometry::Region& zone, std::int64_t by_mm) {
+  const Rational by_m = metres_of(by_mm);
+  const geometry::Region filled = zone.grow(by_m).shrink(by_m).subtract(zone);
+  return !filled.shrink(Rational(by_m / 2)).empty();
 }
 
 }  // namespace
@@ -40,6 +48,7 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
     const std::int64_t middle = low + (high - low) / 2;
     (works(middle) ? high : low) = middle;
   }
+  if (closes_a_gap(zone, high)) return std::nullopt;
   return high;
 }
 

@@ -80,7 +80,7 @@ int verify(const Options& options, Compilation& c, std::ostream& out) {
   }
   leave_open(report);
   worst = verify::worst(report);
-  if (!options.output.empty()) {
+  if (!options.output.empty() && report.complete) {
     std::string problem = write_certificates(c, report, options.output);
     if (!problem.empty()) {
       c.diagnostics.report({diag::Code::cannot_write,

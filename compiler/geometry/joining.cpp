@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "compiler/geometry/connectors.h"
 
@@ -20,10 +21,12 @@ constexpr std::int32_t rings_surely = 21;
 // Of the clearance such a leg loses so much at most (loss_m), and others (connector_loss_m), with
 // some to spare.
 constexpr double straight_loss_mm = 1, join_loss_mm = 6.5;
+// Beyond so many reaches what a leg leads to is not looked at: the most of all counts.
+constexpr double far_reaches = 3;
 // The recheck finds clearances of cells to so much, and lengths.
 constexpr std::int32_t spare_mm = 5;
 // Of edges and legs: of large zones with many narrow parts not all are looked at.
-constexpr std::int64_t looks_max = 400'000'000;
+constexpr std::int64_t looks_max = 200'000'000;
 
 // A cell that a way may begin at, from where there is no more clearance than it has.
 struct Start {
@@ -38,7 +41,8 @@ class Joining {
       : cells_(cells),
         query_(query),
         edges_(static_cast<std::int64_t>(edges.size())),
-        connectors_(edges, query.route_mm, query.body_mm, join_loss_mm) {}
+        connectors_(edges, query.route_mm, query.body_mm, join_loss_mm),
+        rest_most_(query.rest_mm.empty() ? 0 : *std::ranges::max_element(query.rest_mm)) {}
 
   Joins run() {
     Joins found;
@@ -78,6 +82,7 @@ class Joining {
     looks_ += edges_;
     if (connectors_.holds_nobody(connectors_.look_around(west, south, size, 0))) return 0;
     if (looks_ > looks_max) return -1;
+    without_.reset();
     for (const std::size_t enough : {nearest_ones, some, std::size_t{tests_max}}) {
       const std::vector<Start> starts = starts_of(column, row, enough);
       double reach = 0;
@@ -87,11 +92,24 @@ class Joining {
       }
       looks_ += edges_;
       const auto spot = connectors_.look_around(west, south, size, reach);
+      // from where none of the nearer ones did, mostly no other does
+      if (without_ && first_of(*without_, starts) == nullptr) return -1;
       const double way = longest_in(spot, starts, halvings_max);
       if (way >= 0) return way;
       if (starts.size() < enough) return -1;  // there are no others
     }
     return -1;
+  }
+  // That is clear enough, and that a leg leads to from all of the spot; null: there is none.
+  const Start* first_of(const Connectors::Spot& spot, const std::vector<Start>& starts) {
+    const double here = spot.gap_mm + spot.radius_mm(), route = query_.route_mm;
+    const double asked = (query_.as_clear_as_here ? std::min(here, route) : route) + spare_mm;
+    for (const Start& s : starts) {
+      if (s.clearance_mm < asked) continue;
+      looks_ += 4;
+      if (connectors_.is_sound(spot, s.at)) return &s;
+    }
+    return nullptr;
   }
   static double leg_to(const Connectors::Spot& spot, const Start& s) {
     return std::hypot(s.at.x_mm - spot.x_mm, s.at.y_mm - spot.y_mm) + spot.radius_mm();
@@ -108,14 +126,24 @@ class Joining {
   }
   // Of all cells no farther off that are clear enough for the least clear place.
   [[nodiscard]] double rest_within(const Connectors::Spot& spot, double leg) const {
+    if (leg > far_reaches * query_.reach_mm) return double(rest_most_);
     const double here = spot.gap_mm - spot.radius_mm(), route = query_.route_mm;
     const double least = (query_.as_clear_as_here ? std::min(here, route) : route) - spare_mm;
     const double off = leg + spot.radius_mm() + spare_mm, half = cells_.cell_mm / 2.0;
+    const auto first = [&](double at, double origin) {
+      return static_cast<std::int32_t>(
+          std::max(0.0, std::floor((at - off - origin) / cells_.cell_mm)));
+    };
+    const auto end = [&](double at, double origin, std::int32_t count) {
+      return static_cast<std::int32_t>(
+          std::min<double>(count, std::ceil((at + off - origin) / cells_.cell_mm)));
+    };
+    const std::int32_t rows_end = end(spot.y_mm, cells_.origin.y_mm, cells_.rows);
+    const std::int32_t columns_end = end(spot.x_mm, cells_.origin.x_mm, cells_.columns);
     double most = 0;
-    for (std::int32_t r = 0; r < cells_.rows; ++r) {
+    for (std::int32_t r = first(spot.y_mm, cells_.origin.y_mm); r < rows_end; ++r) {
       const double y = south_of(r) + half - spot.y_mm;
-      if (std::abs(y) > off) continue;
-      for (std::int32_t c = 0; c < cells_.columns; ++c) {
+      for (std::int32_t c = first(spot.x_mm, cells_.origin.x_mm); c < columns_end; ++c) {
         const double x = west_of(c) + half - spot.x_mm;
         if (std::hypot(x, y) > off || clearance_at(c, r) < least) continue;
         most = std::max(most, double(query_.rest_mm[index(c, r)]));
@@ -126,18 +154,16 @@ class Joining {
   double longest_in(const Connectors::Spot& spot, const std::vector<Start>& starts, int halvings) {
     if (connectors_.holds_nobody(spot)) return 0;
     if (looks_ > looks_max) return -1;
-    const double here = spot.gap_mm + spot.radius_mm(), route = query_.route_mm;
-    const double asked = (query_.as_clear_as_here ? std::min(here, route) : route) + spare_mm;
-    for (const Start& s : starts) {
-      if (s.clearance_mm < asked) continue;
-      looks_ += 4;
-      if (!connectors_.is_sound(spot, s.at)) continue;
-      const double leg = leg_to(spot, s);
+    if (const Start* const s = first_of(spot, starts)) {
+      const double leg = leg_to(spot, *s);
       // of all in reach the best one is taken
-      if (leg <= query_.reach_mm) return leg + s.at.rest_mm;
+      if (leg <= query_.reach_mm) return leg + s->at.rest_mm;
       return std::min(leg + rest_within(spot, leg), straight_to_the_end(spot, starts));
     }
-    if (halvings == 0) return -1;
+    if (halvings == 0) {
+      without_ = spot;
+      return -1;
+    }
     double longest = 0;
     for (const Connectors::Spot& part : connectors_.quarters(spot)) {
       const double of_part = longest_in(part, starts, halvings - 1);
@@ -184,6 +210,8 @@ class Joining {
   const JoinQuery query_;
   const std::int64_t edges_;
   Connectors connectors_;
+  const std::int64_t rest_most_;
+  std::optional<Connectors::Spot> without_;  // of the cell: from there no way begins
   std::int64_t looks_ = 0;
 };
 

@@ -66,12 +66,15 @@ class Joins {
     steps_ += static_cast<std::int64_t>(zone_.size());
     const double around = 2 * grid_.cell + std::max(limits_.route, limits_.body) + snap_m;
     if (Boundary(zone_, middle(here), around).holds_nobody(here, limits_.body)) return 0.0;
+    without_.reset();
     for (const std::size_t enough : {std::size_t{16}, std::size_t{80}, std::size_t{tests_max}}) {
       const std::vector<Start> starts = starts_of(column, row, enough);
       double far = 0;
       for (const Start& s : starts) far = std::max(far, apart(s.place, middle(here)));
       steps_ += static_cast<std::int64_t>(zone_.size());
       const Boundary boundary(zone_, middle(here), far + around);
+      // from where none of the nearer ones did, mostly no other does
+      if (without_ && first_of(boundary, *without_, starts) == nullptr) return std::nullopt;
       if (const auto way = way_from(boundary, here, starts, quarters_max)) return way;
       if (starts.size() < enough || steps_ > steps_max) break;
     }
@@ -81,20 +84,17 @@ class Joins {
   std::optional<double> way_from(const Boundary& boundary, const Box& from,
                                  const std::vector<Start>& starts, int times) {
     if (boundary.holds_nobody(from, limits_.body)) return 0.0;
-    const double asked = boundary.asked_from(from, limits_.route, forgiven_m);
-    const double clear = limits_.as_clear_as_here ? asked + forgiven_m : limits_.route;
-    for (const Start& s : starts) {
-      if (s.clearance < clear + table_m) continue;
-      if (++steps_ > steps_max) return std::nullopt;
-      if (!boundary.keeps(from, s.place, asked)) continue;
-      const double leg = leg_to(from, s);
+    if (const Start* const s = first_of(boundary, from, starts)) {
+      const double leg = leg_to(from, *s);
       // of all in reach the best one is taken
-      if (leg <= limits_.reach - grid_.cell / 5) return leg + s.rest;
-      const double least = limits_.as_clear_as_here ? clear - 2 * radius(from) : clear;
-      return std::min(leg + rest_within(from, leg, least - table_m),
-                      straight(boundary, from, starts));
+      if (leg <= limits_.reach - grid_.cell / 5) return leg + s->rest;
+      const double least = clear_for(boundary, from) - 2 * radius(from) - table_m;
+      return std::min(leg + rest_within(from, leg, least), straight(boundary, from, starts));
     }
-    if (times == 0) return std::nullopt;
+    if (times == 0) {
+      without_ = from;
+      return std::nullopt;
+    }
     double longest = 0;
     for (const Box& quarter : quarters(from)) {
       const auto way = way_from(boundary, quarter, starts, times - 1);
@@ -102,6 +102,21 @@ class Joins {
       longest = std::max(longest, *way);
     }
     return longest;
+  }
+  // What the cells have to be clear by for all of the square.
+  [[nodiscard]] double clear_for(const Boundary& boundary, const Box& from) const {
+    return limits_.as_clear_as_here ? boundary.asked_from(from, limits_.route, 0) : limits_.route;
+  }
+  const Start* first_of(const Boundary& boundary, const Box& from,
+                        const std::vector<Start>& starts) {
+    const double asked = boundary.asked_from(from, limits_.route, forgiven_m);
+    const double clear = clear_for(boundary, from) + table_m;
+    for (const Start& s : starts) {
+      if (s.clearance < clear) continue;
+      if (++steps_ > steps_max) return nullptr;
+      if (boundary.keeps(from, s.place, asked)) return &s;
+    }
+    return nullptr;
   }
   static double leg_to(const Box& from, const Start& s) {
     return apart(s.place, middle(from)) + radius(from);
@@ -118,13 +133,20 @@ class Joins {
   }
   // Of all cells no farther off that may be clear enough.
   [[nodiscard]] double rest_within(const Box& from, double leg, double least) const {
+    // farther off it counts as the longest of all
+    if (leg > 4 * limits_.reach) return *std::ranges::max_element(limits_.rest);
+    const double off = leg + radius(from);
+    const auto cell = [&](double at, double origin, int last) {
+      return static_cast<int>(
+          std::clamp(std::floor((at - origin) / grid_.cell), 0.0, double(last)));
+    };
+    const Place m = middle(from);
     double most = 0;
-    for (int r = 0; r < rows_; ++r) {
-      const double y = middle(box(0, r)).y - middle(from).y;
-      if (std::abs(y) > leg + radius(from)) continue;
-      for (int c = 0; c < columns_; ++c) {
-        const double x = middle(box(c, r)).x - middle(from).x;
-        if (length(x, y) > leg + radius(from) || clearance(c, r) < least) continue;
+    for (int r = cell(m.y - off, grid_.y, rows_ - 1); r <= cell(m.y + off, grid_.y, rows_ - 1);
+         ++r) {
+      for (int c = cell(m.x - off, grid_.x, columns_ - 1);
+           c <= cell(m.x + off, grid_.x, columns_ - 1); ++c) {
+        if (apart(middle(box(c, r)), m) > off || clearance(c, r) < least) continue;
         most = std::max(most, limits_.rest[index(c, r)]);
       }
     }
@@ -157,6 +179,7 @@ class Joins {
   const Grid& grid_;
   const JoiningLimits& limits_;
   const int columns_, rows_;
+  std::optional<Box> without_;  // of the cell: from there no way begins
   std::int64_t steps_ = 0;
 };
 

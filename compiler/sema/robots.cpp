@@ -89,14 +89,16 @@ class KindChecker {
         {"speed", Relation::at_most, dims::speed, Limit::positive, true, "speed <= 0.5 m/s",
          "at least 0.001 m/s works, and no less than its recoveries drive at"},
         {"accel", Relation::at_most, dims::acceleration, Limit::positive, true, "accel <= 1 m/s^2",
-         "at least 0.001 m/s^2 works"},
+         "at least 0.001 m/s^2 is due, and what its zones ask for beyond"},
         {"brake", Relation::at_least, dims::acceleration, Limit::not_negative, true,
-         "brake >= 1 m/s^2", "at least 0.001 m/s^2 works"}};
+         "brake >= 1 m/s^2", "at least 0.001 m/s^2 is due, and what its zones ask for beyond"}};
     if (unicycle) {
       rules.push_back({"turn", Relation::at_most, dims::turn_rate, Limit::positive, true,
-                       "turn <= 2 rad/s", "at least 0.001 rad/s works"});
+                       "turn <= 2 rad/s",
+                       "at least 0.001 rad/s is due, and what its zones ask for beyond"});
       rules.push_back({"turn_accel", Relation::at_most, dims::turn_acceleration, Limit::positive,
-                       false, "turn_accel <= 10 rad/s^2", "at least 0.001 rad/s^2 works"});
+                       false, "turn_accel <= 10 rad/s^2",
+                       "at least 0.001 rad/s^2 is due, and what its zones ask for beyond"});
     } else {
       rules.push_back({"disturbance", Relation::at_most, dims::acceleration, Limit::not_negative,
                        false, "disturbance <= 0.1 m/s^2"});
@@ -140,11 +142,12 @@ class KindChecker {
   }
 
   void report_no_brake() {
-    context_.report(Finding(Code::limit_contradictory, kind_.motion.brake.range,
-                            owner() + " cannot stop: `brake` is 0 m/s^2")
-                        .label("must be more than 0")
-                        .help("give the least deceleration that the robot is sure to reach; at "
-                              "least 0.001 m/s^2 works"));
+    context_.report(
+        Finding(Code::limit_contradictory, kind_.motion.brake.range,
+                owner() + " cannot stop: `brake` is 0 m/s^2")
+            .label("must be more than 0")
+            .help("give the least deceleration that the robot is sure to reach: at least "
+                  "0.001 m/s^2, and what its zones ask for beyond"));
   }
 
   void clause(const SourceRange& range, const syntax::SenseClause& sense) {

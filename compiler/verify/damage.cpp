@@ -9,6 +9,7 @@
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/ways_in.h"
 #include "compiler/ir/linear.h"
+#include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -59,6 +60,7 @@ class Damage {
       }
     }
     if (all.size() > starts_most) all.resize(starts_most);
+    if (all.empty()) near_both(from, all);
     return all;
   }
 
@@ -132,6 +134,52 @@ class Damage {
       }
     });
     return least ? std::optional(*least + spare_ppm) : std::nullopt;
+  }
+  // Of a recovery that drives too fast, or that nobody has written down where to: at the fence that
+  // it drives for, as near as it gets there to what the other property asks for.
+  void near_both(const Region& from, std::vector<Start>& all) const {
+    const auto& params = s_.decision.facts.params;
+    const auto fences = analysis::fences_of(driving_.property, params);
+    if (fences.empty() || s_.module[fences.front()].has_height() || from.empty()) return;
+    const ir::ZoneTable& zone = s_.module[fences.front()];
+    const Outline fence = Outline::of(zone), begins = Outline::of(from);
+    std::vector<std::pair<double, P>> found;  // the lower, the nearer
+    const ir::Cells& cells = zone.cells;
+    for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
+      if (cells.clearance_mm_lo[at] < s_.decision.body.radius_mm + start_spare_mm) continue;
+      const auto columns = static_cast<std::size_t>(cells.columns);
+      const P p{cells.origin_x_mm + (double(at % columns) + 0.5) * cells.cell_mm,
+                cells.origin_y_mm + (double(at / columns) + 0.5) * cells.cell_mm};
+      if (const auto far = far_from_judged(p); far && begins.contains(p)) {
+        found.emplace_back(*far + fence.clearance(p), p);
+      }
+    }
+    std::ranges::sort(found, {}, [](const auto& each) { return each.first; });
+    constexpr double apart_mm = 1000;
+    for (const auto& [score, p] : found) {
+      const bool beside = std::ranges::any_of(all, [&, at = p](const Start& start) {
+        return analysis::outline::norm(
+                   at - P{double(start.place_mm[0]), double(start.place_mm[1])}) < apart_mm;
+      });
+      if (!beside) all.push_back({in_mm(p)});
+      if (all.size() == starts_most) return;
+    }
+  }
+  // How far a place is from where the other property is false, or where it asks for a speed; none:
+  // it is false there, or never asks.
+  [[nodiscard]] std::optional<double> far_from_judged(P p) const {
+    const bool slow = atoms_of(judged_.property).speed;
+    std::optional<double> far;
+    for (const analysis::Standoff& each :
+         analysis::fence_standoffs(judged_.property, s_.decision.facts.params)) {
+      if (s_.module[each.zone].has_height()) continue;
+      const double spare = Outline::of(s_.module[each.zone]).clearance(p) -
+                           double(s_.decision.body.radius_mm + each.mm);
+      if (slow ? spare < 0 : spare >= double(start_spare_mm)) {
+        far = std::min(far.value_or(spare), std::max(spare, 0.0));
+      }
+    }
+    return far;
   }
   // The one that goes first backs off from the other one, out of what it is near the boundary of.
   void beside_each_other(const Region& from, const Region& allowed, std::vector<Start>& all) const {

@@ -118,7 +118,9 @@ std::string to_text(const Report& report) {
     }
   }
   if (!report.complete)
-    out += "no module could be built: the other obligations are not looked at\n";
+    out +=
+        "no module could be built: the other obligations are not looked at, and there are no "
+        "certificates\n";
   if (report.decisions.empty()) out += "no decision: nothing is obliged\n";
   std::string sums;
   for (std::size_t i = 0; i < statuses.size(); ++i) {

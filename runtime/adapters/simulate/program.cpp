@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <sstream>
 
 #include "conservatism.h"
 #include "rtac/sim/picture.h"
@@ -113,9 +114,11 @@ class Program {
   // What comes later than is declared is no attack: no look-ahead covers it.
   Problem check_jitter(const DecisionCase& decision, const Kernel::Functions& functions) {
     if (scenario_.jitter_us <= functions.jitter_us) return {};
-    return {"`jitter_ms` of the scenario is more than decision `" + decision.name + "` allows for",
-            "a number up to " + std::to_string(functions.jitter_us) +
-                " us works, or declare a longer `jitter` of the decision"};
+    std::ostringstream most_ms;
+    most_ms << static_cast<double>(functions.jitter_us) / 1e3;
+    return {
+        "`jitter_ms` of the scenario is more than decision `" + decision.name + "` allows for",
+        "a number up to " + most_ms.str() + " works, or declare a longer `jitter` of the decision"};
   }
   std::uint64_t whole(const char* flag) {
     constexpr int decimal = 10;

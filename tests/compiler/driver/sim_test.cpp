@@ -334,7 +334,7 @@ TEST_F(Simulations, ScenariosAreRefusedWithWhatWouldWork) {
       {R"({"starts": {"nobody": {"at": [1, 2]}}})", "there are `r1`"},
       {R"({"starts": {"r1": {"battery": 0.5}}})", "or declare `sense battery`"},
       {R"({"about": "nothing"})", "which does not exist\nhelp: there are `"},
-      {R"({"jitter_ms": 5.1})", "up to 5000 us works"},
+      {R"({"jitter_ms": 5.1})", "up to 5 works"},
       {R"({"runs": 0})", "a whole number from 1 to "},
       {R"({"runs": -1})", "a whole number from 1 to "}};
   for (const auto& [text, help] : cases) {

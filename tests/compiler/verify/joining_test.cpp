@@ -1,0 +1,87 @@
+// That control comes back is shown from everywhere: from the middle of narrow passages, too, and to
+// where a robot without errors of its own is measured.
+
+#include "compiler/recheck/zones.h"
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Joining : public Verify {
+ protected:
+  void SetUp() override {
+    Verify::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+  static std::string at_the_end_of(const std::string& passage) {
+    return "spec ends;\nzone hall = rectangle (0 m, 0 m) to (6 m, " + passage +
+           R"() | rectangle (6 m, 0 m) to (12 m, 6 m);
+robot Cart {
+  body     radius 15 cm;
+  motion   unicycle { speed <= 0.6 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 8 rad/s^2; }
+  sense    position : point  error 2 cm   max_age 100 ms;
+  sense    heading  : angle  error 2 deg  max_age 100 ms;
+  sense    velocity : vector error 1 cm/s max_age 100 ms;
+  output   drive : twist;
+  latency  40 ms;
+}
+fleet cart : Cart;
+controller work : advanced for Cart extern;
+controller back : safe for Cart = retreat within hall speed 0.3 m/s;
+monitor fence for c : Cart { "R1: in the hall" always c inside hall; ahead 200 ms; recover back; }
+decision drive for Cart { advanced work; period 100 ms; priority fence; }
+)";
+  }
+};
+
+// No cell of it is all as clear as its middle is, and a recovery gives up no clearance.
+TEST_F(Joining, FromTheMiddleOfANarrowPassageNothingLeadsBack) {
+  const Outcome o = verified(at_the_end_of("70 cm"), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "P2b", "fence"), Statuses{"refuted"}) << o.out;
+  const Outcome again = rtac({"sim", "spec.rta", "--replay", "spec.trace"});
+  EXPECT_EQ(again.status, exit_violation) << again.out << again.err;
+}
+TEST_F(Joining, FromAWiderOneThereIsAWay) {
+  const Outcome o = verified(at_the_end_of("1.1 m"), {"--format", "json", "-o", "shown"});
+  EXPECT_EQ(statuses(o.out, "P2b", "fence"), Statuses{"proved"}) << o.out;
+  EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
+}
+
+TEST(JoiningOnceMore, FindsNarrowPassagesItself) {
+  const auto ends = [](const Rational& wide) {
+    const auto zone =
+        geometry::Region::of_rings({{{0, 0}, {12, 0}, {12, 6}, {6, 6}, {6, wide}, {0, wide}}});
+    const auto found = recheck::without_way(zone, {100, 0, 0}, Rational(15, 100),
+                                            Rational(482, 1000), Rational(7, 10), {});
+    return std::holds_alternative<geometry::Point>(found);
+  };
+  EXPECT_TRUE(ends(Rational(7, 10)));
+  EXPECT_FALSE(ends(Rational(11, 10)));
+}
+
+// It rests where the decision, which sees a millimetre more or less, gives control back.
+TEST_F(Joining, WithoutErrorsOfTheSensorsControlComesBackAsWell) {
+  write("spec.rta", R"(spec exact;
+zone yard = rectangle (0 m, 0 m) to (6 m, 6 m);
+robot Bot {
+  body radius 10 cm;
+  motion point { speed <= 2 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
+  sense position : point error 0 cm max_age 10 ms;
+  sense velocity : vector error 0 cm/s max_age 10 ms;
+  output thrust : acceleration;
+  latency 5 ms;
+}
+fleet bot : Bot;
+controller drive : advanced for Bot extern;
+controller back : safe for Bot = retreat within yard speed 0.5 m/s;
+monitor fence for b : Bot { "R1: in the yard" always b inside yard; recover back; }
+decision step for Bot { advanced drive; period 20 ms; priority fence; }
+)");
+  write("s.json", R"({"duration_s": 60, "return_within_s": 15, "runs": 24, "seed": 500})");
+  const Outcome o = rtac({"sim", "spec.rta", "--scenario", "s.json"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
