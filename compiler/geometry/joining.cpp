@@ -93,7 +93,7 @@ class Joining {
       looks_ += edges_;
       const auto spot = connectors_.look_around(west, south, size, reach);
       // from where none of the nearer ones did, mostly no other does
-      if (without_ && first_of(*without_, starts) == nullptr) return -1;
+      if (without_ && first_of(*without_, starts) == nullptr) continue;
       const double way = longest_in(spot, starts, halvings_max);
       if (way >= 0) return way;
       if (starts.size() < enough) return -1;  // there are no others

@@ -74,7 +74,7 @@ class Joins {
       steps_ += static_cast<std::int64_t>(zone_.size());
       const Boundary boundary(zone_, middle(here), far + around);
       // from where none of the nearer ones did, mostly no other does
-      if (without_ && first_of(boundary, *without_, starts) == nullptr) return std::nullopt;
+      if (without_ && first_of(boundary, *without_, starts) == nullptr) continue;
       if (const auto way = way_from(boundary, here, starts, quarters_max)) return way;
       if (starts.size() < enough || steps_ > steps_max) break;
     }
