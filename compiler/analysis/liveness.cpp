@@ -300,12 +300,16 @@ Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::R
 Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                const ir::Module& module, const ir::Decision& decision,
                const ir::Recovery& recovery) {
+  Ways ways = ways_over(cells, module, decision, recovery);
+  add_joins(edges, cells, decision, recovery, ways);
+  return ways;
+}
+Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
+               const ir::Recovery& recovery) {
   const std::int64_t body_mm = decision.body.radius_mm + standoff_mm(decision, recovery);
   const std::int64_t route_mm = recovery.route_clearance_mm;
   if (recovery.kind == ir::RecoveryKind::route) {
-    Ways ways = ways_to(cells, site_cells(module, recovery, cells), body_mm, route_mm);
-    add_joins(edges, cells, decision, recovery, ways);
-    return ways;
+    return ways_to(cells, site_cells(module, recovery, cells), body_mm, route_mm);
   }
   // A retreat aims a little deeper than it needs, as far as a way leads there.
   const std::int64_t needed_mm = recovery.return_clearance_mm;
@@ -322,7 +326,6 @@ Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
     ways.longest_mm = longer(ways.longest_mm, 2 * wanted_mm);
     wanted_mm += loiter_room_mm;
   }
-  add_joins(edges, cells, decision, recovery, ways);
   return ways;
 }
 

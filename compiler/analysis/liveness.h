@@ -45,6 +45,9 @@ std::int64_t joins_within_mm(const ir::Cells& cells);
 
 // Where a recovery leads and for how long; of one that stands nothing.
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery);
+// The same if its zone had these cells, but for whether ways begin from everywhere.
+Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
+               const ir::Recovery& recovery);
 // The same if its zone had these edges and cells.
 Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                const ir::Module& module, const ir::Decision& decision,

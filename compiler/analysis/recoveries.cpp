@@ -326,20 +326,26 @@ class Recoveries {
              (ways.stranded.size() > 1
                   ? ", and there are " + std::to_string(ways.stranded.size() - 1) + " more"
                   : "")});
-    const auto leads_back = [&](const std::vector<geometry::EdgeRow>& edges,
-                                const ir::Cells& cells) {
-      const Ways of_it = ways_over(edges, cells, module_, decision_, last);
+    const auto leads = [](const Ways& of_it) {
       return of_it.stranded.empty() || of_it.stranded.front().cells < stranded_cells_least;
     };
-    d.help = grown(last, leads_back).value_or("widen it") +
+    const auto over_cells = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
+      return leads(ways_over(cells, module_, decision_, last));
+    };
+    const auto leads_back = [&](const std::vector<geometry::EdgeRow>& edges,
+                                const ir::Cells& cells) {
+      return leads(ways_over(edges, cells, module_, decision_, last));
+    };
+    d.help = grown(last, over_cells, leads_back).value_or("widen it") +
              ", or join it to a wider part, or take it out of the zone";
     diagnostics_.report(std::move(d));
   }
   // With how much more on every side `fits` holds.
-  std::optional<std::string> grown(const ir::Recovery& last, const FitsZone& fits) const {
+  std::optional<std::string> grown(const ir::Recovery& last, const FitsZone& fits,
+                                   const FitsZone& whole = {}) const {
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t most_mm = 2 * last.return_clearance_mm + 4 * zone.cells.cell_mm;
-    const auto by_mm = widening_mm(exact_(last.zone), most_mm, fits);
+    const auto by_mm = widening_mm(exact_(last.zone), most_mm, fits, whole);
     if (!by_mm) return std::nullopt;
     // of a zone that is no zone of the property, too: as long as it lies in those
     Rational by_m(static_cast<long>(*by_mm), 1000);

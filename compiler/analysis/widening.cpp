@@ -29,15 +29,16 @@ bool closes_a_gap(const geometry::Region& zone, std::int64_t by_mm) {
 }  // namespace
 
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
-                                        const FitsZone& fits) {
+                                        const FitsZone& fits, const FitsZone& whole) {
   if (zone.vertices() > vertices_most) return std::nullopt;
-  const auto works = [&](std::int64_t by_mm) {
+  const auto holds = [&](const FitsZone& what, std::int64_t by_mm) {
     const auto wider = grown(zone, by_mm);
     if (!wider || wider->cells.clearance_mm_lo.size() > cells_tried_most) return false;
     const geometry::CellGrid& c = wider->cells;
-    return fits(wider->edges,
+    return what(wider->edges,
                 {c.origin.x_mm, c.origin.y_mm, c.cell_mm, c.columns, c.rows, c.clearance_mm_lo});
   };
+  const auto works = [&](std::int64_t by_mm) { return holds(fits, by_mm); };
   std::int64_t low = 0, high = 1;
   while (high < most_mm && !works(high)) {
     low = high;
@@ -48,7 +49,7 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
     const std::int64_t middle = low + (high - low) / 2;
     (works(middle) ? high : low) = middle;
   }
-  if (closes_a_gap(zone, high)) return std::nullopt;
+  if (closes_a_gap(zone, high) || (whole && !holds(whole, high))) return std::nullopt;
   return high;
 }
 

@@ -17,9 +17,9 @@ using FitsZone =
     std::function<bool(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells)>;
 
 // The least growth on every side, in mm, with which `fits` holds of the zone, and of
-// no growth that is 1 mm less; at most `most_mm`. None: it does not help, or the zone is so large
-// that to try takes long.
+// no growth that is 1 mm less, if then `whole`, which is asked once, holds, too; at most `most_mm`.
+// None: it does not help, or the zone is so large that to try takes long.
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
-                                        const FitsZone& fits);
+                                        const FitsZone& fits, const FitsZone& whole = {});
 
 }  // namespace rtac::analysis

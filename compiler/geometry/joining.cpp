@@ -1,7 +1,9 @@
 #include "compiler/geometry/joining.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <optional>
 
@@ -25,8 +27,9 @@ constexpr double straight_loss_mm = 1, join_loss_mm = 6.5;
 constexpr double far_reaches = 3;
 // The recheck finds clearances of cells to so much, and lengths.
 constexpr std::int32_t spare_mm = 5;
-// Of edges and legs: of large zones with many narrow parts not all are looked at.
-constexpr std::int64_t looks_max = 200'000'000;
+// Of edges and legs: of large zones with many narrow parts not all are looked at, nor are all legs
+// of one cell. What has not been looked at is apart.
+constexpr std::int64_t looks_max = 40'000'000, of_cell_max = 400'000;
 
 // A cell that a way may begin at, from where there is no more clearance than it has.
 struct Start {
@@ -83,6 +86,7 @@ class Joining {
     if (connectors_.holds_nobody(connectors_.look_around(west, south, size, 0))) return 0;
     if (looks_ > looks_max) return -1;
     without_.reset();
+    looks_end_ = std::min(looks_max, looks_ + of_cell_max);
     for (const std::size_t enough : {nearest_ones, some, std::size_t{tests_max}}) {
       const std::vector<Start> starts = starts_of(column, row, enough);
       double reach = 0;
@@ -153,7 +157,7 @@ class Joining {
   }
   double longest_in(const Connectors::Spot& spot, const std::vector<Start>& starts, int halvings) {
     if (connectors_.holds_nobody(spot)) return 0;
-    if (looks_ > looks_max) return -1;
+    if (looks_ > looks_end_) return -1;
     if (const Start* const s = first_of(spot, starts)) {
       const double leg = leg_to(spot, *s);
       // of all in reach the best one is taken
@@ -212,13 +216,37 @@ class Joining {
   Connectors connectors_;
   const std::int64_t rest_most_;
   std::optional<Connectors::Spot> without_;  // of the cell: from there no way begins
-  std::int64_t looks_ = 0;
+  std::int64_t looks_ = 0, looks_end_ = 0;
 };
 
 }  // namespace
 
+// The same is asked of a recovery again and again: for each monitor, what bounds its time, what it
+// is rechecked by. The last answers are kept.
 Joins joins(const std::vector<EdgeRow>& edges, const CellGrid& cells, const JoinQuery& query) {
-  return Joining(edges, cells, query).run();
+  struct Asked {
+    std::vector<EdgeRow> edges;
+    std::vector<std::int32_t> clearance_mm;
+    std::array<std::int32_t, 4> cells;
+    JoinQuery query;
+    Joins found;
+  };
+  constexpr std::size_t kept = 12;
+  thread_local std::deque<Asked> last;
+  const std::array<std::int32_t, 4> grid{cells.origin.x_mm, cells.origin.y_mm, cells.cell_mm,
+                                         cells.columns};
+  for (const Asked& asked : last) {
+    if (asked.query == query && asked.cells == grid &&
+        asked.clearance_mm == cells.clearance_mm_lo &&
+        std::ranges::equal(asked.edges, edges, [](const EdgeRow& a, const EdgeRow& b) {
+          return a.a == b.a && a.b == b.b;
+        })) {
+      return asked.found;
+    }
+  }
+  last.push_front({edges, cells.clearance_mm_lo, grid, query, Joining(edges, cells, query).run()});
+  if (last.size() > kept) last.pop_back();
+  return last.front().found;
 }
 
 }  // namespace rtac::geometry

@@ -17,6 +17,7 @@ struct JoinQuery {
   // Within this of all cells the one with the shortest way is taken, and else the nearest one.
   std::int32_t reach_mm = 0;
   std::vector<std::int64_t> rest_mm;  // by cell: how long the way on is from its middle
+  bool operator==(const JoinQuery&) const = default;
 };
 
 struct Joins {

@@ -48,7 +48,7 @@ class Joins {
   // Straight to the end of a way it forgives 2 mm; all of the cells in so many rings are tried.
   static constexpr double straight_forgiven_m = 0.0015;
   static constexpr int rings_surely = 21;
-  static constexpr std::int64_t steps_max = 1'500'000'000;
+  static constexpr std::int64_t steps_max = 60'000'000, of_cell_max = 600'000;
 
   [[nodiscard]] std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * grid_.columns + static_cast<std::size_t>(column);
@@ -67,6 +67,7 @@ class Joins {
     const double around = 2 * grid_.cell + std::max(limits_.route, limits_.body) + snap_m;
     if (Boundary(zone_, middle(here), around).holds_nobody(here, limits_.body)) return 0.0;
     without_.reset();
+    steps_end_ = std::min(steps_max, steps_ + of_cell_max);
     for (const std::size_t enough : {std::size_t{16}, std::size_t{80}, std::size_t{tests_max}}) {
       const std::vector<Start> starts = starts_of(column, row, enough);
       double far = 0;
@@ -76,7 +77,7 @@ class Joins {
       // from where none of the nearer ones did, mostly no other does
       if (without_ && first_of(boundary, *without_, starts) == nullptr) continue;
       if (const auto way = way_from(boundary, here, starts, quarters_max)) return way;
-      if (starts.size() < enough || steps_ > steps_max) break;
+      if (starts.size() < enough || steps_ > steps_end_) break;
     }
     return std::nullopt;
   }
@@ -91,7 +92,7 @@ class Joins {
       const double least = clear_for(boundary, from) - 2 * radius(from) - table_m;
       return std::min(leg + rest_within(from, leg, least), straight(boundary, from, starts));
     }
-    if (times == 0) {
+    if (times == 0 || steps_ > steps_end_) {
       without_ = from;
       return std::nullopt;
     }
@@ -113,7 +114,7 @@ class Joins {
     const double clear = clear_for(boundary, from) + table_m;
     for (const Start& s : starts) {
       if (s.clearance < clear) continue;
-      if (++steps_ > steps_max) return nullptr;
+      if (++steps_ > steps_end_) return nullptr;
       if (boundary.keeps(from, s.place, asked)) return &s;
     }
     return nullptr;
@@ -180,7 +181,7 @@ class Joins {
   const JoiningLimits& limits_;
   const int columns_, rows_;
   std::optional<Box> without_;  // of the cell: from there no way begins
-  std::int64_t steps_ = 0;
+  std::int64_t steps_ = 0, steps_end_ = 0;
 };
 
 }  // namespace

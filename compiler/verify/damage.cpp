@@ -60,7 +60,7 @@ class Damage {
       }
     }
     if (all.size() > starts_most) all.resize(starts_most);
-    if (all.empty()) near_both(from, all);
+    if (all.empty() && &driving_ != &judged_) near_both(from, all);
     return all;
   }
 
