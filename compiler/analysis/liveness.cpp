@@ -196,6 +196,7 @@ void add_joins(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
                       {.route_mm = mm(recovery.route_clearance_mm),
                        .body_mm = mm(decision.body.radius_mm),
                        .as_clear_as_here = recovery.kind != ir::RecoveryKind::route,
+                       .return_mm = mm(recovery.return_clearance_mm),
                        .reach_mm = mm(joins_within_mm(cells) - cells.cell_mm / 5),
                        .rest_mm = ways.rest_mm});
   if (ways.longest_mm) {

@@ -45,6 +45,7 @@ class Joining {
         query_(query),
         edges_(static_cast<std::int64_t>(edges.size())),
         connectors_(edges, query.route_mm, query.body_mm, join_loss_mm),
+        around_(edges, std::max(query.route_mm, query.return_mm + 2 * spare_mm), query.body_mm),
         rest_most_(query.rest_mm.empty() ? 0 : *std::ranges::max_element(query.rest_mm)) {}
 
   Joins run() {
@@ -83,7 +84,7 @@ class Joining {
   double longest_from(std::int32_t column, std::int32_t row) {
     const double size = cells_.cell_mm, west = west_of(column), south = south_of(row);
     looks_ += edges_;
-    if (connectors_.holds_nobody(connectors_.look_around(west, south, size, 0))) return 0;
+    if (around_.holds_nobody(around_.look_around(west, south, size, 0))) return 0;
     if (looks_ > looks_max) return -1;
     without_.reset();
     looks_end_ = std::min(looks_max, looks_ + of_cell_max);
@@ -95,7 +96,8 @@ class Joining {
             std::max(reach, std::hypot(s.at.x_mm - west - size / 2, s.at.y_mm - south - size / 2));
       }
       looks_ += edges_;
-      const auto spot = connectors_.look_around(west, south, size, reach);
+      (void)connectors_.look_around(west, south, size, reach);
+      const auto spot = around_.look_around(west, south, size, 0);
       // from where none of the nearer ones did, mostly no other does
       if (without_ && first_of(*without_, starts) == nullptr) continue;
       const double way = longest_in(spot, starts, halvings_max);
@@ -107,7 +109,7 @@ class Joining {
   // That is clear enough, and that a leg leads to from all of the spot; null: there is none.
   const Start* first_of(const Connectors::Spot& spot, const std::vector<Start>& starts) {
     const double here = spot.gap_mm + spot.radius_mm(), route = query_.route_mm;
-    const double asked = (query_.as_clear_as_here ? std::min(here, route) : route) + spare_mm;
+    const double asked = query_.as_clear_as_here ? std::min(here, route) : route;
     for (const Start& s : starts) {
       if (s.clearance_mm < asked) continue;
       looks_ += 4;
@@ -156,7 +158,9 @@ class Joining {
     return most;
   }
   double longest_in(const Connectors::Spot& spot, const std::vector<Start>& starts, int halvings) {
-    if (connectors_.holds_nobody(spot)) return 0;
+    if (around_.holds_nobody(spot)) return 0;
+    const bool given_back = spot.gap_mm - spot.radius_mm() >= query_.return_mm;
+    if (query_.as_clear_as_here && given_back) return 0;
     if (looks_ > looks_end_) return -1;
     if (const Start* const s = first_of(spot, starts)) {
       const double leg = leg_to(spot, *s);
@@ -169,7 +173,7 @@ class Joining {
       return -1;
     }
     double longest = 0;
-    for (const Connectors::Spot& part : connectors_.quarters(spot)) {
+    for (const Connectors::Spot& part : around_.quarters(spot)) {
       const double of_part = longest_in(part, starts, halvings - 1);
       if (of_part < 0) return -1;
       longest = std::max(longest, of_part);
@@ -213,7 +217,8 @@ class Joining {
   const CellGrid& cells_;
   const JoinQuery query_;
   const std::int64_t edges_;
-  Connectors connectors_;
+  Connectors connectors_;  // of legs
+  Connectors around_;      // of places
   const std::int64_t rest_most_;
   std::optional<Connectors::Spot> without_;  // of the cell: from there no way begins
   std::int64_t looks_ = 0, looks_end_ = 0;

@@ -14,6 +14,7 @@ struct JoinQuery {
   std::int32_t body_mm = 0;   // with less clearance a robot is nowhere
   // From where there is less than `route_mm`, cells as clear as that place itself do, too.
   bool as_clear_as_here = false;
+  std::int32_t return_mm = 0;  // and with so much clearance control is given back at once
   // Within this of all cells the one with the shortest way is taken, and else the nearest one.
   std::int32_t reach_mm = 0;
   std::vector<std::int64_t> rest_mm;  // by cell: how long the way on is from its middle

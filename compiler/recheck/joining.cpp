@@ -64,7 +64,9 @@ class Joins {
   std::optional<double> longest_from(int column, int row) {
     const Box here = box(column, row);
     steps_ += static_cast<std::int64_t>(zone_.size());
-    const double around = 2 * grid_.cell + std::max(limits_.route, limits_.body) + snap_m;
+    const double around = 2 * grid_.cell +
+                          std::max({limits_.route, limits_.body, limits_.back + 2 * table_m}) +
+                          snap_m;
     if (Boundary(zone_, middle(here), around).holds_nobody(here, limits_.body)) return 0.0;
     without_.reset();
     steps_end_ = std::min(steps_max, steps_ + of_cell_max);
@@ -85,6 +87,9 @@ class Joins {
   std::optional<double> way_from(const Boundary& boundary, const Box& from,
                                  const std::vector<Start>& starts, int times) {
     if (boundary.holds_nobody(from, limits_.body)) return 0.0;
+    const double enough = limits_.back + table_m;
+    const double most = enough + 2 * radius(from);  // no more of the clearance matters
+    if (limits_.as_clear_as_here && boundary.asked_from(from, most, 0) >= most) return 0.0;
     if (const Start* const s = first_of(boundary, from, starts)) {
       const double leg = leg_to(from, *s);
       // of all in reach the best one is taken

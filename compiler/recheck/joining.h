@@ -14,6 +14,7 @@ struct JoiningLimits {
   double route;  // clearance of the cells that ways lead over
   // From where there is less than `route`, cells as clear as that place itself do, too.
   bool as_clear_as_here;
+  double back;               // and with so much clearance control is given back at once
   double reach;              // within this of all cells the one with the shortest way is taken
   std::vector<double> rest;  // by cell: how long the way on from its middle is
 };

@@ -232,8 +232,9 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
     if (grid->clearance[at] < body || reached[at] >= asks(*grid, at, route) - snap_m) continue;
     return middle_of(*grid, at);
   }
-  const JoiningLimits limits{body_m.get_d(), route, sites.empty(), reach_of(*grid),
-                             std::vector<double>(reached.size(), 0)};
+  const JoiningLimits limits{body_m.get_d(),  route,
+                             sites.empty(),   goal_m.get_d(),
+                             reach_of(*grid), std::vector<double>(reached.size(), 0)};
   if (const auto from = joining(edges, *grid, limits).apart) return middle_of(*grid, *from);
   return std::monostate{};
 }
@@ -257,7 +258,7 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
     most = std::max(most, steps[at]);
   }
   const Rational over_cells = Rational(static_cast<long>(most * cells.cell_mm)) / 1000;
-  JoiningLimits limits{body_m.get_d(), route, sites.empty(), reach_of(*grid), {}};
+  JoiningLimits limits{body_m.get_d(), route, sites.empty(), goal_m.get_d(), reach_of(*grid), {}};
   for (const std::int64_t count : steps) {
     limits.rest.push_back(grid->cell * static_cast<double>(std::max<std::int64_t>(count, 0)));
   }

@@ -142,12 +142,10 @@ class KindChecker {
   }
 
   void report_no_brake() {
-    context_.report(
-        Finding(Code::limit_contradictory, kind_.motion.brake.range,
-                owner() + " cannot stop: `brake` is 0 m/s^2")
-            .label("must be more than 0")
-            .help("give the least deceleration that the robot is sure to reach: at least "
-                  "0.001 m/s^2, and what its zones ask for beyond"));
+    context_.report(Finding(Code::limit_contradictory, kind_.motion.brake.range,
+                            owner() + " cannot stop: `brake` is 0 m/s^2")
+                        .label("must be more than 0")
+                        .help("give the least deceleration that the robot is sure to reach"));
   }
 
   void clause(const SourceRange& range, const syntax::SenseClause& sense) {

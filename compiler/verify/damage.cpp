@@ -148,8 +148,9 @@ class Damage {
     for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
       if (cells.clearance_mm_lo[at] < s_.decision.body.radius_mm + start_spare_mm) continue;
       const auto columns = static_cast<std::size_t>(cells.columns);
-      const P p{cells.origin_x_mm + (double(at % columns) + 0.5) * cells.cell_mm,
-                cells.origin_y_mm + (double(at / columns) + 0.5) * cells.cell_mm};
+      const std::size_t column = at % columns, row = at / columns;
+      const P p{cells.origin_x_mm + (double(column) + 0.5) * cells.cell_mm,
+                cells.origin_y_mm + (double(row) + 0.5) * cells.cell_mm};
       if (const auto far = far_from_judged(p); far && begins.contains(p)) {
         found.emplace_back(*far + fence.clearance(p), p);
       }

@@ -133,7 +133,7 @@ TEST(LongestWay, LeadsOutOfAPassage) {
                                                  {4, 4},
                                                  {0, 4}}});
   const auto longest = [&](const Rational& body) {
-    return recheck::longest_way(zone, {100, 0, 0}, body, Rational(2, 10), 1, {});
+    return recheck::longest_way(zone, {100, 0, 0}, body, Rational(19, 100), 1, {});
   };
   const auto way = longest(Rational(1, 10));
   ASSERT_TRUE(way.has_value());
