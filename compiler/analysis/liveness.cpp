@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 #include <queue>
+#include <utility>
 
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/tables.h"
@@ -203,8 +204,10 @@ void add_joins(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
     ways.longest_mm = std::max(*ways.longest_mm, found.longest_mm - joins_within_mm(cells));
   }
   const Grid grid(cells, recovery.route_clearance_mm);
-  const std::vector<Stranded> apart = parts_of(grid, cells, found.apart);
-  ways.stranded.insert(ways.stranded.end(), apart.begin(), apart.end());
+  for (std::size_t at = 0; at < found.apart.size(); ++at) {
+    if (found.apart[at]) ways.lost[at] = true;
+  }
+  ways.stranded = parts_of(grid, cells, ways.lost);
 }
 
 // The larger of two lengths; none: one of them has no bound.
@@ -239,6 +242,7 @@ Ways ways_to(const ir::Cells& cells, const std::vector<bool>& goals, std::int64_
     }
   }
   ways.stranded = parts_of(grid, cells, stranded);
+  ways.lost = std::move(stranded);
   return ways;
 }
 

@@ -23,7 +23,8 @@ struct Ways {
   // cells begin is left out, up to `joins_within_mm`.
   std::optional<std::int64_t> longest_mm = 0;
   std::vector<std::int64_t> rest_mm;  // by cell, from its middle on
-  std::vector<Stranded> stranded;     // the largest first
+  std::vector<bool> lost;             // by cell: from some place of it no way is known
+  std::vector<Stranded> stranded;     // the parts that these make up, the largest first
 };
 // The ways that the search of a recovery finds (rtac/safe/grid_route.h): over cells as clear as
 // `route_mm`, or as the cell it starts from; from every cell as clear as `body_mm`.

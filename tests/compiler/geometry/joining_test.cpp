@@ -36,6 +36,7 @@ class Room {
                  {.route_mm = route_mm,
                   .body_mm = body_mm,
                   .as_clear_as_here = as_clear_as_here,
+                  .return_mm = 900,
                   .reach_mm = 480,
                   .rest_mm = std::vector<std::int64_t>(zone_.cells.clearance_mm_lo.size(), 0)});
   }
@@ -58,7 +59,7 @@ class Room {
       const auto cell = static_cast<std::size_t>(off_y / cells.cell_mm) *
                             static_cast<std::size_t>(cells.columns) +
                         static_cast<std::size_t>(off_x / cells.cell_mm);
-      if (found.apart[cell]) continue;
+      if (found.apart[cell] || (as_clear_as_here && here_m >= 0.9)) continue;
       const double least_m = as_clear_as_here ? std::min(1e-3 * route_mm, here_m) : 1e-3 * route_mm;
       Path way;
       if (!route.to_place({least_m, p, {}, {}}, Clear(least_m), way)) {
