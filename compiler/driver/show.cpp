@@ -99,7 +99,9 @@ std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& 
   if (!o.monitor.empty()) about["about"] = o.monitor;
   std::vector<Json> all;
   if (about_return(o)) {
-    constexpr int kept_s = 30;  // no recovery of a fleet that fits its field takes longer to begin
+    // no recovery of a fleet that fits its field takes longer to begin, and none to charge
+    const bool charges = !charge.empty() && o.monitor == charge;
+    const int kept_s = charges ? 1200 : 30;
     about["return_within_s"] = kept_s;
     about["duration_s"] = 3 * kept_s;
     about["runs"] = 20;

@@ -141,7 +141,7 @@ inline std::vector<Rule> rules_of_clauses() {
        Code::limit_contradictory,
        "0 m/s^2",
        "`Drone` cannot stop",
-       "at least 0.001 m/s^2 is due"},
+       "the robot is sure to reach"},
       {"motion_takes_no_less_than_rest",
        {{"drain <= 0.2 %/s", "drain <= 0.005 %/s"}},
        Code::limit_contradictory,
