@@ -122,13 +122,16 @@ class Joining {
   }
   // Who needs no site takes a leg straight to the end of a way, if no other way is shorter.
   double straight_to_the_end(const Connectors::Spot& spot, const std::vector<Start>& starts) {
+    const double none = std::numeric_limits<double>::infinity();
+    // such a leg keeps what the robot has, even where that is more than ways over cells keep
+    if (spot.gap_mm + spot.radius_mm() > query_.route_mm) return none;
     const double stricter = spot.radius_mm() + join_loss_mm - straight_loss_mm;
     for (const Start& s : starts) {
       if (!query_.as_clear_as_here || !s.tried || s.at.rest_mm > 0) continue;
       looks_ += 4;
       if (connectors_.is_sound(spot, s.at, stricter)) return leg_to(spot, s);
     }
-    return std::numeric_limits<double>::infinity();
+    return none;
   }
   // Of all cells no farther off that are clear enough for the least clear place.
   [[nodiscard]] double rest_within(const Connectors::Spot& spot, double leg) const {

@@ -129,6 +129,8 @@ class Joins {
   }
   // To where a way ends, which is no site: no way that is taken is longer.
   double straight(const Boundary& boundary, const Box& from, const std::vector<Start>& starts) {
+    // such a leg keeps what the robot has, even where that is more than ways over cells keep
+    if (boundary.asked_from(from, limits_.route, 0) >= limits_.route) return 1e300;
     const double asked = boundary.asked_from(from, limits_.route, straight_forgiven_m);
     for (const Start& s : starts) {
       if (!limits_.as_clear_as_here || !s.tried || s.rest > 0) continue;

@@ -244,12 +244,20 @@ std::vector<const Adversary*> applicable(const DecisionCase& decision, const Sce
   return fit;
 }
 
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "`" : ", `") + name + "`";
+  return list;
+}
+
+}  // namespace
+
 std::string adversary_names() {
-  std::string names;
-  for (const Adversary& a : adversaries()) {
-    names += (names.empty() ? "`" : ", `") + std::string(a.name) + "`";
-  }
-  return names;
+  std::vector<std::string> names;
+  for (const Adversary& a : adversaries()) names.emplace_back(a.name);
+  return listed(names);
 }
 
 Problem read_scenario(const std::string& text, Scenario& to) {
@@ -278,12 +286,6 @@ Problem read_scenario(const std::string& text, Scenario& to) {
 }
 
 namespace {
-
-std::string there_are(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "`" : ", `") + name + "`";
-  return "there are " + list;
-}
 
 bool has_battery(const RobotLimits& l) {
   const double most[] = {l.battery_error, l.drive_per_m, l.idle_per_s, l.drain_per_s};
@@ -336,7 +338,7 @@ Problem check_names(const Scenario& scenario, const Case& all) {
       for (const MonitorCase& m : d.monitors) there.push_back(m.name);
     }
     return {"the scenario is about a monitor `" + scenario.about + "`, which does not exist",
-            there_are(there)};
+            "there are " + listed(there)};
   }
   for (const std::string& robot : robots) {
     const bool there =
@@ -348,7 +350,8 @@ Problem check_names(const Scenario& scenario, const Case& all) {
     for (const DecisionCase& d : all.decisions) {
       others.insert(others.end(), d.robots.begin(), d.robots.end());
     }
-    return {"the scenario names a robot `" + robot + "`, which does not exist", there_are(others)};
+    return {"the scenario names a robot `" + robot + "`, which does not exist",
+            "there are " + listed(others)};
   }
   return check_starts(scenario, all);
 }
