@@ -90,19 +90,41 @@ Hold hold_of(const ir::Body& b, std::int64_t delay_us) {
           ceil_to_int(Rational(2 * sways)) + errs_mm};
 }
 
-// theory, sampled brake: eta = e_v + b (h + l); rho_sc = eta s / b + eta^2 / b + rho_h. The lag
-// runs from the measurement on, so that the age of the sample is part of it. What pushes the robot
-// at d changes its speed in the meantime, and leaves b - d to brake with.
-void add_sampled_brake(std::int64_t period_us, bool promises, ir::Body& b) {
+// Who turns aside by eta where nothing pushes bends by half of what is lost of the speed, and by
+// more of eta^2 / b (lemma sampled_brake): less, all in all, for who is much faster than eta.
+constexpr int calm_eta_shares = 11, calm_eta_parts = 5;
+bool bends_by_half(const sema::RobotKind& kind, std::int64_t period_us) {
+  // A first command may go by a velocity from before the take-over. With more than the brake, that
+  // is wrong by more than eta, and what half of the bound leaves no room for.
+  if (disturbance_of(kind) != 0 || kind.motion.accel.value > kind.motion.brake.value) return false;
+  Rational delay_s = Rational(period_us, 1'000'000) + kind.latency.value;
+  Rational eta = 0;
+  if (kind.velocity) {
+    eta = kind.velocity->error.value;
+    delay_s += kind.velocity->max_age.value;
+  }
+  eta += kind.motion.brake.value * delay_s;
+  // eta s / 2 + 11/5 eta^2 <= eta s + eta^2 at the greatest speed s
+  return kind.motion.speed.value * calm_eta_parts >= 2 * (calm_eta_shares - calm_eta_parts) * eta;
+}
+
+// Lemma sampled_brake, eta = e_v + b (h + l): rho_sc = eta s / b + eta^2 / b + rho_h, or with half
+// of eta s. The lag runs from the measurement on, so that the age of the sample is part of it. What
+// pushes the robot at d changes its speed in the meantime, and leaves b - d to brake with.
+void add_sampled_brake(const sema::RobotKind& kind, std::int64_t period_us, ir::Body& b) {
   const std::int64_t d_mmps2 = b.disturbance_mmps2, left_mmps2 = b.brake_mmps2 - d_mmps2;
   if (left_mmps2 <= 0) return;  // reported
   const std::int64_t delay_us = b.velocity_age_us + period_us + b.jitter_us + b.latency_us;
   const std::int64_t eta =
       b.velocity_error_mmps + div_up((b.brake_mmps2 + d_mmps2) * delay_us, 1'000'000);
+  const bool half = bends_by_half(kind, period_us);
   b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
+  b.brake_aside_ms = half ? div_up(1000 * eta, 2 * left_mmps2) : b.brake_lag_ms;
   const Hold hold = hold_of(b, delay_us);
-  b.hold_mm = div_up(eta * eta, left_mmps2) + hold.strays_mm;
-  if (promises) b.hold_mm = std::max(b.hold_mm, hold.spans_mm);
+  b.hold_mm = (half ? div_up(calm_eta_shares * eta * eta, calm_eta_parts * left_mmps2)
+                    : div_up(eta * eta, left_mmps2)) +
+              hold.strays_mm;
+  if (kind.hears_max_age) b.hold_mm = std::max(b.hold_mm, hold.spans_mm);
   b.sway_mm = hold.sways_mm;
   if (b.in_space) b.end_reach_mm = b.sway_mm;
   // latched at eta b / (b - d) as measured, and then as errors and pushes move it
@@ -166,7 +188,7 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
     b.brake_lag_permille = std::min<std::int64_t>(2000, up(lag, 1000));
     b.hold_mm = hold_slack_mm;
   } else {
-    add_sampled_brake(period_us, kind.hears_max_age.has_value(), b);
+    add_sampled_brake(kind, period_us, b);
   }
   if (!b.in_space) b.end_reach_mm = end_reach_mm(kind, period_us);
   return b;
@@ -228,7 +250,12 @@ std::int64_t stray_mm(const ir::Body& b, const Rational& speed, std::int64_t per
   const Rational late(static_cast<long>(b.velocity_age_us + period_us + b.latency_us), 1'000'000);
   const Rational s = speed * 1000 + error;
   const Rational eta = error + (brake + pushed) * late;
-  const Rational bend = (eta * (s + eta) + pushed * s * s / (2 * brake)) / (brake - pushed);
+  // lemma sampled_brake
+  Rational bend = (eta * (s + eta) + pushed * s * s / (2 * brake)) / (brake - pushed);
+  if (b.disturbance_mmps2 == 0) {
+    const Rational calm = eta * (s / 2 + eta * calm_eta_shares / calm_eta_parts) / brake;
+    bend = std::min(bend, calm);
+  }
   const Rational hold(pace::hold_max_mradps, 1000);
   const Rational aside = 2 * (hold * static_cast<long>(b.position_error_mm) + error);
   return ceil_to_int(Rational(bend + aside * s / (2 * brake))) + b.sway_mm;

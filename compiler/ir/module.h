@@ -26,7 +26,10 @@ struct Body {
   std::int64_t radius_mm = 0, position_error_mm = 0, velocity_error_mmps = 0;
   std::int64_t accel_mmps2 = 0;  // planar, turning included
   std::int64_t brake_mmps2 = 0;
-  std::int64_t brake_lag_ms = 0, brake_lag_permille = 0, hold_mm = 0;
+  // A stop ends beside the straight one by a time at the speed that it begins with, by a share of
+  // the straight stop, and by what its hold may be away.
+  std::int64_t brake_aside_ms = 0, brake_lag_permille = 0, hold_mm = 0;
+  std::int64_t brake_lag_ms = 0;  // how much later samples and noise let the brake end
   std::int64_t position_age_us = 0, velocity_age_us = 0, battery_age_us = 0, hears_age_us = 0;
   std::int64_t latency_us = 0, tracking_mm = 0;
   std::int64_t end_reach_mm = 0;  // how far from where a recovery leads it may come to rest

@@ -109,9 +109,14 @@ Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
   if (left <= 0) return n;
   const Rational delay = n.velocity_age + n.period + n.jitter + n.latency;
   const Rational eta = n.velocity_error + (n.brake + n.disturbance) * delay;
-  n.lag = eta / left;
+  // Where nothing changes a velocity more than the brake does, half of the first for more of the
+  // second, if that is less at the greatest speed; as on time, so that how late a step may be makes
+  // no difference to which of them it is.
+  const Rational on_time = n.velocity_error + n.brake * (delay - n.jitter);
+  const bool half = n.accel == n.brake && on_time / 2 * n.speed >= on_time * on_time * 6 / 5;
   const Hold hold = hold_of(n, delay);
-  n.hold = eta * eta / left + hold.strays;
+  n.aside = half ? Rational(eta / (2 * left)) : Rational(eta / left);
+  n.hold = (half ? Rational(11, 5) : Rational(1)) * eta * eta / left + hold.strays;
   n.sway = hold.sways;
   n.stands = std::min(n.speed, hold.speed);
   return n;
@@ -133,7 +138,7 @@ Rational resting_clearance(const Numbers& n, const Rational& accel, const Ration
     way = n.speed * horizon - (n.speed - s0) * (n.speed - s0) / (2 * accel);
   }
   const Rational stop = s1 * s1 / (2 * (n.brake - n.disturbance));
-  return n.position_error + way + stop * (1 + n.bend) + n.lag * s1 + n.hold + n.radius;
+  return n.position_error + way + stop * (1 + n.bend) + n.aside * s1 + n.hold + n.radius;
 }
 
 }  // namespace rtac::recheck

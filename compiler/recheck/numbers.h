@@ -13,8 +13,8 @@ struct Numbers {
   Rational accel_square;  // of unicycles, whose planar acceleration is a root
   Rational change;        // of the velocity, braking included; a root from below
   bool unicycle = false;
-  // eta / (b - d): how much longer the sampled brake takes, and how far its hold may be.
-  Rational lag, hold;
+  // How far the sampled brake bends away: by a time at the speed that it begins with, and its hold.
+  Rational aside, hold;
   Rational sway;    // how far from the place that it holds it may rest, as it measures itself
   Rational stands;  // how fast it may be there; 0 of wheels
   Rational bend;    // of unicycles: share of the stopping distance

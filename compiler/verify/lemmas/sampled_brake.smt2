@@ -1,8 +1,8 @@
 ; lemma: sampled_brake
 ; A brake that commands -b along a velocity that is off by at most eta, as long as the velocity that
 ; it goes by is faster than R = eta b / (b - d), against a push of at most d < b: the way stays within
-; eta s / (b - d) + eta^2 / (b - d) + d s^2 / (2 b (b - d)) of the straight stop from the speed s, and
-; the speed never rises. Numbers are in units of b (accelerations) and eta (speeds); x = b / (b - d)
+; eta s / (b - d) + eta^2 / (b - d) + d s^2 / (2 b (b - d)) of the straight stop from the speed s, where
+; nothing pushes within eta s / (2 b) + 2.2 eta^2 / b as well, and the speed never rises. Numbers are in units of b (accelerations) and eta (speeds); x = b / (b - d)
 ; = R, so that d = 1 - 1/x; v the true speed, m >= R the one that the brake goes by, c the cosine of
 ; the angle between them, q = 1 - c.
 ;
@@ -13,11 +13,16 @@
 ; at most: k = 1.265 - 0.93 v up to v = 1, then 1.085 - 0.75 v down to 0 where x <= 50/49, and 0.66 up
 ; to v = 1, then 1 / (3 v^2), elsewhere. Everything is worst where q is the largest that the angle
 ; allows. In the steps, z = x q.
+;
+; Undisturbed a turn of the sine eta / v moves that point across by half of eta: g' = 1/2 + k, with
+; k = 1.75 - 0.92 v up to the root of 2, and 0.85 / v^2 from there on, the integral of which is 2.2 at
+; most.
 ; code: runtime/core/pilot_point.cpp | if (!latched_) return against(v);
 ; code: runtime/core/pilot_point.cpp | return commanded((-limits_.brake_mps2 / std::max(norm(v), limits_.brake_mps2 * reaction_s_)) * v);
 ; code: runtime/core/pilot_point.cpp | rest_mps_ = eta_mps * limits_.brake_mps2 / (limits_.brake_mps2 - limits_.disturbance_mps2);
-; code: compiler/analysis/limits.cpp | b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
-; code: compiler/codegen/kernel/motion.c | return b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
+; code: compiler/analysis/limits.cpp | b.brake_aside_ms = half ? div_up(1000 * eta, 2 * left_mmps2) : b.brake_lag_ms;
+; code: compiler/analysis/limits.cpp | b.hold_mm = (half ? div_up(calm_eta_shares * eta * eta, calm_eta_parts * left_mmps2)
+; code: compiler/codegen/kernel/motion.c | return b->radius_mm + div_up(s1 * b->brake_aside_ms, 1000) +
 
 ; step: M, of the turn alone: -u of unit length instead of -v/|v| moves that point with v (1 - c)
 ; step+ along v and v sin / 2 across; M^2 = (1 - c)^2 + (1 - c^2) / 4
@@ -264,5 +269,55 @@
 (assert (= more (+ 0.66 (/ 1 3))))
 ; claim
 (assert (not (and (<= little 1) (<= more 1))))
+(check-sat)
+(reset)
+
+; step: undisturbed, x = 1: what g has to fall by, from the largest angle on
+; mistake: s/(assert (<= M M2))/(assert (<= M (* 2 M2)))/
+(set-logic QF_NRA)
+(declare-const v Real) (declare-const slope Real)
+(declare-const q Real) (declare-const q2 Real) (declare-const M Real) (declare-const M2 Real)
+(assert (> v 0)) (assert (>= slope 0)) (assert (<= q q2)) (assert (<= M M2))
+(assert (>= (* slope (- 1 q2)) (* v M2)))
+; claim
+(assert (not (>= (* slope (- 1 q)) (* v M))))
+(check-sat)
+(reset)
+
+; step: undisturbed, v^2 <= 2: the largest q is 1 - v / 2, and g' = 1/2 + k, k = 1.75 - 0.92 v
+; mistake: s/(- 1.75/(- 1.7/
+(set-logic QF_NRA)
+(declare-const v Real)
+(declare-const q Real)
+(declare-const M Real)
+(declare-const k Real)
+(assert (> v 0)) (assert (<= (* v v) 2)) (assert (= q (- 1 (* 0.5 v))))
+(assert (>= M 0)) (assert (= (* M M) (+ (* 0.75 q q) (* 0.5 q))))
+(assert (= k (- 1.75 (* 0.92 v))))
+; claim
+(assert (not (>= (* (+ 0.5 k) (- 1 q)) (* v M))))
+(check-sat)
+(reset)
+
+; step: undisturbed, beyond: the sine of the angle is 1 / v, k = 0.85 / v^2
+; mistake: s/0.85/0.65/
+(set-logic QF_NRA)
+(declare-const s Real)
+(declare-const c Real)
+(declare-const M Real)
+(assert (> s 0)) (assert (<= (* 2 s s) 1)) (assert (>= c 0)) (assert (= (+ (* s s) (* c c)) 1))
+(assert (>= M 0)) (assert (= (* M M) (+ (* (- 1 c) (- 1 c)) (* 0.25 s s))))
+; claim
+(assert (not (>= (* s (+ 0.5 (* 0.85 s s)) c) M)))
+(check-sat)
+(reset)
+
+; step: the integral of k, undisturbed: up to the root of 2 and from there for ever
+; mistake: s/(\* 1.75 root)/(* 1.85 root)/
+(set-logic QF_NRA)
+(declare-const root Real)
+(assert (> root 0)) (assert (= (* root root) 2))
+; claim
+(assert (not (<= (+ (* 1.75 root) (- 0.92) (/ 0.85 root)) 2.2)))
 (check-sat)
 (reset)

@@ -1,11 +1,14 @@
 #include "program.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <future>
 #include <limits>
 #include <map>
@@ -55,6 +58,21 @@ Problem unwritten(const std::string& path) {
           "`--trace FILE` names another place", false, cannot_write};
 }
 
+// Whether there can be such a file, before anything is played, and without one where nothing is
+// found.
+Problem has_room(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  errno = ENOENT;
+  if (!folder.empty() && !std::filesystem::exists(folder, error)) return unwritten(path);
+  errno = EISDIR;
+  if (std::filesystem::is_directory(path, error)) return unwritten(path);
+  const bool replaces = std::filesystem::exists(path, error);
+  const std::string asked = replaces ? path : folder.empty() ? "." : folder.string();
+  if (::access(asked.c_str(), W_OK) != 0) return unwritten(path);
+  return {};
+}
+
 class Program {
  public:
   explicit Program(std::ostream& out) : out_(out) {}
@@ -93,6 +111,9 @@ class Program {
         problem.message = "`" + flags_["--scenario"] + "`: " + problem.message;
         return problem;
       }
+    }
+    if (flags_.count("--trace") != 0) {
+      if (Problem problem = has_room(flags_["--trace"])) return problem;
     }
     if (flags_.count("--seed") != 0) scenario_.seed = whole("--seed");
     if (flags_.count("--runs") != 0) scenario_.runs = whole("--runs");

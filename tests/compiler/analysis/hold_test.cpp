@@ -127,7 +127,7 @@ double excess_of_stops(const Case& c, std::int64_t open, std::int64_t closed) {
 double allowed(const Case& c) {
   const ir::Body b = derived(c);
   const double stop = 1000 * c.speed * c.speed / (2 * c.brake);
-  const double lag = c.speed * static_cast<double>(b.brake_lag_ms);
+  const double lag = c.speed * static_cast<double>(b.brake_aside_ms);
   const double sway = stop * static_cast<double>(ir::sway_permille(b)) / 1000;
   return (lag + sway + static_cast<double>(b.hold_mm)) / 1000;
 }
@@ -137,6 +137,10 @@ TEST(Hold, StaysWithinWhatIsReckonedWith) {
            Case{1, 0, 0.02, 0.02, 50, 20, 50, 1},        // a drone
            Case{1.5, 0.3, 0.02, 0.02, 50, 20, 50, 1},    // in the wind
            Case{0.3, 0.15, 0.1, 0.02, 10, 10, 10, 0.3},  // a boat
+           Case{1, 0, 0, 0, 50, 0, 0, 2},  // without noise, where half of the lag does
+           Case{2, 0, 0, 0, 100, 20, 0, 2}, Case{1, 0, 0, 0, 100, 50, 150, 1.9},
+           Case{1, 0, 0.2, 0.01, 50, 0, 0, 2},  // and where it errs by nearly all of eta
+           Case{2, 0, 0.5, 0.02, 20, 10, 20, 1.5},
            Case{0.446, 0.067, 0.005, 0.932, 7, 35, 6,
                 0.94},  // and others that measure places badly
            Case{0.28, 0.103, 0.024, 0.757, 24, 19, 28, 1.11},

@@ -109,15 +109,28 @@ TEST(Rounding, TheAccelerationOfAUnicycleContainsItsTurning) {
   }
 }
 
-// theory, sampled brake: rho_sc = eta s / b + eta^2 / b + rho_h with eta = e_v + b (h + l)
+// Lemma sampled_brake: rho_sc = eta s / b + eta^2 / b + rho_h with eta = e_v + b (h + l); who is
+// fast, is pushed by nothing, and accelerates no more than it brakes, has half of the first and 2.2
+// of the second.
 TEST(Rounding, TheTubeOfASampledBrakeIsNotTooNarrow) {
-  const sema::RobotKind k = kind_of(sema::MotionModel::point);
-  const ir::Body b = body_of(k, 50'000);
-  const Rational brake = exact(b.brake_mmps2);
-  const Rational delay = Rational(50, 1000) + k.latency.value;
+  sema::RobotKind k = kind_of(sema::MotionModel::point);
+  const Rational brake = k.motion.brake.value * 1000;
+  const Rational delay = Rational(50, 1000) + k.latency.value + k.velocity->max_age.value;
   const Rational eta = k.velocity->error.value * 1000 + brake * delay;
-  EXPECT_GE(exact(b.brake_lag_ms), 1000 * eta / brake);
-  EXPECT_GE(exact(b.hold_mm), eta * eta / brake + 2 * k.position->error.value * 1000);
+  const Rational holds = 2 * k.position->error.value * 1000;
+  const auto is_at_least = [&](const Rational& aside, const Rational& hold) {
+    const ir::Body b = body_of(k, 50'000);
+    EXPECT_GE(exact(b.brake_lag_ms), 1000 * eta / brake);
+    EXPECT_GE(exact(b.brake_aside_ms), 1000 * aside);
+    EXPECT_LT(exact(b.brake_aside_ms), 1000 * aside + 3);
+    EXPECT_GE(exact(b.hold_mm), hold + holds);
+  };
+  is_at_least(eta / (2 * brake), Rational(11, 5) * eta * eta / brake);
+  k.motion.accel = {Rational(9, 9), {}};
+  is_at_least(eta / brake, eta * eta / brake);
+  k.motion.accel = {Rational(7, 9), {}};
+  k.motion.speed = {Rational(23, 10'000) * eta, {}};
+  is_at_least(eta / brake, eta * eta / brake);
 }
 
 // theory, disturbance: A + d, b - d, eta = e_v + (b + d) (h + l)
@@ -136,6 +149,7 @@ TEST(Rounding, WhatPushesAPointMassCountsEverywhere) {
   const Rational delay = Rational(50, 1000) + k.latency.value + k.velocity->max_age.value;
   const Rational eta = k.velocity->error.value * 1000 + (brake + d) * delay;
   EXPECT_GE(exact(b.brake_lag_ms), 1000 * eta / left);
+  EXPECT_EQ(b.brake_aside_ms, b.brake_lag_ms);
   EXPECT_GE(exact(b.hold_mm), eta * eta / left + 2 * k.position->error.value * 1000);
   EXPECT_GT(recovery_motion(k, b, "slow", Rational(1, 9), 50'000).speed_mmps, 112);
 }
@@ -162,7 +176,7 @@ Rational exact_disc(const ir::Body& b, const ir::Motion& m, std::int64_t measure
   const Rational way = capped ? Rational(cap * t - (cap - s0) * (cap - s0) / (2 * a))
                               : Rational(s0 * t + a * t * t / 2);
   const Rational stop = s1 * s1 / (2 * brake);
-  const Rational tube = exact(b.radius_mm) + s1 * exact(b.brake_lag_ms) / 1000 +
+  const Rational tube = exact(b.radius_mm) + s1 * exact(b.brake_aside_ms) / 1000 +
                         stop * exact(b.brake_lag_permille) / 1000 + exact(b.hold_mm) +
                         stop * exact(b.disturbance_mmps2) / (brake - exact(b.disturbance_mmps2));
   return exact(b.position_error_mm) + way + stop + tube;
@@ -180,7 +194,7 @@ TEST(Rounding, TheDiscIsNeverSmallerThanTheExactOneAndLittleLarger) {
     b.velocity_error_mmps = within(0, 100);
     b.brake_mmps2 = within(200, 5000);
     b.disturbance_mmps2 = within(0, 1) * within(0, b.brake_mmps2 / 2);
-    b.brake_lag_ms = within(0, 300);
+    b.brake_aside_ms = within(0, 300);
     b.brake_lag_permille = within(0, 2000);
     b.hold_mm = within(0, 100);
     const ir::Motion m{"any", within(50, 5000), within(100, 5000), within(0, 1) == 1, {}};

@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.541;
-  static constexpr double cruise_clearance_m = 0.875;
-  static constexpr double pass_gap_m = 1.345;
+  static constexpr double return_clearance_m = 0.551;
+  static constexpr double cruise_clearance_m = 0.851;
+  static constexpr double pass_gap_m = 1.362;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"cart"};
@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : move(self), stop(standing()), inwards(setting(0.3, hall_zone(), 0.534, 0.541, 1.345)) {}
+        : move(self), stop(standing()), inwards(setting(0.3, hall_zone(), 0.553, 0.551, 1.362)) {}
     Move move;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
     rtac::safe::Retreat<rtac::Acceleration> inwards;

@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.373;
-  static constexpr double cruise_clearance_m = 1.035;
-  static constexpr double pass_gap_m = 1.4;
+  static constexpr double return_clearance_m = 0.379;
+  static constexpr double cruise_clearance_m = 0.988;
+  static constexpr double pass_gap_m = 1.378;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stop(standing()), back_off(setting(0.3, room_zone(), 0.48, 0.373, 1.4)), go_west(setting(0.3, west_zone(), 0.48, 0.373, 1.4)) {}
+        : fly(self), stop(standing()), back_off(setting(0.3, room_zone(), 0.479, 0.379, 1.378)), go_west(setting(0.3, west_zone(), 0.479, 0.379, 1.378)) {}
     Fly fly;
     rtac::safe::BrakeAndHold<rtac::Acceleration> stop;
     rtac::safe::Retreat<rtac::Acceleration> back_off;

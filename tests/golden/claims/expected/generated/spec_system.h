@@ -30,9 +30,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.551;
-  static constexpr double cruise_clearance_m = 1.235;
-  static constexpr double pass_gap_m = 1.5;
+  static constexpr double return_clearance_m = 0.549;
+  static constexpr double cruise_clearance_m = 1.188;
+  static constexpr double pass_gap_m = 1.478;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self, rtac::SafeController<rtac::Acceleration>& external_escape)
-        : fly(self), escape(standing(), {&inner_zone(), 0.5, 175000, 1.0, 0.145, 0.0, 0.143}), stop(standing()) {
+        : fly(self), escape(standing(), {&inner_zone(), 0.5, 175000, 1.0, 0.073, 0.0, 0.168}), stop(standing()) {
       escape.attach(external_escape);
     }
     Fly fly;

@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 1.383;
-  static constexpr double cruise_clearance_m = 4.198;
-  static constexpr double pass_gap_m = 4.906;
+  static constexpr double return_clearance_m = 1.35;
+  static constexpr double cruise_clearance_m = 4.027;
+  static constexpr double pass_gap_m = 4.804;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"cart"};
@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : drive(self), dash(setting(1.5, yard_zone(), 3.184, 1.383, 4.906)), go_west(setting(0.3, west_zone(), 0.872, 1.383, 4.906)), creep(setting(0.1, yard_zone(), 0.639, 1.383, 4.906)) {}
+        : drive(self), dash(setting(1.5, yard_zone(), 3.061, 1.35, 4.804)), go_west(setting(0.3, west_zone(), 0.899, 1.35, 4.804)), creep(setting(0.1, yard_zone(), 0.691, 1.35, 4.804)) {}
     Drive drive;
     rtac::safe::Retreat<rtac::Acceleration> dash;
     rtac::safe::Retreat<rtac::Acceleration> go_west;

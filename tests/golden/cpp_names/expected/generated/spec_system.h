@@ -30,9 +30,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.399;
-  static constexpr double cruise_clearance_m = 1.07;
-  static constexpr double pass_gap_m = 1.43;
+  static constexpr double return_clearance_m = 0.401;
+  static constexpr double cruise_clearance_m = 1.024;
+  static constexpr double pass_gap_m = 1.408;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"tasks", "parts", "this"};
@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : int_(self), switch_(setting(0.3, reach__zone(), 0.489, 0.399, 1.43)), operator_(setting(0.3, class__zone(), 0.489, 0.399, 1.43)) {}
+        : int_(self), switch_(setting(0.3, reach__zone(), 0.488, 0.401, 1.408)), operator_(setting(0.3, class__zone(), 0.488, 0.401, 1.408)) {}
     Int_ int_;
     rtac::safe::Retreat<rtac::Acceleration> switch_;
     rtac::safe::Retreat<rtac::Acceleration> operator_;

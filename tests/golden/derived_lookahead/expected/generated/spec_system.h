@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.423;
-  static constexpr double cruise_clearance_m = 1.085;
-  static constexpr double pass_gap_m = 1.4;
+  static constexpr double return_clearance_m = 0.429;
+  static constexpr double cruise_clearance_m = 1.038;
+  static constexpr double pass_gap_m = 1.378;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), stay_out(setting(0.3, ring_zone(), 0.53, 0.423, 1.4)) {}
+        : fly(self), stay_out(setting(0.3, ring_zone(), 0.529, 0.429, 1.378)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> stay_out;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

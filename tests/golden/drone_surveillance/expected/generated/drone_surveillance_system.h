@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.519;
-  static constexpr double cruise_clearance_m = 1.19;
-  static constexpr double pass_gap_m = 1.43;
+  static constexpr double return_clearance_m = 0.521;
+  static constexpr double cruise_clearance_m = 1.144;
+  static constexpr double pass_gap_m = 1.408;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : plan_executor(self), turn_back(setting(0.3, room_zone(), 0.609, 0.519, 1.43)) {}
+        : plan_executor(self), turn_back(setting(0.3, room_zone(), 0.608, 0.521, 1.408)) {}
     PlanExecutor plan_executor;
     rtac::safe::Retreat<rtac::Acceleration> turn_back;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

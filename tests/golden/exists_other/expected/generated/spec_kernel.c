@@ -249,7 +249,7 @@ typedef struct body {
   int64_t position_error_mm, velocity_error_mmps;
   int64_t accel_mmps2;  /* of any control, turning included */
   int64_t brake_mmps2;
-  int64_t brake_lag_ms;        /* sampled brake: (velocity error + b (h + l)) / b */
+  int64_t brake_aside_ms;      /* at the speed it begins with: how far a sampled brake bends away */
   int64_t brake_lag_permille;  /* share of the stopping distance that a turn still bends away */
   int64_t hold_mm;             /* stays within this of its hold */
   int64_t position_age_us, velocity_age_us;
@@ -398,7 +398,7 @@ static int64_t braked_mm(int64_t v, int64_t w, const body *b) {
 /* The tube around the ideal way of a stop of `stop` mm from `s1` mm/s, see the brake of the theory;
  * the body is included. */
 static int64_t tube_mm(const body *b, int64_t s1, int64_t stop) {
-  return b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
+  return b->radius_mm + div_up(s1 * b->brake_aside_ms, 1000) +
          div_up(stop * b->brake_lag_permille, 1000) + b->hold_mm;
 }
 
@@ -862,11 +862,11 @@ static int32_t gate_of(const reach *r, const other *others, int32_t count, int32
 /* radius mm, speed mm/s, position error mm, velocity error mm/s, acceleration and brake mm/s^2,
  * brake lag ms and permille, hold mm, largest ages us */
 static const body BODY = {
-  150, 1000, 20, 20, 2000, 2000, 90, 0, 123, 40000, 40000
+  150, 1000, 20, 20, 2000, 2000, 45, 0, 142, 40000, 40000
 };
 /* The same of another robot, whose samples are as old as `hears` allows. */
 static const body fly_heard_body = {
-  150, 1000, 20, 20, 2000, 2000, 90, 0, 123, 60000, 60000
+  150, 1000, 20, 20, 2000, 2000, 45, 0, 142, 60000, 60000
 };
 /* Speed mm/s, acceleration mm/s^2: any control, then the recoveries by priority. */
 static const motion MOTIONS[] = {

@@ -30,9 +30,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.409;
-  static constexpr double cruise_clearance_m = 1.185;
-  static constexpr double pass_gap_m = 1.45;
+  static constexpr double return_clearance_m = 0.412;
+  static constexpr double cruise_clearance_m = 1.138;
+  static constexpr double pass_gap_m = 1.428;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self, rtac::SafeController<rtac::Acceleration>& external_land_now)
-        : fly(self), land_now(standing(), {&inner_zone(), 0.5, 125000, 1.0, 0.145, 0.0, 0.143}) {
+        : fly(self), land_now(standing(), {&inner_zone(), 0.5, 125000, 1.0, 0.073, 0.0, 0.168}) {
       land_now.attach(external_land_now);
     }
     Fly fly;

@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.414;
-  static constexpr double cruise_clearance_m = 0.76;
-  static constexpr double pass_gap_m = 1.446;
+  static constexpr double return_clearance_m = 0.418;
+  static constexpr double cruise_clearance_m = 0.735;
+  static constexpr double pass_gap_m = 1.442;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"bots[0]", "bots[1]", "bots[2]", "spare"};
@@ -59,7 +59,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), inwards(setting(0.3, field_zone(), 0.47, 0.414, 1.446)), go_home(setting(0.3, field_zone(), 0.47, 0.414, 1.446), home(self)) {}
+        : fly(self), inwards(setting(0.3, field_zone(), 0.474, 0.418, 1.442)), go_home(setting(0.3, field_zone(), 0.474, 0.418, 1.442), home(self)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> inwards;
     rtac::safe::Route<rtac::Acceleration> go_home;

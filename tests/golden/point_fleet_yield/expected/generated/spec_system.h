@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.411;
-  static constexpr double cruise_clearance_m = 0.755;
-  static constexpr double pass_gap_m = 1.64;
+  static constexpr double return_clearance_m = 0.414;
+  static constexpr double cruise_clearance_m = 0.729;
+  static constexpr double pass_gap_m = 1.633;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"q1", "q2"};
@@ -55,7 +55,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), give_way(setting(0.3, field_zone(), 0.468, 0.411, 1.64)) {}
+        : fly(self), give_way(setting(0.3, field_zone(), 0.471, 0.414, 1.633)) {}
     Fly fly;
     rtac::safe::Yield<rtac::Acceleration> give_way;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

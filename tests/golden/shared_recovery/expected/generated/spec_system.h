@@ -30,9 +30,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.525;
-  static constexpr double cruise_clearance_m = 1.205;
-  static constexpr double pass_gap_m = 1.47;
+  static constexpr double return_clearance_m = 0.526;
+  static constexpr double cruise_clearance_m = 1.158;
+  static constexpr double pass_gap_m = 1.448;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -56,7 +56,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self, rtac::SafeController<rtac::Acceleration>& external_land_now)
-        : fly(self), inwards(setting(0.3, inner_zone(), 0.505, 0.425, 1.47)), land_now(standing(), {&room_zone(), 0.5, 145000, 1.0, 0.145, 0.0, 0.143}) {
+        : fly(self), inwards(setting(0.3, inner_zone(), 0.504, 0.426, 1.448)), land_now(standing(), {&room_zone(), 0.5, 145000, 1.0, 0.073, 0.0, 0.168}) {
       land_now.attach(external_land_now);
     }
     Fly fly;

@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.946;
-  static constexpr double cruise_clearance_m = 3.794;
-  static constexpr double pass_gap_m = 4.712;
+  static constexpr double return_clearance_m = 0.959;
+  static constexpr double cruise_clearance_m = 3.623;
+  static constexpr double pass_gap_m = 4.595;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"quad"};

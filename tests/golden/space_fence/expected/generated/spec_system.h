@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.62;
-  static constexpr double cruise_clearance_m = 1.291;
-  static constexpr double pass_gap_m = 1.671;
+  static constexpr double return_clearance_m = 0.622;
+  static constexpr double cruise_clearance_m = 1.245;
+  static constexpr double pass_gap_m = 1.649;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"quad"};

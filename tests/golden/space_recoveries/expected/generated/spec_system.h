@@ -29,9 +29,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.494;
-  static constexpr double cruise_clearance_m = 1.156;
-  static constexpr double pass_gap_m = 1.641;
+  static constexpr double return_clearance_m = 0.5;
+  static constexpr double cruise_clearance_m = 1.109;
+  static constexpr double pass_gap_m = 1.619;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"quad"};
@@ -55,8 +55,8 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back(setting(0.3, hall_zone(), 0.633, 0.494, 1.641)), aside(setting(0.2, plot_zone(), 0.57, 0.494, 1.641)), down(landing(0.3, 1.0)), round(setting(0.3, hall_zone(), 0.633, 0.494, 1.641)), home(
-            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RetreatInSpace>(setting(0.3, hall_zone(), 0.633, 0.494, 1.641)), 20000000},
+        : fly(self), back(setting(0.3, hall_zone(), 0.629, 0.5, 1.619)), aside(setting(0.2, plot_zone(), 0.572, 0.5, 1.619)), down(landing(0.3, 1.0)), round(setting(0.3, hall_zone(), 0.629, 0.5, 1.619)), home(
+            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RetreatInSpace>(setting(0.3, hall_zone(), 0.629, 0.5, 1.619)), 20000000},
             rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::Land>(landing(0.3, 1.0)), 0}) {}
     Fly fly;
     rtac::safe::RetreatInSpace back;

@@ -31,9 +31,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.513;
-  static constexpr double cruise_clearance_m = 1.175;
-  static constexpr double pass_gap_m = 2.179;
+  static constexpr double return_clearance_m = 0.5;
+  static constexpr double cruise_clearance_m = 1.109;
+  static constexpr double pass_gap_m = 2.119;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"west", "east"};
@@ -61,9 +61,9 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), aside(setting(0.2, plot_zone(), 0.589, 0.513, 2.179)), home(setting(0.3, plot_zone(), 0.652, 0.513, 2.179), pad(self)), later(
+        : fly(self), aside(setting(0.2, plot_zone(), 0.572, 0.5, 2.119)), home(setting(0.3, plot_zone(), 0.629, 0.5, 2.119), pad(self)), later(
             rtac::safe::step<rtac::safe::BrakeAndHold, rtac::Acceleration>(2000000, standing()),
-            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RouteInSpace>(setting(0.2, plot_zone(), 0.589, 0.513, 2.179), pad(self)), 0}) {}
+            rtac::safe::Step<rtac::Acceleration>{std::make_unique<rtac::safe::RouteInSpace>(setting(0.2, plot_zone(), 0.572, 0.5, 2.119), pad(self)), 0}) {}
     Fly fly;
     rtac::safe::YieldInSpace aside;
     rtac::safe::RouteInSpace home;

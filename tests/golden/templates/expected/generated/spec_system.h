@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.993;
-  static constexpr double cruise_clearance_m = 1.655;
-  static constexpr double pass_gap_m = 1.64;
+  static constexpr double return_clearance_m = 0.999;
+  static constexpr double cruise_clearance_m = 1.608;
+  static constexpr double pass_gap_m = 1.618;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -60,10 +60,10 @@ class System {
     explicit Robot(int self)
         : pilot(self), standing_(
             rtac::safe::step<rtac::safe::BrakeAndHold, rtac::Acceleration>(2000000, standing()),
-            rtac::safe::step<rtac::safe::Route, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.1, 0.993, 1.64), loiter(self))), sequence(
-            rtac::safe::step<rtac::safe::Retreat, rtac::Acceleration>(5000000, setting(0.2, land_zone(), 1.1, 0.993, 1.64)),
-            rtac::safe::step<rtac::safe::Yield, rtac::Acceleration>(10000000, setting(0.1, land_zone(), 1.1, 0.993, 1.64)),
-            rtac::safe::step<rtac::safe::Loiter, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.1, 0.993, 1.64))) {}
+            rtac::safe::step<rtac::safe::Route, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.099, 0.999, 1.618), loiter(self))), sequence(
+            rtac::safe::step<rtac::safe::Retreat, rtac::Acceleration>(5000000, setting(0.2, land_zone(), 1.099, 0.999, 1.618)),
+            rtac::safe::step<rtac::safe::Yield, rtac::Acceleration>(10000000, setting(0.1, land_zone(), 1.099, 0.999, 1.618)),
+            rtac::safe::step<rtac::safe::Loiter, rtac::Acceleration>(0, setting(0.3, land_zone(), 1.099, 0.999, 1.618))) {}
     Pilot pilot;
     rtac::safe::Sequence<rtac::Acceleration> standing_;
     rtac::safe::Sequence<rtac::Acceleration> sequence;

@@ -28,9 +28,9 @@ class System {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.499;
-  static constexpr double cruise_clearance_m = 1.17;
-  static constexpr double pass_gap_m = 1.43;
+  static constexpr double return_clearance_m = 0.501;
+  static constexpr double cruise_clearance_m = 1.124;
+  static constexpr double pass_gap_m = 1.408;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -54,7 +54,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.589, 0.499, 1.43)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.588, 0.501, 1.408)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.

@@ -28,9 +28,9 @@ class DroneSystem {
 
   // Clearances of the centre: where control can be given back, where a robot at full speed never
   // fails a fence; and the distance at which robots pass.
-  static constexpr double return_clearance_m = 0.473;
-  static constexpr double cruise_clearance_m = 1.135;
-  static constexpr double pass_gap_m = 1.4;
+  static constexpr double return_clearance_m = 0.479;
+  static constexpr double cruise_clearance_m = 1.088;
+  static constexpr double pass_gap_m = 1.378;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"d1"};
@@ -54,7 +54,7 @@ class DroneSystem {
   // its own, makes one of these and no DroneSystem.
   struct Robot {
     explicit Robot(int self)
-        : fly(self), back_off(setting(0.3, room_zone(), 0.58, 0.473, 1.4)) {}
+        : fly(self), back_off(setting(0.3, room_zone(), 0.579, 0.479, 1.378)) {}
     Fly fly;
     rtac::safe::Retreat<rtac::Acceleration> back_off;
     // The one that drives in a mode of the record, 1 and more: that of monitor mode - 1.
