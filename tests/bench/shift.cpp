@@ -71,6 +71,25 @@ class HeardDecision final : public DecisionModule {
   bool agrees_ = true;
 };
 
+// What the same robots are without decision modules: nobody takes over, and every plan will do.
+class Unasked final : public DecisionModule, public PlanDecision {
+ public:
+  explicit Unasked(const DecisionInfo& info) { record_.info = &info; }
+  [[nodiscard]] const DecisionInfo& info() const override { return *record_.info; }
+  const DecisionRecord& step(const Observation& observation, bool, bool) override {
+    return at(observation.now_us);
+  }
+  const DecisionRecord& judge(const Path&, TimeUs now_us) override { return at(now_us); }
+  void reset() override {}
+
+ private:
+  const DecisionRecord& at(TimeUs now_us) {
+    record_.time_us = now_us;
+    return record_;
+  }
+  DecisionRecord record_;
+};
+
 OmplOptions advanced_planner(std::uint64_t seed) {
   OmplOptions options;
   options.lower = {0, 0};
@@ -112,9 +131,11 @@ safe::Setting setting(double speed_mps) {
 
 // Everything of one robot, as the generated system has it, with a decision that can be heard.
 struct Robot {
-  Robot(std::uint64_t seed, int self, Listener* listener)
+  Robot(std::uint64_t seed, int self, Listener* listener, bool decides = true)
       : decision(self),
         plan_decision(self),
+        unasked(decision.info()),
+        unasked_plan(plan_decision.info()),
         give_way(setting(0.1)),
         turn_back(setting(0.1)),
         go_charge(setting(0.15), rta::System::dock(self)),
@@ -128,6 +149,7 @@ struct Robot {
     parts.name = rta::System::robot_name(self);
     parts.decision = heard ? static_cast<DecisionModule*>(heard.get()) : &decision;
     parts.plan_decision = &plan_decision;
+    if (!decides) parts.decision = &unasked, parts.plan_decision = &unasked_plan;
     (void)parts.recoveries.push(&give_way);
     (void)parts.recoveries.push(&turn_back);
     (void)parts.recoveries.push(&go_charge);
@@ -140,6 +162,7 @@ struct Robot {
   rta::PlanExecutor decision;
   std::unique_ptr<HeardDecision> heard;
   rta::MotionPlanner plan_decision;
+  Unasked unasked, unasked_plan;
   safe::Yield<Twist> give_way;
   safe::Retreat<Twist> turn_back;
   safe::Route<Twist> go_charge;
@@ -180,6 +203,17 @@ bool run_shift(std::uint64_t seed, double minutes, Listener* listener) {
   System<Twist> system(parcels, parts.data(), robots, rta::System::default_options());
   const bool ran = system.run(world, us_of(minutes)) == Status::ok;
   return ran && (listener == nullptr || (first.heard->agrees() && second.heard->agrees()));
+}
+
+bool run_undecided(std::uint64_t seed, double minutes) {
+  sim::World<Twist> world = world_of(seed);
+  Parcels parcels(seed);
+  Robot first(seed, 0, nullptr, false), second(seed, 1, nullptr, false);
+  const std::array<RobotParts<Twist>, robots> parts{first.parts, second.parts};
+  SystemOptions options = rta::System::default_options();
+  options.protect = false;
+  System<Twist> system(parcels, parts.data(), robots, options);
+  return system.run(world, us_of(minutes)) == Status::ok;
 }
 
 bool run_bare(std::uint64_t seed, double minutes) {

@@ -31,6 +31,9 @@ inline constexpr int robot_count = 2;
 // and the module disagreed.
 bool run_shift(std::uint64_t seed, double minutes, Listener* listener);
 
+// The same robots, controllers and planners, and nobody who decides.
+bool run_undecided(std::uint64_t seed, double minutes);
+
 // The same world, driven in circles: sensing, radio and motion, no decisions and no planners.
 bool run_bare(std::uint64_t seed, double minutes);
 
