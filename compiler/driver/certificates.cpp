@@ -112,6 +112,16 @@ std::optional<recheck::Doubt> prove_model(const protocol::Model& model, const st
   return std::nullopt;
 }
 
+// What several claims of an obligation have in common is said once.
+void tell(const char* what, const std::vector<std::string>& lines, std::ostream& out) {
+  for (std::size_t from = 0, to = 0; from < lines.size(); from = to) {
+    while (to < lines.size() && lines[to] == lines[from]) ++to;
+    out << what << lines[from];
+    if (to - from > 1) out << " (" << to - from << " claims)";
+    out << "\n";
+  }
+}
+
 }  // namespace
 
 std::string write_certificates(const Compilation& c, const verify::Report& report,
@@ -183,8 +193,8 @@ int recheck_certificates(const Options& options, Compilation& c, std::ostream& o
   for (const std::string& file : broken) {
     out << "not proved: `" << file << "` is not what was written: its seal is broken\n";
   }
-  for (const std::string& failed : outcome.failed) out << "not proved: " << failed << "\n";
-  for (const std::string& open : outcome.open) out << "unknown: " << open << "\n";
+  tell("not proved: ", outcome.failed, out);
+  tell("unknown: ", outcome.open, out);
   out << outcome.obligations << " obligations, " << outcome.claims << " claims, "
       << outcome.failed.size() + broken.size() << " not proved, " << outcome.open.size()
       << " unknown\n";

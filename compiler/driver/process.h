@@ -37,7 +37,7 @@ ProgramResult run_program(const std::vector<std::string>& words, const std::stri
                           const std::string& err);
 // The same, for so many seconds at most: then it is ended, with what it has started. By `timeout`.
 inline constexpr const char* no_timeout =
-    "`timeout` is not installed (`apt-get install coreutils`)";
+    "no program is called `timeout` (`apt-get install coreutils`)";
 ProgramResult run_within(int seconds, std::vector<std::string> words, const std::string& log);
 
 }  // namespace rtac::driver

@@ -13,48 +13,11 @@
 #include "compiler/analysis/vacuous.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
+#include "compiler/verify/common_place.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
 namespace {
-
-// A place, of the cells of the narrowest zone or its widest one, that is as clear of all
-// boundaries.
-std::optional<geometry::Point> common_place(const Subject& s, const std::vector<Need>& all) {
-  const Need& narrowest =
-      *std::min_element(all.begin(), all.end(), [&](const Need& a, const Need& b) {
-        return s.module[a.zone].widest_mm - a.clearance_mm <
-               s.module[b.zone].widest_mm - b.clearance_mm;
-      });
-  const ir::ZoneTable& zone = s.module[narrowest.zone];
-  const auto clear = [&](const geometry::Point& p) {
-    return std::all_of(all.begin(), all.end(), [&](const Need& need) {
-      const geometry::Region& region = s.exact(need.zone);
-      const Rational metres = analysis::metres_of(need.clearance_mm);
-      return region.contains(p) && square_to(region.rings(), p) >= metres * metres;
-    });
-  };
-  const geometry::Point widest{analysis::metres_of(zone.widest_x_mm),
-                               analysis::metres_of(zone.widest_y_mm)};
-  if (clear(widest)) return widest;
-  const ir::Cells& cells = zone.cells;
-  for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
-    if (cells.clearance_mm_lo[at] < narrowest.clearance_mm) continue;
-    const auto columns = static_cast<std::size_t>(cells.columns);
-    const std::int64_t half = cells.cell_mm / 2;
-    const geometry::Point centre{
-        analysis::metres_of(cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half),
-        analysis::metres_of(cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half)};
-    if (clear(centre)) return centre;
-  }
-  return std::nullopt;
-}
-
-// Where a robot fits into all of them, whether control is given back there or not.
-std::optional<geometry::Point> any_place(const Subject& s, std::vector<Need> all) {
-  for (Need& need : all) need.clearance_mm = s.decision.body.radius_mm;
-  return common_place(s, all);
-}
 
 // Zones lie within 100 km of the origin: what is widest farther off is a complement.
 constexpr std::int64_t zones_within_mm = 100'000'000;
