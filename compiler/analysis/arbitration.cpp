@@ -10,6 +10,7 @@
 #include "compiler/analysis/paces.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/stays_put.h"
 #include "compiler/analysis/straight_in.h"
 #include "compiler/analysis/waits.h"
 #include "compiler/analysis/windows.h"
@@ -166,7 +167,8 @@ class Pair {
   }
   // The zone that a step moves within; none: it stays where the brake ends, which the look-ahead of
   // every monitor has found clear.
-  static std::optional<ir::ZoneIndex> moves_within(const ir::Recovery& step) {
+  [[nodiscard]] std::optional<ir::ZoneIndex> moves_within(const ir::Recovery& step) const {
+    if (stays_put(module_, decision_, exact_, driving_, step, judged_)) return std::nullopt;
     if (ir::moves(step.kind) || step.claims) return step.zone;
     return std::nullopt;
   }
@@ -228,7 +230,8 @@ class Pair {
   // Of an `or` a side holds as long as it is in its zone; from outside it might cross a seam.
   bool starts_in_its_zones() {
     for (const ir::Recovery* step : ir::steps_of(recovery_)) {
-      if (!ir::moves(step->kind) || starts_within(take_over_, step->zone)) continue;
+      if (!ir::moves(step->kind) || !moves_within(*step)) continue;
+      if (starts_within(take_over_, step->zone)) continue;
       entry_.why = "from outside of " + name_as_written(module_[step->zone]) + " " +
                    quoted(recovery_.name) + " makes straight for it, and may leave each side of " +
                    quoted(judged_.name) + " on its way";

@@ -278,7 +278,8 @@ class Check {
               const sema::Monitor& m) {
     const sema::Controller& recovery = spec_[*driving.recover];
     follows(d, e, recovery);
-    const std::vector<sema::ZoneId> moves = moves_within(recovery);
+    std::vector<sema::ZoneId> moves = moves_within(recovery);
+    std::erase_if(moves, [&](sema::ZoneId zone) { return stays_put(d, e, driving, m, zone); });
     const Keeping asked = Sides(spec_, d, claims_).keeping(recovery, *m.always);
     if (asked.windows) {
       need(d, e, "leaves", {{"monitor", m.name}});
@@ -301,6 +302,33 @@ class Check {
     if (keeps_its_heights(spec_, d, claims_, recovery, *m.always)) return;
     fail(whom(d, e) + ": `" + recovery.name + "` may go beyond a height that `" + m.name +
          "` allows");
+  }
+  // Whether all that recovers within a zone is a retreat, and some zone that the property holds the
+  // robot in is claimed to lie as deep in that as a retreat leads: it holds its place there.
+  bool stays_put(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
+                 const sema::Monitor& m, sema::ZoneId zone) {
+    const sema::RobotKind& kind = spec_[d.kind];
+    const sema::Controller& recovery = spec_[*driving.recover];
+    if (&driving == &m || kind.in_space || sema::claim_of(recovery)) return false;
+    for (const sema::MonitorId id : d.priority) {
+      if (spec_[id].recover == driving.recover && spec_[id].return_when) return false;
+    }
+    for (const sema::Template& what : sema::templates_of(recovery)) {
+      const auto moves = sema::moves_of(what);
+      if (moves && moves->zone == zone && !std::holds_alternative<sema::Retreat>(what))
+        return false;
+    }
+    const Rational leads = claims_.return_clearance(d, zone, return_extra(spec_, d)) +
+                           (kind.position ? kind.position->error.value : Rational(0));
+    const std::string outer = claims_.zones().name(zone);
+    return std::ranges::any_of(kept_in(spec_, *m.always), [&](sema::ZoneId held) {
+      return std::ranges::any_of(e.claims, [&](const Claim& c) {
+        return c.what == "contained" && text(c.values, "inner") == claims_.zones().name(held) &&
+               text(c.values, "outer") == outer &&
+               Rational(static_cast<long>(number(c.values, "standoff_mm").value_or(0))) >=
+                   leads * 1000;
+      });
+    });
   }
   // What keeps its height lies at each of them in a zone that has some; nobody claims that of what
   // is external.

@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/stays_put.h"
 #include "compiler/analysis/straight_in.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
@@ -85,11 +86,24 @@ Keeping keeping_of(const Subject& s, std::size_t k, const ir::Block& property) {
   ask_for(s, k, property, property.result, false, asked);
   return asked;
 }
+std::optional<analysis::Standoff> stays_put(const Subject& s, const ir::Monitor& driving,
+                                            const ir::Recovery& step, const ir::Monitor& judged) {
+  return analysis::stays_put(s.module, s.decision, s.exact, driving, step, judged);
+}
 // The steps of a recovery that move within a zone.
 std::vector<const ir::Recovery*> moving_steps(const ir::Recovery& recovery) {
   std::vector<const ir::Recovery*> steps = ir::steps_of(recovery);
   std::erase_if(steps,
                 [](const ir::Recovery* step) { return !ir::moves(step->kind) && !step->claims; });
+  return steps;
+}
+// Those that set out where a property holds.
+std::vector<const ir::Recovery*> leading_steps(const Subject& s, const ir::Monitor& driving,
+                                               const ir::Monitor& judged) {
+  std::vector<const ir::Recovery*> steps = moving_steps(driving.recovery);
+  std::erase_if(steps, [&](const ir::Recovery* step) {
+    return stays_put(s, driving, *step, judged).has_value();
+  });
   return steps;
 }
 // What moves within a zone of the plane keeps its height, so that a fence need not have it at all
@@ -128,7 +142,11 @@ bool moves_within_zones(const ir::Recovery& recovery) {
 void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
                  std::vector<Claim>& claims) {
   const ir::Monitor& driving = s.decision.monitors[k];
-  const auto steps = moving_steps(driving.recovery);
+  for (const ir::Recovery* step : moving_steps(driving.recovery)) {
+    const auto around = stays_put(s, driving, *step, judged);
+    if (around) claims.push_back(contained(s, around->zone, {step->zone, around->mm}));
+  }
+  const auto steps = leading_steps(s, driving, judged);
   const Keeping asked = keeping_of(s, k, judged.property);
   for (const ir::Recovery* step : steps) {
     for (const analysis::Standoff& outer : asked.zones) {
@@ -163,9 +181,10 @@ std::string doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged) 
   if (asked.received) return "where the zone that is received will be is not known";
   const analysis::ExactSolid solid = any_solid(s);
   const analysis::TakeOver take_over{s.module, s.decision, s.exact, solid, judged};
-  for (const ir::Recovery* step : moving_steps(s.decision.monitors[k].recovery)) {
+  const ir::Monitor& driving = s.decision.monitors[k];
+  for (const ir::Recovery* step : leading_steps(s, driving, s.decision.monitors[judged])) {
     for (const analysis::Standoff& outer : asked.zones) {
-      std::string doubt = doubt_of_step(s, take_over, s.decision.monitors[k], *step, outer);
+      std::string doubt = doubt_of_step(s, take_over, driving, *step, outer);
       if (!doubt.empty()) return doubt;
     }
     if (asked.by_sides && ir::moves(step->kind) && !asked.slow_side &&
