@@ -118,8 +118,8 @@ void add_sampled_brake(const sema::RobotKind& kind, std::int64_t period_us, ir::
   const std::int64_t eta =
       b.velocity_error_mmps + div_up((b.brake_mmps2 + d_mmps2) * delay_us, 1'000'000);
   const bool half = bends_by_half(kind, period_us);
-  b.brake_lag_ms = div_up(1000 * eta, left_mmps2);
-  b.brake_aside_ms = half ? div_up(1000 * eta, 2 * left_mmps2) : b.brake_lag_ms;
+  b.brake_late_ms = div_up(1000 * eta, left_mmps2);
+  b.brake_lag_ms = half ? div_up(1000 * eta, 2 * left_mmps2) : b.brake_late_ms;
   const Hold hold = hold_of(b, delay_us);
   b.hold_mm = (half ? div_up(calm_eta_shares * eta * eta, calm_eta_parts * left_mmps2)
                     : div_up(eta * eta, left_mmps2)) +
@@ -128,7 +128,7 @@ void add_sampled_brake(const sema::RobotKind& kind, std::int64_t period_us, ir::
   b.sway_mm = hold.sways_mm;
   if (b.in_space) b.end_reach_mm = b.sway_mm;
   // latched at eta b / (b - d) as measured, and then as errors and pushes move it
-  b.stands_mmps = std::max(div_up(b.brake_lag_ms * b.brake_mmps2, 1000) + b.velocity_error_mmps,
+  b.stands_mmps = std::max(div_up(b.brake_late_ms * b.brake_mmps2, 1000) + b.velocity_error_mmps,
                            hold_speed_mmps(b, period_us));
 }
 
@@ -250,12 +250,7 @@ std::int64_t stray_mm(const ir::Body& b, const Rational& speed, std::int64_t per
   const Rational late(static_cast<long>(b.velocity_age_us + period_us + b.latency_us), 1'000'000);
   const Rational s = speed * 1000 + error;
   const Rational eta = error + (brake + pushed) * late;
-  // lemma sampled_brake
-  Rational bend = (eta * (s + eta) + pushed * s * s / (2 * brake)) / (brake - pushed);
-  if (b.disturbance_mmps2 == 0) {
-    const Rational calm = eta * (s / 2 + eta * calm_eta_shares / calm_eta_parts) / brake;
-    bend = std::min(bend, calm);
-  }
+  const Rational bend = (eta * (s + eta) + pushed * s * s / (2 * brake)) / (brake - pushed);
   const Rational hold(pace::hold_max_mradps, 1000);
   const Rational aside = 2 * (hold * static_cast<long>(b.position_error_mm) + error);
   return ceil_to_int(Rational(bend + aside * s / (2 * brake))) + b.sway_mm;
@@ -301,7 +296,7 @@ std::int64_t overshoot_ppm(const ir::Body& b, std::int64_t period_us) {
 std::int64_t fastest_mmps(const ir::Body& b, std::int64_t pushed_mmps, std::int64_t period_us,
                           std::int64_t w_mmps) {
   const std::int64_t faster_mmps = w_mmps + 2 * pushed_mmps;
-  if (b.brake_lag_ms == 0) return faster_mmps;
+  if (b.brake_late_ms == 0) return faster_mmps;
   const std::int64_t holds_mmps = hold_speed_mmps(b, period_us);
   if (b.in_space) return std::max(faster_mmps + b.velocity_error_mmps, w_mmps + holds_mmps);
   const std::int64_t lasts_mmps = b.velocity_error_mmps + pushed_mmps;

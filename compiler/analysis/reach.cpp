@@ -46,7 +46,7 @@ std::int64_t disc_mm(const ir::Body& body, const ir::Motion& motion, std::int64_
   const Speeds s = speeds(body, motion, measured_mmps, t_us);
   const std::int64_t last = std::min(s.cap_mmps, s.first_mmps + s.gain_mmps);
   const std::int64_t stop = div_up(last * last, 2 * body.brake_mmps2);
-  const std::int64_t tube = body.radius_mm + div_up(last * body.brake_aside_ms, 1000) +
+  const std::int64_t tube = body.radius_mm + div_up(last * body.brake_lag_ms, 1000) +
                             div_up(stop * body.brake_lag_permille, 1000) + body.hold_mm +
                             div_up(stop * ir::sway_permille(body), 1000);
   return body.position_error_mm + off_grid(body) + way_mm(body, motion, measured_mmps, t_us) +

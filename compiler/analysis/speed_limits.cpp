@@ -244,7 +244,7 @@ std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) 
   const std::int64_t declared_mmps = decision.motions[0].speed_mmps;
   const ir::Body& b = decision.body;
   const std::int64_t mmps = decision.motions[k + 1].speed_mmps;
-  const std::int64_t holds_mmps = b.brake_lag_ms == 0 ? 0 : hold_speed_mmps(b, decision.period_us);
+  const std::int64_t holds_mmps = b.brake_late_ms == 0 ? 0 : hold_speed_mmps(b, decision.period_us);
   return std::min(declared_mmps, std::max(mmps, holds_mmps));
 }
 

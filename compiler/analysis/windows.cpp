@@ -233,7 +233,7 @@ class Planner {
   // theory, two robots (time window): s1 / b + t_lag, from the greatest speed
   [[nodiscard]] std::int64_t stop_us() const {
     const Rational seconds(decision_.motions[0].speed_mmps, decision_.body.brake_mmps2);
-    return whole_ms_us(seconds) + 1000 * decision_.body.brake_lag_ms;
+    return whole_ms_us(seconds) + 1000 * decision_.body.brake_late_ms;
   }
   // While a recovery that outranks it drives, or another robot is near, it does not lead out.
   void others(std::size_t k) {

@@ -119,7 +119,7 @@ void DecisionPrinter::print_body(const std::string& name, std::int64_t position_
         const std::int64_t speed_mmps = d_.motions[0].speed_mmps + (b.in_space ? 1 : 0);
         to.line(num(b.radius_mm) + ", " + num(speed_mmps) + ", " + num(b.position_error_mm) + ", " +
                 num(b.velocity_error_mmps) + ", " + num(b.accel_mmps2) + ", " + num(b.brake_mmps2) +
-                ", " + num(b.brake_aside_ms) + ", " + num(b.brake_lag_permille) + ", " +
+                ", " + num(b.brake_lag_ms) + ", " + num(b.brake_lag_permille) + ", " +
                 num(b.hold_mm) + ", " + num(position_age_us) + ", " + num(velocity_age_us) +
                 (is_disturbed(module_) ? ", " + num(sway_permille(b)) : "") +
                 (has_agents(module_)
@@ -132,6 +132,7 @@ void DecisionPrinter::print_body(const std::string& name, std::int64_t position_
 void DecisionPrinter::print_constants() {
   use({"body_type", "motion_type"});
   if (is_disturbed(module_)) use({"disturbed"});
+  if (is_calm(module_)) use({"calm"});
   if (in_space(module_)) use({"in_space"});
   out_.comment("---- decision " + d_.name + " for " + d_.kind + " ----");
   const auto define = [&](const std::string& key, const std::string& value) {

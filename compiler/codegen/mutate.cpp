@@ -11,8 +11,8 @@ using namespace ir;
 // What a bound of the sampled brake takes `us` for; the brake of a body whose speed is commanded
 // has no such part.
 void forget_delay(Decision& d, std::int64_t us) {
-  const std::int64_t share = d.body.brake_aside_ms < d.body.brake_lag_ms ? 2 : 1;
-  d.body.brake_aside_ms = std::max<std::int64_t>(0, d.body.brake_aside_ms - us / share / 1000);
+  const std::int64_t share = d.body.brake_lag_ms < d.body.brake_late_ms ? 2 : 1;
+  d.body.brake_lag_ms = std::max<std::int64_t>(0, d.body.brake_lag_ms - us / share / 1000);
 }
 
 void no_latency(Decision& d) {
@@ -41,7 +41,7 @@ void no_radius(Decision& d) {
   d.body.radius_mm = 0;
 }
 void no_tube(Decision& d) {
-  d.body.brake_aside_ms = d.body.brake_lag_permille = d.body.hold_mm = 0;
+  d.body.brake_lag_ms = d.body.brake_lag_permille = d.body.hold_mm = 0;
 }
 void no_acceleration(Decision& d) {
   d.body.accel_mmps2 = d.motions[0].accel_mmps2 = 1;

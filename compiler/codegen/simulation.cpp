@@ -100,7 +100,7 @@ Json site(const ir::SiteTable& s) {
 Json claim(const ir::Decision& d, const ir::Recovery& r) {
   return {{"reaction_us", ir::reaction_us(d, r)},
           {"accel_mps2", metres(d.body.accel_mmps2)},
-          {"brake_aside_s", metres(d.body.brake_aside_ms)},
+          {"brake_lag_s", metres(d.body.brake_lag_ms)},
           {"brake_bend", metres(d.body.brake_lag_permille)},
           {"hold_m", metres(d.body.hold_mm)}};
 }

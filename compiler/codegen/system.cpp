@@ -393,7 +393,7 @@ class SystemPrinter {
     const std::string zone = "&" + names_(module_[r.zone].name) + "_zone()";
     return "{" + (has_height ? "nullptr" : zone) + ", " + real_metres(r.speed_mmps) + ", " +
            std::to_string(reaction_us(d(), r)) + ", " + part(b.accel_mmps2) + ", " +
-           part(b.brake_aside_ms) + ", " + part(b.brake_lag_permille) + ", " +
+           part(b.brake_lag_ms) + ", " + part(b.brake_lag_permille) + ", " +
            real_metres(b.hold_mm) + (has_height ? ", " + zone : "") + "}";
   }
   // The setting of whoever does not move: it needs no zone.

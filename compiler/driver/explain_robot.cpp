@@ -214,9 +214,9 @@ class RobotRemarks {
                         "off its speed by up to " +
                         speed(d.pushed_mmps));
     }
-    if (b.brake_lag_ms > 0) {
+    if (b.brake_late_ms > 0) {
       details.push_back("samples and noise delay the brake by up to " +
-                        time(b.brake_lag_ms * 1000));
+                        time(b.brake_late_ms * 1000));
     }
     if (b.brake_lag_permille > 0) {
       details.push_back("the way to a stop bends away by up to " +

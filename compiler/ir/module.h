@@ -28,8 +28,8 @@ struct Body {
   std::int64_t brake_mmps2 = 0;
   // A stop ends beside the straight one by a time at the speed that it begins with, by a share of
   // the straight stop, and by what its hold may be away.
-  std::int64_t brake_aside_ms = 0, brake_lag_permille = 0, hold_mm = 0;
-  std::int64_t brake_lag_ms = 0;  // how much later samples and noise let the brake end
+  std::int64_t brake_lag_ms = 0, brake_lag_permille = 0, hold_mm = 0;
+  std::int64_t brake_late_ms = 0;  // how much later samples and noise let the brake end
   std::int64_t position_age_us = 0, velocity_age_us = 0, battery_age_us = 0, hears_age_us = 0;
   std::int64_t latency_us = 0, tracking_mm = 0;
   std::int64_t end_reach_mm = 0;  // how far from where a recovery leads it may come to rest
@@ -59,8 +59,8 @@ inline std::int64_t sway_permille(const Body& b) {
 // (b - d)^2 at most.
 inline std::int64_t still_lag_ms(const Body& b) {
   // undisturbed it loses nothing: the integral of dv / (b sqrt(1 - (eta / v)^2)) is below s1 / b
-  if (b.disturbance_mmps2 == 0) return b.brake_lag_ms;
-  return (b.brake_lag_ms * 2 * (1000 + sway_permille(b)) + 999) / 1000;
+  if (b.disturbance_mmps2 == 0) return b.brake_late_ms;
+  return (b.brake_late_ms * 2 * (1000 + sway_permille(b)) + 999) / 1000;
 }
 struct Motion {
   std::string name;  // "any" or the name of the recovery
@@ -740,6 +740,13 @@ inline bool in_space(const Module& module) {
 inline bool is_disturbed(const Module& module) {
   for (const Decision& d : module.decisions) {
     if (d.body.disturbance_mmps2 > 0) return true;
+  }
+  return false;
+}
+// Does some brake bend by half of what the sampled brake loses?
+inline bool is_calm(const Module& module) {
+  for (const Decision& d : module.decisions) {
+    if (d.body.brake_lag_ms < d.body.brake_late_ms) return true;
   }
   return false;
 }

@@ -295,8 +295,8 @@ class Printer {
          (d.open_fleet ? ", open fleet" : ""));
     line("  body radius " + num(b.radius_mm) + ", errors " + num(b.position_error_mm) + " mm " +
          num(b.velocity_error_mmps) + " mm/s, accel " + num(b.accel_mmps2) + ", brake " +
-         num(b.brake_mmps2) + ", brake lag " + num(b.brake_lag_ms) + " ms, aside " +
-         num(b.brake_aside_ms) + " ms " + num(b.brake_lag_permille) + " permille, hold " +
+         num(b.brake_mmps2) + ", brake lag " + num(b.brake_late_ms) + " ms, aside " +
+         num(b.brake_lag_ms) + " ms " + num(b.brake_lag_permille) + " permille, hold " +
          num(b.hold_mm) +
          (b.disturbance_mmps2 > 0 ? ", disturbance " + num(b.disturbance_mmps2) : "") +
          (b.command_mmps2 > 0

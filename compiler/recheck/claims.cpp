@@ -166,7 +166,7 @@ Found Claims::limits(const Values& v) {
       {"latency_us", n.latency, 1'000'000},
       {"speed_mmps", n.speed, 1000},
       {"disturbance_mmps2", n.disturbance, 1000},
-      {"brake_aside_ms", n.aside, 1000},
+      {"brake_lag_ms", n.aside, 1000},
       {"brake_lag_permille", n.bend, 1000},
       {"hold_mm", n.hold, 1000}};
   for (const auto& [key, value, steps] : least) {

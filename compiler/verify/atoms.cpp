@@ -62,7 +62,7 @@ std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decis
   if (places || atoms.energy) {
     add({"drift", "stop_difference"});
     // of the bodies that are told accelerations, and those that are told speeds
-    if (body.brake_lag_ms > 0) {
+    if (body.brake_late_ms > 0) {
       add({"sampled_brake", "hold"});
     } else {
       add({"unicycle"});

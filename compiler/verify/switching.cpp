@@ -39,7 +39,7 @@ Claim limits_claim(const Subject& s) {
       {"accel_mmps2", any.accel_mmps2},
       {"brake_mmps2", b.brake_mmps2},
       {"disturbance_mmps2", b.disturbance_mmps2},
-      {"brake_aside_ms", b.brake_aside_ms},
+      {"brake_lag_ms", b.brake_lag_ms},
       {"brake_lag_permille", b.brake_lag_permille},
       {"hold_mm", b.hold_mm}};
   for (const auto& [name, value] : numbers) c.values[name] = std::to_string(value);

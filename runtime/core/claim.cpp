@@ -36,7 +36,7 @@ bool claim_holds(const Claim& claim, const RobotLimits& limits, TimeUs period_us
       first_mps * horizon_s + claim.accel_mps2 * horizon_s * horizon_s / 2, cap_mps * horizon_s);
   const double stop_m = last_mps * last_mps / (2 * limits.brake_mps2);
   const double need_m = limits.position_error_m + way_m + stop_m * (1 + claim.brake_bend) +
-                        last_mps * claim.brake_aside_s + claim.hold_m + limits.radius_m;
+                        last_mps * claim.brake_lag_s + claim.hold_m + limits.radius_m;
   const double clear_m = claim.solid != nullptr ? signed_clearance(*claim.solid, place)
                                                 : signed_clearance(*claim.zone, position.value);
   return clear_m >= need_m;

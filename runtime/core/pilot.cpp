@@ -49,14 +49,6 @@ double delay_s(const Setting& setting, TimeUs age_us) {
   return 1e-6 * static_cast<double>(age_us + setting.period_us + setting.limits.latency_us);
 }
 
-double bend_m(const RobotLimits& limits, double eta_mps, double speed_mps) {
-  const double b = limits.brake_mps2, d = limits.disturbance_mps2;
-  const double pushed_m =
-      (eta_mps * (speed_mps + eta_mps) + d * speed_mps * speed_mps / (2 * b)) / (b - d);
-  const double calm_m = eta_mps * (speed_mps / 2 + 2.2 * eta_mps) / b;
-  return d == 0 ? std::min(pushed_m, calm_m) : pushed_m;
-}
-
 double end_reach_m(const Setting& setting) {
   const RobotLimits& l = setting.limits;
   const double least_m = std::max(0.02, l.position_error_m);

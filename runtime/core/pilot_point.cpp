@@ -126,7 +126,8 @@ double Pilot<Acceleration>::stray_m() const {
   const double aside_mps = lateral_gain_per_s_ * (beside_m + settled_m);
   const double s = leg_mps_ + limits_.velocity_error_mps + 2 * pushed_mps;
   const double eta_mps = rest_mps_ * left / b;
-  return beside_m + aside_mps * s / (2 * b) + bend_m(limits_, eta_mps, s) + sway_m_;
+  const double bend_m = (eta_mps * (s + eta_mps) + d * s * s / (2 * b)) / left;
+  return beside_m + aside_mps * s / (2 * b) + bend_m + sway_m_;
 }
 
 bool Pilot<Acceleration>::at_rest(const Observation& observation) const {

@@ -304,8 +304,9 @@ double Carried::stray_m() const {
   const double reaction_s = delay_s(setting_, l.velocity_age_us);
   const double s = setting_.speed_mps + l.velocity_error_mps;
   const double eta_mps = l.velocity_error_mps + (b + d) * reaction_s;
+  const double bend_m = (eta_mps * (s + eta_mps) + d * s * s / (2 * b)) / (b - d);
   const double aside_mps = 2 * (pace::hold_max_radps * l.position_error_m + l.velocity_error_mps);
-  return bend_m(l, eta_mps, s) + aside_mps * s / (2 * b) + pilot_.sway_m();
+  return bend_m + aside_mps * s / (2 * b) + pilot_.sway_m();
 }
 
 // At rest after a stop. Stop by stop, noise would carry it off: it goes back to its leg, and on

@@ -186,7 +186,7 @@ void Flight::fly(double& legs, double& stops) {
 // The brake is ideal, so that its tube hides nothing.
 probe_robot swift() {
   probe_robot robot = probe_swift();
-  robot.body.brake_aside_ms = robot.body.brake_lag_permille = 0;
+  robot.body.brake_lag_ms = robot.body.brake_lag_permille = 0;
   robot.body.hold_mm = robot.body.sway_permille = 0;
   robot.motion.accel_mmps2 = 1'500;
   return robot;

@@ -17,7 +17,7 @@ constexpr std::int64_t least_mm = 200;
 // A point mass with an ideal brake: nothing of the bounds is left over for it.
 probe_robot ideal_robot() {
   probe_robot robot = probe_drone();
-  robot.body.brake_aside_ms = robot.body.brake_lag_permille = 0;
+  robot.body.brake_lag_ms = robot.body.brake_lag_permille = 0;
   robot.body.hold_mm = 30;
   return robot;
 }

@@ -19,7 +19,7 @@ static body to_body(const probe_body* b) {
   to.velocity_error_mmps = b->velocity_error_mmps;
   to.accel_mmps2 = b->accel_mmps2;
   to.brake_mmps2 = b->brake_mmps2;
-  to.brake_aside_ms = b->brake_aside_ms;
+  to.brake_lag_ms = b->brake_lag_ms;
   to.brake_lag_permille = b->brake_lag_permille;
   to.hold_mm = b->hold_mm;
   to.position_age_us = b->position_age_us;
@@ -243,7 +243,7 @@ static probe_robot declared(const body* b, const motion* any) {
   r.body.velocity_error_mmps = b->velocity_error_mmps;
   r.body.accel_mmps2 = b->accel_mmps2;
   r.body.brake_mmps2 = b->brake_mmps2;
-  r.body.brake_aside_ms = b->brake_aside_ms;
+  r.body.brake_lag_ms = b->brake_lag_ms;
   r.body.brake_lag_permille = b->brake_lag_permille;
   r.body.hold_mm = b->hold_mm;
   r.body.position_age_us = b->position_age_us;

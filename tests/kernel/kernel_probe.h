@@ -23,7 +23,7 @@ typedef struct probe_zone {
 } probe_zone;
 typedef struct probe_body {
   int64_t radius_mm, speed_mmps, position_error_mm, velocity_error_mmps, accel_mmps2, brake_mmps2;
-  int64_t brake_aside_ms, brake_lag_permille, hold_mm, position_age_us, velocity_age_us,
+  int64_t brake_lag_ms, brake_lag_permille, hold_mm, position_age_us, velocity_age_us,
       sway_permille;
 } probe_body;
 typedef struct probe_motion {

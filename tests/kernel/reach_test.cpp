@@ -117,7 +117,7 @@ TEST(Reach, HoldsRandomPointMasses) {
     robot.body.velocity_error_mmps = random.in(0, 200);
     robot.body.accel_mmps2 = robot.motion.accel_mmps2 = random.in(100, 5'000);
     robot.body.brake_mmps2 = random.in(300, 3'000);
-    robot.body.brake_aside_ms = robot.body.brake_lag_permille = robot.body.hold_mm = 0;
+    robot.body.brake_lag_ms = robot.body.brake_lag_permille = robot.body.hold_mm = 0;
     robot.body.position_age_us = random.in(0, 400'000);
     robot.body.velocity_age_us = random.in(0, 400'000);
     robot.body.speed_mmps = robot.motion.speed_mmps = random.in(50, 3'000);
@@ -144,7 +144,7 @@ TEST(Reach, HoldsPointMassesThatArePushed) {
     robot.body.accel_mmps2 = robot.motion.accel_mmps2 = random.in(100, 2'000) + push;
     robot.body.brake_mmps2 = brake;
     robot.body.sway_permille = (1'000 * push + brake - push - 1) / (brake - push);
-    robot.body.brake_aside_ms = robot.body.hold_mm = 0;
+    robot.body.brake_lag_ms = robot.body.hold_mm = 0;
     robot.body.speed_mmps = robot.motion.speed_mmps = random.in(50, 3'000);
     const Timing timing = random_timing(random, robot.body, 2'000 * random.in(0, 150));
     PushedPlant plant{point_plant(random, robot), static_cast<double>(push)};

@@ -243,7 +243,7 @@ static void course_room(course *c, const sailing *w, const estimate *s, const bo
   const int64_t fastest = div_up(w->fastest_umps, 1000);
   const int64_t s1 = min_of(b->speed_mmps, fastest + drift);
   const int64_t ideal = div_up(s1 * s1, 2 * b->brake_mmps2);
-  const int64_t tube = div_up(s1 * b->brake_aside_ms, 1000) +
+  const int64_t tube = div_up(s1 * b->brake_lag_ms, 1000) +
                        /*? disturbed */ div_up(ideal * b->sway_permille, 1000) +
                        div_up(ideal * b->brake_lag_permille, 1000) + b->hold_mm;
   /* 3: two millimetres of the corners of places, one of the estimate */

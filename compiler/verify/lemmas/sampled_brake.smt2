@@ -20,9 +20,9 @@
 ; code: runtime/core/pilot_point.cpp | if (!latched_) return against(v);
 ; code: runtime/core/pilot_point.cpp | return commanded((-limits_.brake_mps2 / std::max(norm(v), limits_.brake_mps2 * reaction_s_)) * v);
 ; code: runtime/core/pilot_point.cpp | rest_mps_ = eta_mps * limits_.brake_mps2 / (limits_.brake_mps2 - limits_.disturbance_mps2);
-; code: compiler/analysis/limits.cpp | b.brake_aside_ms = half ? div_up(1000 * eta, 2 * left_mmps2) : b.brake_lag_ms;
+; code: compiler/analysis/limits.cpp | b.brake_lag_ms = half ? div_up(1000 * eta, 2 * left_mmps2) : b.brake_late_ms;
 ; code: compiler/analysis/limits.cpp | b.hold_mm = (half ? div_up(calm_eta_shares * eta * eta, calm_eta_parts * left_mmps2)
-; code: compiler/codegen/kernel/motion.c | return b->radius_mm + div_up(s1 * b->brake_aside_ms, 1000) +
+; code: compiler/codegen/kernel/motion.c | return b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
 
 ; step: M, of the turn alone: -u of unit length instead of -v/|v| moves that point with v (1 - c)
 ; step+ along v and v sin / 2 across; M^2 = (1 - c)^2 + (1 - c^2) / 4

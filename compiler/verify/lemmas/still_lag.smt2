@@ -3,9 +3,9 @@
 ; eta b / (b - d) again: at most s / (b - d) + 2 b eta / (b - d)^2, and undisturbed s / b + eta / b.
 ; Units, and x, v, q as in sampled_brake; the time is at most theta(s) - theta(R) for every theta whose
 ; rate outweighs that of time: theta' (c - d) >= 1. That it is never faster again is sampled_brake.
-; code: compiler/ir/module.h | if (b.disturbance_mmps2 == 0) return b.brake_lag_ms;
-; code: compiler/ir/module.h | return (b.brake_lag_ms * 2 * (1000 + sway_permille(b)) + 999) / 1000;
-; code: compiler/analysis/limits.cpp | b.stands_mmps = std::max(div_up(b.brake_lag_ms * b.brake_mmps2, 1000) + b.velocity_error_mmps,
+; code: compiler/ir/module.h | if (b.disturbance_mmps2 == 0) return b.brake_late_ms;
+; code: compiler/ir/module.h | return (b.brake_late_ms * 2 * (1000 + sway_permille(b)) + 999) / 1000;
+; code: compiler/analysis/limits.cpp | b.stands_mmps = std::max(div_up(b.brake_late_ms * b.brake_mmps2, 1000) + b.velocity_error_mmps,
 ; code: compiler/codegen/kernel/motion.c | div_up(horizon_us, 1000) + div_up(1000 * s1, b->net_brake_mmps2) + b->still_lag_ms;
 
 ; step: above R the angle takes 1/v^2 at most of the brake, v^2 <= x^2 + 1

@@ -161,7 +161,7 @@ Recovery recovery(const Json& j) {
     r.claim.emplace();
     r.claim->reaction_us = c.at("reaction_us").get<TimeUs>();
     r.claim->accel_mps2 = c.at("accel_mps2").get<double>();
-    r.claim->brake_aside_s = c.at("brake_aside_s").get<double>();
+    r.claim->brake_lag_s = c.at("brake_lag_s").get<double>();
     r.claim->brake_bend = c.at("brake_bend").get<double>();
     r.claim->hold_m = c.at("hold_m").get<double>();
   }

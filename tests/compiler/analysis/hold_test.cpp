@@ -127,7 +127,7 @@ double excess_of_stops(const Case& c, std::int64_t open, std::int64_t closed) {
 double allowed(const Case& c) {
   const ir::Body b = derived(c);
   const double stop = 1000 * c.speed * c.speed / (2 * c.brake);
-  const double lag = c.speed * static_cast<double>(b.brake_aside_ms);
+  const double lag = c.speed * static_cast<double>(b.brake_lag_ms);
   const double sway = stop * static_cast<double>(ir::sway_permille(b)) / 1000;
   return (lag + sway + static_cast<double>(b.hold_mm)) / 1000;
 }

@@ -120,9 +120,9 @@ TEST(Rounding, TheTubeOfASampledBrakeIsNotTooNarrow) {
   const Rational holds = 2 * k.position->error.value * 1000;
   const auto is_at_least = [&](const Rational& aside, const Rational& hold) {
     const ir::Body b = body_of(k, 50'000);
-    EXPECT_GE(exact(b.brake_lag_ms), 1000 * eta / brake);
-    EXPECT_GE(exact(b.brake_aside_ms), 1000 * aside);
-    EXPECT_LT(exact(b.brake_aside_ms), 1000 * aside + 3);
+    EXPECT_GE(exact(b.brake_late_ms), 1000 * eta / brake);
+    EXPECT_GE(exact(b.brake_lag_ms), 1000 * aside);
+    EXPECT_LT(exact(b.brake_lag_ms), 1000 * aside + 3);
     EXPECT_GE(exact(b.hold_mm), hold + holds);
   };
   is_at_least(eta / (2 * brake), Rational(11, 5) * eta * eta / brake);
@@ -148,8 +148,8 @@ TEST(Rounding, WhatPushesAPointMassCountsEverywhere) {
   EXPECT_GE(exact(ir::sway_permille(b)), 1000 * d / left);
   const Rational delay = Rational(50, 1000) + k.latency.value + k.velocity->max_age.value;
   const Rational eta = k.velocity->error.value * 1000 + (brake + d) * delay;
-  EXPECT_GE(exact(b.brake_lag_ms), 1000 * eta / left);
-  EXPECT_EQ(b.brake_aside_ms, b.brake_lag_ms);
+  EXPECT_GE(exact(b.brake_late_ms), 1000 * eta / left);
+  EXPECT_EQ(b.brake_lag_ms, b.brake_late_ms);
   EXPECT_GE(exact(b.hold_mm), eta * eta / left + 2 * k.position->error.value * 1000);
   EXPECT_GT(recovery_motion(k, b, "slow", Rational(1, 9), 50'000).speed_mmps, 112);
 }
@@ -159,7 +159,7 @@ TEST(Rounding, JitterIsPartOfTheHorizonAndOfTheBrake) {
   const sema::RobotKind k = kind_of(sema::MotionModel::point);
   const ir::Body exact_ticks = body_of(k, 50'000), late = body_of(k, 50'000, 7'000);
   EXPECT_EQ(horizon_us_max(late, 100'000), horizon_us_max(exact_ticks, 100'000) + 7'000);
-  EXPECT_GT(late.brake_lag_ms, exact_ticks.brake_lag_ms);
+  EXPECT_GT(late.brake_late_ms, exact_ticks.brake_late_ms);
 }
 
 // theory, disc: e_p + S + s1^2 / (2 b) + r_eff, exactly.
@@ -176,7 +176,7 @@ Rational exact_disc(const ir::Body& b, const ir::Motion& m, std::int64_t measure
   const Rational way = capped ? Rational(cap * t - (cap - s0) * (cap - s0) / (2 * a))
                               : Rational(s0 * t + a * t * t / 2);
   const Rational stop = s1 * s1 / (2 * brake);
-  const Rational tube = exact(b.radius_mm) + s1 * exact(b.brake_aside_ms) / 1000 +
+  const Rational tube = exact(b.radius_mm) + s1 * exact(b.brake_lag_ms) / 1000 +
                         stop * exact(b.brake_lag_permille) / 1000 + exact(b.hold_mm) +
                         stop * exact(b.disturbance_mmps2) / (brake - exact(b.disturbance_mmps2));
   return exact(b.position_error_mm) + way + stop + tube;
@@ -194,7 +194,7 @@ TEST(Rounding, TheDiscIsNeverSmallerThanTheExactOneAndLittleLarger) {
     b.velocity_error_mmps = within(0, 100);
     b.brake_mmps2 = within(200, 5000);
     b.disturbance_mmps2 = within(0, 1) * within(0, b.brake_mmps2 / 2);
-    b.brake_aside_ms = within(0, 300);
+    b.brake_lag_ms = within(0, 300);
     b.brake_lag_permille = within(0, 2000);
     b.hold_mm = within(0, 100);
     const ir::Motion m{"any", within(50, 5000), within(100, 5000), within(0, 1) == 1, {}};

@@ -83,7 +83,7 @@ TEST_F(Recheck, AMutatedBoundIsNoticed) {
                   {"limits", "accel_mmps2", -1},
                   {"limits", "brake_mmps2", 1},
                   {"limits", "disturbance_mmps2", -1},
-                  {"limits", "brake_aside_ms", -1},
+                  {"limits", "brake_lag_ms", -1},
                   {"limits", "hold_mm", -15},
                   {"horizon", "lookahead_us", -60'000},
                   {"horizon", "horizon_us", -1},

@@ -26,7 +26,7 @@ struct Term {
   // mm, mm/s, us: zero is without
   std::int64_t speed_mmps = 20'000, accel_mmps2 = 1'500, brake_mmps2 = 2'000, horizon_us = 400'000;
   std::int64_t position_error_mm = 0, velocity_error_mmps = 0, age_us = 0, apart_us = 0;
-  std::int64_t push_mmps2 = 0, brake_aside_ms = 0, hold_mm = 0;
+  std::int64_t push_mmps2 = 0, brake_lag_ms = 0, hold_mm = 0;
   bool unicycle = false;
 };
 
@@ -44,7 +44,7 @@ probe_robot robot_of(const Term& t) {
   r.body.brake_mmps2 = t.brake_mmps2;
   r.body.position_error_mm = t.position_error_mm;
   r.body.velocity_error_mmps = t.velocity_error_mmps;
-  r.body.brake_aside_ms = t.brake_aside_ms;
+  r.body.brake_lag_ms = t.brake_lag_ms;
   r.body.brake_lag_permille = 0;
   r.body.hold_mm = t.hold_mm;
   const std::int64_t left = t.brake_mmps2 - t.push_mmps2;
@@ -189,7 +189,7 @@ const Term terms[] = {
      .at_least = 0.6,
      .position_error_mm = 20,
      .velocity_error_mmps = 20,
-     .brake_aside_ms = 92,
+     .brake_lag_ms = 92,
      .hold_mm = 67},
     {.name = "noise and greatest speed",
      .at_least = 0.95,

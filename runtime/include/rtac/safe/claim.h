@@ -15,7 +15,7 @@ struct Claim {
   double accel_mps2 = 0;   // of the reference point, turning included
   // How far the braked path may be from the straight stop (theory, the brake: rho_sc): a time at
   // the speed it begins with, a part of the straight stop, and the hold.
-  double brake_aside_s = 0, brake_bend = 0, hold_m = 0;
+  double brake_lag_s = 0, brake_bend = 0, hold_m = 0;
   const SolidView* solid = nullptr;  // in space, in the place of `zone`: one with height
 };
 

@@ -19,9 +19,6 @@ double end_reach_m(const Setting& setting);
 
 // From a measurement of the age `age_us` until a command by it acts.
 double delay_s(const Setting& setting, TimeUs age_us);
-// How far a stop from `speed_mps` bends from the straight one, which goes by a velocity that is
-// wrong by `eta_mps` at most (docs: lemmas, sampled_brake).
-double bend_m(const RobotLimits& limits, double eta_mps, double speed_mps);
 
 // The time constant with which the velocity of a point mass follows what is wanted, and the gain of
 // the correction to its leg.

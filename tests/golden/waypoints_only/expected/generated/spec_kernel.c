@@ -230,6 +230,7 @@ static int64_t cross(vec a, vec b) {
   return a.x * b.y - a.y * b.x;
 }
 
+
 /* What is declared of a kind of robot, rounded to the safe side. */
 typedef struct body {
   int64_t radius_mm;
@@ -237,7 +238,7 @@ typedef struct body {
   int64_t position_error_mm, velocity_error_mmps;
   int64_t accel_mmps2;  /* of any control, turning included */
   int64_t brake_mmps2;
-  int64_t brake_aside_ms;      /* at the speed it begins with: how far a sampled brake bends away */
+  int64_t brake_lag_ms;        /* sampled brake: (velocity error + b (h + l)) / b, or half of it */
   int64_t brake_lag_permille;  /* share of the stopping distance that a turn still bends away */
   int64_t hold_mm;             /* stays within this of its hold */
   int64_t position_age_us, velocity_age_us;
@@ -386,7 +387,7 @@ static int64_t braked_mm(int64_t v, int64_t w, const body *b) {
 /* The tube around the ideal way of a stop of `stop` mm from `s1` mm/s, see the brake of the theory;
  * the body is included. */
 static int64_t tube_mm(const body *b, int64_t s1, int64_t stop) {
-  return b->radius_mm + div_up(s1 * b->brake_aside_ms, 1000) +
+  return b->radius_mm + div_up(s1 * b->brake_lag_ms, 1000) +
          div_up(stop * b->brake_lag_permille, 1000) + b->hold_mm;
 }
 
