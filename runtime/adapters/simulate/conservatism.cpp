@@ -75,8 +75,10 @@ class Search {
     if (out_.why_not.empty() && !find_base()) {
       out_.why_not = "no place was found where the advanced controller drives";
     }
+    if (out_.why_not.empty() && !place_agent()) {
+      out_.why_not = "no place was found where the agent leaves the advanced controller in charge";
+    }
     if (!out_.why_not.empty()) return out_;
-    place_agent();
     const std::vector<Wall> walls = find_walls();
     for (const Wall& wall : walls) {
       for (const double speed : speeds) {
@@ -112,18 +114,20 @@ class Search {
     return sim::speaks_of(property_, sim::PropertyOp::distance);
   }
 
-  // The agent that it speaks of first, beside the robot; all others stay far away.
-  void place_agent() {
+  // The agent that it speaks of first, beside the robot, and not so near that a recovery drives,
+  // whose motion the look-ahead would then be of; all others stay far away.
+  bool place_agent() {
     const Property* const distance = first_of(property_, sim::PropertyOp::agent_distance);
-    if (distance == nullptr) return;
+    if (distance == nullptr) return true;
     agent_ = distance->index;
     Vec3& place = agents_[static_cast<std::size_t>(agent_)];
     for (double away_m = 1; away_m < farthest_m / 2; away_m *= 1.2) {
       place = base_.front().position + Vec3{away_m, 0, 0};
       if (!agent().in_space) place.z = 0;
-      if (margin_m(base_.front().position) > 0) break;
+      oracle_.place_agents(agents_);
+      if (margin_m(base_.front().position) > 0 && oracle_.settle(base_)) return true;
     }
-    oracle_.place_agents(agents_);
+    return false;
   }
   [[nodiscard]] const sim::AgentSetup& agent() const {
     return d_.agents[static_cast<std::size_t>(agent_)];

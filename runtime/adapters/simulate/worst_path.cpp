@@ -16,6 +16,8 @@ namespace rtac::simulate {
 namespace {
 
 constexpr int restarts = 60, starts = 3;
+// In a step of a motion.
+constexpr double stands_m = 1e-9;
 
 // Stopped by an ideal brake, and by its pilot.
 void add(WorstPaths& to, const RobotLimits& limits, const Push& push, Track track, const char* by) {
@@ -32,6 +34,10 @@ void add(WorstPaths& to, const RobotLimits& limits, const Push& push, Track trac
 WorstPath path_of(UnicycleMotion motion, double begin_s, const char* by) {
   const double steps = static_cast<double>(motion.places_m.size() - 1);
   const double end_s = begin_s + steps * motion.step_s;
+  // The turn may run down for longer than the speed: who only turns stands.
+  std::size_t last = motion.places_m.size() - 1;
+  while (last > 0 && norm(motion.places_m[last] - motion.places_m[last - 1]) < stands_m) --last;
+  const double still_s = begin_s + static_cast<double>(last) * motion.step_s;
   const auto at = [motion = std::move(motion), begin_s, steps](double time_s) {
     const double s = std::clamp((time_s - begin_s) / motion.step_s, 0.0, steps);
     const auto k = std::min(static_cast<std::size_t>(s), motion.places_m.size() - 2);
@@ -39,7 +45,7 @@ WorstPath path_of(UnicycleMotion motion, double begin_s, const char* by) {
     const Vec2 p = a + (s - static_cast<double>(k)) * (b - a);
     return Vec3{p.x, p.y, 0};
   };
-  return {at, end_s, end_s, by};
+  return {at, end_s, still_s, by};
 }
 
 WorstPaths of_unicycle(const RobotLimits& l, const Push& push) {

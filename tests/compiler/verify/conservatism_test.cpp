@@ -75,6 +75,33 @@ TEST_F(ConservatismTest, OfAPointMassInSpace) {
   EXPECT_LE(share(o), 1) << o.out << o.err;
 }
 
+// In a room so small that an agent in the middle has a recovery drive from everywhere: what is
+// asked is how far the look-ahead of the advanced controller goes. Its turn runs down for longer
+// than its speed, and who only turns stands.
+TEST_F(ConservatismTest, OfAUnicycleNearAnAgent) {
+  const Outcome o = measured(R"(spec near;
+zone room = rectangle (0 m, 0 m) to (1.7 m, 1.7 m);
+robot Bot {
+  body    radius 2 cm;
+  motion  unicycle { speed <= 0.4 m/s; turn <= 1 rad/s; accel <= 0.8 m/s^2; brake >= 0.6 m/s^2; turn_accel <= 1 rad/s^2; }
+  sense   position : point  error 1 cm   max_age 100 ms;
+  sense   velocity : vector error 0 m/s  max_age 0 ms;
+  sense   heading  : angle  error 2 deg  max_age 0 ms;
+  output  drive : twist;
+  latency 100 ms;
+}
+fleet b1 : Bot;
+agent man : radius 30 cm, speed <= 0.4 m/s error 5 cm max_age 100 ms;
+controller pilot : advanced for Bot extern;
+controller stop  : safe for Bot = brake_and_hold;
+monitor off for b : Bot { "SR-1: off the man" always distance(b, man) >= 20 cm; recover stop; }
+decision go for Bot { advanced pilot; period 250 ms; priority off; acknowledge stop may break off "he sees it"; }
+)");
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_GE(share(o), 0.6) << o.out;
+  EXPECT_LE(share(o), 1) << o.out;
+}
+
 // A measure that cannot refute would say nothing.
 TEST_F(ConservatismTest, UnsoundVariantsAreRefuted) {
   for (const char* mutant : {"no-radius", "no-stopping-distance"}) {
