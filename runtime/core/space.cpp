@@ -185,6 +185,7 @@ void Carried::engage(const Observation& observation) {
   leg_broken_off_ = on_leg_;
   legs_.clear();
   on_leg_ = leads_ = carries_ = stopped_ = returning_ = false;
+  near_.reset();
   next_look_us_ = never_us;
 }
 
@@ -196,15 +197,29 @@ void Carried::go_on(const Halt& halt) {
 }
 
 std::optional<Halt> Carried::halt() const {
-  return leads_ ? Halt{} : pilot_.halting();
+  return leads_ ? hold_on_way() : pilot_.halting();
+}
+
+std::optional<Halt> Carried::hold_on_way() const {
+  if (!near_) return Halt{};
+  auto held = pilot_.halting();
+  if (held) held->place = *near_;
+  return held;
+}
+
+void Carried::hold_at(Vec3 place) {
+  Halt held = *pilot_.halting();
+  held.place = place;
+  pilot_.go_on(held);
 }
 
 void Carried::stop() {
   carries_ = false;
   if (!leads_) return;
-  pilot_.go_on(Halt{});
+  pilot_.go_on(*hold_on_way());
   leads_ = false;
   stopped_ = true;
+  near_.reset();
 }
 
 void Carried::drop_legs() {
@@ -222,7 +237,7 @@ Acceleration Carried::command(const Observation& observation, Gate gate) {
   if (!pilot_.latched()) return pilot_.halt(observation);
   if (!legs_.empty()) {
     if (allowed(observation, gate)) {
-      carry(position_of(observation));
+      carry(observation);
     } else {
       stop();
     }
@@ -250,13 +265,17 @@ void Carried::begin_leg() {
   on_leg_ = true;
 }
 
-void Carried::carry(Vec3 here) {
+void Carried::carry(const Observation& observation) {
+  const Vec3 here = position_of(observation);
   const double step_m = setting_.speed_mps * static_cast<double>(setting_.period_us) * s_per_us;
   const Vec3 to = aim();
   const bool there = pilot_.carry(to, step_m);
   const bool near = norm(held() - here) <= pilot_.sway_m();
   leads_ = !near;
   carries_ = true;
+  const Vec3 passed = nearest_on(returning_ ? return_from_ : leg_from_, to, here);
+  const bool left = !pilot_.at_rest(observation) || norm(passed - here) > pilot_.sway_m();
+  near_ = left ? std::nullopt : std::optional(passed);
   if (!there) return;
   if (returning_) {
     returning_ = false;
@@ -309,19 +328,25 @@ double Carried::stray_m() const {
   return bend_m + aside_mps * s / (2 * b) + pilot_.sway_m();
 }
 
-// At rest after a stop. Stop by stop, noise would carry it off: it goes back to its leg, and on
-// from there. But further off than a stop explains something else has carried the robot away, and
-// nobody has looked at what lies between: its next leg begins here.
+// At rest after a stop. Stop by stop, noise would carry it off: where it rests, errors that last
+// put it beside its hold, and a hold that was latched there anew would sway from there. So it goes
+// back to its leg, at once if it is no further off than it sways, and on from there. But further
+// off than a stop explains something else has carried the robot away, and nobody has looked at what
+// lies between: its next leg begins here.
 void Carried::leave_far_leg() {
   stopped_ = false;
   const Vec3 place = held();
-  const double off_m = on_leg_ ? norm(place - nearest_on(leg_from_, leg_to_, place)) : 0;
+  const Vec3 nearest = on_leg_ ? nearest_on(leg_from_, leg_to_, place) : place;
+  const double off_m = norm(place - nearest);
   // what is not a number is not near either
   if (!(off_m <= stray_m())) {
     legs_.clear();
     on_leg_ = false;
     carried_off();
+  } else if (off_m <= sway_m()) {
+    hold_at(nearest);
   }
+  return_from_ = held();
   returning_ = on_leg_;
 }
 

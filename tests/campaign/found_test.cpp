@@ -22,7 +22,8 @@ TEST_P(Found, HoldsNow) {
 INSTANTIATE_TEST_SUITE_P(All, Found,
                          ::testing::Values("weak_steering", "noisy_hold", "mixed_pair",
                                            "poor_actuator", "two_recoveries", "stopped_climb",
-                                           "stopped_pair", "hard_brake", "short_of_room"),
+                                           "stopped_pair", "hard_brake", "short_of_room",
+                                           "moved_on"),
                          [](const auto& each) { return each.param; });
 
 }  // namespace

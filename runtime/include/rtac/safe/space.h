@@ -61,7 +61,11 @@ class Carried : public SafeController<Acceleration> {
   [[nodiscard]] bool allowed(const Observation& observation, Gate gate) const;
   // What it makes for: first back to its leg, if it was stopped beside it.
   [[nodiscard]] Vec3 aim() const;
-  void carry(Vec3 here);
+  void carry(const Observation& observation);
+  // Where it holds if it is stopped while it has hardly left its hold: on its way, and no further
+  // away than it sways. Else the brake comes first.
+  [[nodiscard]] std::optional<Halt> hold_on_way() const;
+  void hold_at(Vec3 place);
   void begin_leg();
   // Brakes, and latches where it comes to rest, if the hold leads the robot.
   void stop();
@@ -70,7 +74,9 @@ class Carried : public SafeController<Acceleration> {
   Pilot<Acceleration> pilot_;
   Legs legs_;
   std::size_t leg_ = 0;
-  Vec3 leg_from_, leg_to_;  // that it drives, or was stopped on
+  Vec3 leg_from_, leg_to_;    // that it drives, or was stopped on
+  Vec3 return_from_;          // and from where it goes back to that
+  std::optional<Vec3> near_;  // the place of its way that it has hardly left
   bool on_leg_ = false;
   Legs broken_off_;  // when it was engaged anew: another recovery may have driven in between
   bool leg_broken_off_ = false;
