@@ -102,14 +102,23 @@ class Watcher final : public SystemObserver {
   // one.
   void keep(const DecisionRecord& record) {
     TimeUs& from_us = kept_from_us_[static_cast<std::size_t>(record.robot)];
-    const bool kept = setup_.about < 0
-                          ? record.mode != 0
-                          : record.monitors[static_cast<std::size_t>(setup_.about)].engaged;
+    const bool kept = setup_.about < 0 ? record.mode != 0 : keeps(record);
     if (!kept) from_us = never_us;
     if (kept && from_us == never_us) from_us = record.time_us;
     if (!kept || outcome_.kept.robot >= 0) return;
     if (record.time_us - from_us < setup_.return_within_us) return;
     outcome_.kept = {record.robot, record.mode, from_us, record.time_us};
+  }
+
+  // While another recovery drives, or another robot is in the way of one that leads somewhere, it
+  // is not that monitor which keeps the robot.
+  [[nodiscard]] bool keeps(const DecisionRecord& record) const {
+    const auto about = static_cast<std::size_t>(setup_.about);
+    if (!record.monitors[about].engaged || record.mode == 0) return false;
+    const auto& own = decision_.monitors[about].recovery;
+    const auto drives = static_cast<std::size_t>(record.mode - 1);
+    if (decision_.monitors[drives].recovery.name != own.name) return false;
+    return record.gate == Gate::free || own.kind == "brake_and_hold" || own.kind == "yield";
   }
 
   // A command of the advanced controller that acts for longer than the decision behind it has

@@ -17,9 +17,8 @@ using sim::TruthState;
 
 constexpr std::uint64_t setup_stream = 3001;
 constexpr int tries_max = 4000;
-// Among so many admissible places the widest one is taken, unless one is wide enough before; among
-// so many more where none of them has what a robot at rest needs to spare.
-constexpr int tries_wide = 40, tries_standing = 400;
+// Among so many admissible places the widest one is taken, unless one is wide enough before.
+constexpr int tries_wide = 40;
 constexpr double wide = 0.5;  // in scales of the margins
 // How long samples are lost. A body whose speed is commanded stops by itself; one whose
 // acceleration is commanded coasts on when it does not know how fast it is, and no look-ahead
@@ -78,35 +77,25 @@ bool place(const DecisionCase& d, const Field& field, const Start* fixed, Random
     }
     ++admissible;
     if (margin >= std::max(wide, d.standing_m)) break;
-    if (admissible >= (best_margin >= d.standing_m ? tries_wide : tries_standing)) break;
+    if (admissible >= tries_wide && best_margin >= d.standing_m) break;
   }
   truths.back() = best;
-  return best_margin >= 0;
+  return best_margin >= d.standing_m;
 }
 
-// All at once, for properties that hold of nobody who is alone: somebody is near. The places are
-// those with the most to spare of so many where all properties hold, or the first with enough.
+// All at once, for properties that hold of nobody who is alone: somebody is near. The first places
+// with enough to spare.
 bool place_together(const DecisionCase& d, const Field& field, const Scenario& scenario,
                     Random& random, std::vector<TruthState>& truths) {
   constexpr int tries_together = 50'000;
-  std::vector<TruthState> best;
-  double best_margin = -1;
-  int admissible = 0;
-  for (int n = 0; n < tries_together && admissible < tries_standing; ++n) {
+  for (int n = 0; n < tries_together; ++n) {
     truths.assign(d.robots.size(), {});
     for (std::size_t i = 0; i < truths.size(); ++i) {
       draw(d, field, named(scenario, d.robots[i]), random, truths[i]);
     }
-    const double margin = least_margin(d, truths);
-    if (margin < 0) continue;
-    ++admissible;
-    if (margin <= best_margin) continue;
-    best_margin = margin;
-    best = truths;
-    if (margin >= d.standing_m) break;
+    if (least_margin(d, truths) >= d.standing_m) return true;
   }
-  truths = std::move(best);
-  return best_margin >= 0;
+  return false;
 }
 
 bool place_all(const DecisionCase& d, const Scenario& scenario, Random& random,
@@ -171,7 +160,8 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
   std::vector<TruthState> truths;
   if (!place_all(d, scenario, random, truths)) {
     return {
-        "no places were found where every property of `" + d.name + "` holds",
+        "no places were found where every property of `" + d.name +
+            "` holds with what robots at rest need to spare",
         R"(say where robots start: `"starts": {")" + d.robots.front() + R"(": {"at": [1, 2]}}`)",
         true};
   }
