@@ -234,12 +234,14 @@ class Recoveries {
     const std::int64_t need_mm = return_clearance_mm(t.decision, covering_us(t));
     for (const ir::Monitor& m : decision_.monitors) {
       const ir::Recovery& last = ir::last_step(m.recovery);
-      auto zones = fences_of(m.property, decision_.facts.params);
-      if (ir::goes_back(last.kind)) {
-        zones.push_back(last.zone);
+      const auto zones = fences_of(m.property, decision_.facts.params);
+      const std::int64_t standoff = standoff_mm(decision_, m.recovery);
+      if (ir::goes_back(last.kind) &&
+          need_mm + standoff > room_mm(decision_, last, module_[last.zone])) {
+        return false;
       }
       for (const ir::ZoneIndex zone : zones) {
-        if (need_mm + standoff_mm(decision_, m.recovery) > module_[zone].widest_mm) return false;
+        if (need_mm + standoff > module_[zone].widest_mm) return false;
       }
     }
     return true;

@@ -9,7 +9,6 @@
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
-#include "compiler/analysis/tables.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
@@ -342,7 +341,11 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
     o.claims.push_back({"no_fences", {{"decision", s.decision.name}}});
     return o;
   }
-  if (s.decision.body.in_space) return returns_together_in_space(s, needs);
+  if (s.decision.body.in_space) {
+    o = returns_together_in_space(s, needs);
+    if (o.status == Status::proved) o.because += where_others_are_far(s);
+    return o;
+  }
   if (const auto at = common_place(s, all)) {
     if (!needs.open.empty()) return returns_open(needs, std::move(o));
     const std::int64_t x_mm = in_mm(at->x), y_mm = in_mm(at->y);
@@ -379,6 +382,45 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
   return o;
 }
 
+// How far apart two places of a zone are at most that are so clear of its boundary; nullopt: it has
+// so many corners, or no end.
+std::optional<std::int64_t> farthest_apart_mm(const Subject& s, ir::ZoneIndex fence,
+                                              std::int64_t clearance_mm) {
+  constexpr std::size_t corners_most = 2'000;
+  constexpr std::int64_t offset_mm = 2;  // by which an offset may be smaller
+  const ir::ZoneTable& zone = s.module[fence];
+  const std::int64_t by_mm = std::max<std::int64_t>(clearance_mm - offset_mm, 0);
+  std::vector<std::pair<double, double>> corners;
+  const auto add = [&](const geometry::Region& region) {
+    const auto deep = analysis::within(region, by_mm);
+    if (!deep) return false;
+    for (const geometry::Ring& ring : deep->rings()) {
+      for (const geometry::Point& p : ring) corners.emplace_back(p.x.get_d(), p.y.get_d());
+    }
+    return corners.size() <= corners_most;
+  };
+  double up_mm = 0;
+  if (zone.has_height()) {
+    const geometry::Solid solid = any_solid(s)(fence);
+    if (solid.slabs().empty()) return std::nullopt;
+    const Rational high = solid.slabs().back().ceiling - solid.slabs().front().floor;
+    up_mm = std::max(0.0, 1000 * high.get_d() - 2 * static_cast<double>(by_mm));
+    for (const geometry::Slab& slab : solid.slabs()) {
+      if (!add(slab.region)) return std::nullopt;
+    }
+  } else if (s.decision.body.in_space || zone.edges.empty() || !add(s.exact(fence))) {
+    return std::nullopt;
+  }
+  double most_m = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      most_m = std::max(most_m, std::hypot(corners[i].first - corners[k].first,
+                                           corners[i].second - corners[k].second));
+    }
+  }
+  return std::llround(std::ceil(std::hypot(1000 * most_m, up_mm)));
+}
+
 // That no two robots of the decision are ever as far apart as one of its properties asks for, in a
 // zone that another one holds all of them in; "": that is not known.
 std::string never_so_far_apart(const Subject& s) {
@@ -390,19 +432,15 @@ std::string never_so_far_apart(const Subject& s) {
     analysis::ask_for_standoffs(m.property, d.facts.params, own);
     for (const ir::Monitor& other : d.monitors) {
       for (const ir::ZoneIndex fence : analysis::sure_fences(other.property, d.facts.params)) {
-        const ir::ZoneTable& zone = s.module[fence];
-        if (zone.has_height() || zone.edges.empty()) continue;
+        if (!other.lookahead.duration) continue;
         const std::int64_t back_mm = analysis::return_clearance_mm(d, other.lookahead.duration_us);
-        const auto [dx, dy, up] = analysis::extent_of(s.module, zone);
-        const auto left = [&](std::int64_t mm) {
-          return static_cast<double>(std::max<std::int64_t>(mm - 2 * back_mm, 0));
-        };
-        const std::int64_t across_mm = std::llround(std::ceil(std::hypot(left(dx), left(dy))));
-        const std::int64_t most_mm = std::max<std::int64_t>(across_mm - 2 * d.body.radius_mm, 0);
-        if (!other.lookahead.duration || own.separation_mm <= most_mm) continue;
+        const auto across_mm = farthest_apart_mm(s, fence, back_mm);
+        if (!across_mm) continue;
+        const std::int64_t most_mm = std::max<std::int64_t>(*across_mm - 2 * d.body.radius_mm, 0);
+        if (own.separation_mm <= most_mm) continue;
         return quoted(m.name) + " asks for a distance of " + metres(own.separation_mm) +
                ", and no two robots are more than " + metres(most_mm) +
-               " apart where both are given back in " + quoted(zone.name);
+               " apart where both are given back in " + quoted(s.module[fence].name);
       }
     }
   }

@@ -54,6 +54,51 @@ TEST_F(CommonPlace, WhatIsSaidToBeMissingIsWhatWorks) {
   }
 }
 
+// Two robots that have to be apart: how far they can be is asked of what is left of the zone,
+// whatever box it fills.
+TEST_F(CommonPlace, HowFarTwoCanBeApartDoesNotDependOnTheAxes) {
+  const auto two_in = [](const std::string& cell, const std::string& position,
+                         const std::string& velocity) {
+    const Outcome o = verified("spec cells;\nzone cell = " + cell +
+                                   ";\nrobot Bot {\n  sense position : " + position +
+                                   " error 3 cm max_age 100 ms;\n  sense velocity : " + velocity +
+                                   R"( error 4 cm/s max_age 100 ms;
+  body radius 30 cm;
+  motion point { speed <= 1 m/s; accel <= 1.5 m/s^2; brake >= 1.5 m/s^2; }
+  hears other robots max_age 100 ms;
+  output thrust : acceleration;
+  latency 80 ms;
+}
+fleet a, b : Bot;
+controller drive : advanced for Bot extern;
+controller stop : safe for Bot = brake_and_hold;
+controller stay : safe for Bot = brake_and_hold;
+monitor walls for r : Bot { "R1" always r inside cell; recover stop; hold when violated "a test"; }
+monitor apart for r : Bot {
+  "R2" always forall q : Bot, q != r : distance(r, q) >= 40 cm;
+  recover stay; hold when violated "a test";
+}
+decision d for Bot { advanced drive; period 100 ms; priority apart > walls; }
+)",
+                               {"--format", "json"});
+    return statuses(o.out, "joint return", "").front();
+  };
+  const auto square = [&](const std::string& half) {
+    return two_in("polygon [(0 m, -" + half + " m), (" + half + " m, 0 m), (0 m, " + half +
+                      " m), (-" + half + " m, 0 m)]",
+                  "point", "vector");
+  };
+  EXPECT_EQ(square("2.6"), "refuted");
+  EXPECT_EQ(square("4"), "proved");
+  const auto box = [&](const std::string& side) {
+    return two_in("prism (rectangle (0 m, 0 m) to (" + side + " m, " + side + " m)) from 0 m to " +
+                      side + " m",
+                  "point3", "vector3");
+  };
+  EXPECT_EQ(box("3.7"), "refuted");
+  EXPECT_EQ(box("6"), "proved");
+}
+
 // By other code.
 TEST_F(CommonPlace, ANarrowOneIsFoundAgain) {
   ASSERT_EQ(joint(500 + missing_mm(500)), "proved");
