@@ -311,7 +311,7 @@ class Places {
   // to return to, and between the zones of a choice a body is always in one of them.
   std::string works(const ir::Recovery& step) const {
     Region all = Region::everywhere();
-    for (const Kept& each : kept_) all = all.intersect(united(each));
+    for (const Kept& each : kept_) all = all.intersect(deep(each));
     if (all.empty()) {
       return "zones that overlap work, or `brake_and_hold` with `hold when violated \"why\"`";
     }
@@ -330,7 +330,11 @@ class Places {
       const auto none = between(all, each.zones, exact_, keeps_mm - rounded_mm, keeps_mm);
       return none && none->empty();
     });
-    const auto returns = within(all, step.return_clearance_mm);
+    // what the zone itself keeps off is no part of what its places have to
+    std::int64_t kept_off_mm = 0;
+    for (const Kept& each : kept_) kept_off_mm = std::max(kept_off_mm, off_mm(each));
+    const std::int64_t back_mm = step.return_clearance_mm - kept_off_mm;
+    const auto returns = within(all, back_mm);
     if (!inside) {
       return "a choice of zones that overlap by more than " + metres(2 * keeps_mm) +
              " works, with a recovery within their union";
@@ -339,9 +343,23 @@ class Places {
       return "a recovery within " + written() +
              " works that is so wide somewhere that a place has a "
              "clearance of " +
-             metres(step.return_clearance_mm);
+             metres(back_mm);
     }
     return "a recovery within " + written() + " works: it finds its ways inside";
+  }
+  // What is asked of a zone beyond touching its boundary, where the property names no other one in
+  // its place: its ways know nothing of that, so that the zone has to.
+  std::int64_t off_mm(const Kept& kept) const {
+    if (kept.zones.size() != 1) return 0;
+    std::int64_t most_mm = 0;
+    for (const Standoff& each : fence_standoffs(monitor_.property, decision_.facts.params)) {
+      if (each.zone == kept.zones[0]) most_mm = std::max(most_mm, each.mm);
+    }
+    return most_mm > touching_mm ? most_mm : 0;
+  }
+  Region deep(const Kept& kept) const {
+    const std::int64_t mm = off_mm(kept);
+    return mm == 0 ? united(kept) : shrunk(exact_(kept.zones[0]), mm);
   }
   Region united(const Kept& kept) const {
     Region all;
@@ -349,10 +367,17 @@ class Places {
     return all;
   }
   std::string written() const {
-    if (kept_.size() == 1 && kept_[0].zones.size() == 1) return name_of(kept_[0].zones[0]);
+    if (kept_.size() == 1 && kept_[0].zones.size() == 1 && off_mm(kept_[0]) == 0) {
+      return name_of(kept_[0].zones[0]);
+    }
     std::string all;
     for (const Kept& each : kept_) {
       const bool several = each.zones.size() > 1 && kept_.size() > 1;
+      if (const std::int64_t mm = off_mm(each); mm > 0) {
+        all += (all.empty() ? "" : " & ") + std::string("shrink(") + bare_names_of(each.zones, "") +
+               ", " + metres(mm) + ")";
+        continue;
+      }
       all += (all.empty() ? "" : " & ") + std::string(several ? "(" : "") +
              bare_names_of(each.zones, " | ") + (several ? ")" : "");
     }
