@@ -109,8 +109,8 @@ void row(const char* name, int period_ms, const Flight& f) {
 TEST(Share, OfAnAdvancedControllerThatPushesAtTheWall) {
   const int periods_ms[] = {50, 100, 200, 400};
   constexpr double most = 0.5, first_push = 0.01;  // A = b; from the middle to the wall
-  const double least_any[] = {0.42, 0.38, 0.28, 0.16};
-  const double least_command[] = {0.45, 0.44, 0.39, 0.28};
+  const double least_any[] = {0.44, 0.40, 0.32, 0.17};
+  const double least_command[] = {0.46, 0.45, 0.39, 0.28};
   const Flight any[] = {FLIGHTS(share_any_50), FLIGHTS(share_any_100), FLIGHTS(share_any_200),
                         FLIGHTS(share_any_400)};
   const Flight command[] = {FLIGHTS(share_command_50), FLIGHTS(share_command_100),
@@ -120,8 +120,8 @@ TEST(Share, OfAnAdvancedControllerThatPushesAtTheWall) {
     row("command", periods_ms[i], command[i]);
     EXPECT_GT(any[i].share, least_any[i]);
     EXPECT_GT(command[i].share, least_command[i]);
-    // a fifth more, or nine tenths of all that there is
-    EXPECT_GT(command[i].share, std::min(1.2 * any[i].share, 0.9 * most));
+    // a tenth of all that there is more, or nine tenths of it
+    EXPECT_GT(command[i].share, std::min(any[i].share + 0.1 * most, 0.9 * most));
     EXPECT_LT(command[i].share, most + first_push);
     EXPECT_LT(any[i].share, most + first_push);
   }

@@ -278,7 +278,7 @@ TEST(Rule12_1, WhatIsNotKeptTakesOverAndIsNotHandedBack) {
   ASSERT_EQ(s.tick(8'000, 600).mode, walls + 1);
   ASSERT_EQ(s.tick(9'750, 600).mode, side + 1);
   for (int n = 0; n < 5; ++n) {
-    const shared_drive_out& out = s.tick(9'480, 600);
+    const shared_drive_out& out = s.tick(9'440, 600);
     EXPECT_TRUE(s.engaged(walls));
     ASSERT_EQ(out.mode, side + 1);
     EXPECT_EQ(out.monitors[side].ahead, SHARED_VERDICT_TRUE);
@@ -306,7 +306,7 @@ TEST(Rule12_1, AFasterRecoveryIsLookedAheadBeforeItDrives) {
   ASSERT_EQ(s.tick(5'000, 10'000, 1'700, 0).mode, calm + 1);
   s.tick(5'000, 10'000);
   // creeping, at rest, near both boundaries
-  const shared_drive_out& out = s.tick(9'506, 510);
+  const shared_drive_out& out = s.tick(9'450, 560);
   EXPECT_TRUE(s.engaged(walls));
   EXPECT_EQ(out.monitors[side].ahead, SHARED_VERDICT_TRUE);
   EXPECT_TRUE(s.engaged(side));
@@ -318,7 +318,7 @@ TEST(Rule12_1, AFasterRecoveryDrivesWhereThereIsRoomForIt) {
   ASSERT_EQ(s.tick(5'000, 10'000).mode, 0);
   ASSERT_EQ(s.tick(5'000, 10'000, 1'700, 0).mode, calm + 1);
   s.tick(5'000, 10'000);
-  const shared_drive_out& out = s.tick(9'000, 510);
+  const shared_drive_out& out = s.tick(8'900, 560);
   EXPECT_TRUE(s.engaged(walls));
   EXPECT_FALSE(s.engaged(side));
   EXPECT_NE(out.mode, side + 1);
