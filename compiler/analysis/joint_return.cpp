@@ -15,8 +15,8 @@ namespace {
 
 using geometry::Region;
 
-// What offsets of regions round, in mm.
-constexpr std::int64_t rounded_mm = 3;
+// What offsets of regions round, in mm (geometry/region.h, `offset_excess_um`).
+constexpr std::int64_t rounded_mm = 1;
 
 // In the message, and in that of no other report of its code.
 constexpr const char* together = " can never hand control back together with ";

@@ -48,8 +48,19 @@ int refuse(Compilation& c, diag::Code code, std::string message, std::string hel
   return exit_usage;
 }
 
-// What z3 says of a script: `unsat` on every line, or else something is not proved. One that has
-// not ended once is not asked again.
+// How often a script asks.
+std::size_t questions_of(const std::string& script) {
+  const std::string question = "(check-sat)";
+  std::size_t count = 0;
+  for (std::size_t at = script.find(question); at != std::string::npos;
+       at = script.find(question, at + question.size())) {
+    ++count;
+  }
+  return count;
+}
+
+// What z3 says of a script: `unsat` to every question, or else something is not proved. One that
+// has not ended once is not asked again.
 std::optional<recheck::Doubt> ask(const std::string& script, const std::string& folder,
                                   bool& hangs) {
   const std::string file = folder + "/lemma.smt2", said = folder + "/said";
@@ -65,18 +76,24 @@ std::optional<recheck::Doubt> ask(const std::string& script, const std::string& 
   }
   if (!result.started) return recheck::Doubt{false, "z3 cannot be started: " + result.problem};
   const std::string answer = read_file(said).value_or("");
-  std::size_t from = 0;
-  bool any = false;
+  std::size_t from = 0, answers = 0;
   while (from < answer.size()) {
     const std::size_t end = std::min(answer.find('\n', from), answer.size());
     const std::string line = answer.substr(from, end - from);
     from = end + 1;
-    any = true;
+    ++answers;
     if (line == "unsat") continue;
     if (line == "sat") return recheck::Doubt{true, "z3 has found a case in which it is false"};
     return recheck::Doubt{false, "z3 says: " + line};
   }
-  if (!any) return recheck::Doubt{false, "z3 has said nothing"};
+  if (answers == 0) return recheck::Doubt{false, "z3 has said nothing"};
+  if (answers != questions_of(script)) {
+    return recheck::Doubt{false, "z3 has answered " + std::to_string(answers) + " of " +
+                                     std::to_string(questions_of(script)) + " questions"};
+  }
+  if (result.status != 0) {
+    return recheck::Doubt{false, "z3 has ended with status " + std::to_string(result.status)};
+  }
   return std::nullopt;
 }
 

@@ -142,15 +142,30 @@ std::vector<Need> seen_needs(const Subject& s, const ir::Monitor& m) {
   }
   return needs;
 }
-// Of these, the zones that the robot has to be in at once.
+// The zones that a plan has to be in whichever way a property holds.
+void sure_of_plan(const ir::Block& block, ir::ValueId id, std::vector<ir::ZoneIndex>& sure) {
+  if (const auto* both = std::get_if<ir::And>(&block[id].op)) {
+    sure_of_plan(block, both->a, sure);
+    sure_of_plan(block, both->b, sure);
+  } else if (const auto* plan = std::get_if<ir::PlanInZone>(&block[id].op)) {
+    sure.push_back(plan->zone);
+  }
+}
+// Of these, the zones that the robot, or its plan, has to be in at once.
 std::vector<Need> held_together(const Subject& s, const ir::Monitor& m,
                                 const std::vector<Need>& needs) {
-  if (s.decision.on_plan) return {};
-  const auto sure = analysis::fences_of(m.property, s.decision.facts.params);
+  std::vector<ir::ZoneIndex> sure;
+  if (s.decision.on_plan) {
+    sure_of_plan(m.property, m.property.result, sure);
+  } else {
+    sure = analysis::fences_of(m.property, s.decision.facts.params);
+  }
   std::vector<Need> together;
   std::ranges::copy_if(needs, std::back_inserter(together), [&](const Need& need) {
     return std::ranges::find(sure, need.zone) != sure.end();
   });
+  // on the boundary of both a plan is in neither
+  for (Need& need : together) need.clearance_mm = std::max<std::int64_t>(need.clearance_mm, 1);
   return together;
 }
 // Of an `or` one side will do.
@@ -421,6 +436,23 @@ std::optional<std::int64_t> farthest_apart_mm(const Subject& s, ir::ZoneIndex fe
   return std::llround(std::ceil(std::hypot(1000 * most_m, up_mm)));
 }
 
+// Whether discs around the robots that overlap nowhere would take more than all that is within
+// their radius of where the robots may be: of places of the plane.
+bool crowded(const Subject& s, ir::ZoneIndex fence, std::int64_t clearance_mm,
+             std::int64_t separation_mm) {
+  constexpr double quarter_pi = 0.785398;  // rounded down
+  const ir::Decision& d = s.decision;
+  const ir::ZoneTable& zone = s.module[fence];
+  if (d.robots < 3 || d.body.in_space || zone.has_height() || zone.edges.empty()) return false;
+  const auto deep =
+      analysis::within(s.exact(fence), std::max<std::int64_t>(clearance_mm - rounded_mm, 0));
+  const std::int64_t apart_mm = separation_mm + 2 * d.body.radius_mm;
+  const auto around = deep ? deep->offset(analysis::metres_of(apart_mm) / 2) : std::nullopt;
+  if (!around) return false;
+  const double apart_m = static_cast<double>(apart_mm) / 1000;
+  return static_cast<double>(d.robots) * quarter_pi * apart_m * apart_m > around->area().get_d();
+}
+
 // That no two robots of the decision are ever as far apart as one of its properties asks for, in a
 // zone that another one holds all of them in; "": that is not known.
 std::string never_so_far_apart(const Subject& s) {
@@ -437,6 +469,13 @@ std::string never_so_far_apart(const Subject& s) {
         const auto across_mm = farthest_apart_mm(s, fence, back_mm);
         if (!across_mm) continue;
         const std::int64_t most_mm = std::max<std::int64_t>(*across_mm - 2 * d.body.radius_mm, 0);
+        if (own.separation_mm > 0 && own.separation_mm <= most_mm &&
+            crowded(s, fence, back_mm, own.separation_mm)) {
+          return quoted(m.name) + " asks for a distance of " + metres(own.separation_mm) +
+                 ", and " + std::to_string(d.robots) +
+                 " robots that are so far apart do not fit where they are given back in " +
+                 quoted(s.module[fence].name);
+        }
         if (own.separation_mm <= most_mm) continue;
         return quoted(m.name) + " asks for a distance of " + metres(own.separation_mm) +
                ", and no two robots are more than " + metres(most_mm) +

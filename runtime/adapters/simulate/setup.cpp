@@ -38,6 +38,21 @@ double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths
   return least;
 }
 
+// Whether robots at rest have the lengths that they need to spare; what charges have to spare is
+// another matter.
+bool stands(const DecisionCase& d, const std::vector<TruthState>& truths) {
+  for (const sim::Property& p : d.properties) {
+    const bool of_lengths =
+        sim::steepness_per_m(p) > 0 || sim::speaks_of(p, sim::PropertyOp::agent_distance);
+    if (!of_lengths) continue;
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+      const double margin = margin_of(p, scene_of(d.surroundings, truths, static_cast<int>(i)));
+      if (margin < d.standing_m) return false;
+    }
+  }
+  return true;
+}
+
 const Start* named(const Scenario& scenario, const std::string& robot) {
   for (const auto& [name, start] : scenario.starts) {
     if (name == robot) return &start;
@@ -71,16 +86,16 @@ bool place(const DecisionCase& d, const Field& field, const Start* fixed, Random
     if (fixed != nullptr && fixed->place) return true;  // as the author of the scenario wants it
     const double margin = least_margin(d, truths);
     if (margin < 0) continue;
-    if (margin > best_margin) {
+    if (margin > best_margin && stands(d, truths)) {
       best_margin = margin;
       best = truth;
     }
     ++admissible;
     if (margin >= std::max(wide, d.standing_m)) break;
-    if (admissible >= tries_wide && best_margin >= d.standing_m) break;
+    if (admissible >= tries_wide && best_margin >= 0) break;
   }
   truths.back() = best;
-  return best_margin >= d.standing_m;
+  return best_margin >= 0;
 }
 
 // All at once, for properties that hold of nobody who is alone: somebody is near. The first places
@@ -93,7 +108,7 @@ bool place_together(const DecisionCase& d, const Field& field, const Scenario& s
     for (std::size_t i = 0; i < truths.size(); ++i) {
       draw(d, field, named(scenario, d.robots[i]), random, truths[i]);
     }
-    if (least_margin(d, truths) >= d.standing_m) return true;
+    if (least_margin(d, truths) >= 0 && stands(d, truths)) return true;
   }
   return false;
 }

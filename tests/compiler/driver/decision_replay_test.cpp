@@ -59,9 +59,9 @@ TEST_F(ReplayDecision, FindingsOfEveryTick) {
   EXPECT_EQ(o.out,
             "tick,time,walls.verdict,walls.margin,walls.unit,walls.ahead,walls.ahead.margin,"
             "walls.ahead.unit,mode,monitor,reason\n"
-            "0,0,true,2.299,m,true,2.12,m,pilot,,\n"
+            "0,0,true,2.299,m,true,2.106,m,pilot,,\n"
             "1,0.05,true,2.299,m,false,-0.302,m,back_off,walls,leg 1\n"
-            "2,0.10,false,-0.181,m,false,-0.36,m,back_off,walls,violated\n");
+            "2,0.10,false,-0.181,m,false,-0.374,m,back_off,walls,violated\n");
 }
 
 TEST_F(ReplayDecision, WithoutAViolationTheExitCodeIs0) {
@@ -152,8 +152,8 @@ TEST_F(ReplayDecision, SeveralRobots) {
             "d1.walls.ahead.margin,d1.walls.ahead.unit,d1.mode,d1.monitor,d1.reason,"
             "d2.walls.verdict,d2.walls.margin,d2.walls.unit,d2.walls.ahead,"
             "d2.walls.ahead.margin,d2.walls.ahead.unit,d2.mode,d2.monitor,d2.reason\n"
-            "0,0,true,2.299,m,true,2.12,m,pilot,,,"
-            "false,-0.181,m,false,-0.36,m,back_off,walls,violated\n");
+            "0,0,true,2.299,m,true,2.106,m,pilot,,,"
+            "false,-0.181,m,false,-0.374,m,back_off,walls,violated\n");
   EXPECT_EQ(rtac({"replay", "fleet.rta", "two.csv", "--engine", "interp"}).out,
             "tick,time,d1.walls.verdict,d1.walls.margin,d1.walls.unit,"
             "d2.walls.verdict,d2.walls.margin,d2.walls.unit\n"
@@ -174,10 +174,10 @@ TEST_F(ReplayDecision, BesideMonitorsWithoutARobot) {
   EXPECT_EQ(o.out,
             "tick,time,calm.verdict,calm.margin,calm.unit,walls.verdict,walls.margin,walls.unit,"
             "walls.ahead,walls.ahead.margin,walls.ahead.unit,mode,monitor,reason\n"
-            "0,0,true,9,m/s,true,2.299,m,true,2.12,m,pilot,,\n"
-            "1,0.02,true,9,m/s,true,2.299,m,true,2.12,m,pilot,,\n"
-            "1,0.03,true,9,m/s,true,2.297,m,true,2.107,m,pilot,,\n"
-            "2,0.05,false,-1,m/s,true,2.297,m,true,2.107,m,pilot,,\n")
+            "0,0,true,9,m/s,true,2.299,m,true,2.106,m,pilot,,\n"
+            "1,0.02,true,9,m/s,true,2.299,m,true,2.106,m,pilot,,\n"
+            "1,0.03,true,9,m/s,true,2.297,m,true,2.095,m,pilot,,\n"
+            "2,0.05,false,-1,m/s,true,2.297,m,true,2.095,m,pilot,,\n")
       << o.err;
   EXPECT_EQ(rtac({"replay", "both.rta", "both.csv", "--monitor", "walls"}).out.substr(0, 23),
             "tick,time,walls.verdict");

@@ -429,7 +429,7 @@ TEST_F(Verify, WithoutAModelCheckerNothingIsSaidOfSwitching) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
-  EXPECT_NE(o.out.find("`timeout` is not installed"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("no program is called `timeout`"), std::string::npos) << o.out;
 }
 // Programs of that name which never end, or are not there, stand before those that do.
 class Hanging : public Verify {
@@ -481,6 +481,18 @@ TEST_F(Hanging, ASolverLeavesItUnknownAndIsAskedOnce) {
   EXPECT_NE(again.out.find("z3 has not ended within 20 s"), std::string::npos) << again.out;
   EXPECT_NE(again.out.find("z3 is not asked, since it has not ended before"), std::string::npos)
       << again.out;
+}
+// Half of an answer is none, nor is that of a solver which was killed.
+TEST_F(Hanging, ASolverThatDiesHasProvedNothing) {
+  ASSERT_EQ(verified(drone_spec(), {"-o", "certificates"}).status, exit_clean);
+  stands_in("z3", "echo unsat; kill -SEGV $$");
+  Outcome again = recheck_sealed_anew();
+  EXPECT_EQ(again.status, exit_inconclusive) << again.out << again.err;
+  EXPECT_NE(again.out.find("z3 has answered 1 of "), std::string::npos) << again.out;
+  stands_in("z3", "for k in $(seq $(grep -c '(check-sat)' \"$2\")); do echo unsat; done; exit 137");
+  again = recheck_sealed_anew();
+  EXPECT_EQ(again.status, exit_inconclusive) << again.out << again.err;
+  EXPECT_NE(again.out.find("z3 has ended with status 137"), std::string::npos) << again.out;
 }
 TEST_F(Verify, ZonesThatShareNoRoomHaveNoJointReturn) {
   std::string text = edited(drone_spec(), "decision fly", R"(
