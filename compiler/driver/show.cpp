@@ -53,15 +53,17 @@ Json aimed_at_turns(const std::string& charge) {
 }
 
 // A recovery that lasts for ever takes its time: until it has spent what robots had at a fence, of
-// batteries neither full nor empty.
-Json aimed_at_rest(const std::vector<std::string>& robots, const std::string& charge) {
+// batteries neither full nor empty. Who only pushes may do so beside a dock, which charges them.
+std::vector<Json> aimed_at_rest(const std::vector<std::string>& robots, const std::string& charge) {
   Json rests = Json::object();
   rests["about"] = charge;
-  rests["adversary"] = "push-at-fence";
   rests["duration_s"] = 3600;
-  rests["runs"] = 6;
   for (const std::string& robot : robots) rests["starts"][robot]["battery"] = 0.4;
-  return rests;
+  Json pushed = rests;
+  pushed["adversary"] = "push-at-fence";
+  pushed["runs"] = 6;
+  rests["runs"] = 12;  // as many as there are adversaries
+  return {std::move(pushed), std::move(rests)};
 }
 
 // From where the recovery of one monitor leads to where another one is false.
@@ -127,7 +129,9 @@ std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& 
   for (const verify::Start& start : o.starts) all.push_back(aimed_at_start(o, start, robots));
   all.push_back(std::move(anywhere));
   all.push_back(std::move(tight));
-  if (o.kind == Kind::keeps && o.monitor == charge) all.push_back(aimed_at_rest(robots, charge));
+  if (o.kind == Kind::keeps && o.monitor == charge) {
+    for (Json& rests : aimed_at_rest(robots, charge)) all.push_back(std::move(rests));
+  }
   if (robots.size() > 1) all.push_back(std::move(deaf));
   if (o.kind != Kind::p1a) return all;
   // its errors may be hidden by what other bounds have to spare
