@@ -24,6 +24,7 @@ std::optional<Standoff> stays_put(const ir::Module& module, const ir::Decision& 
   std::optional<geometry::Region> deep;
   for (const ir::ZoneIndex fence : sure_fences(judged.property, decision.facts.params)) {
     if (module[fence].has_height() || fence == step.zone) continue;
+    if (!exact(step.zone).contains(exact(fence))) continue;  // an offset takes longer
     if (!deep) deep = within(exact(step.zone), deep_mm);
     if (!deep) return std::nullopt;
     if (deep->contains(exact(fence))) return Standoff{fence, deep_mm};

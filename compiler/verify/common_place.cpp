@@ -20,8 +20,8 @@ bool is_clear(const Subject& s, const std::vector<Need>& all, const Point& p) {
   });
 }
 
-// Where the rings of a polygon cross a horizontal line that passes through none of their vertices,
-// from left to right: between the first and the second it is inside, and so on.
+// Where the rings of a polygon cross a horizontal line, from left to right: between the first and
+// the second it is inside, and so on. A vertex on the line counts as above it.
 std::vector<Rational> crossings(const geometry::PolygonWithHoles& polygon, const Rational& y) {
   std::vector<Rational> all;
   const auto of_ring = [&](const geometry::Ring& ring) {

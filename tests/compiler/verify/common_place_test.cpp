@@ -14,19 +14,8 @@ class CommonPlace : public Verify {
     return "spec halls;\n"
            "zone west = rectangle (0 m, 0 m) to (12 m, 10 m);\n"
            "zone east = rectangle (" +
-           std::to_string(12'000 - overlap_mm) +
-           " mm, 0 m) to (24 m, 10 m);\n"
-           R"(robot Rover {
-  body radius 20 cm;
-  motion point { speed <= 1.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
-  sense position : point error 2 cm max_age 50 ms;
-  sense velocity : vector error 2 cm/s max_age 50 ms;
-  output thrust : acceleration;
-  latency 10 ms;
-}
-fleet r1 : Rover;
-controller drive : advanced for Rover extern;
-controller stop : safe for Rover = brake_and_hold;
+           std::to_string(12'000 - overlap_mm) + " mm, 0 m) to (24 m, 10 m);\n" + a_rover +
+           R"(controller stop : safe for Rover = brake_and_hold;
 monitor in_west for r : Rover { "R1" always r inside west; recover stop; hold when violated "a test"; }
 monitor in_east for r : Rover { "R2" always r inside east; recover stop; hold when violated "a test"; }
 decision d for Rover { advanced drive; period 50 ms; priority in_west > in_east; }

@@ -17,19 +17,7 @@ class StaysPut : public Verify {
     return "spec nested;\n"
            "zone yard = rectangle (0 m, 0 m) to (30 m, 30 m);\n"
            "zone work = " +
-           work +
-           ";\n"
-           R"(robot Rover {
-  body radius 20 cm;
-  motion point { speed <= 1.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
-  sense position : point error 2 cm max_age 50 ms;
-  sense velocity : vector error 2 cm/s max_age 50 ms;
-  output thrust : acceleration;
-  latency 10 ms;
-}
-fleet r1 : Rover;
-controller drive : advanced for Rover extern;
-site home = (15 m, 15 m);
+           work + ";\n" + a_rover + R"(site home = (15 m, 15 m);
 controller in_yard : safe for Rover = )" +
            recovery + R"(;
 controller in_work : safe for Rover = retreat within work speed 0.4 m/s;

@@ -36,4 +36,17 @@ class Verify : public InFolder {
 };
 using Statuses = std::vector<std::string>;
 
+// A point mass, alone, that nobody pushes.
+inline const std::string a_rover = R"(robot Rover {
+  body radius 20 cm;
+  motion point { speed <= 1.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 10 ms;
+}
+fleet r1 : Rover;
+controller drive : advanced for Rover extern;
+)";
+
 }  // namespace rtac::driver::test
