@@ -390,4 +390,18 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
   return seconds + Rational(static_cast<long>(dwell_us + after_us), 1'000'000);
 }
 
+std::int64_t patience_s(const sema::RobotKind& kind, const ir::Module& module,
+                        const ir::Decision& decision, const ir::Recovery& recovery) {
+  const ir::Recovery& last = ir::last_step(recovery);
+  const bool moves = ir::moves(last.kind) && last.kind != ir::RecoveryKind::yield;
+  if (!moves || decision.body.in_space) return 0;
+  const ir::ZoneTable& zone = module[last.zone];
+  const auto [dx, dy, up] = extent_of(module, zone);
+  std::int64_t edges_mm = 0;
+  for (const ir::Edge& e : zone.edges) edges_mm += std::abs(e.bx - e.ax) + std::abs(e.by - e.ay);
+  const Rational speed(static_cast<long>(last.speed_mmps), 1000);
+  const Rational slowest = speed - lasting_speed(kind, decision.period_us);
+  return ceil_to_int(Rational(2 * Rational(edges_mm / 2 + dx + dy, 1000) / slowest));
+}
+
 }  // namespace rtac::analysis

@@ -59,4 +59,10 @@ Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,
                                        const ir::Decision& decision, const ir::Recovery& recovery);
 
+// How long a run waits for control to return before it takes it that it does not, in s: twice as
+// long as the longest shortest way in such a zone, along half of all of its edges and across. It
+// proves nothing. 0: it does not move in the plane.
+std::int64_t patience_s(const sema::RobotKind& kind, const ir::Module& module,
+                        const ir::Decision& decision, const ir::Recovery& recovery);
+
 }  // namespace rtac::analysis

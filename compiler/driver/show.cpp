@@ -41,14 +41,14 @@ bool in_motion(const Obligation& o) {
          o.not_shown.empty();
 }
 
-// What recoveries that take over from each other without end cost: the charge that was to lead
-// home. As long as a battery lasts that is only just enough.
-Json aimed_at_turns(const std::string& charge) {
+// What recoveries cost that take over from each other without end, or that wait for each other: the
+// charge that was to lead home. As long as a battery lasts that is only just enough.
+Json aimed_at_charge(const std::string& charge, int runs, int duration_s) {
   Json drained = Json::object();
   drained["about"] = charge;
-  drained["runs"] = 20;
+  drained["runs"] = runs;
   drained["starts"] = "tight";
-  drained["duration_s"] = 3600;
+  drained["duration_s"] = duration_s;
   return drained;
 }
 
@@ -95,17 +95,20 @@ Json aimed_at_start(const Obligation& o, const verify::Start& start,
 std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& robots,
                            const std::string& charge) {
   if (o.in_turns) {
-    return charge.empty() ? std::vector<Json>() : std::vector<Json>{aimed_at_turns(charge)};
+    if (charge.empty()) return {};
+    return {aimed_at_charge(charge, 20, 3600)};
   }
+  // with each of the adversaries
+  if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};
   Json about = Json::object();
   if (!o.monitor.empty()) about["about"] = o.monitor;
   std::vector<Json> all;
   if (about_return(o)) {
-    // no recovery of a fleet that fits its field takes longer to begin, and none to charge
-    const bool charges = !charge.empty() && o.monitor == charge;
-    const int kept_s = charges ? 1200 : 30;
+    constexpr std::int64_t begins_s =
+        30;  // no recovery of a fleet that fits its field takes longer
+    const std::int64_t kept_s = o.patience_s + begins_s;
     about["return_within_s"] = kept_s;
-    about["duration_s"] = 3 * kept_s;
+    about["duration_s"] = 2 * kept_s + begins_s;
     about["runs"] = 20;
     if (o.place_mm) {
       Json there = about;
@@ -167,7 +170,8 @@ class Showing {
       if (status == exit_violation) return keep(trace, o);
       cut = cut || table.find("the time was up") != std::string::npos;
     }
-    if (o.in_turns) return;  // nothing is claimed: the model may have runs that no robot has
+    // nothing is claimed: the model may have runs that no robot has, and others keep to `held`
+    if (o.in_turns || o.declared) return;
     o.not_shown = tried == 0 ? "the time was up"
                   : cut      ? "no run under attack has shown it until the time was up"
                              : "no run under attack has shown it";
@@ -239,11 +243,16 @@ void show(const Options& options, Simulator& simulator, Compilation& c, verify::
   Showing showing(options, simulator, c);
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
-      if (in_motion(o) || o.in_turns) showing.show(d, o);
-      if (!o.in_turns || !has_shown(o)) continue;
+      if (in_motion(o) || o.in_turns || o.declared) showing.show(d, o);
+      if (!(o.in_turns || o.declared) || !has_shown(o)) continue;
       o.status = verify::Status::refuted;
-      o.because += std::string(", and so do they in a ") + (o.trace.empty() ? "" : "recorded ") +
-                   "run, until a property fails";
+      o.claims.clear();
+      const std::string run = std::string(o.trace.empty() ? "" : "recorded ") + "run";
+      if (o.in_turns) {
+        o.because += ", and so do they in a " + run + ", until a property fails";
+      } else {
+        o.because += "; in a " + run + " they keep it waiting until `" + o.monitor + "` fails";
+      }
     }
   }
 }

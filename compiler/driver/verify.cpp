@@ -30,11 +30,11 @@ int exit_code(verify::Status worst) {
   return exit_clean;
 }
 
-// Recoveries may take over from each other for ever: a run may show what that costs.
-bool in_turns(const verify::Report& report) {
+// Nothing is refuted yet, but a run may do so.
+bool asks_for_runs(const verify::Report& report) {
   for (const verify::Decision& d : report.decisions) {
     for (const verify::Obligation& o : d.obligations) {
-      if (o.in_turns) return true;
+      if (o.in_turns || o.declared) return true;
     }
   }
   return false;
@@ -58,7 +58,7 @@ int simulate_findings(const Options& options, Compilation& c, verify::Report& re
   }
   if (built != exit_clean) {
     leave_unshown(report, aside.diagnostics.all().front().message);
-  } else if (verify::worst(report) == verify::Status::refuted || in_turns(report)) {
+  } else if (verify::worst(report) == verify::Status::refuted || asks_for_runs(report)) {
     show(options, simulator, aside, report);
   }
   c.spec = std::move(aside.spec);
@@ -73,7 +73,8 @@ int verify(const Options& options, Compilation& c, std::ostream& out) {
                                          c.diagnostics.all(), check_model);
   verify::Status worst = verify::worst(report);
   if (c.diagnostics.has_errors() && worst != verify::Status::refuted) return exit_spec_errors;
-  if (c.module && (options.conservatism || worst == verify::Status::refuted || in_turns(report))) {
+  if (c.module &&
+      (options.conservatism || worst == verify::Status::refuted || asks_for_runs(report))) {
     if (const int refused = simulate_findings(options, c, report); refused != exit_clean) {
       return refused;
     }

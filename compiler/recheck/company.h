@@ -11,4 +11,11 @@ namespace rtac::recheck {
 bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
                    const sema::Expr& property);
 
+bool speaks_of_charge(const sema::Expr& property);
+
+// Whether others may keep a recovery waiting while it spends what a property says of charge: it
+// moves among robots that keep a distance. How long is declared (`held`, rule 6.7).
+bool waits_for_others(const sema::Spec& spec, const sema::Decision& decision,
+                      const sema::Controller& recovery, const sema::Expr& property);
+
 }  // namespace rtac::recheck

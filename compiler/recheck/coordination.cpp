@@ -32,7 +32,7 @@ bool shown_to_keep(const sema::Spec& spec, const sema::Decision& d, const Part& 
   if (judged.recover == driving.recover) return true;
   if (d.coordinated && answers_to_inputs(*judged.always)) return false;
   const Entry* const e = find(part, "C", judged.name, spec[*driving.recover].name);
-  return e != nullptr && e->status == "proved" && claim_of(*e, "outranks") == nullptr &&
+  return e != nullptr && is_shown(*e) && claim_of(*e, "outranks") == nullptr &&
          claim_of(*e, "coordinated") == nullptr;
 }
 

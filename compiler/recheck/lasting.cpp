@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
@@ -136,15 +137,6 @@ std::optional<Doubt> ends(const sema::Spec& spec, const sema::Decision& d, Claim
     after = std::max(after, holds_for(*m.return_when));
   }
   return std::nullopt;
-}
-
-bool speaks_of_charge(const sema::Expr& property) {
-  bool speaks = false;
-  sema::for_each_expr(property, [&](const sema::Expr& e) {
-    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-    speaks = speaks || (signal != nullptr && signal->signal == sema::Signal::battery);
-  });
-  return speaks;
 }
 
 }  // namespace

@@ -89,12 +89,19 @@ class Check {
 
   void entry(const sema::Decision& d, const Entry& e, const Part& part) {
     ++out_.obligations;
-    if (e.status == "acknowledged") {
-      if (!accepted(d, e)) fail(whom(d, e) + ": nobody acknowledges it");
+    if (e.status == "unknown" || e.status == "refuted") return;  // nothing is claimed
+    const bool proved = e.status == "proved", declared = waits(d, e);
+    if (!proved && e.status != "acknowledged") {
+      return fail(whom(d, e) + ": `" + e.status + "` is no status");
+    }
+    if (proved && declared) {
+      return fail(whom(d, e) + ": how long others keep it waiting is declared, and not proved");
+    }
+    if (!proved && accepted(d, e)) {
+      if (!e.claims.empty()) fail(whom(d, e) + ": what is acknowledged rests on no claim");
       return;
     }
-    if (e.status == "unknown" || e.status == "refuted") return;  // nothing is claimed
-    if (e.status != "proved") return fail(whom(d, e) + ": `" + e.status + "` is no status");
+    if (!proved && !declared) return fail(whom(d, e) + ": nobody acknowledges it");
     rests_on(d, e, part);
     for (const Claim& claim : e.claims) {
       ++out_.claims;
@@ -123,6 +130,20 @@ class Check {
   std::optional<Doubt> turns(const sema::Decision& d, const Part& part, const Claim& claim) {
     if (!out_.failed.empty()) return Doubt{false, not_asked};
     return check_turns(spec_, d, part, claim, claims_, provers_.model);
+  }
+
+  // It keeps what its monitor says of charge as long as others keep to what is declared; not where
+  // that monitor takes over, or another recovery drives.
+  bool waits(const sema::Decision& d, const Entry& e) const {
+    if (e.kind != "P2a" && e.kind != "C") return false;
+    if (d.on_plan || claim_of(e, "outranks") || claim_of(e, "coordinated")) return false;
+    const sema::Monitor* const m = monitor(d, e.monitor);
+    if (m == nullptr || !m->recover) return false;
+    return std::ranges::any_of(d.priority, [&](sema::MonitorId id) {
+      const auto& recover = e.kind == "P2a" ? m->recover : spec_[id].recover;
+      if (!recover || (e.kind == "C" && spec_[*recover].name != e.recovery)) return false;
+      return waits_for_others(spec_, d, spec_[*recover], *m->always);
+    });
   }
 
   // What the specification accepts in its own words.
@@ -464,7 +485,7 @@ class Check {
                 other.recovery != e.recovery) {
               return false;
             }
-            return other.status != "proved" || guards(other, d, m, driving) ||
+            return !is_shown(other) || guards(other, d, m, driving) ||
                    coordinates(other, d, m, driving);
           });
       if (elsewhere) continue;

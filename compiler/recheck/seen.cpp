@@ -37,10 +37,19 @@ Limits limits_of(const sema::Spec& spec, const sema::Expr& property) {
     if (!above && compare->op != Op::less && compare->op != Op::less_equal) return;
     const auto sum = above ? difference(spec, *compare->left, *compare->right)
                            : difference(spec, *compare->right, *compare->left);
-    if (!sum || sum->terms.size() != 1) return;
+    if (!sum) return;
+    using Kind = Measured::Kind;
+    const auto way = std::ranges::find_if(
+        sum->terms, [](const auto& t) { return t.first.kind == Kind::energy_to && t.second < 0; });
+    const auto charge = sum->terms.find({Kind::battery, 0});
+    if (sum->terms.size() == 2 && way != sum->terms.end() && charge != sum->terms.end() &&
+        charge->second > 0) {
+      tighten(all.charge, Rational(-sum->least / charge->second),
+              false);  // no way takes less than 0
+    }
+    if (sum->terms.size() != 1) return;
     const auto& [of, times] = *sum->terms.begin();
     const Rational limit = -sum->least / times;
-    using Kind = Measured::Kind;
     if (of.kind == Kind::speed && times < 0) tighten(all.speed, limit, true);
     if (of.kind == Kind::battery && times > 0) tighten(all.charge, limit, false);
     if (of.kind == Kind::altitude) tighten(times > 0 ? all.low : all.high, limit, times < 0);

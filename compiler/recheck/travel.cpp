@@ -107,9 +107,9 @@ class Travel {
     const Rational omega = hold_frequency();
     if (!follows()) return std::nullopt;
     const Rational cells = way / cell, rests = 2 + cells / waypoints;
-    const Rational settles =
+    const Rational settled =
         log_above(Rational(Rational(23, 10) * speed_ / (omega * near))) / (Rational(7, 10) * omega);
-    const Rational leg = period_ + delay_ + oldest(kind_.position) + settles + looks_every;
+    const Rational leg = period_ + delay_ + oldest(kind_.position) + settled + looks_every;
     return way / speed_ + (cells + 1 + rests) * leg + rests * rest();
   }
 

@@ -60,4 +60,8 @@ const Claim* claim_of(const Entry& entry, const std::string& what) {
   return nullptr;
 }
 
+bool is_shown(const Entry& entry) {
+  return entry.status == "proved" || (entry.status == "acknowledged" && !entry.claims.empty());
+}
+
 }  // namespace rtac::recheck

@@ -25,5 +25,7 @@ std::optional<std::vector<Part>> read_report(const std::string& report);
 const Entry* find(const Part& part, const std::string& kind, const std::string& monitor,
                   const std::string& recovery = "");
 const Claim* claim_of(const Entry& entry, const std::string& what);
+// It is proved, or accepted as far as what others do goes, and its claims are all the rest.
+bool is_shown(const Entry& entry);
 
 }  // namespace rtac::recheck

@@ -63,10 +63,14 @@ struct Obligation {
   // Of `switching`, unknown: recoveries take over from each other for ever in a run of the model,
   // if not of a robot.
   bool in_turns = false;
+  // Of what is acknowledged: by a limit on what others do, which a run may show to be broken.
+  bool declared = false;
   // Of what is refuted: where a robot would be in trouble, in mm.
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
   // Of what is refuted: nothing but a run shows it, and without one it is unknown.
   bool by_a_run = false;
+  // Of P2b: how long a run waits for control, at least, before it counts as never given back.
+  std::int64_t patience_s = 0;
   // Of `keeps`, refuted: from where the recovery may lead out of what the property says, the
   // likeliest first.
   std::vector<Start> starts{};

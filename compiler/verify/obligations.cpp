@@ -214,6 +214,17 @@ void refute_pair(Obligation refuted, const std::string& recovery, std::vector<Ob
   }
 }
 
+// Who never gives control back does so nowhere together with others.
+void refute_joint_return(const std::string& monitor, std::vector<Obligation>& all) {
+  const auto joint = std::ranges::find(all, Kind::joint_return, &Obligation::kind);
+  if (joint == all.end() || joint->status != Status::proved) return;
+  joint->status = Status::refuted;
+  joint->method = "P2b of `" + monitor + "`";
+  joint->because = "`" + monitor + "` gives control back nowhere";
+  joint->not_shown = "a run that shows P2b shows it as well";
+  joint->claims.clear();
+}
+
 // By the place of the report: the monitor or the decision around it.
 void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, Report& report) {
   Obligation o;
@@ -243,6 +254,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   }
   // What was shown of the rest of it is no proof any more.
   auto& all = report.decisions[at].obligations;
+  if (d.code == Code::return_set_empty && !of_decision) refute_joint_return(o.monitor, all);
   const auto same = std::find_if(all.begin(), all.end(), [&](const Obligation& other) {
     return other.kind == o.kind && other.monitor == o.monitor;
   });

@@ -39,6 +39,7 @@ Obligation acknowledged(Obligation o, std::string why) {
   o.status = Status::acknowledged;
   o.method = "acknowledged";
   o.because = std::move(why);
+  o.claims.clear();
   return o;
 }
 
@@ -107,18 +108,25 @@ std::string falls_behind(const Subject& s, const ir::Recovery& recovery) {
 }
 
 // What moves is gated by distances to others. How long it waits for them nothing bounds but what is
-// declared (language rule 6.7), as a limit like any other. "": nobody is there to wait for, or
-// nothing is said of charge.
-std::string as_long_as_declared(const Subject& s, const ir::Recovery& recovery,
-                                const Atoms& atoms) {
+// declared (language rule 6.7): whoever writes `held` accepts that, and the proof is one of all the
+// rest. A run in which a battery fails counts against the monitor's own recovery, unless something
+// else may have spent the charge that the specification accepts.
+Obligation as_long_as_declared(const Subject& s, std::size_t driving, const ir::Monitor& judged,
+                               Obligation o) {
   const ir::Decision& d = s.decision;
   const bool gated = std::ranges::any_of(
       d.monitors, [](const ir::Monitor& m) { return atoms_of(m.property).distance; });
   const bool alone = d.robots == 1 && !d.open_fleet;
-  if (!gated || alone || !s.kind.energy || !(atoms.charge || atoms.energy)) return "";
-  if (!moves_within_zones(recovery)) return "";
-  return ", as long as others keep it waiting within `held`, " +
-         seconds(s.kind.energy->held.value) + " in all";
+  if (!gated || alone || !s.kind.energy || !atoms_of(judged.property).charge) return o;
+  if (!moves_within_zones(d.monitors[driving].recovery)) return o;
+  o.status = Status::acknowledged;
+  o.method = "declared";
+  o.because += ", as long as others keep it waiting within `held`, " +
+               seconds(s.kind.energy->held.value) + " in all";
+  o.declared = o.kind == Kind::p2a && std::ranges::none_of(d.acknowledgements, [&](const auto& a) {
+                 return a.monitor == judged.name;
+               });
+  return o;
 }
 
 // Of zones that come and go; each of the monitors that a recovery drives for leads out as well.
@@ -249,7 +257,7 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
   if (std::string doubt = doubt_about(s, k, k); !doubt.empty()) {
     return doubted(std::move(o), std::move(doubt));
   }
-  o.because += as_long_as_declared(s, m.recovery, atoms);
+  o = as_long_as_declared(s, k, m, std::move(o));
   o.claims.push_back(limits_claim(s));
   o.claims.push_back(recovery_claim(s, k));
   claim_zones(s, k, m, o.claims);
@@ -343,7 +351,12 @@ Obligation control_returns(const Subject& s, std::size_t k) {
   if (const std::string why = reason(s.decision, m.recovery.name, m.name); !why.empty()) {
     return acknowledged(std::move(o), why);
   }
-  return by_its_condition(s, k, led_back(s, k, std::move(o)));
+  o = by_its_condition(s, k, led_back(s, k, std::move(o)));
+  o.patience_s = analysis::patience_s(s.kind, s.module, s.decision, m.recovery);
+  if (atoms_of(m.property).charge && s.kind.energy && s.kind.energy->charge.value > 0) {
+    o.patience_s += ceil_to_int(Rational(1 / s.kind.energy->charge.value));  // from empty to full
+  }
+  return o;
 }
 
 namespace {
@@ -504,8 +517,8 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     return why.empty() ? doubted(std::move(o), std::move(doubt)) : acknowledged(std::move(o), why);
   }
   o.method = "geometry and bounds";
-  o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name) +
-              as_long_as_declared(s, i.recovery, atoms_of(j.property));
+  o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);
+  o = as_long_as_declared(s, driving, j, std::move(o));
   claim_zones(s, driving, j, o.claims);
   claim_windows(s, judged, o);
   if (atoms_of(j.property).charge && i.recovery.name != j.recovery.name) {

@@ -17,6 +17,7 @@ constexpr const char* by_errors = "sensing errors";
 // What all have to hold of, each as strict as it gets.
 struct Limits {
   std::optional<std::int64_t> most_mmps, least_ppm;
+  std::optional<std::int64_t> spare_ppm;  // beyond the way to a site, which takes some as well
   std::int64_t low_mm = std::numeric_limits<std::int32_t>::min();
   std::int64_t high_mm = std::numeric_limits<std::int32_t>::max();
 };
@@ -43,6 +44,9 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
       to.least_ppm = std::max(to.least_ppm.value_or(need), need);
     }
     if (least->leaf.kind == Kind::altitude) to.low_mm = std::max(to.low_mm, need);
+  }
+  if (const auto way = ir::charge_for_way(block, *compare, params)) {
+    to.spare_ppm = std::max(to.spare_ppm.value_or(0), way->reserve.strictest);
   }
 }
 
@@ -75,13 +79,15 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
           "a limit of " + to_decimal(Rational(static_cast<long>(shown)) / 1000) + " m/s works");
     }
   }
-  if (limits.least_ppm) {
+  if (limits.least_ppm || limits.spare_ppm) {
     const std::int64_t shown = analysis::shown_full_ppm(body);
-    if (*limits.least_ppm > shown) {
+    const std::int64_t asked = std::max(limits.least_ppm.value_or(0), limits.spare_ppm.value_or(0));
+    if (asked > shown) {
       const std::string percent = to_decimal(Rational(static_cast<long>(shown)) / 10'000) + " %";
-      return not_seen(o, *limits.least_ppm > 1'000'000 - body.battery_error_ppm, by_errors,
+      const bool whole = asked == limits.least_ppm.value_or(0);  // nothing for a way
+      return not_seen(o, asked > 1'000'000 - body.battery_error_ppm, by_errors,
                       "a full battery is sure to be seen with " + percent,
-                      "a limit of " + percent + " works");
+                      whole ? "a limit of " + percent + " works" : "");
     }
   }
   const std::int64_t room_mm = limits.high_mm - limits.low_mm;

@@ -67,6 +67,31 @@ TEST_F(Recheck, WhatIsProvedIsFoundOnceMore) {
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
 }
 
+// How long others keep a recovery waiting is no proof, and all the rest of it has to be one.
+TEST_F(Recheck, WhatIsDeclaredIsNotProvedAndRestsOnItsClaims) {
+  write_delivery();
+  const auto with = [&](const std::string& method, const auto& change) {
+    Json report = report_;
+    int found = 0;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["method"] != method) continue;
+      change(o);
+      ++found;
+    }
+    EXPECT_GT(found, 0) << method;
+    return rechecked_with(report);
+  };
+  const Outcome proved = with("declared", [](Json& o) { o["status"] = "proved"; });
+  EXPECT_EQ(proved.status, exit_violation) << proved.out;
+  EXPECT_NE(proved.out.find("is declared, and not proved"), std::string::npos) << proved.out;
+  const Outcome empty = with("declared", [](Json& o) { o["claims"] = Json::array(); });
+  EXPECT_EQ(empty.status, exit_violation) << empty.out;
+  // what is accepted in so many words is not looked at, and so lends itself to no other proof
+  const Json claim = {{"claim", "limits"}};
+  const Outcome more = with("acknowledged", [&](Json& o) { o["claims"] = Json::array({claim}); });
+  EXPECT_EQ(more.status, exit_violation) << more.out;
+}
+
 // Every bound, a little to the unsafe side.
 TEST_F(Recheck, AMutatedBoundIsNoticed) {
   const struct {

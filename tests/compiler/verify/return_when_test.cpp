@@ -109,6 +109,25 @@ TEST_F(ReturnWhen, MoreThanAFullBatteryShowsIsDenied) {
   EXPECT_EQ(rechecked().status, exit_violation);
 }
 
+// Nor are all monitors let go at one place then, whatever the place.
+TEST_F(ReturnWhen, WhoNeverGivesBackDoesNotDoSoWithOthers) {
+  const std::string text = edited(returning("r inside hall"), "r.battery >= 90 %",
+                                  "r.battery >= 99 %");
+  const Outcome o = verified(text, {"-o", "certificates"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_EQ(status("P2b", "charge"), "refuted") << o.out;
+  EXPECT_EQ(status("joint return", ""), "refuted") << o.out;
+  EXPECT_EQ(status("satisfiable", "charge"), "proved") << o.out;
+}
+
+// More than a full battery, and what the way takes as well.
+TEST_F(ReturnWhen, ChargeBeyondAFullBatteryIsNeverSeen) {
+  const std::string text = edited(returning("r inside hall"), "+ 5 %", "+ 100 %");
+  const Outcome o = verified(text, {"-o", "certificates"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_EQ(status("satisfiable", "charge"), "refuted") << o.out;
+}
+
 // What others do may be accepted, as it is of the distance to them.
 TEST_F(ReturnWhen, ThatItMayNeverHoldIsAccepted) {
   const std::string text = returning("r.battery >= 50 %", "hold when violated \"staff\";",
