@@ -111,8 +111,8 @@ TEST_F(ReturnWhen, MoreThanAFullBatteryShowsIsDenied) {
 
 // Nor are all monitors let go at one place then, whatever the place.
 TEST_F(ReturnWhen, WhoNeverGivesBackDoesNotDoSoWithOthers) {
-  const std::string text = edited(returning("r inside hall"), "r.battery >= 90 %",
-                                  "r.battery >= 99 %");
+  const std::string text =
+      edited(returning("r inside hall"), "r.battery >= 90 %", "r.battery >= 99 %");
   const Outcome o = verified(text, {"-o", "certificates"});
   EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
   EXPECT_EQ(status("P2b", "charge"), "refuted") << o.out;
