@@ -438,6 +438,7 @@ class Pair {
     if (!seconds) {
       entry_.why =
           "nothing bounds how long " + quoted(recovery_.name) + " lasts, and it takes charge";
+      entry_.unending = stays_away() && waits_for_outsiders(driving_.property);
       Change change;
       std::string waiting;
       for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
@@ -459,10 +460,15 @@ class Pair {
       entry_.why = "nothing bounds how long " + quoted(recovery_.name) +
                    " lasts, and it takes charge: " + quoted(driving_.name) + " lets go when " +
                    until;
+      entry_.unending = stays_away() && waits_for_outsiders(driving_.property);
       return false;
     }
     const Ways ways = ways_of(module_, decision_, last);
     return lies_within(*seconds, Rational(ways.longest_mm ? *ways.longest_mm : 0, 1000));
+  }
+  // It takes charge wherever it ends, which need not be where that is taken up.
+  [[nodiscard]] bool stays_away() const {
+    return kind_.energy->idle.value > 0 && ir::last_step(recovery_).kind != ir::RecoveryKind::route;
   }
   bool lies_within(const Rational& seconds, const Rational& metres_most) {
     const bool longer = seconds > kind_.energy->held.value;

@@ -40,6 +40,8 @@ struct Entry {
   // It is guarded as inputs may ask for less speed than the recovery has (paces.h), and kept while
   // they do not.
   bool while_told = false;
+  // It is broken by a recovery that takes charge for as long as nobody else lets it end.
+  bool unending = false;
 };
 // One row for the recovery of each monitor, one column for the property of each.
 using Arbitration = std::vector<std::vector<Entry>>;

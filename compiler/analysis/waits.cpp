@@ -1,5 +1,7 @@
 #include "compiler/analysis/waits.h"
 
+#include <algorithm>
+#include <array>
 #include <variant>
 
 #include "compiler/ir/linear.h"
@@ -7,46 +9,54 @@
 namespace rtac::analysis {
 namespace {
 
-const std::string others_leave = "others have gone away";
-const std::string inputs_allow = "its inputs allow it";
-const std::string zone_allows = "the zone that is received allows it";
+// From what a recovery brings about itself to what no decision has a hand in.
+enum class Awaited { nothing, robots, agents, inputs, zone };
 
-std::string waited_for(const ir::Block& block, const ir::AtLeast& compare) {
+Awaited waited_for(const ir::Block& block, const ir::AtLeast& compare) {
   for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
     switch (leaf.kind) {
       case ir::Leaf::Kind::distance:
       case ir::Leaf::Kind::count:
+        return Awaited::robots;
       case ir::Leaf::Kind::agent:
-        return others_leave;
+        return Awaited::agents;
       case ir::Leaf::Kind::received:
-        return zone_allows;
+        return Awaited::zone;
       default:
         break;
     }
   }
-  return "";
+  return Awaited::nothing;
 }
 
-std::string waited_for(const ir::Block& block, ir::ValueId id) {
+// Of conditions that all have to come about the hardest one, of alternatives the easiest.
+Awaited waited_for(const ir::Block& block, ir::ValueId id) {
   const ir::Op& op = block[id].op;
   if (const auto* both = std::get_if<ir::And>(&op)) {
-    std::string first = waited_for(block, both->a);
-    return first.empty() ? waited_for(block, both->b) : first;
+    return std::max(waited_for(block, both->a), waited_for(block, both->b));
   }
   if (const auto* either = std::get_if<ir::Or>(&op)) {
-    return waited_for(block, either->a).empty() ? "" : waited_for(block, either->b);
+    return std::min(waited_for(block, either->a), waited_for(block, either->b));
   }
   if (const auto* negated = std::get_if<ir::Not>(&op)) return waited_for(block, negated->a);
-  if (std::holds_alternative<ir::Fact>(op)) return inputs_allow;
-  if (ir::body_of(op) != nullptr) return others_leave;
+  if (std::holds_alternative<ir::Fact>(op)) return Awaited::inputs;
+  if (const ir::Block* body = ir::body_of(op)) {
+    return std::max(Awaited::robots, waited_for(*body, body->result));
+  }
   const auto* compare = std::get_if<ir::AtLeast>(&op);
-  return compare != nullptr ? waited_for(block, *compare) : "";
+  return compare != nullptr ? waited_for(block, *compare) : Awaited::nothing;
 }
 
 }  // namespace
 
 std::string waits_until(const ir::Block& property) {
-  return waited_for(property, property.result);
+  constexpr std::array words = {"", "others have gone away", "agents have gone away",
+                                "its inputs allow it", "the zone that is received allows it"};
+  return words[static_cast<std::size_t>(waited_for(property, property.result))];
+}
+
+bool waits_for_outsiders(const ir::Block& property) {
+  return waited_for(property, property.result) > Awaited::robots;
 }
 
 }  // namespace rtac::analysis

@@ -12,4 +12,8 @@ namespace rtac::analysis {
 // an `or` that is so of both sides only, since the recovery may lead to the other one (P2b).
 std::string waits_until(const ir::Block& property);
 
+// Whether it may wait for what no decision has a hand in: inputs, agents, or a zone that is
+// received. These may stay as they are for ever.
+bool waits_for_outsiders(const ir::Block& property);
+
 }  // namespace rtac::analysis

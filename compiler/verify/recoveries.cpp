@@ -478,6 +478,13 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     // what inputs may ask for, nobody has to drive to
     o.by_a_run = !entry.while_told;
     o.starts = starts_of_damage(s, driving, judged);
+    if (entry.unending) {
+      o.by_a_run = false;
+      o.because += "; whoever keeps " + quoted(i.name) +
+                   " engaged for as long as a battery lasts makes " + quoted(j.name) + " fail";
+      o.not_shown = "inputs stay as they are in a run, and agents do not stay";
+      return o;
+    }
     if (atoms_of(i.property).only_facts() && !o.starts.empty()) {
       o.by_a_run = false;
       o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +

@@ -122,6 +122,29 @@ TEST_F(Lasting, AProofThatLeavesOutAClaimIsNoticed) {
   without("P2b", "lemma", "return_reached");
 }
 
+// An input may stay false, and an agent where it is, for as long as a battery lasts: no run shows
+// it, and none is needed. What takes no charge at rest lasts as long as it likes.
+TEST_F(Lasting, WhatInputsKeepDrivingTakesAllOfACharge) {
+  const std::string asked =
+      edited(edited(carts(), "fleet one", "input calm : bool max_age 1 s;\nfleet one"),
+             "c inside yard;", "c inside yard and calm;");
+  const auto judged = [](const std::string& text) {
+    const Outcome o = verified(text, {"--format", "json"});
+    return std::pair(o.status, statuses(o.out, "C", "charged"));
+  };
+  EXPECT_EQ(judged(asked), std::pair(int(exit_violation), Statuses{"refuted"}));
+  const std::string idle = edited(asked, "idle <= 0.01 %/s", "idle <= 0 %/s");
+  EXPECT_EQ(judged(idle).second, Statuses{"unknown"});
+  const std::string agent =
+      edited(edited(carts(), "fleet one",
+                    "agent man : radius 30 cm, speed <= 1 m/s error 5 cm "
+                    "max_age 100 ms;\nfleet one"),
+             "c inside yard;", "c inside yard and distance(c, man) >= 20 cm;");
+  EXPECT_EQ(judged(edited(agent, "walls > charged;",
+                          "walls > charged; acknowledge inwards may break walls \"seen\";")),
+            std::pair(int(exit_violation), Statuses{"refuted"}));
+}
+
 // A passage of 60 cm that leads 8 m along a hall: all the way back from its end.
 TEST(LongestWay, LeadsOutOfAPassage) {
   const auto zone = geometry::Region::of_rings({{{0, 0},
