@@ -6,6 +6,7 @@
 #include <queue>
 #include <utility>
 
+#include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
@@ -15,8 +16,6 @@ namespace rtac::analysis {
 namespace {
 
 constexpr std::int64_t unreached = std::numeric_limits<std::int64_t>::max();
-// More clearance than it needs that a loitering robot would like to have (LoiterManoeuvre).
-constexpr std::int64_t loiter_room_mm = 500;
 
 // The cells by their neighbours. A diagonal step touches both cells beside it.
 class Grid {
@@ -187,33 +186,91 @@ std::vector<bool> site_cells(const ir::Module& module, const ir::Recovery& route
   return goals;
 }
 
-// From where no way begins, though one leads on from every cell that is clear enough, it is
-// stranded, too.
-void add_joins(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
-               const ir::Decision& decision, const ir::Recovery& recovery, Ways& ways) {
-  const auto mm = [](std::int64_t length) { return static_cast<std::int32_t>(length); };
-  const geometry::Joins found =
-      geometry::joins(edges, grid_of(cells),
-                      {.route_mm = mm(recovery.route_clearance_mm),
-                       .body_mm = mm(decision.body.radius_mm),
-                       .as_clear_as_here = recovery.kind != ir::RecoveryKind::route,
-                       .return_mm = mm(recovery.return_clearance_mm),
-                       .reach_mm = mm(joins_within_mm(cells) - cells.cell_mm / 5),
-                       .rest_mm = ways.rest_mm});
-  if (ways.longest_mm) {
-    ways.longest_mm = std::max(*ways.longest_mm, found.longest_mm - joins_within_mm(cells));
-  }
-  const Grid grid(cells, recovery.route_clearance_mm);
-  for (std::size_t at = 0; at < found.apart.size(); ++at) {
-    if (found.apart[at]) ways.lost[at] = true;
-  }
-  ways.stranded = parts_of(grid, cells, ways.lost);
-}
+// What the search finds over cells, without the legs that lead to them.
+struct OverCells {
+  Ways ways;  // of the longest one without cells that are endless
+  // From where no way leads, and those of which nothing bounds it.
+  Marks lost, endless;
+};
 
-// The larger of two lengths; none: one of them has no bound.
-std::optional<std::int64_t> longer(std::optional<std::int64_t> a, std::optional<std::int64_t> b) {
-  return a && b ? std::optional<std::int64_t>{std::max(*a, *b)} : std::nullopt;
-}
+// From where no way begins, though one leads on from every cell that is clear enough, it is
+// stranded, too; but for places from which a leg leads straight to the end of a way.
+class WithLegs {
+ public:
+  WithLegs(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+           const ir::Decision& decision, const ir::Recovery& recovery, const OverCells& over)
+      : edges_(edges),
+        cells_(cells),
+        decision_(decision),
+        recovery_(recovery),
+        over_(over),
+        in_sight_(edges, cells, decision, recovery) {}
+
+  Ways run() {
+    Ways bounded = found(true);
+    // a way that begins where nothing bounds it is one
+    if (bounded.longest_mm && bounded.stranded.empty()) return bounded;
+    return found(false);
+  }
+
+ private:
+  Ways found(bool bounded) {
+    ways_ = over_.ways;
+    std::vector<std::int64_t> rest_mm = ways_.rest_mm;
+    for (std::size_t goal = 0; goal < over_.endless.size(); ++goal) {
+      for (std::size_t at = 0; at < over_.endless[goal].size(); ++at) {
+        if (!over_.endless[goal][at]) continue;
+        count(bounded ? in_sight_.longest_mm(at, goal) : std::nullopt);
+        if (bounded) rest_mm[at] = geometry::no_way_mm;
+      }
+    }
+    for (std::size_t at = 0; at < ways_.lost.size(); ++at) {
+      if (!ways_.lost[at] || !leads_straight(at)) continue;
+      ways_.lost[at] = false;
+      rest_mm[at] = geometry::no_way_mm;
+    }
+    join(std::move(rest_mm));
+    if (ways_.longest_mm) count(in_sight_.longest_deeper_mm(over_.lost, over_.endless));
+    ways_.stranded = parts_of(Grid(cells_, recovery_.route_clearance_mm), cells_, ways_.lost);
+    return std::move(ways_);
+  }
+  // A leg is counted with that to the cells of a way, which is left out.
+  void count(std::optional<std::int64_t> leg_mm) {
+    if (!leg_mm || !ways_.longest_mm) {
+      ways_.longest_mm = std::nullopt;
+      return;
+    }
+    ways_.longest_mm = std::max(*ways_.longest_mm, *leg_mm - joins_within_mm(cells_));
+  }
+  bool leads_straight(std::size_t at) {
+    const auto leg_mm = in_sight_.longest_mm(at);
+    if (leg_mm) count(leg_mm);
+    return leg_mm.has_value();
+  }
+  void join(std::vector<std::int64_t> rest_mm) {
+    const auto mm = [](std::int64_t length) { return static_cast<std::int32_t>(length); };
+    const geometry::Joins found =
+        geometry::joins(edges_, grid_of(cells_),
+                        {.route_mm = mm(recovery_.route_clearance_mm),
+                         .body_mm = mm(decision_.body.radius_mm),
+                         .as_clear_as_here = recovery_.kind != ir::RecoveryKind::route,
+                         .return_mm = mm(recovery_.return_clearance_mm),
+                         .reach_mm = mm(joins_within_mm(cells_) - cells_.cell_mm / 5),
+                         .rest_mm = std::move(rest_mm)});
+    count(found.longest_mm);
+    for (std::size_t at = 0; at < found.apart.size(); ++at) {
+      if (found.apart[at] && !leads_straight(at)) ways_.lost[at] = true;
+    }
+  }
+
+  const std::vector<geometry::EdgeRow>& edges_;
+  const ir::Cells& cells_;
+  const ir::Decision& decision_;
+  const ir::Recovery& recovery_;
+  const OverCells& over_;
+  InSight in_sight_;
+  Ways ways_;
+};
 
 }  // namespace
 
@@ -222,28 +279,45 @@ std::int64_t joins_within_mm(const ir::Cells& cells) {
   return std::max<std::int64_t>(400, 2 * cell_mm) + cell_mm;
 }
 
-Ways ways_to(const ir::Cells& cells, const std::vector<bool>& goals, std::int64_t body_mm,
-             std::int64_t route_mm) {
+namespace {
+
+OverCells over_cells(const ir::Cells& cells, const std::vector<bool>& goals, std::int64_t body_mm,
+                     std::int64_t route_mm) {
   const Grid grid(cells, route_mm);
   const std::vector<std::int64_t> length = climbing_ways(grid, goals);
   const std::vector<bool> found = has_way(grid, goals);
   Ways ways;
   ways.rest_mm.resize(grid.count(), 0);
-  std::vector<bool> stranded(grid.count(), false);
+  ways.lost.resize(grid.count(), false);
+  std::vector<bool> endless(grid.count(), false);
+  std::int64_t longest_mm = 0;
   for (std::size_t at = 0; at < grid.count(); ++at) {
     if (grid.clearance(at) < body_mm) continue;
-    stranded[at] = !found[at];
+    ways.lost[at] = !found[at];
     if (!found[at]) continue;
-    if (length[at] != unreached) ways.rest_mm[at] = length[at];
-    if (length[at] == unreached) {
-      ways.longest_mm = std::nullopt;
-    } else if (ways.longest_mm) {
-      ways.longest_mm = std::max(*ways.longest_mm, length[at]);
-    }
+    endless[at] = length[at] == unreached;
+    if (endless[at]) continue;
+    ways.rest_mm[at] = length[at];
+    longest_mm = std::max(longest_mm, length[at]);
   }
-  ways.stranded = parts_of(grid, cells, stranded);
-  ways.lost = std::move(stranded);
-  return ways;
+  ways.longest_mm = longest_mm;
+  ways.stranded = parts_of(grid, cells, ways.lost);
+  const std::vector<bool> lost = ways.lost;
+  return {std::move(ways), {lost}, {std::move(endless)}};
+}
+Ways without_legs(OverCells over) {
+  const bool bounded = std::ranges::none_of(over.endless, [](const std::vector<bool>& of_goal) {
+    return std::ranges::count(of_goal, true) > 0;
+  });
+  if (!bounded) over.ways.longest_mm = std::nullopt;
+  return std::move(over.ways);
+}
+
+}  // namespace
+
+Ways ways_to(const ir::Cells& cells, const std::vector<bool>& goals, std::int64_t body_mm,
+             std::int64_t route_mm) {
+  return without_legs(over_cells(cells, goals, body_mm, route_mm));
 }
 
 // In steps over cells a corner of a room is twice as far from its inner corner as a wall is.
@@ -302,36 +376,41 @@ Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::R
   const ir::ZoneTable& zone = module[recovery.zone];
   return ways_over(edges_of(zone), zone.cells, module, decision, recovery);
 }
-Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
-               const ir::Module& module, const ir::Decision& decision,
-               const ir::Recovery& recovery) {
-  Ways ways = ways_over(cells, module, decision, recovery);
-  add_joins(edges, cells, decision, recovery, ways);
-  return ways;
-}
-Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
-               const ir::Recovery& recovery) {
+namespace {
+
+OverCells over_cells(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
+                     const ir::Recovery& recovery) {
   const std::int64_t body_mm = decision.body.radius_mm + standoff_mm(decision, recovery);
   const std::int64_t route_mm = recovery.route_clearance_mm;
   if (recovery.kind == ir::RecoveryKind::route) {
-    return ways_to(cells, site_cells(module, recovery, cells), body_mm, route_mm);
+    return over_cells(cells, site_cells(module, recovery, cells), body_mm, route_mm);
   }
-  // A retreat aims a little deeper than it needs, as far as a way leads there.
-  const std::int64_t needed_mm = recovery.return_clearance_mm;
-  const std::int64_t error_mm = decision.body.position_error_mm;
-  std::int64_t wanted_mm = needed_mm + decision.body.end_reach_mm + error_mm;
-  Ways ways = ways_to(cells, clear_cells(cells, needed_mm), body_mm, route_mm);
-  for (int i = recovery.kind == ir::RecoveryKind::loiter ? 2 : 1; i > 0; --i) {
-    const Ways deeper = ways_to(cells, clear_cells(cells, wanted_mm), body_mm, route_mm);
-    for (std::size_t at = 0; at < ways.rest_mm.size(); ++at) {
-      ways.rest_mm[at] = std::max(ways.rest_mm[at], deeper.rest_mm[at]);
+  const std::vector<std::int64_t> goals = goals_mm(decision, recovery);
+  OverCells all = over_cells(cells, clear_cells(cells, goals.front()), body_mm, route_mm);
+  for (std::size_t i = 1; i < goals.size(); ++i) {
+    OverCells deeper = over_cells(cells, clear_cells(cells, goals[i]), body_mm, route_mm);
+    for (std::size_t at = 0; at < all.ways.rest_mm.size(); ++at) {
+      all.ways.rest_mm[at] = std::max(all.ways.rest_mm[at], deeper.ways.rest_mm[at]);
     }
-    ways.longest_mm = longer(ways.longest_mm, deeper.longest_mm);
     // the first leg in sight that is no longer than this is taken, whatever the search would find
-    ways.longest_mm = longer(ways.longest_mm, 2 * wanted_mm);
-    wanted_mm += loiter_room_mm;
+    all.ways.longest_mm = std::max({*all.ways.longest_mm, *deeper.ways.longest_mm, 2 * goals[i]});
+    all.lost.push_back(std::move(deeper.lost.front()));
+    all.endless.push_back(std::move(deeper.endless.front()));
   }
-  return ways;
+  return all;
+}
+
+}  // namespace
+
+Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+               const ir::Module& module, const ir::Decision& decision,
+               const ir::Recovery& recovery) {
+  const OverCells over = over_cells(cells, module, decision, recovery);
+  return WithLegs(edges, cells, decision, recovery, over).run();
+}
+Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
+               const ir::Recovery& recovery) {
+  return without_legs(over_cells(cells, module, decision, recovery));
 }
 
 namespace {

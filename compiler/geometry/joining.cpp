@@ -46,7 +46,8 @@ class Joining {
         edges_(static_cast<std::int64_t>(edges.size())),
         connectors_(edges, query.route_mm, query.body_mm, join_loss_mm),
         around_(edges, std::max(query.route_mm, query.return_mm + 2 * spare_mm), query.body_mm),
-        rest_most_(query.rest_mm.empty() ? 0 : *std::ranges::max_element(query.rest_mm)) {}
+        rest_most_(query.rest_mm.empty() ? 0 : *std::ranges::max_element(query.rest_mm)),
+        all_lead_on_(!std::ranges::count(query.rest_mm, no_way_mm)) {}
 
   Joins run() {
     Joins found;
@@ -112,6 +113,8 @@ class Joining {
     const double asked = query_.as_clear_as_here ? std::min(here, route) : route;
     for (const Start& s : starts) {
       if (s.clearance_mm < asked) continue;
+      // beyond what it reaches it takes the nearest one alone, which may lead nowhere
+      if (!all_lead_on_ && leg_to(spot, s) > query_.reach_mm) continue;
       looks_ += 4;
       if (connectors_.is_sound(spot, s.at)) return &s;
     }
@@ -206,6 +209,7 @@ class Joining {
           ++tested;
           const double half = cells_.cell_mm / 2.0;
           const std::int64_t rest = query_.rest_mm[index(c, r)];
+          if (rest == no_way_mm) continue;
           of_ring.push_back({{west_of(c) + half, south_of(r) + half, double(rest)},
                              clearance,
                              ring <= rings_surely});
@@ -223,6 +227,7 @@ class Joining {
   Connectors connectors_;  // of legs
   Connectors around_;      // of places
   const std::int64_t rest_most_;
+  const bool all_lead_on_;
   std::optional<Connectors::Spot> without_;  // of the cell: from there no way begins
   std::int64_t looks_ = 0, looks_end_ = 0;
 };

@@ -9,6 +9,9 @@
 
 namespace rtac::geometry {
 
+// Of a cell from which no way leads on.
+constexpr std::int64_t no_way_mm = -1;
+
 struct JoinQuery {
   std::int32_t route_mm = 0;  // clearance of the cells that a way leads over
   std::int32_t body_mm = 0;   // with less clearance a robot is nowhere
@@ -17,7 +20,8 @@ struct JoinQuery {
   std::int32_t return_mm = 0;  // and with so much clearance control is given back at once
   // Within this of all cells the one with the shortest way is taken, and else the nearest one.
   std::int32_t reach_mm = 0;
-  std::vector<std::int64_t> rest_mm;  // by cell: how long the way on is from its middle
+  std::vector<std::int64_t>
+      rest_mm;  // by cell: how long the way on is from its middle, or no_way_mm
   bool operator==(const JoinQuery&) const = default;
 };
 

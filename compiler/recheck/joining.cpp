@@ -22,14 +22,16 @@ class Joins {
         grid_(grid),
         limits_(limits),
         columns_(static_cast<int>(grid.columns)),
-        rows_(static_cast<int>(grid.rows)) {}
+        rows_(static_cast<int>(grid.rows)),
+        all_lead_on_(std::ranges::none_of(limits.rest, [](double rest) { return rest < 0; })) {}
 
   Joining run() {
     Joining found;
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         if (clearance(column, row) >= limits_.route + table_m) continue;
-        const auto way = longest_from(column, row);
+        auto way = longest_from(column, row);
+        if (!way && limits_.straight) way = limits_.straight(index(column, row));
         if (!way) {
           found.apart = index(column, row);
           return found;
@@ -119,6 +121,8 @@ class Joins {
     const double clear = clear_for(boundary, from) + table_m;
     for (const Start& s : starts) {
       if (s.clearance < clear) continue;
+      // beyond the reach the nearest one is taken, which may lead nowhere
+      if (!all_lead_on_ && leg_to(from, s) > limits_.reach - grid_.cell / 5) continue;
       if (++steps_ > steps_end_) return nullptr;
       if (boundary.keeps(from, s.place, asked)) return &s;
     }
@@ -173,6 +177,7 @@ class Joins {
         for (int c = column - off; c <= column + off; c += side || off == 0 ? 1 : 2 * off) {
           if (c < 0 || c >= columns_ || clearance(c, r) < least - table_m) continue;
           ++tested;
+          if (limits_.rest[index(c, r)] < 0) continue;
           of_ring.push_back(
               {middle(box(c, r)), clearance(c, r), limits_.rest[index(c, r)], off <= rings_surely});
         }
@@ -187,6 +192,7 @@ class Joins {
   const Grid& grid_;
   const JoiningLimits& limits_;
   const int columns_, rows_;
+  const bool all_lead_on_;
   std::optional<Box> without_;  // of the cell: from there no way begins
   std::int64_t steps_ = 0, steps_end_ = 0;
 };

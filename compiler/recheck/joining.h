@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -14,9 +15,12 @@ struct JoiningLimits {
   double route;  // clearance of the cells that ways lead over
   // From where there is less than `route`, cells as clear as that place itself do, too.
   bool as_clear_as_here;
-  double back;               // and with so much clearance control is given back at once
-  double reach;              // within this of all cells the one with the shortest way is taken
-  std::vector<double> rest;  // by cell: how long the way on from its middle is
+  double back;   // and with so much clearance control is given back at once
+  double reach;  // within this of all cells the one with the shortest way is taken
+  // By cell: how long the way on from its middle is; negative: there is none.
+  std::vector<double> rest;
+  // From a cell where no way begins, how long a leg to where ways end is; nullopt: there is none.
+  std::function<std::optional<double>(std::size_t)> straight;
 };
 struct Joining {
   std::optional<std::size_t> apart;  // a cell with a place from which none is known to begin

@@ -7,6 +7,7 @@
 
 #include "compiler/recheck/grid.h"
 #include "compiler/recheck/joining.h"
+#include "compiler/recheck/straight.h"
 
 namespace rtac::recheck {
 namespace {
@@ -226,15 +227,24 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
   const std::vector<Segment> edges = segments_of(zone);
   const std::optional<Grid> grid = grid_of(edges, cells);
   if (!grid) return BadCells{};
-  const double route = route_m.get_d(), body = body_m.get_d() + snap_m;
-  const auto reached = best_ways(*grid, goals_of(*grid, goal_m.get_d() - snap_m, sites));
+  const double route = route_m.get_d(), body = body_m.get_d() + snap_m, goal = goal_m.get_d();
+  const auto reached = best_ways(*grid, goals_of(*grid, goal - snap_m, sites));
+  Straight straight(edges, *grid, body_m.get_d());
+  JoiningLimits limits{body_m.get_d(),
+                       route,
+                       sites.empty(),
+                       goal,
+                       reach_of(*grid),
+                       std::vector<double>(reached.size(), 0),
+                       {}};
+  if (sites.empty()) {
+    limits.straight = [&](std::size_t at) { return straight.longest_from(at, goal); };
+  }
   for (std::size_t at = 0; at < reached.size(); ++at) {
     if (grid->clearance[at] < body || reached[at] >= asks(*grid, at, route) - snap_m) continue;
-    return middle_of(*grid, at);
+    if (!limits.straight || !limits.straight(at)) return middle_of(*grid, at);
+    limits.rest[at] = -1;
   }
-  const JoiningLimits limits{body_m.get_d(),  route,
-                             sites.empty(),   goal_m.get_d(),
-                             reach_of(*grid), std::vector<double>(reached.size(), 0)};
   if (const auto from = joining(edges, *grid, limits).apart) return middle_of(*grid, *from);
   return std::monostate{};
 }
@@ -246,25 +256,40 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
   const std::vector<Segment> edges = segments_of(zone);
   const std::optional<Grid> grid = grid_of(edges, cells);
   if (!grid) return std::nullopt;
-  const double route = route_m.get_d(), body = body_m.get_d() + table_m;
-  const auto goals = goals_of(*grid, goal_m.get_d() - snap_m, sites);
+  const double route = route_m.get_d(), body = body_m.get_d() + table_m, goal = goal_m.get_d();
+  const auto goals = goals_of(*grid, goal - snap_m, sites);
   const auto reached = best_ways(*grid, goals);
   const auto steps = climbs(*grid, goals, route);
-  std::int64_t most = 0;
+  Straight straight(edges, *grid, body_m.get_d());
+  std::vector<double> rest(steps.size(), 0);
+  JoiningLimits limits{body_m.get_d(), route, sites.empty(), goal, reach_of(*grid), {}, {}};
+  bool endless = false;  // from some cell
+  // in sight a way may end, even where none leads over cells; to a site no such leg is taken
+  limits.straight = [&](std::size_t at) -> std::optional<double> {
+    if (!sites.empty()) return std::nullopt;
+    const auto leg = straight.longest_from(at, goal);
+    return leg || endless ? leg : straight.farthest_from(at, goal);
+  };
+  std::vector<std::size_t> without;
   for (std::size_t at = 0; at < steps.size(); ++at) {
     if (grid->clearance[at] < body) continue;
-    const bool leads = reached[at] >= asks(*grid, at, route);
-    if (steps[at] < 0 && leads) return std::nullopt;
-    most = std::max(most, steps[at]);
+    rest[at] = grid->cell * static_cast<double>(std::max<std::int64_t>(steps[at], 0));
+    if (steps[at] >= 0) continue;
+    endless = endless || reached[at] >= asks(*grid, at, route);
+    if (endless && !sites.empty()) return std::nullopt;
+    if (sites.empty()) without.push_back(at);
   }
-  const Rational over_cells = Rational(static_cast<long>(most * cells.cell_mm)) / 1000;
-  JoiningLimits limits{body_m.get_d(), route, sites.empty(), goal_m.get_d(), reach_of(*grid), {}};
-  for (const std::int64_t count : steps) {
-    limits.rest.push_back(grid->cell * static_cast<double>(std::max<std::int64_t>(count, 0)));
+  double longest = *std::ranges::max_element(rest);
+  for (const std::size_t at : without) {
+    const auto leg = limits.straight(at);
+    if (!leg) return std::nullopt;
+    longest = std::max(longest, *leg - limits.reach);
+    rest[at] = -1;
   }
+  limits.rest = std::move(rest);
   const Joining begins = joining(edges, *grid, limits);
   if (begins.apart) return std::nullopt;
-  return std::max(over_cells, Rational(begins.longest - limits.reach));
+  return Rational(std::max(longest, begins.longest - limits.reach));
 }
 
 }  // namespace rtac::recheck

@@ -59,16 +59,18 @@ struct Cells {
 struct BadCells {};
 // Whether from every cell of the zone whose places have `body_m` of clearance a way leads, over
 // cells as clear as `route_m` or as the one that it starts from, to one as clear as `goal_m`, or to
-// one of `sites`; and whether ways begin from everywhere in it. Clearances of cells are found from
+// one of `sites`; and whether ways begin from everywhere in it; where `sites` are none, from there
+// a leg in sight may lead straight to such a place instead. Clearances of cells are found from
 // exact ones; robots have those of a zone that is up to 3 mm smaller. Otherwise the place of a cell
 // from which none leads.
 std::variant<std::monostate, geometry::Point, BadCells> without_way(
     const geometry::Region& zone, const Cells& cells, const Rational& body_m,
     const Rational& route_m, const Rational& goal_m, const std::vector<geometry::Point>& sites);
 // The length of the longest of these ways, each the shortest one on which no cell is less clear
-// than what the one before it asks for: the search finds none that is longer. Cells from which no
-// way leads count as nothing. The leg to where its cells begin is left out, up to the reach within
-// which the search takes the best one. nullopt: of some of them nothing bounds the way.
+// than what the one before it asks for: the search finds none that is longer. From cells without
+// such a way counts the leg in sight that may be taken, without `sites`. The leg to where its cells
+// begin is left out, up to the reach within which the search takes the best one. nullopt: of some
+// of them nothing bounds the way.
 std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
                                     const Rational& body_m, const Rational& route_m,
                                     const Rational& goal_m,

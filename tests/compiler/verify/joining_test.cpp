@@ -60,6 +60,36 @@ TEST(JoiningOnceMore, FindsNarrowPassagesItself) {
   EXPECT_FALSE(ends(Rational(11, 10)));
 }
 
+// Cells along the middle of its corners have no neighbour that is clearer, and a leg leads straight
+// out of them.
+TEST_F(Joining, OutOfTheCornersOfARhombusALegLeadsStraight) {
+  const std::string rhombus =
+      edited(at_the_end_of("6 m"),
+             "rectangle (0 m, 0 m) to (6 m, 6 m) | rectangle (6 m, 0 m) to (12 m, 6 m)",
+             "polygon [(0 m, 0 m), (10 m, 2 m), (12 m, 12 m), (2 m, 10 m)]");
+  const Outcome o = verified(rhombus, {"--format", "json", "-o", "shown"});
+  EXPECT_EQ(statuses(o.out, "P2b", "fence"), Statuses{"proved"}) << o.out;
+  EXPECT_NE(o.out.find(" s in all"), std::string::npos) << o.out;
+  EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
+  write("s.json", R"({"duration_s": 60, "return_within_s": 55, "runs": 24, "seed": 500})");
+  const Outcome run = rtac({"sim", "spec.rta", "--scenario", "s.json"});
+  EXPECT_EQ(run.status, exit_clean) << run.out << run.err;
+}
+TEST(JoiningOnceMore, FindsLegsOutOfCornersItself) {
+  const auto ends = [](const geometry::Ring& ring, const Rational& back) {
+    const auto found = recheck::without_way(geometry::Region::of_rings({ring}), {100, 0, 0},
+                                            Rational(30, 100), Rational(482, 1000), back, {});
+    return std::holds_alternative<geometry::Point>(found);
+  };
+  const geometry::Ring rhombus = {{0, 0}, {10, 2}, {12, 12}, {2, 10}};
+  EXPECT_FALSE(ends(rhombus, Rational(62, 100)));
+  EXPECT_TRUE(ends(rhombus, 6));  // nowhere is that much
+  // round the bend of a passage along the diagonal nothing is in sight
+  const geometry::Ring bent = {
+      {0, 0}, {Rational(13, 10), 0}, {7, Rational(57, 10)}, {13, 0}, {18, 0}, {18, 5}, {7, 7}};
+  EXPECT_TRUE(ends(bent, Rational(62, 100)));
+}
+
 // It rests where the decision, which sees a millimetre more or less, gives control back.
 TEST_F(Joining, WithoutErrorsOfTheSensorsControlComesBackAsWell) {
   write("spec.rta", R"(spec exact;

@@ -154,6 +154,20 @@ TEST_F(Recheck, WaysInAWideZoneAreFoundOnceMore) {
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
 }
 
+// Out of the corners of a rhombus no way leads over cells, and legs do.
+TEST_F(Recheck, LegsStraightOutOfACornerAreFoundOnceMore) {
+  const std::string yard = edited(drone_spec(), "rectangle (0 m, 0 m) to (5 m, 5 m)",
+                                  "polygon [(0 m, 0 m), (10 m, 2 m), (12 m, 12 m), (2 m, 10 m)]");
+  ASSERT_EQ(verified(yard, {"-o", "certificates"}).status, exit_clean);
+  report_ = Json::parse(read("certificates/verification.json"));
+  const Outcome o = rechecked();
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  for (const auto& [key, by] : {std::pair("return_mm", 6'000), std::pair("return_mm", -60),
+                                std::pair("cell_mm", 10), std::pair("cells_x_mm", 5)}) {
+    EXPECT_EQ(rechecked_with(changed("ways", key, by)).status, exit_violation) << key;
+  }
+}
+
 TEST_F(Recheck, AMutatedLemmaIsNoticed) {
   const fs::path lemma = "certificates/lemmas/disc.smt2";
   write(lemma, read(lemma) + "\n(assert false)\n");

@@ -1,0 +1,47 @@
+// A retreat takes the leg straight to where its way ends that is in sight, if that is the shorter
+// one, whatever the search over cells finds (runtime: retreat). Internal to this folder.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "compiler/geometry/straight.h"
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// How clear the places are that a recovery looks for one after the other, from what it needs on:
+// it aims a little deeper, as far as a way leads there, and who loiters would like to have more
+// room still.
+std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recovery& recovery);
+
+// By goal and cell.
+using Marks = std::vector<std::vector<bool>>;
+
+class InSight {
+ public:
+  // Of a recovery to a site there are no such legs.
+  InSight(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+          const ir::Decision& decision, const ir::Recovery& recovery);
+  InSight(const InSight&) = delete;  // legs refer to its cells
+  InSight& operator=(const InSight&) = delete;
+
+  // The longest leg from anywhere in a cell to where it ends; nullopt: from some place of it none
+  // is known.
+  std::optional<std::int64_t> longest_mm(std::size_t at, std::size_t goal = 0);
+  // The longest leg that may be taken where the search may not lead to a goal beyond the first,
+  // from cells of which none is `lost`; nullopt: it may, along a way of which nothing is known.
+  std::optional<std::int64_t> longest_deeper_mm(const Marks& lost, const Marks& endless);
+
+ private:
+  [[nodiscard]] std::vector<bool> beside(const std::vector<bool>& lost) const;
+
+  const ir::Cells& cells_;
+  const geometry::CellGrid grid_;
+  const std::int64_t route_mm_;
+  std::vector<geometry::StraightLegs> legs_;  // by goal
+};
+
+}  // namespace rtac::analysis

@@ -1,0 +1,113 @@
+#include "compiler/geometry/straight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtac::geometry {
+namespace {
+
+// Of the cells that hold places of the zone it tries so many, ring by ring (max_cell_tests).
+constexpr int tests_max = 2000;
+// Mostly one of the nearest ones is in sight.
+constexpr std::size_t enough = 64;
+// A cell is cut into four, its quarters again, at most so often.
+constexpr int halvings_max = 7;
+// Of what the recovery forgives a leg (loss_m of runtime/core/retreat.cpp), 1 mm is to spare.
+constexpr double forgiven_mm = 1;
+// Of edges and legs; what has not been looked at is not known.
+constexpr std::int64_t looks_max = 40'000'000, of_cell_max = 400'000;
+
+}  // namespace
+
+StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& cells,
+                           std::int32_t body_mm, std::int32_t goal_mm)
+    : cells_(cells),
+      goal_mm_(goal_mm),
+      edges_(static_cast<std::int64_t>(edges.size())),
+      legs_(edges, goal_mm, body_mm, forgiven_mm),
+      around_(edges, goal_mm + 2 * cells.cell_mm, body_mm) {}
+
+std::optional<double> StraightLegs::longest_from(std::size_t cell) {
+  const auto columns = static_cast<std::size_t>(cells_.columns);
+  const auto column = static_cast<std::int32_t>(cell % columns);
+  const auto row = static_cast<std::int32_t>(cell / columns);
+  const std::vector<End> ends = ends_of(cell, false);
+  looks_ += 2 * edges_;
+  if (ends.empty() || looks_ > looks_max) return std::nullopt;
+  looks_end_ = std::min(looks_max, looks_ + of_cell_max);
+  const double size = cells_.cell_mm;
+  const double west = cells_.origin.x_mm + column * size;
+  const double south = cells_.origin.y_mm + row * size;
+  double reach = 0;
+  for (const End& end : ends) reach = std::max(reach, end.off_mm);
+  (void)legs_.look_around(west, south, size, reach);
+  return longest_in(around_.look_around(west, south, size, 0), ends, halvings_max);
+}
+
+// The nearest one in sight is taken, and none that is tried is left out for one that is farther.
+std::optional<double> StraightLegs::longest_in(const Connectors::Spot& spot,
+                                               const std::vector<End>& ends, int halvings) {
+  if (around_.holds_nobody(spot) || spot.gap_mm - spot.radius_mm() >= goal_mm_) return 0;
+  for (const End& end : ends) {
+    looks_ += 4;
+    if (!legs_.is_sound(spot, end.at)) continue;
+    return std::hypot(end.at.x_mm - spot.x_mm, end.at.y_mm - spot.y_mm) + spot.radius_mm();
+  }
+  if (halvings == 0 || looks_ > looks_end_) return std::nullopt;
+  double longest = 0;
+  for (const Connectors::Spot& part : around_.quarters(spot)) {
+    const auto of_part = longest_in(part, ends, halvings - 1);
+    if (!of_part) return std::nullopt;
+    longest = std::max(longest, *of_part);
+  }
+  return longest;
+}
+
+double StraightLegs::farthest_from(std::size_t cell) const {
+  double most = 0;
+  for (const End& end : ends_of(cell, true)) most = std::max(most, end.off_mm + cells_.cell_mm);
+  return most;
+}
+
+std::vector<StraightLegs::End> StraightLegs::ends_of(std::size_t cell, bool perhaps) const {
+  std::vector<End> found;
+  int tested = 0;
+  const std::int32_t last = std::max(cells_.columns, cells_.rows);
+  for (std::int32_t ring = 0; ring <= last && tested <= tests_max; ++ring) {
+    if (!perhaps && found.size() >= enough) break;
+    std::vector<End> of_ring;
+    tested += add_ring(cell, ring, perhaps ? goal_mm_ : goal_mm_ + 1, of_ring);
+    if (!perhaps && tested > tests_max) break;
+    found.insert(found.end(), of_ring.begin(), of_ring.end());
+  }
+  std::ranges::stable_sort(found, {}, &End::off_mm);
+  return found;
+}
+
+int StraightLegs::add_ring(std::size_t cell, std::int32_t ring, std::int32_t least_mm,
+                           std::vector<End>& ends) const {
+  const auto columns = static_cast<std::size_t>(cells_.columns);
+  const auto column = static_cast<std::int32_t>(cell % columns);
+  const auto row = static_cast<std::int32_t>(cell / columns);
+  const double size = cells_.cell_mm;
+  int tested = 0;
+  for (std::int32_t r = std::max(0, row - ring); r <= std::min(cells_.rows - 1, row + ring); ++r) {
+    const bool side = std::abs(r - row) == ring;
+    for (std::int32_t c = column - ring; c <= column + ring;
+         c += side || ring == 0 ? 1 : 2 * ring) {
+      if (c < 0 || c >= cells_.columns) continue;
+      const std::int32_t clearance =
+          cells_
+              .clearance_mm_lo[static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c)];
+      if (clearance < 0) continue;
+      ++tested;
+      if (clearance < least_mm) continue;
+      ends.push_back(
+          {{cells_.origin.x_mm + (c + 0.5) * size, cells_.origin.y_mm + (r + 0.5) * size, 0},
+           std::hypot((c - column) * size, (r - row) * size)});
+    }
+  }
+  return tested;
+}
+
+}  // namespace rtac::geometry

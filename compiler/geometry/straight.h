@@ -1,0 +1,48 @@
+// Legs that lead a recovery straight to the end of its way (runtime: grid_route), where no way over
+// cells does: out of a corner, along whose middle cells have no neighbour that is clearer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "compiler/geometry/bake.h"
+#include "compiler/geometry/connectors.h"
+
+namespace rtac::geometry {
+
+class StraightLegs {
+ public:
+  // To the middles of cells that are clearer than `goal_mm`; a place that is so clear needs none,
+  // and a body of less than `body_mm` of clearance is nowhere. Of cells only `clearance_mm_lo`
+  // counts. `edges` and `cells` have to outlive it.
+  StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& cells, std::int32_t body_mm,
+               std::int32_t goal_mm);
+  // In mm, of the leg that is taken from any place of the cell, at most; nullopt: from some place
+  // none is known.
+  [[nodiscard]] std::optional<double> longest_from(std::size_t cell);
+  // In mm, to the farthest one that may be tried from anywhere in the cell; 0: there is none.
+  [[nodiscard]] double farthest_from(std::size_t cell) const;
+
+ private:
+  struct End {
+    Landing at;
+    double off_mm;  // from the middle of the cell
+  };
+  // Those that are tried, whichever place of the cell it is; or, `perhaps`, may be.
+  [[nodiscard]] std::vector<End> ends_of(std::size_t cell, bool perhaps) const;
+  // Appends those of one ring; how many of its cells are tried.
+  int add_ring(std::size_t cell, std::int32_t ring, std::int32_t least_mm,
+               std::vector<End>& ends) const;
+  std::optional<double> longest_in(const Connectors::Spot& spot, const std::vector<End>& ends,
+                                   int halvings);
+
+  const CellGrid& cells_;
+  const std::int32_t goal_mm_;
+  const std::int64_t edges_;
+  Connectors legs_;    // what they keep
+  Connectors around_;  // of places
+  std::int64_t looks_ = 0, looks_end_ = 0;
+};
+
+}  // namespace rtac::geometry

@@ -1,0 +1,43 @@
+// Legs straight to where a retreat ends, once more: of a place from which no way leads over cells.
+// In m.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "compiler/recheck/grid.h"
+#include "compiler/recheck/legs.h"
+
+namespace rtac::recheck {
+
+class Straight {
+ public:
+  // `zone` and `grid` have to outlive it.
+  Straight(const std::vector<Segment>& zone, const Grid& grid, double body);
+  // How long the leg is that is taken from any place of a cell to one that is so clear, at most;
+  // a body that has as much needs none. nullopt: from some place none is known.
+  std::optional<double> longest_from(std::size_t cell, double goal);
+  // To the farthest one that may be tried from anywhere in the cell; 0: there is none.
+  [[nodiscard]] double farthest_from(std::size_t cell, double goal) const;
+
+ private:
+  // How many of the cells that are off by one ring the search tries.
+  struct Tried {
+    int surely = 0, perhaps = 0;
+  };
+  template <class Visit>
+  Tried visit_ring(std::size_t cell, int ring, const Visit& visit) const;
+  std::optional<double> longest_in(const Boundary& boundary, const Box& from, double goal,
+                                   const std::vector<Place>& ends, int times);
+  [[nodiscard]] std::vector<bool> met() const;
+
+  const std::vector<Segment>& zone_;
+  const Grid& grid_;
+  const double body_;
+  const std::vector<bool> met_;  // by cell: the boundary may be there
+  std::int64_t steps_ = 0, steps_end_ = 0;
+};
+
+}  // namespace rtac::recheck
