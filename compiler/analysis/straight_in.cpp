@@ -84,6 +84,13 @@ namespace {
 std::int32_t in_mm(std::int64_t length) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(length, 0, 1 << 29));
 }
+// Zones lie within 100 km of the origin: what reaches farther is a complement.
+bool has_end(const ir::ZoneTable& zone) {
+  constexpr std::int64_t far_mm = 100'000'000;
+  return std::ranges::all_of(zone.edges, [](const ir::Edge& e) {
+    return std::abs(std::int64_t{e.ax}) <= far_mm && std::abs(std::int64_t{e.ay}) <= far_mm;
+  });
+}
 // The straight ways that the search may take from wherever a body may be in the fence. What a
 // property asks for beyond touching the fence is kept, or else what the robot has.
 bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
@@ -105,6 +112,8 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
         in_mm(aims_at_mm(at.decision, step)),
         ir::goes_back(step.kind) ? 0 : in_mm(joins_within_mm(at.module[step.zone].cells))};
   }
+  // what has no end is not looked at cell by cell, but where what holds meanwhile keeps bodies
+  if (!has_end(at.module[fence])) query.starts = where_held<Region>(at, held_at(at), centres);
   const auto table_of = [&](ir::ZoneIndex zone) {
     return geometry::Table{edges_of(at.module[zone]), grid_of(at.module[zone])};
   };

@@ -54,22 +54,85 @@ Vec nearest_on(const EdgeRow& e, Vec p) {
   return {a.x + t * d.x, a.y + t * d.y};
 }
 
+struct Line {
+  Vec a, b;
+};
+// Where bodies may be, as far as offsets and the grid tell.
+class Starts {
+ public:
+  explicit Starts(const Region& region) {
+    for (const Ring& ring : region.rings()) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        lines_.push_back(
+            {{1e3 * a.x.get_d(), 1e3 * a.y.get_d()}, {1e3 * b.x.get_d(), 1e3 * b.y.get_d()}});
+      }
+    }
+  }
+  // Cells that cover them; nullopt: they have no end.
+  [[nodiscard]] std::optional<CellGrid> cells() const {
+    constexpr double far_mm = 1e8, most = 40'000;  // zones lie within 100 km of the origin
+    Box box{far_mm, far_mm, -far_mm, -far_mm};
+    for (const Line& e : lines_) {
+      box = {std::min(box.left, e.a.x), std::min(box.low, e.a.y), std::max(box.right, e.a.x),
+             std::max(box.top, e.a.y)};
+    }
+    CellGrid grid;
+    if (lines_.empty()) return grid;
+    const double farthest = std::max({-box.left, -box.low, box.right, box.top});
+    if (farthest > far_mm) return std::nullopt;
+    const double wide = box.right - box.left, high = box.top - box.low;
+    while (wide * high > most * grid.cell_mm * grid.cell_mm) grid.cell_mm *= 2;
+    grid.origin = {static_cast<std::int32_t>(box.left) - 2 * rounding,
+                   static_cast<std::int32_t>(box.low) - 2 * rounding};
+    grid.columns = static_cast<std::int32_t>((wide + 4 * rounding) / grid.cell_mm) + 1;
+    grid.rows = static_cast<std::int32_t>((high + 4 * rounding) / grid.cell_mm) + 1;
+    grid.clearance_mm_lo.assign(
+        static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), 0);
+    return grid;
+  }
+  // Some of them may be so near.
+  [[nodiscard]] bool are_near(Vec p, double within) const {
+    bool inside = false;
+    for (const Line& e : lines_) {
+      const Vec d = e.b - e.a, off = p - e.a;
+      const double t = std::clamp((off.x * d.x + off.y * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
+      if (distance(p, {e.a.x + t * d.x, e.a.y + t * d.y}) <= within + rounding) return true;
+      if ((e.a.y > p.y) == (e.b.y > p.y)) continue;
+      if (p.x < e.a.x + (p.y - e.a.y) / d.y * d.x) inside = !inside;
+    }
+    return inside;
+  }
+
+ private:
+  static constexpr std::int32_t rounding = 3;  // mm
+  std::vector<Line> lines_;
+};
+
 class Entering {
  public:
   Entering(const Table& zone, const Table& fence, const EntryQuery& query)
       : zone_(zone),
         fence_(fence.cells),
         query_(query),
-        connectors_(fence.edges, query.clearance_mm, query.body_mm,
-                    std::max(forgiven_mm, query.loss_mm + beyond_loss_mm)) {
+        starts_(query.starts ? std::optional<Starts>(*query.starts) : std::nullopt),
+        forgiven_(std::max(forgiven_mm, query.loss_mm + beyond_loss_mm)),
+        connectors_(fence.edges, query.clearance_mm, query.body_mm, forgiven_) {
     for (const EdgeRow& e : zone.edges) {
       const auto [left, right] = std::minmax({double(e.a.x_mm), double(e.b.x_mm)});
       const auto [low, top] = std::minmax({double(e.a.y_mm), double(e.b.y_mm)});
       boxes_.push_back({left, low, right, top});
     }
+    if (!starts_) return;
+    for (const EdgeRow& e : fence.edges) depth_ = std::min(depth_, to_zone(e));
   }
 
   Entry run() {
+    if (starts_) {
+      const auto cells = starts_->cells();
+      if (!cells) return {Entry::How::too_large, {}};
+      fence_ = *cells;
+    }
     const double size = fence_.cell_mm;
     for (std::int32_t row = 0; row < fence_.rows; ++row) {
       for (std::int32_t column = 0; column < fence_.columns; ++column) {
@@ -78,7 +141,10 @@ class Entering {
         if (fence_.clearance_mm_lo[at] < 0) continue;
         const double x = fence_.origin.x_mm + column * size, y = fence_.origin.y_mm + row * size;
         const Vec middle{x + size / 2, y + size / 2};
-        if (is_inside(middle, size / std::sqrt(2.0))) continue;
+        if (starts_ ? !starts_->are_near(middle, size / std::sqrt(2.0))
+                    : is_inside(middle, size / std::sqrt(2.0))) {
+          continue;
+        }
         const std::vector<Cell> cells = cells_near(middle);
         double reach = 0;
         for (const Cell& c : cells) reach = std::max(reach, distance(c.middle, middle));
@@ -164,8 +230,15 @@ class Entering {
   bool stays_within(const Connectors::Spot& spot, const std::vector<Cell>& cells, int halvings) {
     const Vec middle{spot.x_mm, spot.y_mm};
     const double radius = spot.radius_mm();
-    if (connectors_.holds_nobody(spot) || is_inside(middle, radius)) return true;
+    if (connectors_.holds_nobody(spot)) return true;
+    if (starts_ ? !starts_->are_near(middle, radius) || keeps_what_it_has(spot)
+                : is_inside(middle, radius)) {
+      return true;
+    }
     if (looks_ > looks_max) return false;
+    // a way from outside goes on in the zone
+    const bool deep = depth_ + forgiven_ >= query_.clearance_mm;
+    if (starts_ && !deep) return halvings > 0 && in_parts(spot, cells, halvings);
     const double off = contains(middle) ? 0 : nearest_of_zone(middle);
     const bool closely = halvings <= halvings_max - whole_levels;
     const double farthest = farthest_taken(spot, cells, off);
@@ -180,11 +253,32 @@ class Entering {
       if (!stays) open.push_back(c);
     }
     if (open.empty() && nearest_are_sound(spot, off)) return true;
-    if (halvings == 0) return false;
+    return halvings > 0 && in_parts(spot, query_.alone ? taken : open, halvings);
+  }
+  bool in_parts(const Connectors::Spot& spot, const std::vector<Cell>& cells, int halvings) {
     const auto parts = connectors_.quarters(spot);
     return std::all_of(parts.begin(), parts.end(), [&](const Connectors::Spot& part) {
-      return stays_within(part, query_.alone ? taken : open, halvings - 1);
+      return stays_within(part, cells, halvings - 1);
     });
+  }
+  // Ways that begin in the zone lose `loss_mm` at most of the clearance in it, or of what a body
+  // needs, and all of it is as much farther from the boundary of the fence as the two are apart.
+  bool keeps_what_it_has(const Connectors::Spot& spot) {
+    const Vec middle{spot.x_mm, spot.y_mm};
+    const double nearest = nearest_of_zone(middle), radius = spot.radius_mm();
+    const double asked = std::min<double>(query_.clearance_mm, spot.gap_mm + radius);
+    const double kept = std::min<double>(nearest - radius, query_.least_mm) - query_.loss_mm;
+    return nearest > radius && contains(middle) && depth_ + kept + forgiven_ >= asked;
+  }
+  // How far the zone is from an edge of the fence that it lies in.
+  double to_zone(const EdgeRow& of) {
+    const Vec a{double(of.a.x_mm), double(of.a.y_mm)}, b{double(of.b.x_mm), double(of.b.y_mm)};
+    double least = std::min(nearest_of_zone(a), nearest_of_zone(b));
+    for (const EdgeRow& e : zone_.edges) {
+      const Vec at{double(e.a.x_mm), double(e.a.y_mm)};
+      least = std::min(least, distance(nearest_on(of, at), at));
+    }
+    return least;
   }
   // The way from anywhere in the spot to the cell leads farther from the zone than `most`.
   bool leads_off(const Connectors::Spot& spot, Cell& cell, double most, bool closely) {
@@ -278,8 +372,11 @@ class Entering {
   }
 
   const Table& zone_;
-  const CellGrid& fence_;
+  CellGrid fence_;
   const EntryQuery query_;
+  const std::optional<Starts> starts_;
+  double depth_ = std::numeric_limits<double>::infinity();  // of the zone in the fence
+  const double forgiven_;
   Connectors connectors_;
   std::vector<Box> boxes_;  // of the edges of the zone
   std::int64_t looks_ = 0;

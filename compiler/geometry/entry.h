@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/geometry/bake.h"
+#include "compiler/geometry/region.h"
 
 namespace rtac::geometry {
 
@@ -27,6 +28,8 @@ struct EntryQuery {
     std::int32_t aim_mm = 0, reach_mm = 0;
   };
   std::optional<Alone> alone{};
+  // Where bodies may be; none: everywhere in the fence.
+  std::optional<Region> starts{};
 };
 
 struct Entry {
@@ -39,7 +42,9 @@ struct Entry {
 // Of every place in the fence and outside of the zone where a body can be, whether each way that is
 // straight stays as clear of the fence as is asked: to the nearest place of the zone, and to each
 // cell of it near enough to be tried which leads nowhere farther from it; of a robot that is alone,
-// to none beyond the nearest one that is surely seen.
+// to none beyond the nearest one that is surely seen. Of those that begin in the zone, where its
+// places are not as far from the boundary of the fence as is asked, only that they keep what they
+// have of it is known.
 Entry entry(const Table& zone, const Table& fence, const EntryQuery& query);
 
 }  // namespace rtac::geometry

@@ -112,6 +112,21 @@ geometry::Solid within(NamedZones& zones, sema::ZoneId zone, const Rational& by)
   return solid->shrink(by, zones.region(zone) != nullptr ? Rational(0) : by);
 }
 
+// Where the centre of a body may be while those of `held` are kept.
+geometry::Solid where_held(NamedZones& zones, const std::vector<Either>& held,
+                           const Rational& radius) {
+  geometry::Solid starts = geometry::Solid::everywhere();
+  for (const Either& sides : held) {
+    geometry::Solid some;
+    for (const Held& each : sides) some = some.unite(within(zones, each.zone, radius + each.gap));
+    starts = starts.intersect(some);
+  }
+  return starts;
+}
+
+// What is known of offsets from inside and outside (geometry/region.h).
+const Rational offsets_round(3, 1000);
+
 }  // namespace
 
 bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
@@ -121,19 +136,21 @@ bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   if (std::ranges::any_of(held, is_zone)) return true;
   NamedZones& zones = claims.zones();
   if (!zones.solid(zone)) return false;
-  // what is known of offsets from inside and outside (geometry/region.h)
-  const Rational radius = spec[d.kind].radius.value, round = Rational(3, 1000);
-  geometry::Solid starts = geometry::Solid::everywhere();
-  for (const Either& sides : held) {
-    geometry::Solid some;
-    for (const Held& each : sides) some = some.unite(within(zones, each.zone, radius + each.gap));
-    starts = starts.intersect(some);
-  }
-  const Rational body = std::max(Rational(radius - round), Rational(0));
-  return starts.subtract(within(zones, zone, body)).empty();
+  const Rational radius = spec[d.kind].radius.value;
+  const Rational body = std::max(Rational(radius - offsets_round), Rational(0));
+  return where_held(zones, held, radius).subtract(within(zones, zone, body)).empty();
 }
 
 namespace {
+
+// Of zones, which lie within 100 km of the origin; what reaches farther is a complement.
+bool has_end(const geometry::Region& region) {
+  const Rational far(100'000);
+  return std::ranges::all_of(region.rings(), [&](const geometry::Ring& ring) {
+    return std::ranges::all_of(
+        ring, [&](const geometry::Point& p) { return abs(p.x) <= far && abs(p.y) <= far; });
+  });
+}
 
 // In the plane, cell by cell: each straight way that the recovery may take. Whoever recovers within
 // that zone loses no more than ways over cells do.
@@ -173,6 +190,16 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
     const double width = milli(*cell).get_d();
     const double reach = over_cells ? std::max(0.4, 2 * width) + width : 0;
     limits.alone = {milli(*aim).get_d(), reach};
+  }
+  if (!has_end(*outer)) {
+    const geometry::Solid starts =
+        where_held(claims.zones(), held_at(spec, d, judged), kind.radius.value);
+    if (starts.empty()) return true;
+    for (const geometry::Slab& slab : starts.slabs()) {
+      if (!has_end(slab.region)) return false;
+      limits.starts.push_back(slab.region);
+    }
+    limits.starts_off = offsets_round.get_d();
   }
   const auto found = enters_beyond(*inner, {*cell, *x, *y}, *outer, limits);
   const auto* const place = std::get_if<std::optional<geometry::Point>>(&found);

@@ -27,18 +27,27 @@ class Entries {
  public:
   Entries(const std::vector<Segment>& zone, const Grid& grid, const std::vector<Segment>& fence,
           const EnteringLimits& limits)
-      : zone_(zone), grid_(grid), fence_(fence), limits_(limits) {}
+      : zone_(zone), grid_(grid), fence_(fence), limits_(limits) {
+    for (const geometry::Region& region : limits.starts) {
+      const std::vector<Segment> edges = segments_of(region);
+      starts_.insert(starts_.end(), edges.begin(), edges.end());
+    }
+    if (starts_.empty()) return;
+    for (const Segment& s : zone_) depth_ = std::min(depth_, between(s, fence_));
+    for (const Segment& s : fence_) depth_ = std::min(depth_, between(s, zone_));
+  }
 
   std::variant<std::optional<geometry::Point>, BadCells> run() {
     double left = 1e300, low = 1e300, right = -1e300, top = -1e300;
-    for (const Segment& s : fence_) {
+    const double more = limits_.starts_off;
+    for (const Segment& s : starts_.empty() ? fence_ : starts_) {
       left = std::min({left, s.ax, s.bx}), right = std::max({right, s.ax, s.bx});
       low = std::min({low, s.ay, s.by}), top = std::max({top, s.ay, s.by});
     }
-    for (double y = low; y < top; y += square_m) {
-      for (double x = left; x < right; x += square_m) {
+    for (double y = low - more; y < top + more; y += square_m) {
+      for (double x = left - more; x < right + more; x += square_m) {
         const Box square{x, y, x + square_m, y + square_m};
-        if (is_inside(square)) continue;
+        if (starts_.empty() ? is_inside(square) : !may_start(square)) continue;
         const std::vector<End> ends = ends_near(middle(square));
         double reach = 0;
         for (const End& e : ends) reach = std::max(reach, apart(e.place, middle(square)));
@@ -79,6 +88,34 @@ class Entries {
     for (const Segment& s : zone_) least = std::min(least, square_to(s, p.x, p.y));
     return std::sqrt(least);
   }
+  // Some body may be in the square.
+  [[nodiscard]] bool may_start(const Box& b) const {
+    const double within = radius(b) + limits_.starts_off;
+    const Place m = middle(b);
+    bool in = false;
+    for (const Segment& s : starts_) {
+      if (square_to(s, m.x, m.y) <= within * within) return true;
+      if ((s.ay > m.y) == (s.by > m.y)) continue;
+      if (m.x < s.ax + (m.y - s.ay) / (s.by - s.ay) * (s.bx - s.ax)) in = !in;
+    }
+    return in;
+  }
+  // From the ends of one segment.
+  static double between(const Segment& s, const std::vector<Segment>& others) {
+    double square = 1e300;
+    for (const Segment& o : others) {
+      square = std::min({square, square_to(o, s.ax, s.ay), square_to(o, s.bx, s.by)});
+    }
+    return std::sqrt(square);
+  }
+  // A way in the zone loses little of the clearance there, and of that in the fence no more: all of
+  // the zone is `depth_` from its boundary.
+  bool keeps_what_it_has(const Boundary& boundary, const Box& from) {
+    const double nearest = to_zone(middle(from)) - radius(from) - snap_m;
+    const double kept = std::min(nearest, limits_.least) - limits_.loss;
+    return nearest > 0 && contains(middle(from)) &&
+           depth_ + kept >= boundary.asked_from(from, limits_.clearance, forgiven());
+  }
   // With what the zone of a robot may be smaller by.
   bool is_inside(const Box& b) {
     return to_zone(middle(b)) > radius(b) + snap_m && contains(middle(b));
@@ -112,8 +149,16 @@ class Entries {
 
   bool stays_within(const Boundary& boundary, const Box& from, const std::vector<End>& ends,
                     int times) {
-    if (boundary.holds_nobody(from, limits_.body) || is_inside(from)) return true;
-    if (steps_ > steps_max) return false;
+    if (boundary.holds_nobody(from, limits_.body)) return true;
+    const bool done =
+        starts_.empty() ? is_inside(from) : !may_start(from) || keeps_what_it_has(boundary, from);
+    if (done || steps_ > steps_max) return done;
+    // what begins outside goes on in the zone, wherever that is
+    if (!starts_.empty() && depth_ + forgiven() < limits_.clearance) {
+      return times > 0 && std::ranges::all_of(quarters(from), [&](const Box& quarter) {
+               return stays_within(boundary, quarter, ends, times - 1);
+             });
+    }
     const double off = contains(middle(from)) ? 0 : to_zone(middle(from));
     const double asked = boundary.asked_from(from, limits_.clearance, forgiven());
     const double farthest = limits_.alone ? farthest_taken(from, ends, off) : 1e300;
@@ -220,6 +265,8 @@ class Entries {
   const Grid& grid_;
   const std::vector<Segment>& fence_;
   const EnteringLimits limits_;
+  std::vector<Segment> starts_;
+  double depth_ = 1e300;  // of the zone in the fence
   std::int64_t steps_ = 0;
 };
 

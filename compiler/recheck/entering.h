@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "compiler/recheck/zones.h"
 
@@ -21,6 +22,10 @@ struct EnteringLimits {
     double aim, reach;
   };
   std::optional<Alone> alone{};
+  // Nobody is farther than so much from these; none: a body may be anywhere in the fence. The zone
+  // lies in that.
+  std::vector<geometry::Region> starts{};
+  double starts_off = 0;
 };
 // A place from which a way that is straight may come too near to the boundary of the fence; none:
 // there is none. `BadCells`: the cells are not those of the zone, or there are too many ways.

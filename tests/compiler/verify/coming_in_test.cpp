@@ -161,6 +161,63 @@ decision go for Rover { advanced pilot; period 100 ms; priority m; }
   EXPECT_NE(denied.out.find("lead across what is not convex"), std::string::npos) << denied.out;
 }
 
+// Off a pond, within a zone that is farther from it than is asked: whoever is outside of that keeps
+// the distance that it has on its way in, and what holds besides says where a body may be at all.
+std::string off_a_pond(const std::string& keep) {
+  return R"(spec ponds;
+zone room = rectangle (-1.1 m, -3 m) to (8 m, 4 m);
+zone pond = circle (4 m, 0 m) radius 1 m;
+zone walls = rectangle (-1.1 m, 0.1 m) to (-0.7 m, 4 m) | rectangle (0.7 m, 0.7 m) to (0.8 m, 3 m);
+zone shelf = rectangle (-1.1 m, -12 mm) to (4 m, 0 m);
+zone keep = )" +
+         keep + R"(;
+robot Rover {
+  body     radius 20 cm;
+  motion   point { speed <= 0.5 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense    position : point   error 1 cm    max_age 20 ms;
+  sense    velocity : vector  error 1 cm/s  max_age 20 ms;
+  output   thrust   : acceleration;
+  latency  5 ms;
+}
+fleet one : Rover;
+controller pilot : advanced for Rover extern;
+controller back  : safe for Rover = retreat within keep speed 0.3 m/s;
+monitor m for r : Rover { "SR-1" always r inside room and distance(r, )" +
+         std::string(keep.find("walls") == std::string::npos ? "pond" : "walls") +
+         R"() >= 40 cm; recover back; }
+decision go for Rover { advanced pilot; period 20 ms; priority m; }
+)";
+}
+Json p2a_of(Json report) {
+  for (Json& o : report["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a") return o;
+  }
+  return {};
+}
+
+TEST_F(ComingIn, AWiderBerthThanIsAskedKeepsADistance) {
+  for (const char* const by : {"41 cm", "50 cm", "1 m"}) {
+    const Json report = report_of(off_a_pond("room - grow(pond, " + std::string(by) + ")"));
+    EXPECT_EQ(p2a_of(report)["status"], "proved") << by << p2a_of(report);
+    EXPECT_EQ(rechecked(report).status, exit_clean) << by;
+  }
+}
+// Beside a shelf that only the zone leaves out, legs keep no more of the clearance in it than
+// little, and pass a wall nearer than is asked.
+TEST_F(ComingIn, WhatOnlyTheZoneLeavesOutIsNoBerth) {
+  const Json proved = report_of(off_a_pond("room - grow(pond, 41 cm)"));
+  const std::string beside = off_a_pond("room - grow(pond, 41 cm) - shelf");
+  Json report = report_of(beside);
+  EXPECT_EQ(p2a_of(report)["status"], "unknown") << p2a_of(report);
+  for (Json& o : report["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a") o = p2a_of(proved);
+  }
+  const Outcome denied = rechecked(report);
+  EXPECT_EQ(denied.status, exit_violation);
+  EXPECT_NE(denied.out.find("lead across what is not convex"), std::string::npos) << denied.out;
+  EXPECT_NE(p2a_of(report_of(off_a_pond("room - grow(walls, 41 cm) - shelf")))["status"], "proved");
+}
+
 TEST_F(ComingIn, WhoKeepsItsHeightKeepsAZoneThatHasSome) {
   const Json report =
       report_of(at_a_height("= retreat within flat speed 0.3 m/s", "r inside hall"));
