@@ -14,8 +14,25 @@ constexpr std::size_t enough = 64;
 constexpr int halvings_max = 7;
 // Of what the recovery forgives a leg (loss_m of runtime/core/retreat.cpp), 1 mm is to spare.
 constexpr double forgiven_mm = 1;
+// A goal is so much clearer than is asked for: the recheck finds clearances of cells to 4 mm.
+constexpr std::int32_t surely_mm = 6;
 // Of edges and legs; what has not been looked at is not known.
 constexpr std::int64_t looks_max = 40'000'000, of_cell_max = 400'000;
+
+// One ring, with its inside to the left of every edge, that turns round once and never to the
+// right.
+bool is_convex(const std::vector<EdgeRow>& edges) {
+  std::int64_t upward = 0;  // edges that begin to lead up
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const EdgeRow &e = edges[i], &next = edges[(i + 1) % edges.size()];
+    if (e.b.x_mm != next.a.x_mm || e.b.y_mm != next.a.y_mm) return false;
+    const Rational turn = Rational(e.b.x_mm - e.a.x_mm) * Rational(next.b.y_mm - next.a.y_mm) -
+                          Rational(e.b.y_mm - e.a.y_mm) * Rational(next.b.x_mm - next.a.x_mm);
+    if (turn < 0) return false;
+    if (e.b.y_mm <= e.a.y_mm && next.b.y_mm > next.a.y_mm) ++upward;
+  }
+  return upward == 1;
+}
 
 }  // namespace
 
@@ -23,6 +40,7 @@ StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& ce
                            std::int32_t body_mm, std::int32_t goal_mm)
     : cells_(cells),
       goal_mm_(goal_mm),
+      convex_(is_convex(edges)),
       edges_(static_cast<std::int64_t>(edges.size())),
       legs_(edges, goal_mm, body_mm, forgiven_mm),
       around_(edges, goal_mm + 2 * cells.cell_mm, body_mm) {}
@@ -36,6 +54,9 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell) {
   if (ends.empty() || looks_ > looks_max) return std::nullopt;
   looks_end_ = std::min(looks_max, looks_ + of_cell_max);
   const double size = cells_.cell_mm;
+  // there the clearance along a leg is no less than at the end that has less, and the place that it
+  // leads from has less than a goal
+  if (convex_) return ends.front().off_mm + size;
   const double west = cells_.origin.x_mm + column * size;
   const double south = cells_.origin.y_mm + row * size;
   double reach = 0;
@@ -76,7 +97,7 @@ std::vector<StraightLegs::End> StraightLegs::ends_of(std::size_t cell, bool perh
   for (std::int32_t ring = 0; ring <= last && tested <= tests_max; ++ring) {
     if (!perhaps && found.size() >= enough) break;
     std::vector<End> of_ring;
-    tested += add_ring(cell, ring, perhaps ? goal_mm_ : goal_mm_ + 1, of_ring);
+    tested += add_ring(cell, ring, perhaps ? goal_mm_ : goal_mm_ + surely_mm, of_ring);
     if (!perhaps && tested > tests_max) break;
     found.insert(found.end(), of_ring.begin(), of_ring.end());
   }

@@ -19,8 +19,8 @@ double apart(Place a, Place b) {
 
 }  // namespace
 
-Straight::Straight(const std::vector<Segment>& zone, const Grid& grid, double body)
-    : zone_(zone), grid_(grid), body_(body), met_(met()) {}
+Straight::Straight(const std::vector<Segment>& zone, const Grid& grid, double body, bool convex)
+    : zone_(zone), grid_(grid), body_(body), convex_(convex), met_(met()) {}
 
 // Cells that lie in the box around a piece of a segment no longer than a cell: some more than it
 // meets.
@@ -84,6 +84,7 @@ std::optional<double> Straight::longest_from(std::size_t cell, double goal) {
   std::ranges::stable_sort(ends, {}, [&](Place end) { return apart(end, middle(here)); });
   steps_ += static_cast<std::int64_t>(zone_.size());
   if (ends.empty() || steps_ > steps_max) return std::nullopt;
+  if (convex_) return apart(ends.front(), middle(here)) + grid_.cell;
   steps_end_ = std::min(steps_max, steps_ + of_cell_max);
   const double within =
       apart(ends.back(), middle(here)) + 3 * grid_.cell + std::max(goal, body_) + snap_m;

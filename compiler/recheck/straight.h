@@ -14,8 +14,9 @@ namespace rtac::recheck {
 
 class Straight {
  public:
-  // `zone` and `grid` have to outlive it.
-  Straight(const std::vector<Segment>& zone, const Grid& grid, double body);
+  // `zone` and `grid` have to outlive it. Where the zone is `convex`, every leg to a goal keeps what
+  // the robot has.
+  Straight(const std::vector<Segment>& zone, const Grid& grid, double body, bool convex);
   // How long the leg is that is taken from any place of a cell to one that is so clear, at most;
   // a body that has as much needs none. nullopt: from some place none is known.
   std::optional<double> longest_from(std::size_t cell, double goal);
@@ -36,6 +37,7 @@ class Straight {
   const std::vector<Segment>& zone_;
   const Grid& grid_;
   const double body_;
+  const bool convex_;
   const std::vector<bool> met_;  // by cell: the boundary may be there
   std::int64_t steps_ = 0, steps_end_ = 0;
 };

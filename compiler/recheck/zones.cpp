@@ -229,7 +229,7 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
   if (!grid) return BadCells{};
   const double route = route_m.get_d(), body = body_m.get_d() + snap_m, goal = goal_m.get_d();
   const auto reached = best_ways(*grid, goals_of(*grid, goal - snap_m, sites));
-  Straight straight(edges, *grid, body_m.get_d());
+  Straight straight(edges, *grid, body_m.get_d(), is_convex(zone.rings()));
   JoiningLimits limits{body_m.get_d(),
                        route,
                        sites.empty(),
@@ -260,7 +260,7 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
   const auto goals = goals_of(*grid, goal - snap_m, sites);
   const auto reached = best_ways(*grid, goals);
   const auto steps = climbs(*grid, goals, route);
-  Straight straight(edges, *grid, body_m.get_d());
+  Straight straight(edges, *grid, body_m.get_d(), is_convex(zone.rings()));
   std::vector<double> rest(steps.size(), 0);
   JoiningLimits limits{body_m.get_d(), route, sites.empty(), goal, reach_of(*grid), {}, {}};
   bool endless = false;  // from some cell

@@ -170,6 +170,14 @@ Obligation doubted(Obligation o, std::string why) {
   return o;
 }
 
+// Whether a robot fits into the zone at that place.
+bool holds_body(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& part) {
+  const Rational radius(static_cast<long>(s.decision.body.radius_mm), 1000);
+  const geometry::Point at{analysis::metres_of(part.x_mm), analysis::metres_of(part.y_mm)};
+  const geometry::Region& region = s.exact(zone);
+  return region.contains(at) && square_to(region.rings(), at) >= radius * radius;
+}
+
 // A way from everywhere in the zone to where control is given back, as `liveness` finds them.
 Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
@@ -179,12 +187,15 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   o.method = "ways over cells";
   if (!ways.stranded.empty()) {
     const analysis::Stranded& part = ways.stranded.front();
-    // where cells are too coarse for a way, the recovery may find one
-    o.status = Status::refuted;
-    o.by_a_run = true;
-    o.place_mm = {part.x_mm, part.y_mm};
+    // where cells are too coarse for a way, the recovery may find one; and where they are so coarse
+    // that nobody fits in the middle of one, no run begins there
+    const bool fits = holds_body(s, last.zone, part);
+    o.status = fits ? Status::refuted : Status::unknown;
+    o.by_a_run = fits;
+    if (fits) o.place_mm = {part.x_mm, part.y_mm};
     o.because = "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " +
                 quoted(zone.name) + " no way over its cells leads to where control is given back";
+    if (!fits) return o;
     // the part may be wide itself, and what leads out of it narrow
     const std::int64_t wide_mm = 2 * (last.return_clearance_mm + zone.cells.cell_mm);
     if (2 * part.clearance_mm < wide_mm) {

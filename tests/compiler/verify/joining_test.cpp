@@ -75,6 +75,23 @@ TEST_F(Joining, OutOfTheCornersOfARhombusALegLeadsStraight) {
   const Outcome run = rtac({"sim", "spec.rta", "--scenario", "s.json"});
   EXPECT_EQ(run.status, exit_clean) << run.out << run.err;
 }
+// Cells of tens of metres touch its boundary all round, and hold no way; a leg leads straight in.
+TEST_F(Joining, InAConvexZoneOfManyKilometresLegsLeadStraight) {
+  const std::string octagon =
+      "polygon [(0 m, 3000 m), (3000 m, 0 m), (7000 m, 0 m), (10000 m, 3000 m), (10000 m, 7000 m), "
+      "(7000 m, 10000 m), (3000 m, 10000 m), (0 m, 7000 m)]";
+  const std::string wide =
+      edited(at_the_end_of("6 m"),
+             "rectangle (0 m, 0 m) to (6 m, 6 m) | rectangle (6 m, 0 m) to (12 m, 6 m)", octagon);
+  const Outcome o = verified(wide, {"--format", "json", "-o", "shown"});
+  EXPECT_EQ(statuses(o.out, "P2b", "fence"), Statuses{"proved"}) << o.out;
+  EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
+  // beside a lake nobody knows, and no run begins outside of the zone
+  const Outcome lake =
+      verified(edited(wide, octagon, octagon + " - rectangle (4000 m, 4000 m) to (5000 m, 5000 m)"),
+               {"--format", "json"});
+  EXPECT_EQ(statuses(lake.out, "P2b", "fence"), Statuses{"unknown"}) << lake.out;
+}
 TEST(JoiningOnceMore, FindsLegsOutOfCornersItself) {
   const auto ends = [](const geometry::Ring& ring, const Rational& back) {
     const auto found = recheck::without_way(geometry::Region::of_rings({ring}), {100, 0, 0},
