@@ -59,6 +59,30 @@ bool apart_by_axis(Vec a, Vec b, Vec c, Vec d, double far) {
 
 }  // namespace
 
+Connectors::Connectors(const std::vector<EdgeRow>& edges, std::int32_t clearance_mm,
+                       std::int32_t body_mm, double forgiven_mm)
+    : edges_(edges), clearance_mm_(clearance_mm), body_mm_(body_mm), forgiven_mm_(forgiven_mm) {
+  // long edges are in all of them, so there are not too many
+  constexpr std::size_t of_strip = 8, strips_max = 256;
+  strips_.resize(std::clamp<std::size_t>(edges.size() / of_strip, 1, strips_max));
+  if (edges.empty()) return;
+  double east = west_ = edges.front().a.x_mm;
+  for (const EdgeRow& e : edges) {
+    west_ = std::min<double>(west_, std::min(e.a.x_mm, e.b.x_mm));
+    east = std::max<double>(east, std::max(e.a.x_mm, e.b.x_mm));
+  }
+  strip_mm_ = std::max(1.0, (east - west_) / static_cast<double>(strips_.size()));
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const auto [first, last] = std::minmax(edges[i].a.x_mm, edges[i].b.x_mm);
+    for (std::size_t at = strip_of(first); at <= strip_of(last); ++at) strips_[at].push_back(i);
+  }
+}
+
+std::size_t Connectors::strip_of(double x_mm) const {
+  const double last = static_cast<double>(strips_.size() - 1);
+  return static_cast<std::size_t>(std::clamp(std::floor((x_mm - west_) / strip_mm_), 0.0, last));
+}
+
 double Connectors::Spot::radius_mm() const {
   return side_mm / std::sqrt(2.0);
 }
@@ -68,9 +92,15 @@ Connectors::Spot Connectors::look_around(double x_mm, double y_mm, double size_m
   const Vec middle{x_mm + size_mm / 2, y_mm + size_mm / 2};
   const double limit = size_mm * std::sqrt(2.0) + reach_mm + std::max(clearance_mm_, body_mm_) + 1;
   near_.clear();
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    if (distance(start_of(edges_[i]), end_of(edges_[i]), middle) <= limit) near_.push_back(i);
+  for (std::size_t at = strip_of(middle.x - limit); at <= strip_of(middle.x + limit); ++at) {
+    near_.insert(near_.end(), strips_[at].begin(), strips_[at].end());
   }
+  std::ranges::sort(near_);
+  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+  looked_at_ = static_cast<std::int64_t>(near_.size());
+  std::erase_if(near_, [&](std::uint32_t i) {
+    return distance(start_of(edges_[i]), end_of(edges_[i]), middle) > limit;
+  });
   return spot_at(middle.x, middle.y, size_mm);
 }
 

@@ -22,8 +22,7 @@ class Connectors {
   // stays at that of its start or at `clearance_mm`, less what the controller forgives: of 8 mm in
   // the plane, 7.
   Connectors(const std::vector<EdgeRow>& edges, std::int32_t clearance_mm, std::int32_t body_mm,
-             double forgiven_mm = 7)
-      : edges_(edges), clearance_mm_(clearance_mm), body_mm_(body_mm), forgiven_mm_(forgiven_mm) {}
+             double forgiven_mm = 7);
 
   // Upper bound, over every place of the square cell at (x, y) where a body can be, of the shortest
   // way over one of `landings`; negative when some place has no sound leg. The landings are sorted
@@ -40,6 +39,8 @@ class Connectors {
     [[nodiscard]] double radius_mm() const;  // of the circle around it
   };
   [[nodiscard]] Spot look_around(double x_mm, double y_mm, double size_mm, double reach_mm);
+  // How many edges that took a look at.
+  [[nodiscard]] std::int64_t looked_at() const { return looked_at_; }
   [[nodiscard]] std::array<Spot, 4> quarters(const Spot& spot) const;
   // No body can be there.
   [[nodiscard]] bool holds_nobody(const Spot& spot) const;
@@ -49,12 +50,17 @@ class Connectors {
  private:
   [[nodiscard]] double longest_in(const Spot& spot, int halvings,
                                   const std::vector<Landing>& landings) const;
+  [[nodiscard]] std::size_t strip_of(double x_mm) const;
   [[nodiscard]] Spot spot_at(double x_mm, double y_mm, double side_mm) const;
   [[nodiscard]] bool contains(double x, double y) const;
 
   const std::vector<EdgeRow>& edges_;
   double clearance_mm_, body_mm_, forgiven_mm_;
+  // Edges by the strips of x that they reach into, one beside the other.
+  double west_ = 0, strip_mm_ = 1;
+  std::vector<std::vector<std::uint32_t>> strips_;
   std::vector<std::uint32_t> near_;  // edges that matter for the cell
+  std::int64_t looked_at_ = 0;
 };
 
 }  // namespace rtac::geometry

@@ -43,7 +43,6 @@ class Joining {
   Joining(const std::vector<EdgeRow>& edges, const CellGrid& cells, const JoinQuery& query)
       : cells_(cells),
         query_(query),
-        edges_(static_cast<std::int64_t>(edges.size())),
         connectors_(edges, query.route_mm, query.body_mm, join_loss_mm),
         around_(edges, std::max(query.route_mm, query.return_mm + 2 * spare_mm), query.body_mm),
         rest_most_(query.rest_mm.empty() ? 0 : *std::ranges::max_element(query.rest_mm)),
@@ -84,8 +83,9 @@ class Joining {
   // it takes the one with the shortest way, and beyond the nearest one.
   double longest_from(std::int32_t column, std::int32_t row) {
     const double size = cells_.cell_mm, west = west_of(column), south = south_of(row);
-    looks_ += edges_;
-    if (around_.holds_nobody(around_.look_around(west, south, size, 0))) return 0;
+    const Connectors::Spot whole = around_.look_around(west, south, size, 0);
+    looks_ += around_.looked_at();
+    if (around_.holds_nobody(whole)) return 0;
     if (looks_ > looks_max) return -1;
     without_.reset();
     looks_end_ = std::min(looks_max, looks_ + of_cell_max);
@@ -96,8 +96,8 @@ class Joining {
         reach =
             std::max(reach, std::hypot(s.at.x_mm - west - size / 2, s.at.y_mm - south - size / 2));
       }
-      looks_ += edges_;
       (void)connectors_.look_around(west, south, size, reach);
+      looks_ += connectors_.looked_at();
       const auto spot = around_.look_around(west, south, size, 0);
       // from where none of the nearer ones did, mostly no other does
       if (without_ && first_of(*without_, starts) == nullptr) continue;
@@ -223,7 +223,6 @@ class Joining {
 
   const CellGrid& cells_;
   const JoinQuery query_;
-  const std::int64_t edges_;
   Connectors connectors_;  // of legs
   Connectors around_;      // of places
   const std::int64_t rest_most_;

@@ -41,7 +41,6 @@ StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& ce
     : cells_(cells),
       goal_mm_(goal_mm),
       convex_(is_convex(edges)),
-      edges_(static_cast<std::int64_t>(edges.size())),
       legs_(edges, goal_mm, body_mm, forgiven_mm),
       around_(edges, goal_mm + 2 * cells.cell_mm, body_mm) {}
 
@@ -50,7 +49,6 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell) {
   const auto column = static_cast<std::int32_t>(cell % columns);
   const auto row = static_cast<std::int32_t>(cell / columns);
   const std::vector<End> ends = ends_of(cell, false);
-  looks_ += 2 * edges_;
   if (ends.empty() || looks_ > looks_max) return std::nullopt;
   looks_end_ = std::min(looks_max, looks_ + of_cell_max);
   const double size = cells_.cell_mm;
@@ -62,7 +60,9 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell) {
   double reach = 0;
   for (const End& end : ends) reach = std::max(reach, end.off_mm);
   (void)legs_.look_around(west, south, size, reach);
-  return longest_in(around_.look_around(west, south, size, 0), ends, halvings_max);
+  const Connectors::Spot whole = around_.look_around(west, south, size, 0);
+  looks_ += legs_.looked_at() + around_.looked_at();
+  return longest_in(whole, ends, halvings_max);
 }
 
 // The nearest one in sight is taken, and none that is tried is left out for one that is farther.

@@ -40,7 +40,6 @@ class StraightLegs {
   const CellGrid& cells_;
   const std::int32_t goal_mm_;
   const bool convex_;
-  const std::int64_t edges_;
   Connectors legs_;    // what they keep
   Connectors around_;  // of places
   std::int64_t looks_ = 0, looks_end_ = 0;

@@ -95,6 +95,22 @@ TEST(Joining, NotFromTheMiddleOfANarrowPassage) {
   EXPECT_FALSE(Room::any(wide.shown(false)));
 }
 
+// Of thousands of edges few are near a cell, and no others are looked at.
+TEST(Joining, WithinAnOutlineOfThousandsOfVertices) {
+  constexpr int vertices = 5000;
+  Ring ring;
+  for (int i = 0; i < vertices; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / vertices;
+    const double radius_mm = 9'000 + 300 * std::sin(30 * angle);
+    ring.push_back({Rational(std::lround(radius_mm * std::cos(angle)), 1000),
+                    Rational(std::lround(radius_mm * std::sin(angle)), 1000)});
+  }
+  const Room wavy(Region::of_rings({ring}));
+  const Joins found = wavy.shown(true);
+  EXPECT_FALSE(Room::any(found));
+  EXPECT_EQ(wavy.without_a_start(found, true, 300), 0);
+}
+
 TEST(Joining, OfRandomRoomsTheSearchFindsWhatIsPromised) {
   std::mt19937 random(11);
   int all_of_it = 0;
