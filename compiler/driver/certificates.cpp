@@ -212,11 +212,14 @@ int recheck_certificates(const Options& options, Compilation& c, std::ostream& o
   }
   tell("not proved: ", outcome.failed, out);
   tell("unknown: ", outcome.open, out);
+  tell("refuted, as the report says: ", outcome.refuted, out);
+  tell("unknown, as the report says: ", outcome.unknown, out);
   out << outcome.obligations << " obligations, " << outcome.claims << " claims, "
       << outcome.failed.size() + broken.size() << " not proved, " << outcome.open.size()
-      << " unknown\n";
-  if (!outcome.failed.empty() || !broken.empty()) return exit_violation;
-  return outcome.open.empty() ? exit_clean : exit_inconclusive;
+      << " unknown; the report leaves " << outcome.refuted.size() << " obligations refuted and "
+      << outcome.unknown.size() << " unknown\n";
+  if (!outcome.failed.empty() || !broken.empty() || !outcome.refuted.empty()) return exit_violation;
+  return outcome.open.empty() && outcome.unknown.empty() ? exit_clean : exit_inconclusive;
 }
 
 }  // namespace rtac::driver

@@ -20,7 +20,9 @@ const std::map<std::string, const char*>& lemma_texts();
 std::string write_certificates(const Compilation& c, const verify::Report& report,
                                const std::string& folder);
 
-// 0: every proof is one, 3: one is not, 4: z3 was not there, or did not answer in time.
+// 0: every proof is one, and every obligation is proved or acknowledged. 3: a proof is none, or the
+// report refutes an obligation. 4: z3 was not there, or did not answer in time, or the report
+// leaves an obligation unknown.
 int recheck_certificates(const Options& options, Compilation& c, std::ostream& out);
 
 }  // namespace rtac::driver

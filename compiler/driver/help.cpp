@@ -195,11 +195,13 @@ constexpr CommandText command_texts[] = {
      "  rtac verify delivery.rta --format json -o certificates\n"
      "  rtac verify delivery.rta --conservatism\n"
      "  rtac verify --recheck certificates\n",
-     "  0  everything is proved or acknowledged; every certificate is one\n"
+     "  0  everything is proved or acknowledged, and with --recheck every certificate is one\n"
      "  1  the specification has errors that no obligation is about\n"
      "  2  usage, or a file that cannot be read or written\n"
-     "  3  an obligation is refuted; a certificate is none\n"
-     "  4  an obligation is unknown; z3 or spin is missing, or does not end in time\n"
+     "  3  an obligation is refuted; with --recheck also: a certificate is none\n"
+     "  4  an obligation is unknown; with --recheck also: z3 or spin is missing, or does not end "
+     "in\n"
+     "     time\n"
      "  70 a bug of rtac\n"},
     {"zones", "rtac zones SPEC -o FILE [FLAG...]",
      "Draws the zones of a specification as SVG, with a scale: every zone that has a name, where "
@@ -300,12 +302,18 @@ std::string overview() {
          "SPEC and FILE are paths of .rta files, TRACE of a .csv file, or - for standard input.\n"
          "Data goes to standard output, diagnostics to standard error.\n"
          "\n"
-         "Exit codes: 0 clean, 1 the specification has errors, or `fmt --check` a finding, 2 "
-         "usage, "
-         "or a\n"
-         "file or trace that cannot be used, 3 a monitor was false in the trace, or a property "
-         "was\n"
-         "violated in a simulation, 4 it cannot be simulated, 70 internal error.\n";
+         "Exit codes:\n"
+         "  0  clean; of `verify`: every obligation is proved or acknowledged\n"
+         "  1  the specification has errors, or `fmt --check` a finding\n"
+         "  2  usage, or a file or trace that cannot be used\n"
+         "  3  refuted: `verify` refutes an obligation or a certificate, a property was violated "
+         "in "
+         "a\n"
+         "     simulation, or a monitor was false in a trace\n"
+         "  4  unknown: `verify` neither proves nor refutes an obligation, or it cannot be "
+         "simulated;\n"
+         "     unknown is to be taken for unsafe\n"
+         "  70 a bug of rtac\n";
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ class Check {
       : spec_(spec), provers_(provers), claims_(spec, sources, provers.lemma) {}
 
   Outcome run(const std::vector<Part>& parts) {
+    spoken_of_once(parts);
     for (const sema::Decision& d : spec_.decisions) {
       const auto part = std::find_if(parts.begin(), parts.end(),
                                      [&](const Part& p) { return p.decision == d.name; });
@@ -63,6 +64,18 @@ class Check {
            (e.recovery.empty() ? "" : " while `" + e.recovery + "` drives");
   }
 
+  // A second part of a decision, or one of none, would stand there as if somebody had looked at it.
+  void spoken_of_once(const std::vector<Part>& parts) {
+    for (auto part = parts.begin(); part != parts.end(); ++part) {
+      const auto same = [&](const auto& other) { return other.decision == part->decision; };
+      if (std::any_of(parts.begin(), part, same)) fail("`" + part->decision + "` is told twice");
+      if (std::ranges::none_of(spec_.decisions,
+                               [&](const sema::Decision& d) { return d.name == part->decision; })) {
+        fail("there is no decision `" + part->decision + "`");
+      }
+    }
+  }
+
   // theory, well-formed RTA modules: what there has to be.
   void complete(const sema::Decision& d, const Part& part) {
     const auto need = [&](const std::string& kind, const std::string& monitor,
@@ -77,6 +90,7 @@ class Check {
       for (const char* kind : {"P2a", "P2b", "P3", "satisfiable"}) need(kind, name);
       if (d.on_plan) continue;
       need("P1a", name);
+      if (sema::speaks_of_robot(*spec_[id].always)) need("not vacuous", name);
       for (const sema::MonitorId other : d.priority) {
         if (other != id && spec_[other].recover) need("C", name, spec_[*spec_[other].recover].name);
       }
@@ -89,7 +103,8 @@ class Check {
 
   void entry(const sema::Decision& d, const Entry& e, const Part& part) {
     ++out_.obligations;
-    if (e.status == "unknown" || e.status == "refuted") return;  // nothing is claimed
+    if (e.status == "unknown") return out_.unknown.push_back(whom(d, e));
+    if (e.status == "refuted") return out_.refuted.push_back(whom(d, e));
     const bool proved = e.status == "proved", declared = waits(d, e);
     if (!proved && e.status != "acknowledged") {
       return fail(whom(d, e) + ": `" + e.status + "` is no status");
@@ -204,7 +219,8 @@ class Check {
       return need(d, e, "lemma", {{"name", "return_implies_ahead"}}, false);
     }
     if (e.kind == "C") return keeps_other(d, e, *m, part);
-    if (e.kind == "satisfiable") satisfiable(d, e, *m);
+    if (e.kind == "satisfiable") return satisfiable(d, e, *m);
+    fail(whom(d, e) + ": there is no such obligation");
   }
   // A place in each zone that it asks for; of none, that the robot is as it is declared.
   void satisfiable(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {

@@ -1,6 +1,7 @@
 // Checks what `rtac verify` has written, from the specification and from the claims alone: every
 // obligation is there, what is called acknowledged is acknowledged, and what is called proved rests
-// on the claims that it needs, each of which is true. Knows nothing of how they were found.
+// on the claims that it needs, each of which is true. What is called refuted or unknown claims
+// nothing: it is told, and never counts as shown. Knows nothing of how claims were found.
 #pragma once
 
 #include <functional>
@@ -29,7 +30,8 @@ struct Provers {
 
 struct Outcome {
   int obligations = 0, claims = 0;
-  std::vector<std::string> failed, open;  // what is wrong, and what nobody could tell
+  std::vector<std::string> failed, open;      // what is wrong, and what nobody could tell
+  std::vector<std::string> refuted, unknown;  // obligations that the report leaves so
 };
 // `report`: the text of verification.json.
 Outcome recheck(const sema::Spec& spec, const SourceManager& sources, const std::string& report,
