@@ -12,6 +12,7 @@
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sight.h"
 #include "compiler/recheck/sums.h"
+#include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -156,7 +157,7 @@ Found Claims::limits(const Values& v) {
   const auto jitter = number(v, "jitter_us");
   if (d == nullptr || !jitter || *jitter < 0) return wrong("no such decision, or no jitter");
   if (micro(*jitter) < jitter_of(spec_, *d)) return wrong("jitter_us is too small");
-  const Numbers n = numbers_of(spec_[d->kind], *d, micro(*jitter));
+  const Numbers n = numbers_of(spec_, *d, micro(*jitter));
   const std::tuple<const char*, Rational, int> least[] = {
       {"radius_mm", n.radius, 1000},
       {"position_error_mm", n.position_error, 1000},
@@ -209,7 +210,11 @@ Found Claims::returns(const Values& v) {
   }
   const auto extra = number(v, "extra_us"), dwell = number(v, "dwell_ticks");
   if (!extra) return wrong("it is not said how far ahead it looks");
-  if (!dwell || *dwell < 1) return wrong("control returns without a dwell");
+  // rule 10: 50 ms; other claims reckon with it, so that more of it is no better
+  const Rational ticks = d->period ? Rational(Rational(1, 20) / d->period->value) : Rational(0);
+  if (!dwell || Rational(static_cast<long>(*dwell)) != Rational(ceil_to_int(ticks))) {
+    return wrong("control returns after another dwell");
+  }
   return std::nullopt;
 }
 
@@ -386,7 +391,7 @@ Rational ahead_of(const sema::Spec& spec, const sema::Decision& d, const sema::M
 }
 // Of a robot at rest whose monitors look so far ahead.
 Rational clear_at_rest(const sema::Spec& spec, const sema::Decision& d, const Rational& ahead) {
-  const Numbers n = numbers_of(spec[d.kind], d, d.jitter ? d.jitter->value : Rational(0));
+  const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
   // a root from below: what is claimed rounds it up
   const Rational accel = n.unicycle ? interp::square_root(n.accel_square).below : n.accel;
   return resting_clearance(n, accel, ahead);
@@ -396,23 +401,39 @@ Rational clear_at_rest(const sema::Spec& spec, const sema::Decision& d, const Ra
 
 Rational Claims::return_clearance(const sema::Decision& d, sema::ZoneId zone,
                                   const Rational& extra) {
-  Rational ahead = 0, gap = 0;
+  Rational most = clear_at_rest(spec_, d, extra);
   for (const sema::MonitorId id : d.priority) {
     const sema::Monitor& m = spec_[id];
     const auto own = all_zones(*m.always);
     if (std::find(own.begin(), own.end(), zone) == own.end()) continue;
     // wherever the robot has come to rest
     if (Sides(spec_, d, *this).holds_at_rest(m, extra)) continue;
-    gap = std::max(gap, gap_of(spec_, *m.always, zone));
-    if (!m.ahead.waypoints_only) ahead = std::max(ahead, ahead_of(spec_, d, m));
+    most = std::max(most, Rational(return_clearance(d, m, extra) + gap_of(spec_, *m.always, zone)));
   }
-  return clear_at_rest(spec_, d, ahead + extra) + gap;
+  return most;
 }
 
 Rational Claims::return_clearance(const sema::Decision& d, const sema::Monitor& m,
                                   const Rational& extra) const {
   return clear_at_rest(spec_, d,
                        (m.ahead.waypoints_only ? Rational(0) : ahead_of(spec_, d, m)) + extra);
+}
+
+Rational Claims::leg_clearance(const sema::Decision& d, const sema::Monitor& m,
+                               sema::ZoneId zone) const {
+  const sema::RobotKind& kind = spec_[d.kind];
+  const std::vector<sema::Template> steps = sema::templates_of(spec_[*m.recover]);
+  const auto moves = steps.empty() ? std::nullopt : sema::moves_of(steps.back());
+  if (!moves) return kind.radius.value;
+  Rational ahead = 0;
+  for (const sema::MonitorId id : d.priority) {
+    if (!spec_[id].ahead.waypoints_only) ahead = std::max(ahead, ahead_of(spec_, d, spec_[id]));
+  }
+  // of a sequence, an earlier step may be the one that steers worst
+  const bool steers = !kind.in_space && steps.size() == 1;
+  return cruising_clearance(numbers_of(spec_, d, jitter_of(spec_, d)), moves->speed, ahead) +
+         (steers ? beside_way(kind, d, moves->speed) : beside_least) +
+         gap_of(spec_, *m.always, zone);
 }
 
 // The place of a claim is in the zone, as far from its boundary.
@@ -463,8 +484,10 @@ Found Claims::legs(const Values& v) {
   const auto gap = number(v, "clearance_mm"), aim = number(v, "aim_mm");
   const std::size_t slabs = zones_.slabs(*zone);
   if (!gap || *gap < 0 || !aim || slabs == 0) return wrong("no such clearance, or an unknown zone");
-  const Rational jitter = d->jitter ? d->jitter->value : Rational(0);
-  if (milli(*aim) < milli(*gap) + numbers_of(spec_[d->kind], *d, jitter).sway) {
+  const auto route = number(v, "route_mm");
+  if (route && milli(*route) < leg_clearance(*d, *m, *zone)) return wrong(too_near);
+  const Rational jitter = jitter_of(spec_, *d);
+  if (milli(*aim) < milli(*gap) + numbers_of(spec_, *d, jitter).sway) {
     return wrong("at rest beside its aim the robot may be nearer to the boundary");
   }
   // its looks are enough for so many heights (runtime/core/space.cpp, looks_max)
@@ -506,7 +529,6 @@ Found Claims::in_sight(const sema::Decision& d, sema::ZoneId zone, std::size_t s
     return wrong("a slab is not convex, and nothing is said of its cells");
   }
   const sema::RobotKind& kind = spec_[d.kind];
-  if (milli(*route) < kind.radius.value) return wrong("its legs leave no room for the body");
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
   const double body = std::max(0.0, Rational(kind.radius.value - error).get_d());
   const auto found =
@@ -543,7 +565,7 @@ Found Claims::seen(const Values& v) {
   const auto gap = number(v, "clearance_mm");
   if (m == nullptr || !zone || !gap) return wrong("no such zone or monitor");
   if (d->period) {
-    const Numbers n = numbers_of(spec_[d->kind], *d, 0);
+    const Numbers n = numbers_of(spec_, *d, 0);
     const Rational accel =
         (n.unicycle ? interp::square_root(n.accel_square).below : n.accel) + n.disturbance;
     const Rational start = std::min(n.speed, n.velocity_error), age = n.position_age;
@@ -598,12 +620,12 @@ Found Claims::ways(const Values& v) {
   const geometry::Region* const region = zones_.region(*zone);
   if (region == nullptr || region->empty()) return Doubt{false, "the zone is not known"};
   // in space errors that last keep the robot off its site by what its hold sways
-  const Rational jitter = d->jitter ? d->jitter->value : Rational(0);
-  const Rational off =
-      spec_[d->kind].in_space ? numbers_of(spec_[d->kind], *d, jitter).sway : Rational(0);
+  const Rational jitter = jitter_of(spec_, *d);
+  const Rational off = spec_[d->kind].in_space ? numbers_of(spec_, *d, jitter).sway : Rational(0);
   if (milli(*back) < return_clearance(*d, *zone, micro(*extra)) + off) {
     return wrong("control may not be given back with that clearance");
   }
+  if (milli(*route) < leg_clearance(*d, *m, *zone)) return wrong(too_near);
   std::vector<geometry::Point> sites;
   if (const auto way = sema::route_of(spec_[*m->recover])) {
     for (const auto& place : spec_[way->site].places) {

@@ -32,6 +32,11 @@ class Claims {
   // The same of a limit of height of one monitor.
   [[nodiscard]] Rational return_clearance(const sema::Decision& d, const sema::Monitor& m,
                                           const Rational& extra) const;
+  // What the legs of a recovery within a zone keep free, at least: what a look-ahead by its own
+  // limits asks for at its speed, whichever monitor looks furthest, and what its monitor says of
+  // that zone.
+  [[nodiscard]] Rational leg_clearance(const sema::Decision& d, const sema::Monitor& m,
+                                       sema::ZoneId zone) const;
 
  private:
   [[nodiscard]] bool looks_as_far(const Values& v) const;
@@ -72,6 +77,8 @@ class Claims {
   std::map<std::string, std::optional<Doubt>> lemmas_;  // each is proved once
 };
 
+// Of legs that keep less free than those of the recovery.
+inline constexpr const char* too_near = "the legs of the recovery keep more clear than it says";
 Doubt wrong(std::string why);
 Rational milli(std::int64_t n);
 // What is left of a length where curves and offsets are known from inside.

@@ -229,8 +229,8 @@ bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Ra
 
 bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                        const sema::Controller& recovery, const sema::Expr& property) {
-  const Rational jitter = d.jitter ? d.jitter->value : Rational(0);
-  const Rational sway = numbers_of(spec[d.kind], d, jitter).sway;
+  const Rational jitter = jitter_of(spec, d);
+  const Rational sway = numbers_of(spec, d, jitter).sway;
   for (const sema::Template& what : sema::templates_of(recovery)) {
     const auto* land = std::get_if<sema::Land>(&what);
     if (land != nullptr && !keeps_heights(property, true, land->height.value, sway)) return false;

@@ -38,7 +38,7 @@ class Reader {
 
  private:
   static Numbers of(const sema::Spec& spec, const sema::Decision& decision) {
-    return numbers_of(spec[decision.kind], decision, 0);
+    return numbers_of(spec, decision, 0);
   }
   bool logic(const sema::Logic& v, bool value) {
     const auto can = [&](std::size_t k, bool wanted) { return can_be(*v.operands[k], wanted); };

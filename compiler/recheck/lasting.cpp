@@ -172,6 +172,7 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   }
   const geometry::Region* const zone = claims.zones().region(said->zone);
   if (zone == nullptr || zone->empty()) return Doubt{false, "the zone is not known"};
+  if (said->route < claims.leg_clearance(decision, monitor, said->zone)) return wrong(too_near);
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
   const Rational step(1, 1000);  // of the kernel
   if (said->starts > kind.radius.value + most_gap(spec, decision) + 2 * step) {

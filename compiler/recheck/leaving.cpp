@@ -320,8 +320,9 @@ std::optional<Doubt> check_leaving(const sema::Spec& spec, const sema::Decision&
   const sema::Controller& recovery = spec[*monitor.recover];
   const auto* way = std::get_if<sema::Route>(&recovery.implementation);
   if (way == nullptr || way->zone != *zone) return wrong("its recovery is no way within that zone");
-  if (milli(*route) < kind.radius.value || milli(*starts) < kind.radius.value) {
-    return wrong("its legs, or where it sets out, leave no room for the body");
+  if (milli(*route) < claims.leg_clearance(decision, monitor, *zone)) return wrong(too_near);
+  if (milli(*starts) < kind.radius.value) {
+    return wrong("where it sets out leaves no room for the body");
   }
   if (auto doubt = is_free(spec, decision, monitor)) return doubt;
 

@@ -37,7 +37,7 @@ Spoken spoken_in(const sema::Expr& property) {
 std::set<std::string> lemmas_for(const sema::Spec& spec, const sema::Decision& decision,
                                  const sema::Monitor& monitor) {
   const sema::RobotKind& kind = spec[decision.kind];
-  const Numbers n = numbers_of(kind, decision, jitter_of(spec, decision));
+  const Numbers n = numbers_of(spec, decision, jitter_of(spec, decision));
   const Spoken of = spoken_in(*monitor.always);
   const bool walls = of.zones || of.heights, others = of.robots || of.agents;
   const bool places = walls || others;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/interp/number.h"
+#include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
 
 namespace rtac::recheck {
@@ -18,10 +19,11 @@ Rational value(const std::optional<sema::Quantity>& q) {
 struct Hold {
   Rational sways, strays, speed;
 };
+constexpr long hold_most_radps = 2;
 Hold hold_of(const Numbers& n, const Rational& delay) {
   const Rational left = n.brake - n.disturbance;
   const Rational loop = std::max(Rational(delay + n.position_age), Rational(1, 100));
-  Rational omega = std::min(Rational(2), Rational(Rational(1, 4) / loop));
+  Rational omega = std::min(Rational(hold_most_radps), Rational(Rational(1, 4) / loop));
   if (n.velocity_error > 0) omega = std::min(omega, Rational(left / (4 * n.velocity_error)));
   // and its square: a root from above, so that what is asked for is not more than it takes
   if (n.position_error > 0) {
@@ -36,6 +38,43 @@ Hold hold_of(const Numbers& n, const Rational& delay) {
   const Rational follows =
       Rational(98, 100) * (omega * n.position_error + 2 * n.velocity_error + n.disturbance / omega);
   return {sways, sways + latched * (Rational(7, 25) / omega + delay / 2), follows};
+}
+
+// What grids, rounding and offsets known from inside only may add to a hold (docs/templates.md).
+const Rational slack(1, 100);
+
+// Off its leg, in space, where a hold that is carried is stopped: the stop bends, errors of the
+// hold lead it aside meanwhile, and then it sways.
+Rational stopped_beside(const Numbers& n, const Rational& speed) {
+  const Rational s = speed + n.velocity_error;
+  const Rational eta =
+      n.velocity_error + (n.brake + n.disturbance) * (n.velocity_age + n.period + n.latency);
+  const Rational bend =
+      (eta * (s + eta) + n.disturbance * s * s / (2 * n.brake)) / (n.brake - n.disturbance);
+  const Rational errs = 2 * (hold_most_radps * n.position_error + n.velocity_error);
+  return bend + errs * s / (2 * n.brake) + n.sway;
+}
+
+// A recovery may be led along a wall as near as it has come to rest there. What steering leaves
+// beside its leg, beyond what the tube of the brake has to spare, is room of the hold.
+Rational led_beside(const sema::Spec& spec, const sema::Decision& decision, const Numbers& n) {
+  const sema::RobotKind& kind = spec[decision.kind];
+  Rational most = 0;
+  if (decision.on_plan) return most;
+  for (const sema::MonitorId id : decision.priority) {
+    if (!spec[id].recover) continue;
+    for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
+      const auto speed = sema::speed_of(what);
+      const auto moves = sema::moves_of(what);
+      if (!speed) continue;
+      if (!kind.in_space) {
+        most = std::max(most, Rational(beside_way(kind, decision, *speed) - beside_least));
+      } else if (moves && !spec[moves->zone].has_height) {
+        most = std::max(most, stopped_beside(n, *speed));
+      }
+    }
+  }
+  return most;
 }
 
 }  // namespace
@@ -69,8 +108,10 @@ Rational return_extra(const sema::Spec& spec, const sema::Decision& decision) {
   return std::max(period, std::min(Rational(4 * period), Rational(1, 5)));
 }
 
-Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
-                   const Rational& jitter) {
+namespace {
+
+Numbers limits_of(const sema::RobotKind& kind, const sema::Decision& decision,
+                  const Rational& jitter) {
   Numbers n;
   n.period = value(decision.period);
   n.jitter = jitter;
@@ -118,7 +159,19 @@ Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
   n.aside = half ? Rational(eta / (2 * left)) : Rational(eta / left);
   n.hold = (half ? Rational(11, 5) : Rational(1)) * eta * eta / left + hold.strays;
   n.sway = hold.sways;
+  // who promises to stay is measured at one end of its sway and may be at the other ever after
+  if (kind.hears_max_age) n.hold = std::max(n.hold, Rational(2 * (hold.sways - n.position_error)));
   n.stands = std::min(n.speed, hold.speed);
+  return n;
+}
+
+}  // namespace
+
+Numbers numbers_of(const sema::Spec& spec, const sema::Decision& decision, const Rational& jitter) {
+  Numbers n = limits_of(spec[decision.kind], decision, jitter);
+  if (n.brake > n.disturbance) {  // else no brake stops it
+    n.hold = std::max(n.hold, led_beside(spec, decision, n)) + slack;
+  }
   return n;
 }
 
@@ -127,18 +180,34 @@ Rational pushed(const Numbers& n) {
   return 2 * n.disturbance * std::max(Rational(3, 10), Rational(2 * delay));
 }
 
+namespace {
+
+// Of the measured centre, when a way and a stop from the speed `last` are ahead.
+Rational disc(const Numbers& n, const Rational& way, const Rational& last) {
+  const Rational stop = last * last / (2 * (n.brake - n.disturbance));
+  return n.position_error + way + stop * (1 + n.bend) + n.aside * last + n.hold + n.radius;
+}
+Rational horizon_of(const Numbers& n, const Rational& ahead) {
+  return ahead + n.position_age + n.latency + n.jitter;
+}
+
+}  // namespace
+
 Rational resting_clearance(const Numbers& n, const Rational& accel, const Rational& ahead) {
-  const Rational horizon = ahead + n.position_age + n.latency + n.jitter;
+  const Rational horizon = horizon_of(n, ahead);
   const Rational apart = n.change * std::max(n.position_age, n.velocity_age);
   const Rational s0 = std::min(n.speed, Rational(2 * n.velocity_error + apart));
   const Rational unbounded = s0 + accel * horizon;
-  const Rational s1 = std::min(n.speed, unbounded);
   Rational way = s0 * horizon + accel * horizon * horizon / 2;
   if (unbounded > n.speed) {
     way = n.speed * horizon - (n.speed - s0) * (n.speed - s0) / (2 * accel);
   }
-  const Rational stop = s1 * s1 / (2 * (n.brake - n.disturbance));
-  return n.position_error + way + stop * (1 + n.bend) + n.aside * s1 + n.hold + n.radius;
+  return disc(n, way, std::min(n.speed, unbounded));
+}
+
+Rational cruising_clearance(const Numbers& n, const Rational& speed, const Rational& ahead) {
+  const Rational seen = std::min(speed, n.speed) + 2 * n.velocity_error;
+  return disc(n, seen * horizon_of(n, ahead), seen) + n.position_error;
 }
 
 }  // namespace rtac::recheck

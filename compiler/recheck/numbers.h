@@ -13,14 +13,14 @@ struct Numbers {
   Rational accel_square;  // of unicycles, whose planar acceleration is a root
   Rational change;        // of the velocity, braking included; a root from below
   bool unicycle = false;
-  // How far the sampled brake bends away: by a time at the speed that it begins with, and its hold.
+  // How far the sampled brake bends away, by a time at the speed that it begins with; and what is
+  // left free for who holds a place, which of wheels is what grids and steering lead beside it.
   Rational aside, hold;
   Rational sway;    // how far from the place that it holds it may rest, as it measures itself
   Rational stands;  // how fast it may be there; 0 of wheels
   Rational bend;    // of unicycles: share of the stopping distance
 };
-Numbers numbers_of(const sema::RobotKind& kind, const sema::Decision& decision,
-                   const Rational& jitter);
+Numbers numbers_of(const sema::Spec& spec, const sema::Decision& decision, const Rational& jitter);
 
 // The least that a monitor may look ahead: a period, two where its recovery is external (rule 9.1).
 Rational least_ahead(const sema::Spec& spec, const sema::Decision& decision,
@@ -41,5 +41,8 @@ Rational pushed(const Numbers& n);
 // `ahead` s ahead from a sample as old as it may be: the disc, stop and hold included.
 // `accel`: planar, at least.
 Rational resting_clearance(const Numbers& n, const Rational& accel, const Rational& ahead);
+// The same of one that drives at `speed`, which a look-ahead by the limits of its recovery passes,
+// without what steering leaves beside its leg.
+Rational cruising_clearance(const Numbers& n, const Rational& speed, const Rational& ahead);
 
 }  // namespace rtac::recheck

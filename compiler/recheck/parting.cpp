@@ -364,8 +364,8 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   if (!drives_alone(spec, d, m)) return wrong("another recovery may drive instead");
   const auto asked = apart_by(spec, *m.always);
   if (!asked) return wrong("its property asks for more than a distance from other robots");
-  const Numbers n = numbers_of(kind, d, d.jitter ? d.jitter->value : Rational(0));
-  if (milli(*route) < n.radius) return wrong("its legs leave no room for the body");
+  const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
+  if (milli(*route) < claims.leg_clearance(d, m, *zone)) return wrong(too_near);
   // at rest, with the other one somewhere around where it was measured and holds
   const Rational held = n.radius + 2 * n.position_error + n.hold + *asked;
   if (milli(*gap) < claims.return_clearance(d, m, micro(*extra)) + held) {

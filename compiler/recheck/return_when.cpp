@@ -20,7 +20,7 @@ class Condition {
         monitor_(monitor),
         recovery_(spec[*monitor.recover]),
         left_(left),
-        numbers_(numbers_of(spec[decision.kind], decision, 0)) {
+        numbers_(numbers_of(spec, decision, 0)) {
     for (const sema::Robot& robot : spec.robots) robots_ += robot.kind == decision.kind ? 1 : 0;
   }
 

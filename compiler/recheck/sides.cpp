@@ -36,8 +36,7 @@ Sides::Sides(const sema::Spec& spec, const sema::Decision& decision, Claims& cla
     : spec_(spec),
       decision_(decision),
       claims_(claims),
-      numbers_(numbers_of(spec[decision.kind], decision,
-                          decision.jitter ? decision.jitter->value : Rational(0))) {
+      numbers_(numbers_of(spec, decision, jitter_of(spec, decision))) {
   for (const sema::Robot& robot : spec.robots) robots_ += robot.kind == decision.kind ? 1 : 0;
 }
 

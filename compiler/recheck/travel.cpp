@@ -11,7 +11,6 @@ namespace {
 
 // What the pilots of the runtime pace their ways with.
 const Rational creep(3, 100);          // m/s, at the end of a leg
-const Rational beside_least(1, 20);    // m, beside a leg
 const Rational planned_braking(2, 5);  // share of the brake
 const Rational arrival(5, 4);          // how much more than what is against it the set-point is
 const Rational settles(3, 10);         // s, or two delays
@@ -89,6 +88,18 @@ class Travel {
         Rational(3, 2) * pushes * std::max(settling_, Rational(speed_ / steers_));
     return std::max(beside_least, settled) + pushed / gain;
   }
+  // Wheels set out with what is left of their turn; an error of the heading that lasts leads them
+  // aside by itself and a fifth more until it has settled; and errors of the place that change by
+  // half of what they are.
+  [[nodiscard]] Rational wheels_beside() const {
+    const Rational sees = kind_.heading ? kind_.heading->error.value : Rational(0);
+    const Rational place = kind_.position ? kind_.position->error.value : Rational(0);
+    const Rational pushes = declared(kind_.motion.disturbance) + declared(kind_.output_error);
+    const Rational settled = Rational(91, 100) * turn_ends() * speed_ / gain() +
+                             Rational(6, 5) * sees * ahead(gain()) + place / 2;
+    return std::max(beside_least, settled) + Rational(3, 2) * pushes * settling_;
+  }
+  [[nodiscard]] bool steers() const { return steers_ > 0 && speed_ > 0; }
   [[nodiscard]] bool has_wheels() const { return wheels_; }
   // In space it follows a hold that is carried so fast, with what errors and pushes leave of the
   // brake.
@@ -148,7 +159,7 @@ class Travel {
     // From an error x by which it is seen off by x - errors at least: log((x - errors) / end) over
     // the gain, below its tangent at an eighth of a circle, the logarithm of end over 0.1 being
     // 3 (u^2 - 1) / (u^2 + 4 u + 1) or more; then what errors hide, at the gain times the end.
-    const Rational errs = errors(), ends = std::max(turn_end, Rational(Rational(5, 2) * errs));
+    const Rational errs = errors(), ends = turn_ends();
     const Rational u = ends / turn_end;
     sum += (Rational(10'611, 10'000) - 3 * (u * u - 1) / (u * u + 4 * u + 1) + 2 * errs / ends -
             errs * Rational(10'000, 7855)) /
@@ -166,9 +177,14 @@ class Travel {
   [[nodiscard]] Rational errors() const {
     const Rational sees = kind_.heading ? kind_.heading->error.value : Rational(0);
     if (!kind_.position) return sees;
-    const Rational ahead = std::max({aims_ahead, Rational(Rational(7, 5) * speed_ / free_gain()),
-                                     Rational(2 * speed_ * (acts_ + oldest(kind_.position)))});
-    return sees + kind_.position->error.value / ahead;
+    return sees + kind_.position->error.value / ahead(free_gain());
+  }
+  [[nodiscard]] Rational ahead(const Rational& gain) const {
+    return std::max({aims_ahead, Rational(Rational(7, 5) * speed_ / gain),
+                     Rational(2 * speed_ * (acts_ + oldest(kind_.position)))});
+  }
+  [[nodiscard]] Rational turn_ends() const {
+    return std::max(turn_end, Rational(Rational(5, 2) * errors()));
   }
   [[nodiscard]] Rational gain() const {
     return std::min(free_gain(), Rational(turns() / std::max(turn_begin, Rational(5 * errors()))));
@@ -216,6 +232,13 @@ std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema:
   if (kind.in_space) return std::nullopt;  // its legs are no legs of the plane
   constexpr int legs = 3;
   return travel ? std::optional(travel->seconds_of_legs(way, legs)) : std::nullopt;
+}
+
+Rational beside_way(const sema::RobotKind& kind, const sema::Decision& decision,
+                    const Rational& speed) {
+  const Travel travel(kind, decision, speed);
+  if (!travel.steers()) return beside_least;
+  return travel.has_wheels() ? travel.wheels_beside() : travel.beside();
 }
 
 std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Decision& decision,

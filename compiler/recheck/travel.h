@@ -20,6 +20,12 @@ bool follows_its_hold(const sema::RobotKind& kind, const sema::Decision& decisio
 // nullopt: as above, or it moves in space.
 std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                         const sema::Controller& recovery, const Rational& way);
+// What every way has room for beside it.
+inline const Rational beside_least(1, 20);
+// How far beside its leg a recovery of the plane comes that means to be so fast, what pushes it
+// included; what does not get on has no way.
+Rational beside_way(const sema::RobotKind& kind, const sema::Decision& decision,
+                    const Rational& speed);
 // How far beside its leg a point mass comes at most, what pushes it included. nullopt: as above, or
 // it has wheels.
 std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Decision& decision,

@@ -166,8 +166,8 @@ TEST_F(Leaving, AMutatedNumberIsNoticed) {
   prove({});
   deny_number("leave_us", -130'000'000, "may take longer to lead out");
   deny_number("starts_mm", -100, "from some places it may know no way");
-  deny_number("starts_mm", -1'000, "leave no room for the body");
-  deny_number("route_mm", -800, "leave no room for the body");
+  deny_number("starts_mm", -1'000, "leaves no room for the body");
+  deny_number("route_mm", -800, "keep more clear than it says");
   deny_number("route_mm", 300, "from some places it may know no way");
   deny_number("route_mm", 1'100, "the site is too near");
   deny_number("cell_mm", -10, "cells are not those of the zone");

@@ -109,19 +109,21 @@ TEST_F(Recheck, AMutatedBoundIsNoticed) {
                   {"limits", "brake_mmps2", 1},
                   {"limits", "disturbance_mmps2", -1},
                   {"limits", "brake_lag_ms", -1},
-                  {"limits", "hold_mm", -15},
+                  {"limits", "hold_mm", -4},
                   {"horizon", "lookahead_us", -60'000},
                   {"horizon", "horizon_us", -1},
                   {"return", "extra_us", -1},
                   {"return", "extra_us", 1},
                   {"ways", "extra_us", -50'000},
                   {"place", "extra_us", -50'000},
-                  {"return", "dwell_ticks", -2},
+                  {"return", "dwell_ticks", -1},
+                  {"return", "dwell_ticks", 1},
                   {"place", "x_mm", 2'200},
                   {"place", "clearance_mm", -60},
                   {"seen", "clearance_mm", -60},
                   {"seen", "x_mm", 2'400},
                   {"ways", "return_mm", -60},
+                  {"ways", "route_mm", -60},
                   {"ways", "cell_mm", -10},
                   {"ways", "cell_mm", 10},
                   {"ways", "cells_x_mm", 5},
@@ -143,6 +145,25 @@ TEST_F(Recheck, AStepThatIsLateIsReckonedWith) {
     EXPECT_EQ(rechecked_with(changed("horizon", key, by)).status, exit_violation) << key;
   }
   EXPECT_EQ(rechecked_with(changed("limits", "jitter_us", -1)).status, exit_violation);
+}
+
+// What a unicycle keeps free at rest is for grids and for what steering leaves beside a leg.
+TEST_F(Recheck, TheRoomOfAHoldIsFoundOnceMore) {
+  write_delivery();
+  const auto hold_mm = [&] {
+    for (const Json& o : report_["decisions"][0]["obligations"]) {
+      for (const Json& c : o.value("claims", Json::array())) {
+        if (c["claim"] == "limits") return std::stoll(c["hold_mm"].get<std::string>());
+      }
+    }
+    return 0LL;
+  };
+  const long long as_declared = hold_mm();
+  EXPECT_GE(as_declared, 10);
+  for (const std::int64_t by : {std::int64_t{-1}, std::int64_t{-as_declared}}) {
+    EXPECT_EQ(rechecked_with(changed("limits", "hold_mm", by)).status, exit_violation) << by;
+  }
+  EXPECT_EQ(rechecked_with(changed("lasts", "route_mm", -60)).status, exit_violation);
 }
 
 // In a park robots look for their ways over wider cells, and so does who checks them.
@@ -439,6 +460,48 @@ TEST_F(Recheck, TheReturnLooksAsFarAsIsDeclared) {
 TEST_F(Recheck, AnAcknowledgementIsInTheSpecification) {
   for (Json& o : report_["decisions"][0]["obligations"]) o["status"] = "acknowledged";
   EXPECT_EQ(rechecked_with(report_).status, exit_violation);
+}
+
+// An obligation that a report leaves open ends as it does in `rtac verify`, and is told by name.
+TEST_F(Recheck, WhatTheReportLeavesOpenIsNeverClean) {
+  const struct {
+    std::string status;
+    int code;
+    std::string sums;
+  } cases[] = {{"unknown", exit_inconclusive, "leaves 0 obligations refuted and 1 unknown"},
+               {"refuted", exit_violation, "leaves 1 obligations refuted and 0 unknown"}};
+  for (const auto& each : cases) {
+    Json report = report_;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] == "not vacuous") o["status"] = each.status;
+    }
+    const Outcome o = rechecked_with(report);
+    EXPECT_EQ(o.status, each.code) << o.out << o.err;
+    EXPECT_NE(o.out.find(each.status + ", as the report says: fly, not vacuous of `walls`"),
+              std::string::npos)
+        << o.out;
+    EXPECT_NE(o.out.find("0 not proved, 0 unknown; the report " + each.sums), std::string::npos)
+        << o.out;
+  }
+}
+// Nor is what it does not speak of, or speaks of in a second place that nobody looks at.
+TEST_F(Recheck, AReportSpeaksOfEachDecisionOnce) {
+  Json twice = report_;
+  twice["decisions"].push_back(twice["decisions"][0]);
+  EXPECT_EQ(rechecked_with(twice).status, exit_violation);
+  Json other = report_;
+  other["decisions"].push_back({{"decision", "land"}, {"obligations", Json::array()}});
+  EXPECT_EQ(rechecked_with(other).status, exit_violation);
+  Json strange = report_;
+  strange["decisions"][0]["obligations"][0]["obligation"] = "P9";
+  strange["decisions"][0]["obligations"].push_back(report_["decisions"][0]["obligations"][0]);
+  EXPECT_EQ(rechecked_with(strange).status, exit_violation);
+  Json less = report_;
+  Json& all = less["decisions"][0]["obligations"];
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i]["obligation"] == "not vacuous") all.erase(i);
+  }
+  EXPECT_EQ(rechecked_with(less).status, exit_violation);
 }
 
 // Two zones that overlap, and the room around both: coordinated, with what has to be acknowledged.
