@@ -6,6 +6,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
@@ -24,9 +25,13 @@ class Superfluous {
     const auto& monitors = of_.decision.monitors;
     for (std::size_t j = 0; j < monitors.size(); ++j) {
       if (monitors[j].name != a.monitor) continue;
-      if (monitors[j].recovery.name == a.recovery || leaves_open(monitors[j])) return false;
+      if (leaves_open(monitors[j])) return false;
       for (std::size_t i = 0; i < monitors.size(); ++i) {
         if (monitors[i].recovery.name != a.recovery) continue;
+        if (i == j) {
+          if (!keeps_its_own(j)) return false;
+          continue;
+        }
         if (all_[i][j].keeping != Keeping::kept || !stays_in_all(i, monitors[j])) return false;
         if (!gives_back(i, monitors[j]) || !keeps_speed_limits(of_, i, j)) return false;
       }
@@ -42,6 +47,19 @@ class Superfluous {
       return std::holds_alternative<ir::ZoneThere>(v.op) ||
              std::holds_alternative<ir::AgentDistance>(v.op);
     });
+  }
+  // A retreat within the one zone that its monitor asks for, or a way to a site there that is not
+  // to charge at: of what is plain, P2a and P2b of `rtac verify` have no doubt.
+  [[nodiscard]] bool keeps_its_own(std::size_t j) const {
+    const ir::Monitor& m = of_.decision.monitors[j];
+    if (!leads_back_to_places(m)) return false;
+    if (m.recovery.kind == ir::RecoveryKind::route && of_.spec[of_.written.kind].energy) {
+      return false;
+    }
+    const auto zones = fences_of(m.property, of_.decision.facts.params);
+    const bool own =
+        std::ranges::all_of(zones, [&](ir::ZoneIndex zone) { return zone == m.recovery.zone; });
+    return own && !zones.empty() && plain(m.property) && gives_back(j, m);
   }
   // In every zone that the property names, on whichever side of an `or`: `rtac verify` has no
   // doubt about it either.
@@ -111,6 +129,19 @@ class Superfluous {
 };
 
 }  // namespace
+
+bool leads_back_to_places(const ir::Monitor& monitor) {
+  const ir::RecoveryKind kind = monitor.recovery.kind;
+  if (kind != ir::RecoveryKind::retreat && kind != ir::RecoveryKind::route) return false;
+  bool some = false, only = !has_windows(monitor.property);
+  ir::for_each_comparison(monitor.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, c).terms) {
+      some = true;
+      only = only && leaf.kind == ir::Leaf::Kind::clearance;
+    }
+  });
+  return some && only;
+}
 
 void check_acknowledgements(const sema::Spec& spec, const ir::Module& module,
                             const ExactZone& exact, const ExactSolid& solid, const HowItLies& lies,

@@ -7,6 +7,7 @@
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/superfluous.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
@@ -237,14 +238,23 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   return o;
 }
 
-}  // namespace
+// What is accepted need not be so. Of a monitor that asks for places alone what is proved counts;
+// of others the acknowledgement accepts what is reported otherwise (5030 and on), and no proof
+// looks at that.
+template <class Prove>
+Obligation unless_accepted(const Subject& s, std::size_t k, Kind kind, const Prove& prove) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  const std::string why = reason(s.decision, m.recovery.name, m.name);
+  if (why.empty()) return prove();
+  if (analysis::leads_back_to_places(m)) {
+    if (Obligation shown = prove(); shown.status == Status::proved) return shown;
+  }
+  return acknowledged(start(s, k, kind), why);
+}
 
-Obligation recovery_keeps(const Subject& s, std::size_t k) {
+Obligation keeps_its_own(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   Obligation o = start(s, k, Kind::p2a);
-  if (const std::string why = reason(s.decision, m.recovery.name, m.name); !why.empty()) {
-    return acknowledged(std::move(o), why);
-  }
   const Atoms atoms = atoms_of(m.property);
   o.status = Status::proved;
   o.method = std::string("template ") + ir::word_of(m.recovery.kind);
@@ -279,8 +289,6 @@ Obligation recovery_keeps(const Subject& s, std::size_t k) {
   }
   return o;
 }
-
-namespace {
 
 // What is only too high has control given back on the way down, at the latest where it ends.
 Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
@@ -355,14 +363,17 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o);
 
 }  // namespace
 
+Obligation recovery_keeps(const Subject& s, std::size_t k) {
+  return unless_accepted(s, k, Kind::p2a, [&] { return keeps_its_own(s, k); });
+}
+
 Obligation control_returns(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   Obligation o = start(s, k, Kind::p2b);
   if (!m.hold_reason.empty()) return acknowledged(std::move(o), m.hold_reason);
-  if (const std::string why = reason(s.decision, m.recovery.name, m.name); !why.empty()) {
-    return acknowledged(std::move(o), why);
-  }
-  o = by_its_condition(s, k, led_back(s, k, std::move(o)));
+  o = unless_accepted(s, k, Kind::p2b, [&] {
+    return by_its_condition(s, k, led_back(s, k, start(s, k, Kind::p2b)));
+  });
   o.patience_s = analysis::patience_s(s.kind, s.module, s.decision, m.recovery);
   if (atoms_of(m.property).charge && s.kind.energy && s.kind.energy->charge.value > 0) {
     o.patience_s += ceil_to_int(Rational(1 / s.kind.energy->charge.value));  // from empty to full

@@ -462,6 +462,29 @@ TEST_F(Recheck, AnAcknowledgementIsInTheSpecification) {
   EXPECT_EQ(rechecked_with(report_).status, exit_violation);
 }
 
+// What is accepted of a recovery and its own monitor hides no proof; of speeds, at which no proof
+// of it looks, it is accepted.
+TEST_F(Recheck, AnAcknowledgementHidesNoProof) {
+  const auto with = [](const std::string& text, const std::string& recovery) {
+    return edited(text, "priority walls;",
+                  "priority walls; acknowledge " + recovery + " may break walls \"a test\";");
+  };
+  const std::vector<std::string> words = {"--format", "json", "-o", "certificates"};
+  const Outcome kept = verified(with(drone_spec(), "back_off"), words);
+  EXPECT_EQ(kept.status, exit_clean) << kept.out << kept.err;
+  EXPECT_EQ(statuses(kept.out, "P2a", "walls"), Statuses{"proved"});
+  EXPECT_EQ(statuses(kept.out, "P2b", "walls"), Statuses{"proved"});
+  EXPECT_NE(kept.err.find("6008"), std::string::npos) << kept.err;
+  EXPECT_EQ(rechecked().status, exit_clean);
+
+  const std::string slow = edited(edited(drone_spec(), "clearance(d, room) >= 10 cm;",
+                                         "clearance(d, room) >= 10 cm and d.speed <= 0.5 m/s;"),
+                                  "within room speed 0.3 m/s", "within room speed 0.7 m/s");
+  const Outcome fast = verified(with(slow, "back_off"), words);
+  EXPECT_EQ(statuses(fast.out, "P2a", "walls"), Statuses{"acknowledged"}) << fast.err;
+  EXPECT_EQ(fast.err.find("6008"), std::string::npos) << fast.err;
+}
+
 // An obligation that a report leaves open ends as it does in `rtac verify`, and is told by name.
 TEST_F(Recheck, WhatTheReportLeavesOpenIsNeverClean) {
   const struct {
