@@ -84,7 +84,7 @@ std::optional<recheck::Doubt> ask(const std::string& script, const std::string& 
     ++answers;
     if (line == "unsat") continue;
     if (line == "sat") return recheck::Doubt{true, "z3 has found a case in which it is false"};
-    return recheck::Doubt{false, "z3 says: " + line};
+    return recheck::Doubt{false, "z3 says: " + told(line)};
   }
   if (answers == 0) return recheck::Doubt{false, "z3 has said nothing"};
   if (answers != questions_of(script)) {

@@ -45,6 +45,9 @@ class Checker {
   [[nodiscard]] std::string path(const std::string& name) const {
     return folder_.path() + "/" + name;
   }
+  [[nodiscard]] bool is_there(const std::string& name) const {
+    return std::ifstream(path(name)).good();
+  }
   // In the folder: spin and what it makes write where they stand.
   ProgramResult shell(const std::string& command, int seconds = seconds_max + 2) const {
     return run_within(seconds, {"sh", "-c", "cd \"$0\" && " + command, folder_.path()},
@@ -61,12 +64,14 @@ class Checker {
                                         : "`spin` is not installed (`apt-get install spin`)";
     }
     if (made.timed_out) return not_ended("spin", seconds_max);
-    if (made.status != 0) return "spin does not read the model: " + said();
+    if (made.status != 0) return "spin does not read the model: " + told(said());
+    if (!is_there("pan.c")) return "spin makes nothing of the model: " + told(said());
     const ProgramResult compiled = shell("${CC:-cc} -w -DMEMLIM=" + std::string(memory_mb_max) +
                                              (is_large() ? " -O2" : " -O0") + " -o pan pan.c",
                                          compiler_seconds_max);
     if (compiled.timed_out) return not_ended("the C compiler", compiler_seconds_max);
-    return compiled.started && compiled.status == 0 ? "" : "no C compiler (`$CC` or `cc`) works";
+    if (compiled.started && compiled.status == 0 && is_there("pan")) return "";
+    return "no C compiler (`$CC` or `cc`) works: " + told(said());
   }
   ProgramResult search(const char* depth, const std::string& claim) const {
     // it ends by itself, too, when this program has been killed

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
@@ -15,6 +16,8 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+
+#include "compiler/diagnostics/characters.h"
 
 namespace rtac::driver {
 namespace {
@@ -124,6 +127,17 @@ ProgramResult run_within(int seconds, std::vector<std::string> words, const std:
   const bool by_timeout = result.status == killed && steady_clock::now() >= deadline;
   result.timed_out = result.status == too_long || by_timeout;
   return result;
+}
+
+std::string told(const std::string& written) {
+  constexpr std::size_t longest = 120;  // bytes, before they are made printable
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t from = written.find_first_not_of(blanks);
+  if (from == std::string::npos) return "it says nothing";
+  const std::size_t end = std::min(written.find('\n', from), written.size());
+  std::string line = written.substr(from, std::min(end - from, longest));
+  line.erase(line.find_last_not_of(blanks) + 1);
+  return diag::printable(line) + (end - from > longest ? "..." : "");
 }
 
 }  // namespace rtac::driver

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "compiler/driver/files.h"
 #include "compiler/driver/process.h"
 
 namespace rtac::driver {
@@ -20,16 +21,6 @@ std::vector<std::string> compiler() {
   std::vector<std::string> command{std::istream_iterator<std::string>(words), {}};
   if (command.empty()) command.emplace_back("cc");
   return command;
-}
-
-// The first line that says something.
-std::string first_line(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string line;
-  while (std::getline(in, line)) {
-    if (line.find_first_not_of(" \t\r") != std::string::npos) return line;
-  }
-  return "it says nothing";
 }
 
 constexpr int object_seconds_max = 600;  // of the largest tables, on a slow machine
@@ -49,8 +40,12 @@ std::string compile(const std::string& folder) {
   if (compiled.timed_out) {
     return "`" + name + "` has not ended within " + std::to_string(object_seconds_max) + " s";
   }
-  if (compiled.status == 0) return "";
-  return "`" + name + "` does not compile the generated kernel: " + first_line(log);
+  const std::string said = told(read_file(log).value_or(""));
+  if (compiled.status != 0) {
+    return "`" + name + "` does not compile the generated kernel: " + said;
+  }
+  if (std::ifstream(folder + "/kernel.so").good()) return "";
+  return "`" + name + "` makes nothing of the generated kernel: " + said;
 }
 
 }  // namespace

@@ -503,6 +503,36 @@ TEST_F(Hanging, ASolverThatDiesHasProvedNothing) {
   EXPECT_EQ(again.status, exit_inconclusive) << again.out << again.err;
   EXPECT_NE(again.out.find("z3 has ended with status 137"), std::string::npos) << again.out;
 }
+// What writes nonsense is told in one short line that controls no terminal, and proves nothing.
+TEST_F(Hanging, NonsenseIsToldInOrder) {
+  const std::string nonsense =
+      "printf '\\033[31mred\\007\\377'; head -c 5000 /dev/zero | tr '\\0' x; echo; yes unsat | "
+      "head -99";
+  ASSERT_EQ(verified(drone_spec(), {"-o", "certificates"}).status, exit_clean);
+  const auto in_order = [](const std::string& out) {
+    EXPECT_NE(out.find("\\u{1b}[31mred\\u{7}\\x{ff}xxx"), std::string::npos) << out;
+    EXPECT_NE(out.find("xxx..."), std::string::npos) << out;
+    EXPECT_LT(out.size(), 6'000U);
+    EXPECT_EQ(out.find('\033'), std::string::npos);
+  };
+  stands_in("z3", nonsense);
+  const Outcome solved = recheck_sealed_anew();
+  EXPECT_EQ(solved.status, exit_inconclusive);
+  in_order(solved.out);
+  fs::remove_all("bin");
+  const char* const chosen = std::getenv("CC");
+  const std::string compiler = chosen != nullptr ? chosen : "";
+  for (const char* const program : {"spin", "cc"}) {
+    stands_in(program, nonsense);
+    ::setenv("CC", "cc", 1);
+    const Outcome o = verified(drone_spec());
+    compiler.empty() ? ::unsetenv("CC") : ::setenv("CC", compiler.c_str(), 1);
+    fs::remove_all("bin");
+    EXPECT_EQ(o.status, exit_inconclusive) << program;
+    in_order(o.out);
+    EXPECT_NE(o.out.find("`one_controller` is not shown"), std::string::npos) << o.out;
+  }
+}
 TEST_F(Verify, ZonesThatShareNoRoomHaveNoJointReturn) {
   std::string text = edited(drone_spec(), "decision fly", R"(
 zone far_room = rectangle (4.6 m, 0 m) to (9.6 m, 5 m);
