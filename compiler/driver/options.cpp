@@ -167,13 +167,20 @@ struct Parser {
       }
     }
   }
+  // `--runs -3`: a number that is wrong, and no flag.
+  static bool is_below_zero(const std::string& flag, const std::string& value) {
+    constexpr std::string_view flags[] = {"--max-bytes", "--seed", "--runs", "--jobs",
+                                          "--simulate"};
+    return std::ranges::find(flags, flag) != std::end(flags) && value.size() > 1 &&
+           std::isdigit(static_cast<unsigned char>(value[1])) != 0;
+  }
   // A second value of a flag would silently win over the first.
   void take(const std::string& flag, const std::string& value, std::string& place) {
     const bool picture = options.command == Command::zones;
     const bool is_stream = value == "-" && ((picture && flag == "-o") || flag == "--in");
     if (value.empty()) {
       problem = {"`" + flag + "` needs a value after it", value_hint(flag, picture)};
-    } else if (value[0] == '-' && flag != "--max-bytes" && !is_stream) {
+    } else if (value[0] == '-' && !is_below_zero(flag, value) && !is_stream) {
       problem = {"`" + flag + "` needs a value after it, not the flag `" + value + "`",
                  "a path that starts with a dash is written `./" + value + "`"};
     } else if (!place.empty()) {
@@ -233,8 +240,12 @@ struct Parser {
     std::uint64_t value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error == std::errc() && stop == end) return;
-    problem = {"`" + text + "` is no number for `" + flag + "`", value_hint(flag)};
+    const bool simulates = flag == "--runs" || flag == "--simulate";
+    if (error != std::errc() || stop != end) {
+      problem = {"`" + text + "` is no number for `" + flag + "`", value_hint(flag)};
+    } else if (simulates && value == 0) {
+      problem = {"`" + flag + " " + text + "` simulates nothing", "`" + flag + " 1` works"};
+    }
   }
   // Certificates come with their specification.
   bool brings_its_own() {

@@ -61,10 +61,28 @@ TEST_F(CommandLine, UsageErrorsSayWhatWasMeant) {
   EXPECT_EQ(bytes.status, 2);
   EXPECT_NE(bytes.err.find("`-1` is no number of bytes"), std::string::npos) << bytes.err;
   EXPECT_NE(bytes.err.find("`--max-bytes 4096`"), std::string::npos) << bytes.err;
+  for (const std::string flag : {"--runs", "--seed", "--jobs"}) {
+    const Outcome below = rtac({"sim", "good.rta", flag, "-3"});
+    EXPECT_EQ(below.status, 2);
+    EXPECT_NE(below.err.find("`-3` is no number for `" + flag + "`"), std::string::npos)
+        << below.err;
+  }
   const Outcome line = rtac({"explain", "good.rta"});
   EXPECT_EQ(line.status, 2);
   EXPECT_NE(line.err.find("`good.rta` is a file, without a line"), std::string::npos) << line.err;
   EXPECT_NE(line.err.find("give FILE:LINE, such as `good.rta:1`"), std::string::npos) << line.err;
+}
+
+// Before anything is read or printed.
+TEST_F(CommandLine, NoRunsAtAllAreRefusedFirst) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"explain", "good.rta:1", "--simulate", "0"}, {"sim", "good.rta", "--runs", "00"}}) {
+    const Outcome o = rtac(words);
+    EXPECT_EQ(o.status, 2);
+    EXPECT_EQ(o.out, "");
+    EXPECT_NE(o.err.find("simulates nothing"), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find("`" + words[2] + " 1` works"), std::string::npos) << o.err;
+  }
 }
 
 TEST_F(CommandLine, WhatCannotBeReadIsAUsageError) {
