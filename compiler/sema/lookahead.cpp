@@ -167,12 +167,17 @@ class AheadChecker {
   }
 
   void warn(const SourceRange& range, const std::string& what) {
-    context_.report(Finding(Code::unsound_lookahead, range,
-                            "the look-ahead of `" + monitor_.name.text + "` is unsound: " + what)
-                        .label("declared unsound")
-                        .help("for comparison only: a sound look-ahead has a duration and judges "
-                              "legs, `ahead 200 ms, 2 waypoints`"));
+    context_.report(
+        Finding(Code::unsound_lookahead, range,
+                "the look-ahead of `" + monitor_.name.text + "` is unsound: " + what)
+            .label("declared unsound")
+            .help(std::string("for comparison only: a sound look-ahead has a duration") +
+                  (has_plan() ? " and judges legs, `ahead 200 ms, 2 waypoints`"
+                              : ", or none is written, and the least that works is "
+                                "taken")));
   }
+  // Of no robot in particular, any may have one.
+  [[nodiscard]] bool has_plan() const { return !kind_ || context_.spec[*kind_].plan.has_value(); }
 
   void check_combination() {
     if (only_range_ && !has_waypoints_) {

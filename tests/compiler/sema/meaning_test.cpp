@@ -190,6 +190,34 @@ TEST(Meaning, ALookAheadKeepsItsTerms) {
             "30 ms unsound \"slow\", 3 waypoints, points only unsound \"sparse\"");
 }
 
+// What is offered instead of an unsound look-ahead judges legs only where there are any.
+TEST(Meaning, ALookAheadOfNoPlanIsOfferedNoWaypoints) {
+  const std::string rover = R"(spec yard;
+zone room = rectangle (0 m, 0 m) to (9 m, 9 m);
+robot Rover {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet one : Rover;
+controller drive : advanced for Rover extern;
+controller back : safe for Rover = retreat within room speed 0.3 m/s;
+monitor fence for r : Rover { "R1" always r inside room; ahead 10 ms unsound "study"; recover back; }
+decision go for Rover { advanced drive; period 50 ms; priority fence; }
+)";
+  const std::vector<Change> plan = {
+      {"output thrust", "input plan : path[8] tracking <= 5 cm;\n  output thrust"}};
+  for (const bool plans : {false, true}) {
+    const auto checked = check_text(plans ? edited(rover, plan) : rover);
+    ASSERT_TRUE(checked->spec) << checked->reports();
+    EXPECT_NE(checked->reports().find("5010"), std::string::npos);
+    EXPECT_EQ(checked->reports().find("2 waypoints") != std::string::npos, plans);
+  }
+}
+
 TEST(Meaning, ALookAheadMayBeLeftOut) {
   const auto checked = check_text(edited(yard(), {{"  ahead   300 ms, 3 waypoints;\n", ""}}));
   ASSERT_TRUE(checked->spec) << checked->reports();
