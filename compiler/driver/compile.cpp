@@ -110,11 +110,13 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
       syntax::parse_program(*file, c.sources, c.diagnostics, c.dependencies);
   tell_of_parts(options, program.files.back(), c);  // the root is visited to its end last
   if (options.dump_ast) out << syntax::dump(program, c.sources);
-  c.spec = sema::check(program, c.diagnostics);
+  c.spec = options.command == Command::verify ? sema::check_refuted(program, c.diagnostics)
+                                              : sema::check(program, c.diagnostics);
   if (!c.spec && !c.diagnostics.has_errors()) {
     c.internal_error = "the checker has refused the specification and not said why";
   }
-  if (!c.spec) return;
+  // with errors, there is nothing but to say what they refute
+  if (!c.spec || c.diagnostics.has_errors()) return;
   if (options.dump_spec) out << sema::dump(*c.spec);
   // The interpreter shares nothing with what follows. A zone that is none it would take for
   // unknown, and one beyond the grid for what no kernel knows.

@@ -1,5 +1,7 @@
 #include "compiler/sema/check.h"
 
+#include <algorithm>
+
 #include "compiler/sema/agents.h"
 #include "compiler/sema/context.h"
 #include "compiler/sema/controllers.h"
@@ -15,8 +17,17 @@
 #include "compiler/sema/zones.h"
 
 namespace rtac::sema {
+namespace {
 
-std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnostics) {
+using diag::Code;
+
+bool refutes(const diag::Diagnostic& d) {
+  return diag::info(d.code).severity != diag::Severity::error || d.code == Code::recovery_missing ||
+         d.code == Code::limit_contradictory || d.code == Code::outputs_differ;
+}
+
+std::optional<Spec> checked(const syntax::Program& program, diag::Engine& diagnostics,
+                            bool although_refuted) {
   Context context(diagnostics, program);
   if (!program.files.empty() && program.files.back().spec) {
     context.spec.name = program.files.back().spec->text;
@@ -49,8 +60,19 @@ std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnost
     warn_unused_signals(context);
     warn_without_robots(context);
   }
-  if (diagnostics.has_errors() || context.silent()) return std::nullopt;
+  const bool faulty = although_refuted ? !std::ranges::all_of(diagnostics.all(), refutes)
+                                       : diagnostics.has_errors();
+  if (faulty || context.silent()) return std::nullopt;
   return std::move(context.spec);
+}
+
+}  // namespace
+
+std::optional<Spec> check(const syntax::Program& program, diag::Engine& diagnostics) {
+  return checked(program, diagnostics, false);
+}
+std::optional<Spec> check_refuted(const syntax::Program& program, diag::Engine& diagnostics) {
+  return checked(program, diagnostics, true);
 }
 
 }  // namespace rtac::sema

@@ -224,6 +224,19 @@ void refute_joint_return(const std::string& monitor, std::vector<Obligation>& al
   joint->not_shown = "a run that shows P2b shows it as well";
   joint->claims.clear();
 }
+// The decision that a report stands in, with the line of the next one below it.
+std::size_t decision_around(const sema::Spec& spec, const diag::Diagnostic& d) {
+  std::size_t at = 0;
+  for (std::size_t n = 0; n < spec.decisions.size() && d.range; ++n) {
+    const SourceRange& name = spec.decisions[n].name_range;
+    if (name.file == d.range->file && name.begin <= d.range->begin) at = n;
+  }
+  return at;
+}
+bool is_jitter(const sema::Decision& decision, const diag::Diagnostic& d) {
+  return decision.jitter && d.range && decision.jitter->range.file == d.range->file &&
+         decision.jitter->range.begin == d.range->begin;
+}
 
 // By the place of the report: the monitor or the decision around it.
 void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, Report& report) {
@@ -244,6 +257,12 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
         if (&spec[id] == &m) at = n;
       }
     }
+  }
+  if (o.monitor.empty() && !of_decision) {
+    const std::size_t around = decision_around(spec, d);
+    const bool late = around < spec.decisions.size() && is_jitter(spec.decisions[around], d);
+    if (late) o.kind = Kind::p1a;
+    if (late || kind == Kind::p1b) at = around;
   }
   if (at >= report.decisions.size()) return;
   // of a look-ahead that leaves no place to return to

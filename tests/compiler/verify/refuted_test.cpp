@@ -2,15 +2,12 @@
 // names is refuted, and a recorded run is played again to what shows it: the violation, or the time
 // in which control is not given back, or nothing is decided.
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "tests/compiler/driver/testing.h"
+#include "tests/compiler/verify/testing.h"
 
 namespace rtac::driver::test {
 namespace {
-
-using Json = nlohmann::json;
 
 struct Expected {
   std::string kind, monitor;
@@ -169,6 +166,43 @@ INSTANTIATE_TEST_SUITE_P(Specs, Refuted, ::testing::ValuesIn(names()),
 
 TEST(RefutedSpecs, AreTwentyOrMore) {
   EXPECT_GE(names().size(), 20u);
+}
+
+// What leaves no doubt about what was meant, but nothing to derive, refutes what it is about.
+TEST_F(Verify, WhatCannotBeDerivedIsRefutedInTheTable) {
+  const struct {
+    std::vector<std::pair<std::string, std::string>> edits;
+    std::string kind, monitor, method;
+  } cases[] = {
+      {{{"  recover back_off;\n", ""}}, "P2a", "walls", "diagnostic 5002"},
+      {{{"period 50 ms;", "period 50 ms; jitter 60 ms;"}}, "P1a", "", "diagnostic 5005"},
+      {{{"brake >= 1 m/s^2", "brake >= 0 m/s^2"}}, "satisfiable", "", "diagnostic 5005"},
+      {{{"decision fly",
+         "decision first for Drone { advanced pilot; period 50 ms; priority walls; }\ndecision "
+         "fly"}},
+       "P1b",
+       "",
+       "diagnostic 5011"},
+  };
+  for (const auto& each : cases) {
+    std::string text = drone_spec();
+    for (const auto& [from, to] : each.edits) text = edited(text, from, to);
+    const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
+    EXPECT_EQ(o.status, exit_violation) << each.method << o.out << o.err;
+    const Json report = Json::parse(o.out);
+    EXPECT_EQ(report["complete"], false);
+    const Json& all = report["decisions"].back()["obligations"];
+    ASSERT_EQ(all.size(), 1U) << o.out;
+    EXPECT_EQ(all[0]["obligation"], each.kind);
+    EXPECT_EQ(all[0].value("monitor", ""), each.monitor);
+    EXPECT_EQ(all[0]["status"], "refuted");
+    EXPECT_EQ(all[0]["method"], each.method);
+    EXPECT_FALSE(fs::exists("certificates"));
+  }
+  // beside an error that leaves open what is meant, nobody knows
+  const std::string both = edited(edited(drone_spec(), "  recover back_off;\n", ""),
+                                  "clearance(d, room)", "clearance(d, rome)");
+  EXPECT_EQ(verified(both).status, exit_spec_errors);
 }
 
 }  // namespace
