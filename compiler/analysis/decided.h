@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/trials.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
 
@@ -13,6 +14,7 @@ struct Decided {
   const ir::Module& module;
   const ir::Decision& decision;
   const HowItLies& lies;
+  Trials* trials = nullptr;  // none: nothing is offered
 };
 
 }  // namespace rtac::analysis

@@ -84,13 +84,13 @@ class Deriver {
     const ExactZone exact = [this](ir::ZoneIndex zone) -> const geometry::Region& {
       return zone_of(zone).exact;
     };
-    check_well_formed(spec_, out_.module, out_.tables, exact, lies_, diagnostics_);
+    check_well_formed(spec_, out_.module, out_.tables, exact, lies_, trials(), diagnostics_);
     const ExactSolid solid = [this](ir::ZoneIndex zone) {
       const EvaluatedZone& of = zone_of(zone);
       return of.solid ? of.solid->exact : without_end(of.exact);
     };
     judge_return_conditions(spec_, out_.module, exact, solid);
-    check_recoveries(spec_, out_.module, exact, solid, lies_, diagnostics_);
+    check_recoveries(spec_, out_.module, exact, solid, lies_, trials(), diagnostics_);
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
     // Whatever it says, the module can be built, and passes look at the rest.
     coordinate(spec_, out_.module, exact, solid);
@@ -132,6 +132,8 @@ class Deriver {
     found.waits = !derived || waits(derived->module.decisions[n]);
     return found;
   }
+  // For numbers to be tried in, too; none in what is tried itself.
+  Trials* trials() { return offers_ ? &trials_ : nullptr; }
   // A monitor asks for what may never come about, nobody has accepted that, and others rank lower.
   static bool waits(const ir::Decision& decision) {
     return std::any_of(
@@ -584,9 +586,9 @@ class Deriver {
     if (faster <= kind.motion.speed.value) {
       works.push_back("a speed of at least " + to_decimal(faster) + " m/s");
     } else {
-      works = repairs(spec_, decision, [&](const Trial& t) {
-        return least_speed(t.kind, t.decision.period_us) <= own;
-      });
+      works =
+          repairs(decision, trials(), fault_of(Code::limit_contradictory, c.name_range),
+                  [&](const Trial& t) { return least_speed(t.kind, t.decision.period_us) <= own; });
     }
     diagnostics_.report({Code::limit_contradictory,
                          c.name_range,
@@ -608,9 +610,10 @@ class Deriver {
     };
     const Rational off =
         heading_errors(kind, own, ceil_to_int(Rational(decision.period->value * 1'000'000)));
-    const auto works = repairs(spec_, decision, [&](const Trial& t) {
-      return heading_errors(t.kind, own, t.decision.period_us) <= heading_errors_most;
-    });
+    const auto works = repairs(
+        decision, trials(), fault_of(Code::limit_contradictory, c.name_range), [&](const Trial& t) {
+          return heading_errors(t.kind, own, t.decision.period_us) <= heading_errors_most;
+        });
     diagnostics_.report(
         {Code::limit_contradictory,
          c.name_range,
@@ -758,6 +761,11 @@ class Deriver {
   const SourceManager& sources_;
   diag::Engine& diagnostics_;
   const bool offers_;  // false: this one is tried itself
+  Trials trials_{spec_, [this] {
+                   diag::Engine aside;
+                   Deriver(spec_, sources_, aside, false).run(Finding::is_told);
+                   return faults_of(aside);
+                 }};
   std::vector<std::optional<EvaluatedZone>> zones_;
   Derived out_;
   const HowItLies lies_ = [this](ir::ZoneIndex inner, const Standoff& outer) {

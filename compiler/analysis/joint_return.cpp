@@ -90,9 +90,9 @@ class Joint {
     }
     d.notes.push_back({std::nullopt, "the widest place in common has a clearance of " +
                                          metres(low) + ", beyond what they ask for"});
-    const auto numbers = repairs(of_.spec, of_.written, [&](const Trial& t) {
-      return return_clearance_mm(t.decision, t.lookahead_us) <= low;
-    });
+    const auto numbers = repairs(
+        of_.written, of_.trials, fault_of(d.code, d.range),
+        [&](const Trial& t) { return return_clearance_mm(t.decision, t.lookahead_us) <= low; });
     d.help = "zones that overlap by " + metres(2 * (need_mm + rounded_mm - low)) +
              " more in both directions work" +
              (numbers.empty() ? "" : "; or " + joined(numbers) + " works");

@@ -28,7 +28,8 @@ class Recoveries {
  public:
   Recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
              const ExactSolid& solid, const sema::Decision& decided, const ir::Decision& decision,
-             const sema::Monitor& written, const ir::Monitor& monitor, diag::Engine& diagnostics)
+             const sema::Monitor& written, const ir::Monitor& monitor, Trials* trials,
+             diag::Engine& diagnostics)
       : spec_(spec),
         module_(module),
         exact_(exact),
@@ -38,6 +39,7 @@ class Recoveries {
         written_(written),
         monitor_(monitor),
         controller_(spec[*written.recover]),
+        trials_(trials),
         diagnostics_(diagnostics) {}
 
   void run() {
@@ -222,7 +224,8 @@ class Recoveries {
                       : "no look-ahead that covers the latency leaves a place to return to";
     d.notes.push_back({spec_[written_.kind].latency.range, "the latency is declared here"});
     const std::string least = "a latency of at most " + millis(ahead_us);
-    const auto others = covered ? std::vector<std::string>{} : repairs(spec_, decided_, returns);
+    const auto others = covered ? std::vector<std::string>{}
+                                : repairs(decided_, trials_, fault_of(d.code, d.range), returns);
     d.help = covered          ? "`ahead " + millis(latency_us) + "` works, or " + least
              : others.empty() ? "no number alone works: a wider zone and " + least + " are needed"
                               : joined(others) + " works";
@@ -345,6 +348,7 @@ class Recoveries {
   // With how much more on every side `fits` holds.
   std::optional<std::string> grown(const ir::Recovery& last, const FitsZone& fits,
                                    const FitsZone& whole = {}) const {
+    if (trials_ == nullptr) return std::nullopt;  // nobody reads it
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t most_mm = 2 * last.return_clearance_mm + 4 * zone.cells.cell_mm;
     const auto by_mm = widening_mm(exact_(last.zone), most_mm, fits, whole);
@@ -399,6 +403,7 @@ class Recoveries {
   const sema::Monitor& written_;
   const ir::Monitor& monitor_;
   const sema::Controller& controller_;
+  Trials* trials_;
   diag::Engine& diagnostics_;
   bool misplaced_ = false;  // it moves where its property need not hold
 };
@@ -406,7 +411,8 @@ class Recoveries {
 }  // namespace
 
 void check_recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                      const ExactSolid& solid, const HowItLies& lies, diag::Engine& diagnostics) {
+                      const ExactSolid& solid, const HowItLies& lies, Trials* trials,
+                      diag::Engine& diagnostics) {
   for (std::size_t i = 0; i < module.decisions.size(); ++i) {
     const ir::Decision& decision = module.decisions[i];
     if (decision.on_plan) continue;
@@ -414,11 +420,12 @@ void check_recoveries(const sema::Spec& spec, const ir::Module& module, const Ex
       const sema::Monitor& written = spec[spec.decisions[i].priority[k]];
       if (!written.recover) continue;
       Recoveries(spec, module, exact, solid, spec.decisions[i], decision, written,
-                 decision.monitors[k], diagnostics)
+                 decision.monitors[k], trials, diagnostics)
           .run();
     }
     if (decision.body.in_space || diagnostics.has_errors()) continue;
-    if (auto found = apart_for_ever({spec, spec.decisions[i], module, decision, lies}, exact)) {
+    if (auto found =
+            apart_for_ever({spec, spec.decisions[i], module, decision, lies, trials}, exact)) {
       diagnostics.report(std::move(*found));
     }
   }

@@ -6,6 +6,7 @@
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/trials.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
 #include "compiler/ir/table_map.h"
@@ -14,6 +15,7 @@
 namespace rtac::analysis {
 
 void check_recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                      const ExactSolid& solid, const HowItLies& lies, diag::Engine& diagnostics);
+                      const ExactSolid& solid, const HowItLies& lies, Trials* trials,
+                      diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

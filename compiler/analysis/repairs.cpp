@@ -13,6 +13,7 @@ namespace rtac::analysis {
 namespace {
 
 constexpr std::size_t offered_most = 3;
+constexpr std::int64_t grown_most = 1'000'000;  // steps of what helps by growing
 
 // A number of the specification, on a grid on which it is looked for.
 struct Number {
@@ -108,50 +109,83 @@ Trial trial_of(const sema::Spec& spec, const sema::RobotKind& kind, const sema::
 
 class Search {
  public:
-  Search(const sema::Spec& spec, const sema::Decision& decision, const Fits& fits)
-      : spec_(spec), decision_(decision), kind_(spec[decision.kind]), fits_(fits) {}
+  Search(const sema::Decision& decision, Trials& trials, const Fault& fault, const Fits& fits)
+      : spec_(trials.spec()),
+        trials_(trials),
+        decision_(spec_.decisions[std::size_t(&decision - spec_.decisions.data())]),
+        kind_(spec_.kinds[static_cast<std::size_t>(decision_.kind)]),
+        fault_(fault),
+        fits_(fits) {}
 
-  struct Found {
-    std::string text;
-    double change;  // how many times as much, or as little
-  };
-  std::vector<Found> run() {
-    std::vector<Found> all;
-    for (const Number& n : numbers()) {
-      if (auto found = look(n)) all.push_back(std::move(*found));
+  std::vector<std::string> run() {
+    const std::vector<Number> all = numbers();
+    std::vector<Found> near;
+    for (const Number& n : all) {
+      if (auto found = guess(n)) near.push_back(*found);
     }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Found& a, const Found& b) { return a.change < b.change; });
-    return all;
+    const auto by_change = [](const Found& a, const Found& b) { return a.change() < b.change(); };
+    std::stable_sort(near.begin(), near.end(), by_change);
+    std::vector<Found> tried;
+    for (const Found& each : near) {
+      if (tried.size() == offered_most) break;
+      if (auto found = nearest(each)) tried.push_back(*found);
+    }
+    std::stable_sort(tried.begin(), tried.end(), by_change);
+    std::vector<std::string> texts;
+    for (const Found& each : tried) texts.push_back(each.text());
+    return texts;
   }
 
  private:
-  std::optional<Found> look(const Number& n) {
+  struct Found {
+    const Number* number;
+    std::int64_t written, steps;  // `written`: at or beyond what is written
+    // How many times as much, or as little.
+    [[nodiscard]] double change() const {
+      const double ratio = static_cast<double>(written) / static_cast<double>(steps);
+      return number->grows ? 1 / ratio : ratio;
+    }
+    [[nodiscard]] std::string text() const {
+      const Rational shown(static_cast<long>(steps) * number->shown_per_unit, number->per_unit);
+      return number->what + (number->grows ? " of at least " : " of at most ") + to_decimal(shown) +
+             " " + number->unit;
+    }
+  };
+  bool write(const Number& n, std::int64_t steps) {
+    Rational& value = n.of(kind_, decision_)->value;
+    value = Rational(steps, n.per_unit);
+    value.canonicalize();
+    return allowed();
+  }
+  std::optional<Found> guess(const Number& n) {
     sema::Quantity* const value = n.of(kind_, decision_);
     if (value == nullptr) return std::nullopt;
     if (&decision_.period->value == &value->value && asks_for_the_past(spec_, decision_)) {
       return std::nullopt;
     }
-    const sema::Quantity before = *value;
-    const auto works = [&](std::int64_t steps) {
-      value->value = Rational(steps, n.per_unit);
-      value->value.canonicalize();
-      return allowed() && fits_(trial_of(spec_, kind_, decision_));
+    const Rational before = value->value;
+    const auto fits = [&](std::int64_t steps) {
+      return write(n, steps) && fits_(trial_of(spec_, kind_, decision_));
     };
+    const std::int64_t floor = floor_to_int(Rational(before * n.per_unit));
+    const std::int64_t written = n.grows ? floor : floor + 1;
     const std::optional<std::int64_t> found =
-        n.grows ? at_least(n, before, works) : at_most(n, before, works);
-    *value = before;
-    if (!found) return std::nullopt;
-    const double ratio = before.value.get_d() * n.per_unit / static_cast<double>(*found);
-    const Rational shown(static_cast<long>(*found) * n.shown_per_unit, n.per_unit);
-    return Found{
-        n.what + (n.grows ? " of at least " : " of at most ") + to_decimal(shown) + " " + n.unit,
-        n.grows ? 1 / ratio : ratio};
+        n.grows ? at_least(written, fits) : at_most(n.least, written, fits);
+    value->value = before;
+    return found ? std::optional(Found{&n, written, *found}) : std::nullopt;
+  }
+  std::optional<Found> nearest(const Found& near) {
+    const Number& n = *near.number;
+    const Rational before = n.of(kind_, decision_)->value;
+    const Dial dial{n.what + " of " + decision_.name, near.written, n.grows ? grown_most : n.least,
+                    [&](std::int64_t steps) { return write(n, steps); },
+                    [&] { n.of(kind_, decision_)->value = before; }};
+    const auto found = trials_.nearest(dial, near.steps, fault_);
+    return found ? std::optional(Found{&n, near.written, *found}) : std::nullopt;
   }
   template <class Works>
-  static std::optional<std::int64_t> at_most(const Number& n, const sema::Quantity& before,
+  static std::optional<std::int64_t> at_most(std::int64_t low, std::int64_t high,
                                              const Works& works) {
-    std::int64_t low = n.least, high = floor_to_int(Rational(before.value * n.per_unit)) + 1;
     if (low >= high || !works(low)) return std::nullopt;
     while (high - low > 1) {
       const std::int64_t middle = low + (high - low) / 2;
@@ -161,14 +195,12 @@ class Search {
   }
   // What brakes harder may be pushed sideways harder, too, so that too much does not fit again.
   template <class Works>
-  static std::optional<std::int64_t> at_least(const Number& n, const sema::Quantity& before,
-                                              const Works& works) {
-    constexpr std::int64_t most = 1'000'000;
-    std::int64_t low = ceil_to_int(Rational(before.value * n.per_unit)), high = low;
+  static std::optional<std::int64_t> at_least(std::int64_t high, const Works& works) {
+    std::int64_t low = high;
     do {
       low = high;
-      high *= 2;
-      if (high > most) return std::nullopt;
+      high = std::max<std::int64_t>(1, 2 * high);
+      if (high > grown_most) return std::nullopt;
     } while (!works(high));
     while (high - low > 1) {
       const std::int64_t middle = low + (high - low) / 2;
@@ -196,9 +228,11 @@ class Search {
     return true;
   }
 
-  const sema::Spec& spec_;
-  sema::Decision decision_;
-  sema::RobotKind kind_;
+  sema::Spec& spec_;
+  Trials& trials_;
+  sema::Decision& decision_;
+  sema::RobotKind& kind_;
+  const Fault& fault_;
   const Fits& fits_;
 };
 
@@ -212,13 +246,10 @@ Trial with_lookahead(const sema::Spec& spec, const sema::Decision& decision, std
   return trial_of(spec, spec[decision.kind], decision, most_us);
 }
 
-std::vector<std::string> repairs(const sema::Spec& spec, const sema::Decision& decision,
+std::vector<std::string> repairs(const sema::Decision& decision, Trials* trials, const Fault& fault,
                                  const Fits& fits) {
-  std::vector<std::string> texts;
-  for (auto& found : Search(spec, decision, fits).run()) {
-    if (texts.size() < offered_most) texts.push_back(std::move(found.text));
-  }
-  return texts;
+  return trials != nullptr ? Search(decision, *trials, fault, fits).run()
+                           : std::vector<std::string>{};
 }
 
 std::string joined(const std::vector<std::string>& texts) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/trials.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
 
@@ -31,9 +32,10 @@ Trial trial_of(const sema::Spec& spec, const sema::Decision& decision);
 Trial with_lookahead(const sema::Spec& spec, const sema::Decision& decision, std::int64_t most_us);
 
 // Texts like "a `latency` of at most 120 ms", the least change first, three at most. With each of
-// them alone `fits` holds, which has been tried, and with a step of the grid more it does not.
-// Numbers that other checks would refuse are left out.
-std::vector<std::string> repairs(const sema::Spec& spec, const sema::Decision& decision,
+// them alone the whole specification has been tried (Trials::nearest): `fits`, which holds of
+// numbers with which `fault` may be gone, only says where to begin. Numbers that other checks would
+// refuse are left out. Without `trials` none.
+std::vector<std::string> repairs(const sema::Decision& decision, Trials* trials, const Fault& fault,
                                  const Fits& fits);
 
 // `a; b; or c`, each after `before`: "" without any.

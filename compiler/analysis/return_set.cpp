@@ -168,31 +168,33 @@ class ReturnSet {
         all.back().help = "a clearance of at most " + metres(kept_mm(m, spare_mm)) + " works";
       } else if (m.lookahead.duration_us == now_.lookahead_us) {
         all.push_back(finding(m, need_mm(now_, standoff)));
-        all.back().help = "no look-ahead works here" + wider(fits);
+        all.back().help =
+            "no look-ahead works here" + wider(fault_of(all.back().code, all.back().range), fits);
       }
     }
     return all;
   }
   // "": a zone would have to be much larger, or to try that takes long.
-  std::string wider_zone() const {
+  std::string wider_zone(const Fault& fault) const {
+    if (of_.trials == nullptr) return "";  // nobody reads it
     const ir::ZoneTable& zone = zone_of(*retreat_);
     if (zone.has_height()) return "the zone has to be wider and higher";
-    const std::int64_t least_mm = missing_mm(*retreat_);
-    if (!returns_over_cells(decision_, ir::last_step(retreat_->recovery))) {
-      return 2 * least_mm > wider_most_mm ? "" : "widen the zone by " + metres(2 * least_mm);
-    }
-    const std::int64_t need_mm = most_mm(*retreat_) + least_mm;
+    const std::int64_t need_mm = most_mm(*retreat_) + missing_mm(*retreat_);
     const auto fits = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
       return clearest_mm(cells) >= need_mm;
     };
     const ir::ZoneIndex place = *place_of(module_, decision_, *retreat_);
-    const auto by_mm = widening_mm(exact_(place), wider_most_mm / 2, fits);
-    return by_mm ? "`grow(" + zone.name + ", " + metres(*by_mm) + ")` in its place works" : "";
+    const bool over_cells = returns_over_cells(decision_, ir::last_step(retreat_->recovery));
+    const auto by_mm = over_cells ? widening_mm(exact_(place), wider_most_mm / 2, fits)
+                                  : std::optional(missing_mm(*retreat_));
+    if (!by_mm || *by_mm > wider_most_mm / 2) return "";
+    return growth_that_works(*of_.trials, zone.name, *by_mm, 2 * need_mm, fault).value_or("");
   }
   // Or one other number.
-  std::string wider(const Fits& fits) const {
-    const auto others = repairs(of_.spec, of_.written, fits);
-    const std::string zone = wider_zone(), one = others.empty() ? "" : joined(others) + " works";
+  std::string wider(const Fault& fault, const Fits& fits) const {
+    const auto others = repairs(of_.written, of_.trials, fault, fits);
+    const std::string zone = wider_zone(fault),
+                      one = others.empty() ? "" : joined(others) + " works";
     if (!zone.empty()) return ": " + zone + (one.empty() ? "" : "; or " + one);
     return one.empty() ? ", nor any one other number: several have to change" : ": " + one;
   }

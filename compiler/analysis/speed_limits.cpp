@@ -146,10 +146,12 @@ class Limits {
       if (ir::acknowledged(decision_, name, monitor_.name)) continue;
       works_mmps = std::max(works_mmps, fastest_while_driving(decision_, k));
     }
-    const auto others = repairs(of_.spec, of_.written, [&](const Trial& t) {
-      const std::int64_t ahead_us = lookahead_us(of_.spec, written_, t.decision.period_us);
-      return fastest_from_rest(t.decision, ahead_us) <= limit.most_mmps;
-    });
+    const auto others = repairs(
+        of_.written, of_.trials, fault_of(diag::Code::speed_limit_unkept, limit.value->source),
+        [&](const Trial& t) {
+          const std::int64_t ahead_us = lookahead_us(of_.spec, written_, t.decision.period_us);
+          return fastest_from_rest(t.decision, ahead_us) <= limit.most_mmps;
+        });
     // at the declared speed it would find nothing (7004)
     const bool limits = works_mmps < decision_.motions[0].speed_mmps;
     std::string help = limits ? "a limit of " + speed_text(works_mmps) + " works" : "";

@@ -16,6 +16,7 @@
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/vacuous.h"
+#include "compiler/analysis/widening.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -39,19 +40,21 @@ std::optional<std::size_t> cell_at(const ir::Cells& cells, std::int64_t x_mm, st
 class WellFormed {
  public:
   WellFormed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-             const ExactZone& exact, const HowItLies& lies, diag::Engine& diagnostics)
+             const ExactZone& exact, const HowItLies& lies, Trials* trials,
+             diag::Engine& diagnostics)
       : spec_(spec),
         module_(module),
         tables_(tables),
         exact_(exact),
         lies_(lies),
+        trials_(trials),
         diagnostics_(diagnostics) {}
 
   void run() {
     for (std::size_t i = 0; i < module_.decisions.size(); ++i) {
       const ir::Decision& decision = module_.decisions[i];
       if (decision.on_plan) continue;
-      const Decided decided{spec_, spec_.decisions[i], module_, decision, lies_};
+      const Decided decided{spec_, spec_.decisions[i], module_, decision, lies_, trials_};
       for (diag::Diagnostic& found : empty_return_sets(decided, exact_)) {
         diagnostics_.report(std::move(found));
       }
@@ -224,19 +227,21 @@ class WellFormed {
       const std::string what = "`" + site.name + "(" + place.robot + ")`";
       const std::int64_t route = way.route_clearance_mm;
       const std::int64_t give_back = way.return_clearance_mm;
+      const auto misplaced = [&](Code code, std::string message) {
+        report(monitor, code, range, std::move(message),
+               nearest_place(of, way, place, clearance, fault_of(code, range)));
+      };
       if (clearance < 0) {
-        report(monitor, Code::site_outside_zone, range, what + " lies outside `" + zone.name + "`",
-               nearest_place(of, way, place));
+        misplaced(Code::site_outside_zone, what + " lies outside `" + zone.name + "`");
       } else if (clearance < route) {
-        report(monitor, Code::site_unreachable, range,
-               what + " has a clearance of about " + clearance_text(zone.cells, clearance) + ", `" +
-                   monitor.recovery.name + "` keeps " + metres(route),
-               nearest_place(of, way, place));
+        misplaced(Code::site_unreachable, what + " has a clearance of about " +
+                                              clearance_text(zone.cells, clearance) + ", `" +
+                                              monitor.recovery.name + "` keeps " + metres(route));
       } else if (clearance < give_back) {
-        report(monitor, Code::site_not_returnable, range,
-               "control cannot be handed back at " + what + ": its clearance is about " +
-                   clearance_text(zone.cells, clearance) + ", " + metres(give_back) + " is needed",
-               nearest_place(of, way, place));
+        misplaced(Code::site_not_returnable, "control cannot be handed back at " + what +
+                                                 ": its clearance is about " +
+                                                 clearance_text(zone.cells, clearance) + ", " +
+                                                 metres(give_back) + " is needed");
       } else if (!place.cost_ppm.empty()) {
         affordable(spec_[kind], of.decision, monitor, place, range, what, zone.cells.cell_mm);
       }
@@ -253,7 +258,8 @@ class WellFormed {
 
   // The centre of the nearest cell that would do.
   std::string nearest_place(const Decided& of, const ir::Recovery& way,
-                            const ir::SiteTable::Place& from) const {
+                            const ir::SiteTable::Place& from, std::int64_t clear_mm,
+                            const Fault& fault) const {
     const ir::ZoneTable& zone = module_[way.zone];
     const std::int64_t clearance_mm = std::max(way.route_clearance_mm, way.return_clearance_mm);
     const ir::Cells& cells = zone.cells;
@@ -269,31 +275,36 @@ class WellFormed {
       best = dx * dx + dy * dy;
       where = place(x, y);
     }
-    if (where.empty()) return no_place(of, way, clearance_mm);
+    if (where.empty()) return no_place(of, way, from, clearance_mm, clear_mm, fault);
     return "the nearest place with a clearance of " + metres(clearance_mm) + " is " + where;
   }
 
-  // Wider by what is missing, and by what a cell may hide; or other numbers with which one of the
-  // cells would do.
-  std::string no_place(const Decided& of, const ir::Recovery& way,
-                       std::int64_t clearance_mm) const {
+  // A wider zone, or other numbers with which the cell of the site, which is so clear, would do.
+  std::string no_place(const Decided& of, const ir::Recovery& way, const ir::SiteTable::Place& from,
+                       std::int64_t clearance_mm, std::int64_t clear_mm, const Fault& fault) const {
     const ir::ZoneTable& zone = module_[way.zone];
-    const auto& cells = zone.cells.clearance_mm_lo;
-    const std::int64_t best_mm = *std::max_element(cells.begin(), cells.end());
-    const std::int64_t hidden_mm = zone.cells.cell_mm * 14'143 / 10'000 + 1;
-    const std::int64_t wider_mm =
-        2 * (clearance_mm - std::max<std::int64_t>(best_mm, 0) + hidden_mm);
-    const auto others = repairs(of.spec, of.written, [&](const Trial& t) {
+    const std::string none =
+        "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm);
+    if (of.trials == nullptr) return none;  // nobody reads it
+    const auto others = repairs(of.written, of.trials, fault, [&](const Trial& t) {
       const Rational speed(static_cast<long>(way.speed_mmps), 1000);
       const ir::Motion motion =
           recovery_motion(t.kind, t.decision.body, way.name, speed, t.decision.period_us);
       const std::int64_t need_mm = std::max(cruise_clearance_mm(t.decision, motion, t.lookahead_us),
                                             return_clearance_mm(t.decision, t.lookahead_us));
-      return need_mm + standoff_mm(of.decision, way) <= best_mm;
+      return need_mm + standoff_mm(of.decision, way) <= clear_mm;
     });
-    return "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm) +
-           ": widen it by " + metres(wider_mm) +
-           (others.empty() ? "" : "; or " + joined(others) + " works");
+    const auto fits = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
+      const auto cell = cell_at(cells, from.x_mm, from.y_mm);
+      return cell && cells.clearance_mm_lo[*cell] >= clearance_mm;
+    };
+    const auto guess_mm = widening_mm(exact_(way.zone), 2 * clearance_mm, fits);
+    const auto grown =
+        guess_mm ? growth_that_works(*of.trials, zone.name, *guess_mm, 2 * clearance_mm, fault)
+                 : std::nullopt;
+    if (!grown && others.empty()) return none + ": another site and a wider zone are needed";
+    return none + ": " + grown.value_or("") + (grown && !others.empty() ? "; or " : "") +
+           (others.empty() ? "" : joined(others) + " works");
   }
 
   // A full battery must bring the robot home from the farthest connected place.
@@ -367,14 +378,16 @@ class WellFormed {
   const ir::TableMap& tables_;
   const ExactZone& exact_;
   const HowItLies& lies_;
+  Trials* trials_;
   diag::Engine& diagnostics_;
 };
 
 }  // namespace
 
 void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-                       const ExactZone& exact, const HowItLies& lies, diag::Engine& diagnostics) {
-  WellFormed(spec, module, tables, exact, lies, diagnostics).run();
+                       const ExactZone& exact, const HowItLies& lies, Trials* trials,
+                       diag::Engine& diagnostics) {
+  WellFormed(spec, module, tables, exact, lies, trials, diagnostics).run();
 }
 
 std::vector<MonitorSummary> summarise(const ir::Module& module, const ir::Decision& decision) {

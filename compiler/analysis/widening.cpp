@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
@@ -51,6 +52,32 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
   }
   if (closes_a_gap(zone, high) || (whole && !holds(whole, high))) return std::nullopt;
   return high;
+}
+
+std::optional<std::string> growth_that_works(Trials& trials, const std::string& zone,
+                                             std::int64_t guess_mm, std::int64_t most_mm,
+                                             const Fault& fault) {
+  auto& zones = trials.spec().zones;
+  const auto named = [&](const sema::Zone& z) { return !z.name.empty() && z.name == zone; };
+  const auto found = std::ranges::find_if(zones, named);
+  if (found == zones.end()) return std::nullopt;
+  sema::ZoneExprPtr& value = found->value;
+  const SourceRange range = value->range;
+  const Dial dial{"the growth of " + zone, 0, std::max(guess_mm, most_mm),
+                  [&](std::int64_t mm) {
+                    auto grown = std::make_unique<sema::ZoneExpr>();
+                    grown->range = range;
+                    grown->node = sema::ZoneOffset{std::move(value), metres_of(mm)};
+                    value = std::move(grown);
+                    return true;
+                  },
+                  [&] {
+                    auto written = std::move(std::get<sema::ZoneOffset>(value->node).operand);
+                    value = std::move(written);
+                  }};
+  const auto by_mm = trials.nearest(dial, guess_mm, fault);
+  if (!by_mm) return std::nullopt;
+  return "`grow(" + zone + ", " + metres(*by_mm) + ")` in its place works";
 }
 
 }  // namespace rtac::analysis

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "compiler/analysis/trials.h"
 #include "compiler/geometry/bake.h"
 #include "compiler/geometry/region.h"
 #include "compiler/ir/module.h"
@@ -21,5 +23,13 @@ using FitsZone =
 // None: it does not help, or the zone is so large that to try takes long.
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
                                         const FitsZone& fits, const FitsZone& whole = {});
+
+// "`grow(yard, 0.2 m)` in its place works": the least growth of a zone that has a name with which
+// the whole specification has been tried, looked for from `guess_mm` to
+// `most_mm`. none: as of other numbers
+// (Trials::nearest).
+std::optional<std::string> growth_that_works(Trials& trials, const std::string& zone,
+                                             std::int64_t guess_mm, std::int64_t most_mm,
+                                             const Fault& fault);
 
 }  // namespace rtac::analysis

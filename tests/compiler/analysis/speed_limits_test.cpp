@@ -57,7 +57,7 @@ TEST(SpeedLimits, ARobotAtRestMayHandControlBack) {
 
 // One that is as high as the declared speed is no limit (7004), and no help.
 TEST(SpeedLimits, NoneIsOfferedThatFindsNothing) {
-  const std::string wide = edited(text_of("0.8 m/s", "0.8 m/s"), "(6 m, 4 m)", "(30 m, 30 m)");
+  const std::string wide = edited(text_of("0.9 m/s", "0.8 m/s"), "(6 m, 4 m)", "(30 m, 30 m)");
   const std::string noisy = edited(wide, "error 2 cm/s", "error 0.4 m/s");
   EXPECT_EQ(said(noisy),
             "monitor `calm` can never hand control back: from rest the robot may reach 1 m/s "

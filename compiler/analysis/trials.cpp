@@ -1,0 +1,107 @@
+#include "compiler/analysis/trials.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace rtac::analysis {
+namespace {
+
+// Of one specification: a report is no search that lasts.
+constexpr int runs_most = 200;
+// From the guess to the last number, each so many times nearer to that.
+constexpr std::int64_t farther = 4;
+constexpr std::size_t probes_most = 6;
+
+std::vector<std::int64_t> probes(std::int64_t guess, std::int64_t far) {
+  std::vector<std::int64_t> all{guess};
+  while (all.back() != far && all.size() < probes_most) {
+    const std::int64_t last = all.back();
+    all.push_back(far < last ? std::max(far, last / farther) : std::min(far, last * farther));
+  }
+  return all;
+}
+
+bool no_more(const Faults& found, const Faults& than) {
+  return std::ranges::includes(than, found);
+}
+
+}  // namespace
+
+Fault fault_of(diag::Code code, const std::optional<SourceRange>& range) {
+  return range ? Fault{code, range->file, range->begin} : Fault{code, {}, 0};
+}
+
+Faults faults_of(const diag::Engine& diagnostics) {
+  Faults all;
+  for (const diag::Diagnostic& d : diagnostics.all()) {
+    if (diag::info(d.code).severity == diag::Severity::error) all.insert(fault_of(d.code, d.range));
+  }
+  return all;
+}
+
+const Faults& Trials::as_written() {
+  if (!as_written_) as_written_ = run_();
+  return *as_written_;
+}
+
+const Faults* Trials::with(const Dial& dial, std::int64_t steps) {
+  const auto [at, is_new] = known_.try_emplace({dial.name, steps});
+  if (is_new && runs_ < runs_most) {
+    if (dial.write(steps)) {
+      ++runs_;
+      at->second = run_();
+    }
+    dial.restore();
+  }
+  return at->second ? &*at->second : nullptr;
+}
+
+bool Trials::mends(const Faults* found, const Fault& fault) {
+  return found != nullptr && !found->contains(fault) && no_more(*found, as_written());
+}
+
+std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess,
+                                            const Fault& fault) {
+  std::optional<std::int64_t> good;
+  const Faults* left = nullptr;
+  std::int64_t bad = dial.written, before = dial.written;
+  for (const std::int64_t at : probes(guess, dial.far)) {
+    const Faults* const found = with(dial, at);
+    if (mends(found, fault) && (!good || found->size() < left->size())) {
+      good = at;
+      left = found;
+      bad = before;
+    }
+    if (good && left->empty()) break;
+    before = at;
+  }
+  if (!good) return std::nullopt;
+  const auto works = [&](std::int64_t at) {
+    const Faults* const found = with(dial, at);
+    return found != nullptr && no_more(*found, *left);
+  };
+  const std::int64_t next = *good + (bad > *good ? 1 : -1);
+  if (next == bad || !works(next)) return good;  // most guesses are right
+  good = next;
+  while (std::abs(bad - *good) > 1) {
+    const std::int64_t middle = *good + (bad - *good) / 2;
+    if (works(middle)) {
+      good = middle;
+    } else {
+      bad = middle;
+    }
+  }
+  return good;
+}
+
+bool Trials::works(const std::function<void()>& change, const std::function<void()>& restore,
+                   const Fault& fault) {
+  if (runs_ >= runs_most) return false;
+  ++runs_;
+  change();
+  const Faults found = run_();
+  restore();
+  return mends(&found, fault);
+}
+
+}  // namespace rtac::analysis

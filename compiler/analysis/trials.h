@@ -1,0 +1,67 @@
+// The whole analysis once more, of the specification with another number in it: no number is
+// offered as help that has not been tried so.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "compiler/diagnostics/engine.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+// An error, by its code and where it is.
+struct Fault {
+  diag::Code code{};
+  FileId file{};
+  std::uint32_t begin = 0;
+  auto operator<=>(const Fault&) const = default;
+};
+using Faults = std::set<Fault>;
+Fault fault_of(diag::Code code, const std::optional<SourceRange>& range);
+Faults faults_of(const diag::Engine& diagnostics);
+
+// A number of the specification, in steps of a grid.
+struct Dial {
+  std::string name;                         // of no other number
+  std::int64_t written = 0;                 // what it is, or the step before that
+  std::int64_t far = 0;                     // the last one that is tried
+  std::function<bool(std::int64_t)> write;  // false: other checks would refuse it
+  std::function<void()> restore;
+};
+
+class Trials {
+ public:
+  using Run = std::function<Faults()>;
+  // `run`: what is wrong with `spec` as it is at the moment.
+  Trials(sema::Spec& spec, Run run) : spec_(spec), run_(std::move(run)) {}
+  // To be changed, and to be as it was afterwards.
+  [[nodiscard]] sema::Spec& spec() { return spec_; }
+
+  // The number nearest to the written one with which `fault` is gone, nothing is wrong that was
+  // right, and no more is wrong than with others that are farther off: of several errors with one
+  // cause it mends all, if any does. Looked for from `guess` on. none: none of those that were
+  // tried is such a one.
+  std::optional<std::int64_t> nearest(const Dial& dial, std::int64_t guess, const Fault& fault);
+  // Whether one change mends `fault` and spoils nothing.
+  bool works(const std::function<void()>& change, const std::function<void()>& restore,
+             const Fault& fault);
+
+ private:
+  const Faults& as_written();
+  const Faults* with(const Dial& dial, std::int64_t steps);  // nullptr: refused, or too many
+  bool mends(const Faults* found, const Fault& fault);
+
+  sema::Spec& spec_;
+  Run run_;
+  int runs_ = 0;
+  std::optional<Faults> as_written_;
+  std::map<std::pair<std::string, std::int64_t>, std::optional<Faults>> known_;
+};
+
+}  // namespace rtac::analysis
