@@ -58,7 +58,7 @@ class Deriver {
 
   std::optional<Derived> run(Finding finding) {
     out_.module.name = spec_.name;
-    check_magnitudes(spec_, diagnostics_);
+    check_magnitudes(spec_, trials(), diagnostics_);
     const std::vector<ZoneUse> wanted = wanted_zones(spec_);
     EvaluatedZones evaluated = evaluate_zones(spec_, wanted, diagnostics_);
     if (diagnostics_.has_errors()) return std::nullopt;

@@ -1,7 +1,12 @@
 #include "compiler/analysis/magnitudes.h"
 
+#include <algorithm>
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "compiler/analysis/repairs.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::analysis {
@@ -23,8 +28,8 @@ const Rational holdable_share(3, 4);
 
 class Checker {
  public:
-  Checker(const sema::Spec& spec, diag::Engine& diagnostics)
-      : spec_(spec), diagnostics_(diagnostics) {}
+  Checker(const sema::Spec& spec, Trials* trials, diag::Engine& diagnostics)
+      : spec_(spec), trials_(trials), diagnostics_(diagnostics) {}
 
   void run() {
     for (const sema::RobotKind& kind : spec_.kinds) check(kind);
@@ -49,10 +54,14 @@ class Checker {
     least("the acceleration", k.motion.accel, least_accel_mps2, "m/s^2");
     most("the brake", k.motion.brake, accel_max_mps2, "m/s^2");
     least("the brake", k.motion.brake, least_accel_mps2, "m/s^2");
-    if (k.motion.disturbance) check_push("the disturbance", *k.motion.disturbance, k, {});
+    const auto disturbance = [](sema::RobotKind& of) { return &*of.motion.disturbance; };
+    const auto output = [](sema::RobotKind& of) { return &*of.output_error; };
+    if (k.motion.disturbance) {
+      check_push({"the disturbance", *k.motion.disturbance, disturbance}, k, {});
+    }
     if (k.output_error) {
       const Rational pushed = k.motion.disturbance ? k.motion.disturbance->value : Rational(0);
-      check_push("the error of the output", *k.output_error, k, pushed);
+      check_push({"the error of the output", *k.output_error, output}, k, pushed);
     }
     if (k.motion.turn) {
       most("the turn rate", *k.motion.turn, turn_max, "rad/s");
@@ -72,28 +81,69 @@ class Checker {
     most("the latency", k.latency, time_max_s, "s");
     if (k.energy) energy(*k.energy);
   }
+  struct Push {
+    std::string what;
+    const sema::Quantity& value;
+    std::function<sema::Quantity*(sema::RobotKind&)> of;
+  };
   // What the brake has left divides, and is rounded down to the grid. `others`: what pushes
   // besides.
-  void check_push(const char* what, const sema::Quantity& push, const sema::RobotKind& k,
-                  const Rational& others) {
+  void check_push(const Push& push, const sema::RobotKind& k, const Rational& others) {
     const Rational held = k.motion.brake.value * holdable_share - others;
     const Rational room =
         std::min(k.motion.brake.value, k.motion.accel.value) - 2 * least_accel_mps2 - others;
-    if (push.value > held) return refuse(what, push, k, std::min(held, room));
-    if (push.value <= room) return;
-    report(what, push, "at most " + to_decimal(std::max(room, Rational(0))) + " m/s^2 works");
+    const bool carried_off = push.value.value > held;
+    if (!carried_off && push.value.value <= room) return;
+    const auto number = static_cast<std::size_t>(&k - spec_.kinds.data());
+    const Fault fault = fault_of(carried_off ? Code::limit_contradictory : Code::value_out_of_range,
+                                 push.value.range);
+    std::vector<std::string> works;
+    const auto offer = [&](const char* before, const std::optional<Rational>& value) {
+      if (value) works.push_back(before + to_decimal(*value) + " m/s^2");
+    };
+    if (trials_ != nullptr) {
+      sema::RobotKind& kind = trials_->spec().kinds[number];
+      offer("at most ", nearest(*push.of(kind), push.what + k.name, std::min(held, room), fault));
+      const Rational least = Rational(push.value.value + others) / holdable_share;
+      offer("a `brake` of at least ", nearest(kind.motion.brake, "brake" + k.name, least, fault));
+    }
+    const std::string help = works.empty() ? "no number alone works: a stronger brake and `accel` "
+                                             "are needed, or less that pushes, or a faster recovery"
+                                           : joined(works) + " works";
+    if (carried_off) return refuse(push, k, help);
+    report(push.what.c_str(), push.value, help);
   }
-  void refuse(const char* what, const sema::Quantity& push, const sema::RobotKind& k,
-              const Rational& most) {
+  // The number nearest to the written one that works, in m/s^2; none: others have to change with
+  // it.
+  std::optional<Rational> nearest(sema::Quantity& number, const std::string& name,
+                                  const Rational& guess, const Fault& fault) {
+    constexpr int per_unit = 1000;
+    const Rational written = number.value;
+    const bool grows = guess > written;
+    const std::int64_t steps = floor_to_int(Rational(guess * per_unit)) + (grows ? 1 : 0);
+    if (steps < 1) return std::nullopt;
+    const Dial dial{name, floor_to_int(Rational(written * per_unit)) + (grows ? 0 : 1),
+                    grows ? floor_to_int(Rational(accel_max_mps2 * per_unit)) : 1,
+                    [&](std::int64_t n) {
+                      number.value = Rational(static_cast<long>(n), per_unit);
+                      number.value.canonicalize();
+                      return true;
+                    },
+                    [&] { number.value = written; }};
+    const auto found = trials_->nearest(dial, steps, fault);
+    if (!found) return std::nullopt;
+    Rational value(static_cast<long>(*found), per_unit);
+    value.canonicalize();
+    return value;
+  }
+  void refuse(const Push& push, const sema::RobotKind& k, const std::string& help) {
     diagnostics_.report({Code::limit_contradictory,
-                         push.range,
-                         std::string(what) + " leaves `" + k.name + "` too little of its brake",
+                         push.value.range,
+                         push.what + " leaves `" + k.name + "` too little of its brake",
                          "a robot that holds its place may be carried off",
                          {{k.motion.brake.range, "a hold needs a quarter of the brake of " +
                                                      to_decimal(k.motion.brake.value) + " m/s^2"}},
-                         most > 0
-                             ? "at most " + to_decimal(most) + " m/s^2 works, or a stronger brake"
-                             : "a stronger brake works, or a smaller `disturbance`",
+                         help,
                          {}});
   }
   void energy(const sema::Energy& e) {
@@ -163,13 +213,14 @@ class Checker {
   }
 
   const sema::Spec& spec_;
+  Trials* trials_;
   diag::Engine& diagnostics_;
 };
 
 }  // namespace
 
-void check_magnitudes(const sema::Spec& spec, diag::Engine& diagnostics) {
-  Checker(spec, diagnostics).run();
+void check_magnitudes(const sema::Spec& spec, Trials* trials, diag::Engine& diagnostics) {
+  Checker(spec, trials, diagnostics).run();
 }
 
 }  // namespace rtac::analysis

@@ -215,6 +215,8 @@ std::vector<Offer> offers() {
        part(&About::decision, "period +")},
       {"^less than " + number + " m/s\\^2 works", "m/s\\^2", 1000, Beyond::itself,
        part(&About::robot, "\\bdisturbance *<= *")},
+      {"^at most " + number + " m/s\\^2(?=, or a| works)", "m/s\\^2", 1000, Beyond::more,
+       part(&About::robot, "\\bdisturbance *<= *"), 5005},
       {"at least " + number + " m/s\\^2 works$", "m/s\\^2", 1000, Beyond::less,
        part(&About::robot, "\\bbrake *>= *"), 5005},
       {"`jitter` of at most " + number + " ms", "ms", 1, Beyond::more,
