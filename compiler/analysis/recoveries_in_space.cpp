@@ -98,10 +98,12 @@ class InSpace {
     const bool deep = step.claims && std::ranges::any_of(asked, [&](const Standoff& each) {
                         return each.zone == fence && each.mm > touching_mm;
                       });
-    const std::string works = "a zone that lies " + std::string(deep ? "as far " : "") + "in `" +
-                              module_[fence].name + "` " +
-                              (deep ? "as is asked for works" : "works, such as that one itself");
     const std::string name = "`" + module_[fence].name + "`";
+    const std::string works =
+        step.kind == ir::RecoveryKind::route && module_[fence].has_height()  // it keeps its height
+            ? "a zone of the plane all of which lies in " + name + " at every height works"
+            : deep ? "a zone that lies as far in " + name + " as is asked for works"
+                   : "a zone that lies in " + name + " works, such as that one itself";
     const bool flat = !zone.has_height() && module_[fence].has_height();
     if (flat && step.claims) {
       return elsewhere(step, name, "a claim of `" + zone.name + "` bounds no height", works);
@@ -136,17 +138,16 @@ class InSpace {
     const ir::ZoneTable& zone = module_[step.zone];
     const std::int64_t top_mm = zone.slabs.back().ceiling_mm;
     const std::int64_t bottom_mm = zone.slabs.front().floor_mm;
-    if (most_mm_ && top_mm > *most_mm_) {
-      return elsewhere(step, "the heights up to " + metres(*most_mm_),
-                       "`" + zone.name + "` reaches up to " + metres(top_mm),
-                       "a zone with a ceiling of at most " + metres(*most_mm_) + " works");
-    }
-    if (least_mm_ && bottom_mm < *least_mm_) {
-      return elsewhere(step, "the heights from " + metres(*least_mm_) + " on",
-                       "`" + zone.name + "` reaches down to " + metres(bottom_mm),
-                       "a zone with a floor of at least " + metres(*least_mm_) + " works");
-    }
-    return std::nullopt;
+    const bool high = most_mm_ && top_mm > *most_mm_, low = least_mm_ && bottom_mm < *least_mm_;
+    if (!high && !low) return std::nullopt;
+    const std::string ceiling = high ? "a ceiling of at most " + metres(*most_mm_) : "";
+    const std::string floor = low ? "a floor of at least " + metres(*least_mm_) : "";
+    return elsewhere(step,
+                     high ? "the heights up to " + metres(*most_mm_)
+                          : "the heights from " + metres(*least_mm_) + " on",
+                     high ? "`" + zone.name + "` reaches up to " + metres(top_mm)
+                          : "`" + zone.name + "` reaches down to " + metres(bottom_mm),
+                     "a zone with " + ceiling + (high && low ? " and " : "") + floor + " works");
   }
   // What is asked beyond touching is kept of another zone than its own as keeps_off.h says.
   Found nearer(const ir::Recovery& step, ir::ZoneIndex fence) const {

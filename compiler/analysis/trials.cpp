@@ -34,7 +34,10 @@ Fault fault_of(diag::Code code, const std::optional<SourceRange>& range) {
 Faults faults_of(const diag::Engine& diagnostics) {
   Faults all;
   for (const diag::Diagnostic& d : diagnostics.all()) {
-    if (diag::info(d.code).severity == diag::Severity::error) all.insert(fault_of(d.code, d.range));
+    if (diag::info(d.code).severity == diag::Severity::error ||
+        d.code == diag::Code::monitor_vacuous) {
+      all.insert(fault_of(d.code, d.range));
+    }
   }
   return all;
 }

@@ -15,7 +15,7 @@
 
 namespace rtac::analysis {
 
-// An error, by its code and where it is.
+// An error, or a monitor that finds nothing, by its code and where it is.
 struct Fault {
   diag::Code code{};
   FileId file{};

@@ -243,7 +243,7 @@ class WellFormed {
                                                  clearance_text(zone.cells, clearance) + ", " +
                                                  metres(give_back) + " is needed");
       } else if (!place.cost_ppm.empty()) {
-        affordable(spec_[kind], of.decision, monitor, place, range, what, zone.cells.cell_mm);
+        affordable(spec_[kind], of.decision, monitor, place, range, what);
       }
     }
   }
@@ -310,7 +310,7 @@ class WellFormed {
   // A full battery must bring the robot home from the farthest connected place.
   void affordable(const sema::RobotKind& kind, const ir::Decision& decision,
                   const ir::Monitor& monitor, const ir::SiteTable::Place& place,
-                  const SourceRange& range, const std::string& what, std::int32_t cell_mm) {
+                  const SourceRange& range, const std::string& what) {
     std::int64_t most = 0;
     for (const std::int32_t cost : place.cost_ppm) {
       if (cost != ir::no_way) most = std::max<std::int64_t>(most, cost);
@@ -318,8 +318,7 @@ class WellFormed {
     const std::int64_t full = 1'000'000 - decision.body.battery_error_ppm;
     if (most + decision.hold_reserve_ppm < full) return;
     const std::string other = "a faster `" + monitor.recovery.name + "` or a nearer site";
-    const std::string drive = drive_that_works(kind, Rational(monitor.recovery.speed_mmps, 1000),
-                                               decision.period_us, cell_mm, most, full);
+    const std::string drive = drive_that_works(kind, Rational(most) / full, range);
     report(monitor, Code::site_unreachable, range,
            "the way to " + what + " takes up to " +
                to_decimal(Rational(most + decision.hold_reserve_ppm, 10'000)) +
@@ -327,24 +326,27 @@ class WellFormed {
            drive.empty() ? other + " is needed"
                          : "`drive` of at most " + drive + " %/m works; or " + other);
   }
-  // Largest `drive`, in %/m with two digits behind the point, with which the way of price `most`
-  // fits into a battery; empty when the time alone takes too much.
-  static std::string drive_that_works(const sema::RobotKind& kind, const Rational& speed,
-                                      std::int64_t period_us, std::int32_t cell_mm,
-                                      std::int64_t most, std::int64_t full) {
-    std::int64_t near_mm = 0, far_mm = std::int64_t{1} << 31;  // the price grows with the way
-    while (far_mm - near_mm > 1) {
-      const std::int64_t middle = (near_mm + far_mm) / 2;
-      (travel_cost_ppm(kind, speed, period_us, cell_mm, middle) < most ? near_mm : far_mm) = middle;
-    }
-    const sema::Energy& e = *kind.energy;
-    const Rational metres_driven = Rational(far_mm, 1000) + e.detour.value;
-    const Rational taken =
-        Rational(travel_cost_ppm(kind, speed, period_us, cell_mm, far_mm), 1'000'000) +
-        e.idle.value * e.held.value - e.drive.value * Rational(far_mm, 1000);
-    const Rational left = Rational(full - 3, 1'000'000) - taken;  // 3: each sum is rounded up
-    const std::int64_t hundredths = floor_to_int(Rational(left / metres_driven * 10'000));
-    return hundredths > 0 ? to_decimal(Rational(hundredths, 100)) : "";
+  // Largest `drive`, in %/m with two digits behind the point, with which the way fits into a
+  // battery that takes `share` of it; empty when the time alone takes too much.
+  std::string drive_that_works(const sema::RobotKind& kind, const Rational& share,
+                               const SourceRange& range) {
+    if (trials_ == nullptr) return "";
+    constexpr int per_unit = 10'000;
+    const auto number = static_cast<std::size_t>(&kind - spec_.kinds.data());
+    Rational& value = trials_->spec().kinds[number].energy->drive.value;
+    const Rational written = value;
+    const Dial dial{"drive of " + kind.name, floor_to_int(Rational(written * per_unit)) + 1, 1,
+                    [&](std::int64_t steps) {
+                      value = Rational(static_cast<long>(steps), per_unit);
+                      value.canonicalize();
+                      return true;
+                    },
+                    [&] { value = written; }};
+    const std::int64_t guess = floor_to_int(Rational(written * per_unit / share));
+    if (guess < 1) return "";
+    const auto found = trials_->nearest(dial, std::min(guess, dial.written - 1),
+                                        fault_of(Code::site_unreachable, range));
+    return found ? to_decimal(Rational(static_cast<long>(*found), 100)) : "";
   }
 
   void report(const ir::Monitor& monitor, Code code, const SourceRange& range, std::string message,

@@ -200,7 +200,7 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     // the part may be wide itself, and what leads out of it narrow
     const std::int64_t wide_mm = 2 * (last.return_clearance_mm + zone.cells.cell_mm);
     if (2 * part.clearance_mm < wide_mm) {
-      o.repair = "a width of " + metres(wide_mm) + " there works; it has about " +
+      o.repair = metres(wide_mm) + " would be wide enough there; it has about " +
                  metres(2 * part.clearance_mm) + ", as cells of " + metres(zone.cells.cell_mm) +
                  " tell";
     }

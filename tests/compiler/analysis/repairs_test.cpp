@@ -257,6 +257,59 @@ TEST(Repairs, TheErrorOfAVelocityIsNamedThatLetsARecoveryMakeWay) {
   EXPECT_FALSE(has(*works, Code::limit_contradictory)) << reports(*works);
 }
 
+// Of a recovery in space whose zone is too high and too low the help says both at once, and of a
+// way to a site, which keeps its height, no zone with heights.
+std::string crane(const std::string& recovery, const std::string& zone, const std::string& always) {
+  return R"(spec crane;
+zone ground = rectangle (0 m, 0 m) to (20 m, 20 m);
+zone air = prism (ground) from 0 m to 30 m - prism (rectangle (8 m, 8 m) to (12 m, 12 m)) from 0 m to 15 m;
+zone where = )" +
+         zone + R"(;
+site pad = (4 m, 4 m);
+robot Lift {
+  body     radius 20 cm;
+  motion   point { speed <= 2 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense    position : point3  error 5 cm   max_age 50 ms;
+  sense    velocity : vector3 error 5 cm/s max_age 50 ms;
+  output   push : acceleration;
+  latency  20 ms;
+}
+fleet l1 : Lift;
+controller pilot : advanced for Lift extern;
+controller back  : safe for Lift = )" +
+         recovery + R"(;
+monitor keep for l : Lift { "SR-1: kept" always )" +
+         always + R"(; recover back; }
+decision go for Lift { advanced pilot; period 50 ms; priority keep; }
+)";
+}
+TEST(Repairs, AZoneTooHighAndTooLowIsToldBoth) {
+  const auto within = [](const std::string& zone) {
+    return compiled(crane("retreat within where speed 0.5 m/s", zone,
+                          "l.position.z >= 5 m and l.position.z <= 25 m"));
+  };
+  const auto c = within("prism (ground) from 0 m to 30 m");
+  EXPECT_NE(reports(*c).find("a zone with a ceiling of at most 25 m and a floor of at least 5 m "
+                             "works"),
+            std::string::npos)
+      << reports(*c);
+  const auto works = within("prism (ground) from 5 m to 25 m");
+  EXPECT_TRUE(works->module) << reports(*works);
+}
+TEST(Repairs, AWayThatKeepsItsHeightIsToldAZoneOfThePlane) {
+  const auto within = [](const std::string& zone) {
+    return compiled(crane("route to pad within where speed 0.5 m/s", zone, "l inside air"));
+  };
+  const auto c = within("ground");
+  ASSERT_TRUE(has(*c, Code::recovery_elsewhere)) << reports(*c);
+  EXPECT_NE(
+      reports(*c).find("a zone of the plane all of which lies in `air` at every height works"),
+      std::string::npos)
+      << reports(*c);
+  const auto works = within("ground - rectangle (8 m, 8 m) to (12 m, 12 m)");
+  EXPECT_TRUE(works->module) << reports(*works);
+}
+
 // What a value out of range is told works, works.
 TEST(Repairs, TheNumbersOf3008And5005Work) {
   struct Case {
