@@ -1,6 +1,7 @@
 #include "compiler/analysis/derive.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "compiler/analysis/arbitration.h"
 #include "compiler/analysis/limits.h"
@@ -53,17 +54,23 @@ class Deriver {
  public:
   // `spec` is changed while offers are tried, and then as it was.
   Deriver(sema::Spec& spec, const SourceManager& sources, diag::Engine& diagnostics,
-          bool offers = true)
-      : spec_(spec), sources_(sources), diagnostics_(diagnostics), offers_(offers) {}
+          bool offers = true, std::shared_ptr<const EvaluatedZones> zones = nullptr)
+      : spec_(spec),
+        sources_(sources),
+        diagnostics_(diagnostics),
+        offers_(offers),
+        evaluated_(std::move(zones)) {}
 
   std::optional<Derived> run(Finding finding) {
     out_.module.name = spec_.name;
     check_magnitudes(spec_, trials(), diagnostics_);
     const std::vector<ZoneUse> wanted = wanted_zones(spec_);
-    EvaluatedZones evaluated = evaluate_zones(spec_, wanted, diagnostics_);
+    if (!evaluated_) {
+      evaluated_ =
+          std::make_shared<const EvaluatedZones>(evaluate_zones(spec_, wanted, diagnostics_));
+    }
     if (diagnostics_.has_errors()) return std::nullopt;
-    zones_ = std::move(evaluated.zones);
-    out_.tables.gaps = std::move(evaluated.gaps);
+    out_.tables.gaps = evaluated_->gaps;
     number_zones(wanted);
     std::vector<ir::Region> regions = number_regions(wanted);
     std::vector<ir::Solid> solids = number_solids(wanted, regions);
@@ -175,13 +182,13 @@ class Deriver {
   void number_zones(const std::vector<ZoneUse>& wanted) {
     out_.tables.zones.resize(spec_.zones.size());
     for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
-      if (!zones_[i] || !wanted[i].robots) continue;
-      if (zones_[i]->solid) {
-        out_.tables.zones[i] = stack(table_name(spec_.zones[i]), *zones_[i]->solid);
+      if (!evaluated_->zones[i] || !wanted[i].robots) continue;
+      if (evaluated_->zones[i]->solid) {
+        out_.tables.zones[i] = stack(table_name(spec_.zones[i]), *evaluated_->zones[i]->solid);
         continue;
       }
       out_.tables.zones[i] = ir::ZoneIndex(out_.module.zones.size());
-      out_.module.zones.push_back(table(table_name(spec_.zones[i]), *zones_[i]));
+      out_.module.zones.push_back(table(table_name(spec_.zones[i]), *evaluated_->zones[i]));
     }
   }
   static std::vector<ir::Edge> edges(const std::vector<geometry::EdgeRow>& rows) {
@@ -216,19 +223,23 @@ class Deriver {
         out_.tables.regions[i] = {ir::RegionIndex(regions.size()), ir::RegionIndex(regions.size())};
         regions.push_back({spec_.zones[i].name, false, {}, {}, 0});  // the channel is found later
       }
-      if (!zones_[i] || !wanted[i].points || zones_[i]->solid) continue;
+      if (!evaluated_->zones[i] || !wanted[i].points || evaluated_->zones[i]->solid) continue;
       const auto& zone = out_.tables.zones[i];
       const std::string name = zone ? out_.module[*zone].name : table_name(spec_.zones[i], regions);
-      regions.push_back({name, false, edges(zones_[i]->baked.edges), tree(zones_[i]->tree)});
+      regions.push_back({name, false, edges(evaluated_->zones[i]->baked.edges),
+                         tree(evaluated_->zones[i]->tree)});
       const ir::RegionIndex within{static_cast<std::uint32_t>(regions.size() - 1)};
       ir::RegionIndex around = within;
       const auto same = [](const geometry::EdgeRow& a, const geometry::EdgeRow& b) {
         return a.a == b.a && a.b == b.b;
       };
-      if (!std::ranges::equal(zones_[i]->baked.edges, zones_[i]->around, same)) {
+      if (!std::ranges::equal(evaluated_->zones[i]->baked.edges, evaluated_->zones[i]->around,
+                              same)) {
         around = ir::RegionIndex(regions.size());
-        regions.push_back({name, true, edges(zones_[i]->around), tree(zones_[i]->around_tree)});
-        regions.back().spread_mm = geometry::spread_mm(zones_[i]->baked.edges, zones_[i]->around);
+        regions.push_back({name, true, edges(evaluated_->zones[i]->around),
+                           tree(evaluated_->zones[i]->around_tree)});
+        regions.back().spread_mm =
+            geometry::spread_mm(evaluated_->zones[i]->baked.edges, evaluated_->zones[i]->around);
       }
       out_.tables.regions[i] = {within, around};
     }
@@ -256,8 +267,8 @@ class Deriver {
     std::vector<ir::Solid> solids;
     out_.tables.solids.resize(spec_.zones.size());
     for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
-      if (!zones_[i] || !zones_[i]->solid || !wanted[i].points) continue;
-      const EvaluatedSolid& zone = *zones_[i]->solid;
+      if (!evaluated_->zones[i] || !evaluated_->zones[i]->solid || !wanted[i].points) continue;
+      const EvaluatedSolid& zone = *evaluated_->zones[i]->solid;
       const std::string name = table_name(spec_.zones[i], regions);
       solids.push_back(solid(name, false, zone.within, regions));
       const ir::SolidIndex within{static_cast<std::uint32_t>(solids.size() - 1)};
@@ -724,7 +735,7 @@ class Deriver {
     const auto zone =
         std::find_if(out_.tables.zones.begin(), out_.tables.zones.end(),
                      [&](const std::optional<ir::ZoneIndex>& z) { return z && *z == index; });
-    return *zones_[std::size_t(zone - out_.tables.zones.begin())];
+    return *evaluated_->zones[std::size_t(zone - out_.tables.zones.begin())];
   }
   void price(ir::SiteTable& site, const ir::Recovery& route, const ir::Decision& d,
              const sema::RobotKind& kind) {
@@ -761,12 +772,14 @@ class Deriver {
   const SourceManager& sources_;
   diag::Engine& diagnostics_;
   const bool offers_;  // false: this one is tried itself
-  Trials trials_{spec_, [this] {
+  // Shared with what is tried: to evaluate them takes the longest.
+  std::shared_ptr<const EvaluatedZones> evaluated_;
+  Trials trials_{spec_, [this](bool same_zones) {
                    diag::Engine aside;
-                   Deriver(spec_, sources_, aside, false).run(Finding::is_told);
+                   const auto zones = same_zones ? evaluated_ : nullptr;
+                   Deriver(spec_, sources_, aside, false, zones).run(Finding::is_told);
                    return faults_of(aside);
                  }};
-  std::vector<std::optional<EvaluatedZone>> zones_;
   Derived out_;
   const HowItLies lies_ = [this](ir::ZoneIndex inner, const Standoff& outer) {
     return how_it_lies(inner, outer);

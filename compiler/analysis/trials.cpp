@@ -43,7 +43,7 @@ Faults faults_of(const diag::Engine& diagnostics) {
 }
 
 const Faults& Trials::as_written() {
-  if (!as_written_) as_written_ = run_();
+  if (!as_written_) as_written_ = run_(true);
   return *as_written_;
 }
 
@@ -52,7 +52,7 @@ const Faults* Trials::with(const Dial& dial, std::int64_t steps) {
   if (is_new && runs_ < runs_most) {
     if (dial.write(steps)) {
       ++runs_;
-      at->second = run_();
+      at->second = run_(!dial.of_zone);
     }
     dial.restore();
   }
@@ -95,16 +95,6 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
     }
   }
   return good;
-}
-
-bool Trials::works(const std::function<void()>& change, const std::function<void()>& restore,
-                   const Fault& fault) {
-  if (runs_ >= runs_most) return false;
-  ++runs_;
-  change();
-  const Faults found = run_();
-  restore();
-  return mends(&found, fault);
 }
 
 }  // namespace rtac::analysis

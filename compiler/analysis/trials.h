@@ -33,12 +33,13 @@ struct Dial {
   std::int64_t far = 0;                     // the last one that is tried
   std::function<bool(std::int64_t)> write;  // false: other checks would refuse it
   std::function<void()> restore;
+  bool of_zone = false;  // they are evaluated anew
 };
 
 class Trials {
  public:
-  using Run = std::function<Faults()>;
-  // `run`: what is wrong with `spec` as it is at the moment.
+  // What is wrong with `spec` as it is at the moment; whether its zones are as they are written.
+  using Run = std::function<Faults(bool same_zones)>;
   Trials(sema::Spec& spec, Run run) : spec_(spec), run_(std::move(run)) {}
   // To be changed, and to be as it was afterwards.
   [[nodiscard]] sema::Spec& spec() { return spec_; }
@@ -48,9 +49,6 @@ class Trials {
   // cause it mends all, if any does. Looked for from `guess` on. none: none of those that were
   // tried is such a one.
   std::optional<std::int64_t> nearest(const Dial& dial, std::int64_t guess, const Fault& fault);
-  // Whether one change mends `fault` and spoils nothing.
-  bool works(const std::function<void()>& change, const std::function<void()>& restore,
-             const Fault& fault);
 
  private:
   const Faults& as_written();

@@ -63,7 +63,9 @@ std::optional<std::string> growth_that_works(Trials& trials, const std::string& 
   if (found == zones.end()) return std::nullopt;
   sema::ZoneExprPtr& value = found->value;
   const SourceRange range = value->range;
-  const Dial dial{"the growth of " + zone, 0, std::max(guess_mm, most_mm),
+  const Dial dial{"the growth of " + zone,
+                  0,
+                  std::max(guess_mm, most_mm),
                   [&](std::int64_t mm) {
                     auto grown = std::make_unique<sema::ZoneExpr>();
                     grown->range = range;
@@ -74,7 +76,8 @@ std::optional<std::string> growth_that_works(Trials& trials, const std::string& 
                   [&] {
                     auto written = std::move(std::get<sema::ZoneOffset>(value->node).operand);
                     value = std::move(written);
-                  }};
+                  },
+                  true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
   if (!by_mm) return std::nullopt;
   return "`grow(" + zone + ", " + metres(*by_mm) + ")` in its place works";
