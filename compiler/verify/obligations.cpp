@@ -286,6 +286,24 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   }
 }
 
+// Where a monitor by itself never gives control back, numbers are offered that have been tried on
+// the whole specification: of all monitors together nothing else is the matter.
+void repair_together(Report& report) {
+  const std::string never_by_itself =
+      "diagnostic " + std::to_string(static_cast<int>(Code::return_set_empty));
+  for (Decision& decision : report.decisions) {
+    auto& all = decision.obligations;
+    const auto own = std::ranges::find_if(all, [&](const Obligation& o) {
+      return o.kind == Kind::p2b && o.method == never_by_itself && !o.repair.empty();
+    });
+    const auto together = std::ranges::find_if(all, [](const Obligation& o) {
+      return o.kind == Kind::joint_return && o.status == Status::refuted;
+    });
+    if (own == all.end() || together == all.end()) continue;
+    if (together->method != never_by_itself) together->repair = own->repair;
+  }
+}
+
 template <class Visit>
 void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
                       const Visit& visit) {
@@ -389,6 +407,7 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
     // what the matrix says already
     if (kind && *kind != Kind::keeps) add_refuted(spec, d, *kind, report);
   }
+  repair_together(report);
   drop_own(spec, report);
   if (module != nullptr) {
     for_each_subject(spec, *module, tables, [&](const Subject& s) {

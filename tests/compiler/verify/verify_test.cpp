@@ -668,5 +668,23 @@ decision gate for Cart { advanced policy; period 50 ms; priority told; }
       << all;
 }
 
+// Where one monitor by itself never gives control back, all together are told the same number.
+TEST_F(Verify, WhatWorksForOneMonitorIsSaidOfAllTogether) {
+  const Outcome o = verified(
+      "spec lane;\nzone lane = rectangle (0 m, 0 m) to (20 m, 0.5 m);\n" + a_rover +
+          "controller along : safe for Rover = retreat within lane speed 0.3 m/s;\n"
+          "monitor fence for r : Rover { \"SR-1: in\" always r inside lane; recover along; }\n"
+          "decision go for Rover { advanced drive; period 20 ms; priority fence; }\n",
+      {"--format", "json"});
+  std::string own, together;
+  const Json report = Json::parse(o.out);
+  for (const Json& obligation : report["decisions"][0]["obligations"]) {
+    if (obligation["obligation"] == "P2b") own = obligation.value("repair", "");
+    if (obligation["obligation"] == "joint return") together = obligation.value("repair", "");
+  }
+  EXPECT_NE(own.find("`grow(lane, "), std::string::npos) << o.out;
+  EXPECT_EQ(together, own);
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
