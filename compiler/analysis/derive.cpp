@@ -91,11 +91,12 @@ class Deriver {
     const ExactZone exact = [this](ir::ZoneIndex zone) -> const geometry::Region& {
       return zone_of(zone).exact;
     };
-    check_well_formed(spec_, out_.module, out_.tables, exact, lies_, trials(), diagnostics_);
     const ExactSolid solid = [this](ir::ZoneIndex zone) {
       const EvaluatedZone& of = zone_of(zone);
       return of.solid ? of.solid->exact : without_end(of.exact);
     };
+    check_well_formed(spec_, out_.module, out_.tables, {exact, solid}, lies_, trials(),
+                      diagnostics_);
     judge_return_conditions(spec_, out_.module, exact, solid);
     check_recoveries(spec_, out_.module, exact, solid, lies_, trials(), diagnostics_);
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;

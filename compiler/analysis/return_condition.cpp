@@ -81,11 +81,13 @@ bool is_never_at_all(const ir::Decision& decision, const ir::Block& block, ir::V
 
 class Judge {
  public:
-  Judge(const ir::Module& module, const ir::Decision& decision, std::size_t k)
+  Judge(const ir::Module& module, const ir::Decision& decision, std::size_t k,
+        const ExactZones* exact = nullptr)
       : module_(module),
         decision_(decision),
         monitor_(decision.monitors[k]),
-        motion_(decision.motions[k + 1]) {}
+        motion_(decision.motions[k + 1]),
+        exact_(exact) {}
 
   // What a comparison asks for; of a parameter, whatever it becomes.
   std::optional<ir::LowerBound> bound_of(const ir::Block& block, const ir::AtLeast& compare) const {
@@ -225,12 +227,21 @@ class Judge {
     const std::int64_t reach_mm =
         disc_mm(decision_.body, decision_.motions[0], 0, return_horizon_us()) -
         decision_.body.radius_mm;
+    const auto given_back_mm = given_back_apart_mm();
     Finding found = distance(least_mm + reach_mm, strict ? 1 : 0, value.source);
+    if (!found && given_back_mm && least_mm > *given_back_mm) {
+      found = finding(value.source);
+      found->label = "no two robots that are given back are so far apart";
+      found->notes.push_back({std::nullopt, "where control is given back in the zones of `" +
+                                                decision_.name + "`, it is at most " +
+                                                metres(*given_back_mm) + " between two bodies"});
+    }
     if (!found) return found;
     found->notes.push_back(
         {std::nullopt,
          "of the distance, the look-ahead of a robot at rest takes " + metres(reach_mm)});
-    const std::int64_t best = widest_gap_mm() - reach_mm - (strict ? 1 : 0);
+    const std::int64_t gap_mm = widest_gap_mm() - reach_mm;
+    const std::int64_t best = std::min(gap_mm, given_back_mm.value_or(gap_mm)) - (strict ? 1 : 0);
     found->help = best > 0
                       ? "a distance of at most " + metres(best) + " can be had"
                       : "no distance works: widen the zone, or lower `ahead`, `speed` or `accel`";
@@ -307,6 +318,24 @@ class Judge {
       }
     }
     return best;
+  }
+  // Control is given back to both, each as clear of the boundary as its monitor needs it.
+  std::optional<std::int64_t> given_back_apart_mm() const {
+    std::optional<std::int64_t> least;
+    if (exact_ == nullptr) return least;
+    for (const ir::Monitor& m : decision_.monitors) {
+      if (!m.lookahead.duration) continue;
+      const std::int64_t back_mm = return_clearance_mm(decision_, m.lookahead.duration_us);
+      for (const ir::ZoneIndex fence : sure_fences(m.property, decision_.facts.params)) {
+        const auto across_mm =
+            farthest_apart_mm(module_, decision_.body.in_space, *exact_, fence, back_mm);
+        if (!across_mm) continue;
+        const std::int64_t bodies_mm =
+            std::max<std::int64_t>(*across_mm - 2 * decision_.body.radius_mm, 0);
+        least = std::min(least.value_or(bodies_mm), bodies_mm);
+      }
+    }
+    return least;
   }
   Finding distance(std::int64_t least, std::int64_t strict, const SourceRange& source) const {
     std::optional<std::int64_t> best;
@@ -416,6 +445,7 @@ class Judge {
   const ir::Decision& decision_;
   const ir::Monitor& monitor_;
   const ir::Motion& motion_;
+  const ExactZones* exact_;
 };
 
 }  // namespace
@@ -431,8 +461,9 @@ bool never_holds(const ir::Decision& decision, const ir::Block& property) {
 }
 
 std::optional<diag::Diagnostic> hopeless_return(const ir::Module& module,
-                                                const ir::Decision& decision, std::size_t k) {
-  const Judge judge(module, decision, k);
+                                                const ir::Decision& decision, std::size_t k,
+                                                const ExactZones& exact) {
+  const Judge judge(module, decision, k, &exact);
   const ir::Monitor& monitor = decision.monitors[k];
   if (const auto& when = monitor.return_when) {
     if (Finding found = judge.condition(*when, when->result)) return found;

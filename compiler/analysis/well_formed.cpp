@@ -40,7 +40,7 @@ std::optional<std::size_t> cell_at(const ir::Cells& cells, std::int64_t x_mm, st
 class WellFormed {
  public:
   WellFormed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-             const ExactZone& exact, const HowItLies& lies, Trials* trials,
+             const ExactZones& exact, const HowItLies& lies, Trials* trials,
              diag::Engine& diagnostics)
       : spec_(spec),
         module_(module),
@@ -55,7 +55,7 @@ class WellFormed {
       const ir::Decision& decision = module_.decisions[i];
       if (decision.on_plan) continue;
       const Decided decided{spec_, spec_.decisions[i], module_, decision, lies_, trials_};
-      for (diag::Diagnostic& found : empty_return_sets(decided, exact_)) {
+      for (diag::Diagnostic& found : empty_return_sets(decided, exact_.flat)) {
         diagnostics_.report(std::move(found));
       }
       for (diag::Diagnostic& found : unkept_speed_limits(decided)) {
@@ -72,7 +72,8 @@ class WellFormed {
         for (const ir::Recovery* step : ir::steps_of(monitor.recovery)) cells(*step);
         exact_far_enough(decision, monitor);
         legs(decision, monitor);
-        if (auto found = hopeless_return(module_, decision, k); found && !is_told_of(*found)) {
+        if (auto found = hopeless_return(module_, decision, k, exact_);
+            found && !is_told_of(*found)) {
           diagnostics_.report(std::move(*found));
         }
         site(decided, monitor);
@@ -298,7 +299,7 @@ class WellFormed {
       const auto cell = cell_at(cells, from.x_mm, from.y_mm);
       return cell && cells.clearance_mm_lo[*cell] >= clearance_mm;
     };
-    const auto guess_mm = widening_mm(exact_(way.zone), 2 * clearance_mm, fits);
+    const auto guess_mm = widening_mm(exact_.flat(way.zone), 2 * clearance_mm, fits);
     const auto grown =
         guess_mm ? growth_that_works(*of.trials, zone.name, *guess_mm, 2 * clearance_mm, fault)
                  : std::nullopt;
@@ -378,7 +379,7 @@ class WellFormed {
   const sema::Spec& spec_;
   const ir::Module& module_;
   const ir::TableMap& tables_;
-  const ExactZone& exact_;
+  const ExactZones& exact_;
   const HowItLies& lies_;
   Trials* trials_;
   diag::Engine& diagnostics_;
@@ -387,7 +388,7 @@ class WellFormed {
 }  // namespace
 
 void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-                       const ExactZone& exact, const HowItLies& lies, Trials* trials,
+                       const ExactZones& exact, const HowItLies& lies, Trials* trials,
                        diag::Engine& diagnostics) {
   WellFormed(spec, module, tables, exact, lies, trials, diagnostics).run();
 }

@@ -1,7 +1,7 @@
 // Checks that the derived numbers work out, and computes what would work when they do not.
 #pragma once
 
-#include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/across.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/trials.h"
 #include "compiler/diagnostics/engine.h"
@@ -14,7 +14,7 @@ namespace rtac::analysis {
 // Every fence leaves a place where control can be given back; every site lies in its zone, can be
 // reached along the cells of its route, and is a place where control can be given back.
 void check_well_formed(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-                       const ExactZone& exact, const HowItLies& lies, Trials* trials,
+                       const ExactZones& exact, const HowItLies& lies, Trials* trials,
                        diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

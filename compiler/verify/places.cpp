@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/analysis/across.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
@@ -397,45 +398,6 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
   return o;
 }
 
-// How far apart two places of a zone are at most that are so clear of its boundary; nullopt: it has
-// so many corners, or no end.
-std::optional<std::int64_t> farthest_apart_mm(const Subject& s, ir::ZoneIndex fence,
-                                              std::int64_t clearance_mm) {
-  constexpr std::size_t corners_most = 2'000;
-  constexpr std::int64_t offset_mm = 2;  // by which an offset may be smaller
-  const ir::ZoneTable& zone = s.module[fence];
-  const std::int64_t by_mm = std::max<std::int64_t>(clearance_mm - offset_mm, 0);
-  std::vector<std::pair<double, double>> corners;
-  const auto add = [&](const geometry::Region& region) {
-    const auto deep = analysis::within(region, by_mm);
-    if (!deep) return false;
-    for (const geometry::Ring& ring : deep->rings()) {
-      for (const geometry::Point& p : ring) corners.emplace_back(p.x.get_d(), p.y.get_d());
-    }
-    return corners.size() <= corners_most;
-  };
-  double up_mm = 0;
-  if (zone.has_height()) {
-    const geometry::Solid solid = any_solid(s)(fence);
-    if (solid.slabs().empty()) return std::nullopt;
-    const Rational high = solid.slabs().back().ceiling - solid.slabs().front().floor;
-    up_mm = std::max(0.0, 1000 * high.get_d() - 2 * static_cast<double>(by_mm));
-    for (const geometry::Slab& slab : solid.slabs()) {
-      if (!add(slab.region)) return std::nullopt;
-    }
-  } else if (s.decision.body.in_space || zone.edges.empty() || !add(s.exact(fence))) {
-    return std::nullopt;
-  }
-  double most_m = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      most_m = std::max(most_m, std::hypot(corners[i].first - corners[k].first,
-                                           corners[i].second - corners[k].second));
-    }
-  }
-  return std::llround(std::ceil(std::hypot(1000 * most_m, up_mm)));
-}
-
 // Whether discs around the robots that overlap nowhere would take more than all that is within
 // their radius of where the robots may be: of places of the plane.
 bool crowded(const Subject& s, ir::ZoneIndex fence, std::int64_t clearance_mm,
@@ -466,7 +428,8 @@ std::string never_so_far_apart(const Subject& s) {
       for (const ir::ZoneIndex fence : analysis::sure_fences(other.property, d.facts.params)) {
         if (!other.lookahead.duration) continue;
         const std::int64_t back_mm = analysis::return_clearance_mm(d, other.lookahead.duration_us);
-        const auto across_mm = farthest_apart_mm(s, fence, back_mm);
+        const auto across_mm = analysis::farthest_apart_mm(s.module, d.body.in_space,
+                                                           {s.exact, any_solid(s)}, fence, back_mm);
         if (!across_mm) continue;
         const std::int64_t most_mm = std::max<std::int64_t>(*across_mm - 2 * d.body.radius_mm, 0);
         if (own.separation_mm > 0 && own.separation_mm <= most_mm &&
