@@ -329,7 +329,7 @@ class Judge {
       for (const ir::ZoneIndex fence : sure_fences(m.property, decision_.facts.params)) {
         const auto across_mm =
             farthest_apart_mm(module_, decision_.body.in_space, *exact_, fence, back_mm);
-        if (!across_mm) continue;
+        if (!across_mm || *across_mm == 0) continue;  // 0: nobody is, which is said by itself
         const std::int64_t bodies_mm =
             std::max<std::int64_t>(*across_mm - 2 * decision_.body.radius_mm, 0);
         least = std::min(least.value_or(bodies_mm), bodies_mm);
