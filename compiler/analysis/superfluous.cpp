@@ -137,7 +137,9 @@ bool leads_back_to_places(const ir::Monitor& monitor) {
   ir::for_each_comparison(monitor.property, [&](const ir::Block& block, const ir::AtLeast& c) {
     for (const auto& [leaf, coefficient] : ir::linear_form(block, c).terms) {
       some = true;
-      only = only && leaf.kind == ir::Leaf::Kind::clearance;
+      only =
+          only && (leaf.kind == ir::Leaf::Kind::clearance || leaf.kind == ir::Leaf::Kind::battery ||
+                   leaf.kind == ir::Leaf::Kind::energy_to);
     }
   });
   return some && only;

@@ -156,7 +156,7 @@ class Showing {
     if (robots.empty()) return;
     int tried = 0;
     bool cut = false;
-    for (const Json& scenario : aimed_at(o, robots, charge_of(d))) {
+    for (const Json& scenario : aimed_at(o, robots, charge_of(d, o.in_turns))) {
       if (attempts_ == attempts_max) break;
       ++attempts_;
       ++tried;
@@ -178,8 +178,13 @@ class Showing {
   }
 
  private:
-  // The first monitor of the decision that speaks of charge; "": there is none.
-  [[nodiscard]] std::string charge_of(const verify::Decision& d) const {
+  // That a recovery may break it: a run in which it fails says nothing of others.
+  static bool accepted(const sema::Decision& d, sema::MonitorId id) {
+    return std::ranges::any_of(d.acknowledgements, [&](const auto& a) { return a.monitor == id; });
+  }
+  // The first monitor of the decision that speaks of charge; "": there is none, or, if it has to be
+  // kept, it is accepted that it need not be.
+  [[nodiscard]] std::string charge_of(const verify::Decision& d, bool kept) const {
     for (const sema::Decision& written : c_.spec->decisions) {
       if (written.name != d.name) continue;
       for (const sema::MonitorId id : written.priority) {
@@ -189,7 +194,7 @@ class Showing {
           charge = charge || std::holds_alternative<sema::EnergyTo>(e.node) ||
                    (signal != nullptr && signal->signal == sema::Signal::battery);
         });
-        if (charge) return (*c_.spec)[id].name;
+        if (charge) return kept && accepted(written, id) ? "" : (*c_.spec)[id].name;
       }
     }
     return "";

@@ -238,9 +238,9 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   return o;
 }
 
-// What is accepted need not be so. Of a monitor that asks for places alone what is proved counts;
-// of others the acknowledgement accepts what is reported otherwise (5030 and on), and no proof
-// looks at that.
+// What is accepted need not be so. Of a monitor that asks for places or charge what is proved
+// counts; of others the acknowledgement accepts what is reported otherwise (5030 and on), and no
+// proof looks at that.
 template <class Prove>
 Obligation unless_accepted(const Subject& s, std::size_t k, Kind kind, const Prove& prove) {
   const ir::Monitor& m = s.decision.monitors[k];

@@ -1,7 +1,11 @@
 // The delivery study with `coordinate collision > geofence > battery` in the place of its priority:
-// it needs no acknowledgement, and violates nothing.
+// no recovery breaks what another monitor says, and attacks from where robots start violate
+// nothing.
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <utility>
 
 #include "study.h"
 
@@ -25,27 +29,39 @@ std::string rtac(const std::string& command, const std::string& spec, const std:
                  int& status) {
   return said_by("\"" RTAC_PROGRAM "\" " + command + " \"" + spec + "\" " + flags, status);
 }
+std::string text_of(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 std::size_t acknowledgements(const json& report) {
   std::size_t count = 0;
   for (const json& d : report["decisions"]) {
     for (const json& o : d["obligations"]) {
-      count += o["obligation"] == "C" && o["status"] == "acknowledged";
+      count += o["obligation"] == "C" && o["method"] == "acknowledged";
     }
   }
   return count;
 }
 
-// One by priority, none coordinated; and what is proved instead is proved by coordination.
-TEST(Coordinated, NeedsFewerAcknowledgementsThanAPriority) {
+// Exit code and report.
+const std::pair<int, json>& coordinated() {
+  static const std::pair<int, json> once = [] {
+    int status = -1;
+    json report = json::parse(rtac("verify", SPEC, "--format json", status));
+    return std::pair(WEXITSTATUS(status), std::move(report));
+  }();
+  return once;
+}
+
+// One pair by priority, none coordinated; and what is proved instead is proved by coordination.
+TEST(Coordinated, NeedsFewerAcknowledgementsOfPairsThanAPriority) {
   int status = -1;
   const json fixed = json::parse(rtac("verify", PRIORITY_SPEC, "--format json", status));
   EXPECT_EQ(status, 0);
-  const json coordinated = json::parse(rtac("verify", SPEC, "--format json", status));
-  EXPECT_EQ(status, 0);
   EXPECT_EQ(acknowledgements(fixed), 1u);
-  EXPECT_EQ(acknowledgements(coordinated), 0u);
+  EXPECT_EQ(acknowledgements(coordinated().second), 0u);
   bool found = false;
-  for (const json& o : coordinated["decisions"][0]["obligations"]) {
+  for (const json& o : coordinated().second["decisions"][0]["obligations"]) {
     if (o["obligation"] != "C" || o["monitor"] != "battery" || o["recovery"] != "give_way")
       continue;
     found = true;
@@ -53,6 +69,32 @@ TEST(Coordinated, NeedsFewerAcknowledgementsThanAPriority) {
     EXPECT_EQ(o["method"], "coordination");
   }
   EXPECT_TRUE(found);
+}
+
+// What two robots on their ways to their docks cost each other no order of the monitors settles:
+// the report says so, with a run.
+TEST(Coordinated, IsToldWhatStillHasToBeAcknowledged) {
+  EXPECT_EQ(coordinated().first, 3);
+  int refuted = 0;
+  for (const json& o : coordinated().second["decisions"][0]["obligations"]) {
+    if (o["status"] != "refuted") continue;
+    ++refuted;
+    EXPECT_EQ(o["obligation"], "P2a") << o;
+    EXPECT_EQ(o["monitor"], "battery") << o;
+    EXPECT_TRUE(o.contains("trace")) << o;
+    std::remove(o.value("trace", "").c_str());
+  }
+  EXPECT_EQ(refuted, 1);
+  const std::string text = text_of(SPEC), order = "coordinate collision > geofence > battery;";
+  const std::size_t at = text.find(order);
+  ASSERT_NE(at, std::string::npos);
+  const std::string accepted = std::string(SPEC) + ".accepted.rta";
+  std::ofstream(accepted) << text.substr(0, at + order.size())
+                          << " acknowledge go_charge may break battery \"staff part them\";"
+                          << text.substr(at + order.size());
+  int status = -1;
+  rtac("verify", accepted, "", status);
+  EXPECT_EQ(status, 0);
 }
 
 // Whoever drives them, and however they measure.
