@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/tables.h"
 
@@ -32,7 +33,10 @@ std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recov
 
 InSight::InSight(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                  const ir::Decision& decision, const ir::Recovery& recovery)
-    : cells_(cells), grid_(grid_of(cells)), route_mm_(recovery.route_clearance_mm) {
+    : cells_(cells),
+      grid_(grid_of(cells)),
+      route_mm_(recovery.route_clearance_mm),
+      body_mm_(decision.body.radius_mm + standoff_mm(decision, recovery)) {
   if (!ir::goes_back(recovery.kind)) return;
   for (const std::int64_t goal_mm : goals_mm(decision, recovery)) {
     legs_.emplace_back(edges, grid_, in_mm(decision.body.radius_mm), in_mm(goal_mm));
@@ -48,7 +52,7 @@ std::optional<std::int64_t> InSight::longest_deeper_mm(const Marks& lost, const 
   std::int64_t longest = 0;
   for (std::size_t goal = 1; goal < legs_.size(); ++goal) {
     const bool ends = std::ranges::count(endless[goal], true) == 0;
-    const std::vector<bool> from = beside(lost[goal]);
+    const std::vector<bool> from = beside(cut_off(lost[goal]));
     for (std::size_t at = 0; at < from.size(); ++at) {
       if (!from[at]) continue;
       const auto leg = longest_mm(at, goal);
@@ -59,25 +63,50 @@ std::optional<std::int64_t> InSight::longest_deeper_mm(const Marks& lost, const 
   return longest;
 }
 
+// Of the square of cells that are no more than `within` columns and rows off.
+template <class Visit>
+void InSight::for_each_around(std::size_t at, std::int64_t within, const Visit& visit) const {
+  const auto columns = static_cast<std::int64_t>(cells_.columns);
+  const auto rows = static_cast<std::int64_t>(cells_.rows);
+  const auto column = static_cast<std::int64_t>(at) % columns;
+  const auto row = static_cast<std::int64_t>(at) / columns;
+  const auto left = std::max<std::int64_t>(0, column - within);
+  const auto right = std::min(columns - 1, column + within);
+  const auto top = std::min(rows - 1, row + within);
+  for (auto r = std::max<std::int64_t>(0, row - within); r <= top; ++r) {
+    for (auto c = left; c <= right; ++c) visit(static_cast<std::size_t>(r * columns + c));
+  }
+}
+
+// These cells, and those too near to the boundary for a way to begin on them that have none with a
+// way in reach: from there the nearest one is taken, however far off that is.
+std::vector<bool> InSight::cut_off(const std::vector<bool>& lost) const {
+  std::vector<bool> leads(lost.size(), false), all = lost;
+  for (std::size_t at = 0; at < lost.size(); ++at) {
+    leads[at] = !lost[at] && cells_.clearance_mm_lo[at] >= body_mm_;
+  }
+  const std::int64_t within =
+      std::max<std::int64_t>(joins_within_mm(cells_) / cells_.cell_mm - 1, 1);
+  for (std::size_t at = 0; at < lost.size(); ++at) {
+    const std::int64_t clearance = cells_.clearance_mm_lo[at];
+    if (lost[at] || clearance < 0 || clearance >= body_mm_) continue;
+    bool some = false;
+    for_each_around(at, within, [&](std::size_t other) { some = some || leads[other]; });
+    all[at] = !some;
+  }
+  return all;
+}
+
 // These cells, and those from which a way may begin at one of them.
 std::vector<bool> InSight::beside(const std::vector<bool>& lost) const {
   std::vector<bool> all = lost;
   const std::int64_t within = joins_within_mm(cells_) / cells_.cell_mm + 1;
-  const auto columns = static_cast<std::int64_t>(cells_.columns);
-  const auto rows = static_cast<std::int64_t>(cells_.rows);
   for (std::size_t at = 0; at < lost.size(); ++at) {
     if (!lost[at]) continue;
-    const auto column = static_cast<std::int64_t>(at) % columns;
-    const auto row = static_cast<std::int64_t>(at) / columns;
-    for (auto r = std::max<std::int64_t>(0, row - within); r <= std::min(rows - 1, row + within);
-         ++r) {
-      for (auto c = std::max<std::int64_t>(0, column - within);
-           c <= std::min(columns - 1, column + within); ++c) {
-        const auto other = static_cast<std::size_t>(r * columns + c);
-        const std::int64_t clearance = cells_.clearance_mm_lo[other];
-        if (clearance >= 0 && clearance < route_mm_) all[other] = true;
-      }
-    }
+    for_each_around(at, within, [&](std::size_t other) {
+      const std::int64_t clearance = cells_.clearance_mm_lo[other];
+      if (clearance >= 0 && clearance < route_mm_) all[other] = true;
+    });
   }
   return all;
 }

@@ -36,11 +36,14 @@ class InSight {
   std::optional<std::int64_t> longest_deeper_mm(const Marks& lost, const Marks& endless);
 
  private:
+  template <class Visit>
+  void for_each_around(std::size_t at, std::int64_t within, const Visit& visit) const;
+  [[nodiscard]] std::vector<bool> cut_off(const std::vector<bool>& lost) const;
   [[nodiscard]] std::vector<bool> beside(const std::vector<bool>& lost) const;
 
   const ir::Cells& cells_;
   const geometry::CellGrid grid_;
-  const std::int64_t route_mm_;
+  const std::int64_t route_mm_, body_mm_;
   std::vector<geometry::StraightLegs> legs_;  // by goal
 };
 

@@ -130,7 +130,8 @@ class Joining {
     if (spot.gap_mm + spot.radius_mm() > query_.route_mm) return none;
     const double stricter = spot.radius_mm() + join_loss_mm - straight_loss_mm;
     for (const Start& s : starts) {
-      if (!query_.as_clear_as_here || !s.tried || s.at.rest_mm > 0) continue;
+      const bool is_end = s.at.rest_mm == 0 && s.clearance_mm >= query_.return_mm;
+      if (!query_.as_clear_as_here || !s.tried || !is_end) continue;
       looks_ += 4;
       if (connectors_.is_sound(spot, s.at, stricter)) return leg_to(spot, s);
     }

@@ -16,6 +16,8 @@ constexpr int halvings_max = 7;
 constexpr double forgiven_mm = 1;
 // A goal is so much clearer than is asked for: the recheck finds clearances of cells to 4 mm.
 constexpr std::int32_t surely_mm = 6;
+// A goal that is taken from lengths is rounded up to millimetres, each of two.
+constexpr std::int32_t rounded_mm = 2;
 // Of edges and legs; what has not been looked at is not known.
 constexpr std::int64_t looks_max = 40'000'000, of_cell_max = 400'000;
 
@@ -97,7 +99,7 @@ std::vector<StraightLegs::End> StraightLegs::ends_of(std::size_t cell, bool perh
   for (std::int32_t ring = 0; ring <= last && tested <= tests_max; ++ring) {
     if (!perhaps && found.size() >= enough) break;
     std::vector<End> of_ring;
-    tested += add_ring(cell, ring, perhaps ? goal_mm_ : goal_mm_ + surely_mm, of_ring);
+    tested += add_ring(cell, ring, perhaps ? goal_mm_ - rounded_mm : goal_mm_ + surely_mm, of_ring);
     if (!perhaps && tested > tests_max) break;
     found.insert(found.end(), of_ring.begin(), of_ring.end());
   }

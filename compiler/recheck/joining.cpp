@@ -137,7 +137,8 @@ class Joins {
     if (boundary.asked_from(from, limits_.route, 0) >= limits_.route) return 1e300;
     const double asked = boundary.asked_from(from, limits_.route, straight_forgiven_m);
     for (const Start& s : starts) {
-      if (!limits_.as_clear_as_here || !s.tried || s.rest > 0) continue;
+      const bool is_end = s.rest == 0 && s.clearance >= limits_.back - snap_m;
+      if (!limits_.as_clear_as_here || !s.tried || !is_end) continue;
       ++steps_;
       if (boundary.keeps(from, s.place, asked)) return leg_to(from, s);
     }

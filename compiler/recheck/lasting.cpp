@@ -117,7 +117,7 @@ std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
   std::vector<Rational> aims{said.aim};
   if (std::holds_alternative<sema::Loiter>(last)) aims.emplace_back(said.aim + Rational(1, 2));
   for (const Rational& aim : aims) {
-    const auto deeper = longest_way(zone, said.cells, said.starts, said.route, aim, sites);
+    const auto deeper = longest_way(zone, said.cells, said.starts, said.route, aim, sites, true);
     if (!most || !deeper) return std::nullopt;
     most = std::max({*most, *deeper, Rational(2 * aim)});
   }

@@ -14,8 +14,8 @@ namespace rtac::recheck {
 
 class Straight {
  public:
-  // `zone` and `grid` have to outlive it. Where the zone is `convex`, every leg to a goal keeps what
-  // the robot has.
+  // `zone` and `grid` have to outlive it. Where the zone is `convex`, every leg to a goal keeps
+  // what the robot has.
   Straight(const std::vector<Segment>& zone, const Grid& grid, double body, bool convex);
   // How long the leg is that is taken from any place of a cell to one that is so clear, at most;
   // a body that has as much needs none. nullopt: from some place none is known.

@@ -252,7 +252,7 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
 std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
                                     const Rational& body_m, const Rational& route_m,
                                     const Rational& goal_m,
-                                    const std::vector<geometry::Point>& sites) {
+                                    const std::vector<geometry::Point>& sites, bool deeper) {
   const std::vector<Segment> edges = segments_of(zone);
   const std::optional<Grid> grid = grid_of(edges, cells);
   if (!grid) return std::nullopt;
@@ -268,7 +268,7 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
   limits.straight = [&](std::size_t at) -> std::optional<double> {
     if (!sites.empty()) return std::nullopt;
     const auto leg = straight.longest_from(at, goal);
-    return leg || endless ? leg : straight.farthest_from(at, goal);
+    return leg || endless || !deeper ? leg : straight.farthest_from(at, goal);
   };
   std::vector<std::size_t> without;
   for (std::size_t at = 0; at < steps.size(); ++at) {
@@ -276,8 +276,8 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
     rest[at] = grid->cell * static_cast<double>(std::max<std::int64_t>(steps[at], 0));
     if (steps[at] >= 0) continue;
     endless = endless || reached[at] >= asks(*grid, at, route);
-    if (endless && !sites.empty()) return std::nullopt;
-    if (sites.empty()) without.push_back(at);
+    if (!sites.empty()) return std::nullopt;
+    without.push_back(at);
   }
   double longest = *std::ranges::max_element(rest);
   for (const std::size_t at : without) {

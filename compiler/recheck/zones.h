@@ -69,11 +69,12 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
 // The length of the longest of these ways, each the shortest one on which no cell is less clear
 // than what the one before it asks for: the search finds none that is longer. From cells without
 // such a way counts the leg in sight that may be taken, without `sites`. The leg to where its cells
-// begin is left out, up to the reach within which the search takes the best one. nullopt: of some
-// of them nothing bounds the way.
+// begin is left out, up to the reach within which the search takes the best one. A goal that is
+// `deeper` than where control is given back need not be reached. nullopt: of some of them nothing
+// bounds the way.
 std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
                                     const Rational& body_m, const Rational& route_m,
                                     const Rational& goal_m,
-                                    const std::vector<geometry::Point>& sites);
+                                    const std::vector<geometry::Point>& sites, bool deeper = false);
 
 }  // namespace rtac::recheck

@@ -168,5 +168,18 @@ TEST(LongestWay, LeadsOutOfAPassage) {
   EXPECT_LE(*wide, 2);
 }
 
+// From a chamber of its own no way leads to a metre of room: that is no matter of a goal that a
+// recovery would like to have, and one of where control is given back.
+TEST(LongestWay, HasNoEndWhereNoneLeadsBack) {
+  const auto room = geometry::Region::of_rings({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  const auto chamber = geometry::Region::of_rings({{{5, 0}, {6, 0}, {6, 1}, {5, 1}}});
+  const auto longest = [&](bool deeper) {
+    return recheck::longest_way(room.unite(chamber), {100, 0, 0}, Rational(1, 10),
+                                Rational(19, 100), 1, {}, deeper);
+  };
+  EXPECT_FALSE(longest(false).has_value());
+  EXPECT_TRUE(longest(true).has_value());
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
